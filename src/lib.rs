@@ -1,0 +1,2 @@
+pub use eframe as _;
+pub use egui_plot as _;

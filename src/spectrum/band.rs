@@ -1,0 +1,189 @@
+//! The wavelength range of a model and its 1 nm trapezoid grid.
+
+use std::fmt;
+
+/// Shortest range that a model may have, in nm.
+pub const SHORTEST_NM: u32 = 20;
+
+/// Longest wavelength that a range may reach, in nm.
+///
+/// Far beyond any light source a person would load; it bounds memory when a range is typed.
+pub const LONGEST_NM: u32 = 100_000;
+
+/// Most 1 nm steps in one range: 20 000 nm, so that no typed range can fill the memory.
+pub const MOST_STEPS: u32 = 20_000;
+
+/// A closed range of whole nanometres, `[min, max]`, with one grid point each nm.
+///
+/// Fits and comparisons all use this grid with trapezoid weights, so that a comparison measures
+/// the model and not the quadrature.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Band {
+    min_nm: u32,
+    max_nm: u32,
+}
+
+/// Why a range was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BandError {
+    /// A bound is not a whole, non-negative number of nm.
+    NotWhole { found: f64 },
+    /// The range is shorter than [`SHORTEST_NM`] (or runs backwards).
+    TooShort { min_nm: f64, max_nm: f64 },
+    /// The range is longer than [`MOST_STEPS`] or ends beyond [`LONGEST_NM`].
+    TooLong { min_nm: f64, max_nm: f64 },
+}
+
+impl fmt::Display for BandError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotWhole { found } => {
+                write!(f, "range: expected whole nm, found {found}")
+            }
+            Self::TooShort { min_nm, max_nm } => write!(
+                f,
+                "range: expected MIN:MAX at least {SHORTEST_NM} nm apart, found {min_nm}:{max_nm}"
+            ),
+            Self::TooLong { min_nm, max_nm } => write!(
+                f,
+                "range: expected at most {MOST_STEPS} nm below {LONGEST_NM} nm, found {min_nm}:{max_nm}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for BandError {}
+
+impl Band {
+    /// The program's default range, 380-780 nm.
+    pub const VISIBLE: Self = Self {
+        min_nm: 380,
+        max_nm: 780,
+    };
+
+    /// The range of the paper's own tables, 400-700 nm.
+    pub const PAPER: Self = Self {
+        min_nm: 400,
+        max_nm: 700,
+    };
+
+    /// A range from whole nanometres.
+    ///
+    /// # Errors
+    /// [`BandError`] when a bound is not whole or the range is too short or too long.
+    pub fn new(min_nm: f64, max_nm: f64) -> Result<Self, BandError> {
+        for found in [min_nm, max_nm] {
+            if !found.is_finite() || found.fract() != 0.0 || found < 0.0 {
+                return Err(BandError::NotWhole { found });
+            }
+        }
+        if max_nm - min_nm < f64::from(SHORTEST_NM) {
+            return Err(BandError::TooShort { min_nm, max_nm });
+        }
+        if max_nm > f64::from(LONGEST_NM) || max_nm - min_nm > f64::from(MOST_STEPS) {
+            return Err(BandError::TooLong { min_nm, max_nm });
+        }
+        Ok(Self {
+            min_nm: min_nm as u32,
+            max_nm: max_nm as u32,
+        })
+    }
+
+    /// First wavelength, nm.
+    pub fn min_nm(self) -> f64 {
+        f64::from(self.min_nm)
+    }
+
+    /// Last wavelength, nm.
+    pub fn max_nm(self) -> f64 {
+        f64::from(self.max_nm)
+    }
+
+    /// `L = max - min`, nm.
+    pub fn length_nm(self) -> f64 {
+        f64::from(self.max_nm - self.min_nm)
+    }
+
+    /// Number of 1 nm steps, which is `L`.
+    pub fn steps(self) -> usize {
+        (self.max_nm - self.min_nm) as usize
+    }
+
+    /// Number of grid points, `L + 1`.
+    pub fn points(self) -> usize {
+        self.steps() + 1
+    }
+
+    /// Wavelength of grid point `index`, nm.
+    pub fn nm(self, index: usize) -> f64 {
+        self.min_nm() + index as f64
+    }
+
+    /// All grid wavelengths in rising order, nm.
+    pub fn grid(self) -> impl ExactSizeIterator<Item = f64> + Clone {
+        (0..self.points()).map(move |i| self.nm(i))
+    }
+
+    /// Whether a wavelength lies in the closed range.
+    pub fn contains(self, at_nm: f64) -> bool {
+        (self.min_nm()..=self.max_nm()).contains(&at_nm)
+    }
+
+    /// Trapezoid weight of grid point `index` in nm: 1 inside, 1/2 at both ends.
+    pub fn weight(self, index: usize) -> f64 {
+        if index == 0 || index == self.steps() {
+            0.5
+        } else {
+            1.0
+        }
+    }
+
+    /// Trapezoid integral of values on this grid, in value x nm.
+    ///
+    /// # Panics
+    /// When `values` does not have [`Band::points`] entries.
+    pub fn integral(self, values: &[f64]) -> f64 {
+        assert_eq!(values.len(), self.points(), "one value per grid point");
+        values.iter().sum::<f64>() - 0.5 * (values[0] + values[values.len() - 1])
+    }
+
+    /// Trapezoid integral of the product of two functions on this grid.
+    ///
+    /// # Panics
+    /// When a slice does not have [`Band::points`] entries.
+    pub fn inner(self, a: &[f64], b: &[f64]) -> f64 {
+        assert!(a.len() == self.points() && b.len() == self.points());
+        let last = a.len() - 1;
+        dot(a, b) - 0.5 * (a[0] * b[0] + a[last] * b[last])
+    }
+
+    /// Value between grid points by straight lines; zero outside the range.
+    pub fn interpolate(self, values: &[f64], at_nm: f64) -> f64 {
+        if !self.contains(at_nm) {
+            return 0.0;
+        }
+        let x = at_nm - self.min_nm();
+        let i = (x as usize).min(self.steps() - 1);
+        let t = x - i as f64;
+        values[i] * (1.0 - t) + values[i + 1] * t
+    }
+}
+
+/// Sum of products, in four running sums so that the compiler can use vector registers.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    const LANES: usize = 8;
+    let mut sums = [0.0; LANES];
+    let (a_chunks, b_chunks) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let rest: f64 = a_chunks
+        .remainder()
+        .iter()
+        .zip(b_chunks.remainder())
+        .map(|(x, y)| x * y)
+        .sum();
+    for (x, y) in a_chunks.zip(b_chunks) {
+        for lane in 0..LANES {
+            sums[lane] += x[lane] * y[lane];
+        }
+    }
+    rest + sums.iter().sum::<f64>()
+}

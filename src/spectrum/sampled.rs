@@ -1,0 +1,215 @@
+//! A measured spectrum: the table as it was read, never splined.
+
+use std::fmt;
+
+use super::band::Band;
+
+/// How a table continues outside its first and last wavelength.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// Zero: a light emits nothing where nothing was measured.
+    Zero,
+    /// The end value is held: a reflectance goes on as it was.
+    Hold,
+}
+
+/// Strictly rising wavelengths (nm) with one finite value each; at least two points.
+///
+/// Between two samples the spectrum is a straight line (CIE 15 recommends linear interpolation
+/// for 1-5 nm tables of light sources).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampled {
+    nm: Vec<f64>,
+    values: Vec<f64>,
+}
+
+/// Why a table is not a spectrum.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SampledError {
+    /// Wavelengths and values differ in number.
+    Lengths { wavelengths: usize, values: usize },
+    /// Fewer than two points.
+    TooFew { found: usize },
+    /// A wavelength or a value is not a finite number (`index` counts from 0).
+    NotFinite { index: usize },
+    /// A wavelength does not exceed the one before it (`index` counts from 0).
+    NotRising { index: usize, found_nm: f64, after_nm: f64 },
+}
+
+impl fmt::Display for SampledError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Lengths { wavelengths, values } => write!(
+                f,
+                "expected one value per wavelength, found {wavelengths} wavelengths and {values} values"
+            ),
+            Self::TooFew { found } => write!(f, "expected at least 2 points, found {found}"),
+            Self::NotFinite { index } => {
+                write!(f, "point {}: expected finite numbers", index + 1)
+            }
+            Self::NotRising { index, found_nm, after_nm } => write!(
+                f,
+                "point {}: expected a wavelength above {after_nm} nm, found {found_nm} nm",
+                index + 1
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SampledError {}
+
+/// Steps shorter than this (nm) are "finer than 1 nm"; the margin forgives rounded grids.
+const FINE_STEP_NM: f64 = 0.999;
+
+impl Sampled {
+    /// A spectrum from wavelengths in nm and values in the spectrum's own unit.
+    ///
+    /// # Errors
+    /// [`SampledError`] when the lengths differ, there are fewer than two points, a number is not
+    /// finite, or the wavelengths do not rise strictly.
+    pub fn new(nm: Vec<f64>, values: Vec<f64>) -> Result<Self, SampledError> {
+        if nm.len() != values.len() {
+            return Err(SampledError::Lengths {
+                wavelengths: nm.len(),
+                values: values.len(),
+            });
+        }
+        if nm.len() < 2 {
+            return Err(SampledError::TooFew { found: nm.len() });
+        }
+        for (index, (w, v)) in nm.iter().zip(&values).enumerate() {
+            if !w.is_finite() || !v.is_finite() {
+                return Err(SampledError::NotFinite { index });
+            }
+            if index > 0 && *w <= nm[index - 1] {
+                return Err(SampledError::NotRising {
+                    index,
+                    found_nm: *w,
+                    after_nm: nm[index - 1],
+                });
+            }
+        }
+        Ok(Self { nm, values })
+    }
+
+    /// A spectrum on an even grid: `first_nm`, `first_nm + step_nm`, ...
+    ///
+    /// # Errors
+    /// As [`Sampled::new`].
+    pub fn even(first_nm: f64, step_nm: f64, values: Vec<f64>) -> Result<Self, SampledError> {
+        let nm = (0..values.len())
+            .map(|i| first_nm + i as f64 * step_nm)
+            .collect();
+        Self::new(nm, values)
+    }
+
+    /// Wavelengths, nm, strictly rising.
+    pub fn nm(&self) -> &[f64] {
+        &self.nm
+    }
+
+    /// Values, one per wavelength.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Number of points (at least 2, so there is no `is_empty`).
+    #[allow(clippy::len_without_is_empty)]
+    pub fn len(&self) -> usize {
+        self.nm.len()
+    }
+
+    /// First wavelength, nm.
+    pub fn first_nm(&self) -> f64 {
+        self.nm[0]
+    }
+
+    /// Last wavelength, nm.
+    pub fn last_nm(&self) -> f64 {
+        self.nm[self.nm.len() - 1]
+    }
+
+    /// The median step between neighbouring wavelengths, nm.
+    pub fn step_nm(&self) -> f64 {
+        let mut steps: Vec<f64> = self.nm.windows(2).map(|w| w[1] - w[0]).collect();
+        steps.sort_by(f64::total_cmp);
+        steps[steps.len() / 2]
+    }
+
+    /// Value at a wavelength by straight lines between samples.
+    pub fn at(&self, at_nm: f64, outside: Outside) -> f64 {
+        let last = self.nm.len() - 1;
+        if at_nm < self.nm[0] || at_nm > self.nm[last] {
+            return match outside {
+                Outside::Zero => 0.0,
+                Outside::Hold if at_nm < self.nm[0] => self.values[0],
+                Outside::Hold => self.values[last],
+            };
+        }
+        let right = self.nm.partition_point(|w| *w < at_nm).clamp(1, last);
+        self.on_segment(right - 1, at_nm)
+    }
+
+    /// Every value multiplied by a factor.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            nm: self.nm.clone(),
+            values: self.values.iter().map(|v| v * factor).collect(),
+        }
+    }
+
+    /// Linear interpolation onto whole nm `first_nm..=last_nm`, as METRICS's colorimetry wants it.
+    pub fn linear_on(&self, first_nm: u32, last_nm: u32, outside: Outside) -> Vec<f64> {
+        (first_nm..=last_nm)
+            .map(|nm| self.at(f64::from(nm), outside))
+            .collect()
+    }
+
+    /// The spectrum on the 1 nm grid of a band, one value per grid point.
+    ///
+    /// Where the table's steps are 1 nm or coarser the value is read off the straight line; where
+    /// they are finer it is the average over the nm around the grid point, so that a line between
+    /// two grid points keeps its power.
+    pub fn on_band(&self, band: Band, outside: Outside) -> Vec<f64> {
+        band.grid().map(|nm| self.about(nm, outside)).collect()
+    }
+
+    /// Whether some step inside the band is finer than the 1 nm grid.
+    pub fn is_finer_than_grid(&self, band: Band) -> bool {
+        self.nm
+            .windows(2)
+            .any(|w| w[1] > band.min_nm() && w[0] < band.max_nm() && w[1] - w[0] < FINE_STEP_NM)
+    }
+
+    fn about(&self, nm: f64, outside: Outside) -> f64 {
+        let (lo, hi) = (
+            (nm - 0.5).max(self.first_nm()),
+            (nm + 0.5).min(self.last_nm()),
+        );
+        if nm < self.first_nm() || nm > self.last_nm() || hi <= lo {
+            return self.at(nm, outside);
+        }
+        let first = self.nm.partition_point(|w| *w <= lo).max(1) - 1;
+        let past = self
+            .nm
+            .partition_point(|w| *w < hi)
+            .clamp(first + 1, self.nm.len() - 1);
+        let fine = (first..past).any(|i| self.nm[i + 1] - self.nm[i] < FINE_STEP_NM);
+        if !fine {
+            return self.at(nm, outside);
+        }
+        let area: f64 = (first..past)
+            .map(|i| {
+                let (a, b) = (self.nm[i].max(lo), self.nm[i + 1].min(hi));
+                0.5 * (b - a) * (self.on_segment(i, a) + self.on_segment(i, b))
+            })
+            .sum();
+        area / (hi - lo)
+    }
+
+    fn on_segment(&self, left: usize, at_nm: f64) -> f64 {
+        let (a, b) = (self.nm[left], self.nm[left + 1]);
+        let t = (at_nm - a) / (b - a);
+        self.values[left] * (1.0 - t) + self.values[left + 1] * t
+    }
+}
