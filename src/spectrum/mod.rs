@@ -6,13 +6,23 @@
 pub mod band;
 pub mod basis;
 pub mod composite;
+pub mod edits;
+pub mod fit;
+pub mod gradient;
 pub mod kind;
 pub mod named;
+pub mod product;
+pub mod resampled;
 pub mod sampled;
+pub mod spikes;
 
 pub use band::Band;
 pub use basis::{Basis, BasisTable, Series};
 pub use composite::{Composite, Spike};
+pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits};
+pub use fit::{Exactness, InnerProducts};
 pub use kind::Kind;
 pub use named::NamedSpectrum;
+pub use resampled::{Resampled, SampleGrid, Sampling};
 pub use sampled::{Outside, Sampled};
+pub use spikes::SpikeSettings;

@@ -33,13 +33,20 @@ pub enum SampledError {
     /// A wavelength or a value is not a finite number (`index` counts from 0).
     NotFinite { index: usize },
     /// A wavelength does not exceed the one before it (`index` counts from 0).
-    NotRising { index: usize, found_nm: f64, after_nm: f64 },
+    NotRising {
+        index: usize,
+        found_nm: f64,
+        after_nm: f64,
+    },
 }
 
 impl fmt::Display for SampledError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Lengths { wavelengths, values } => write!(
+            Self::Lengths {
+                wavelengths,
+                values,
+            } => write!(
                 f,
                 "expected one value per wavelength, found {wavelengths} wavelengths and {values} values"
             ),
@@ -47,7 +54,11 @@ impl fmt::Display for SampledError {
             Self::NotFinite { index } => {
                 write!(f, "point {}: expected finite numbers", index + 1)
             }
-            Self::NotRising { index, found_nm, after_nm } => write!(
+            Self::NotRising {
+                index,
+                found_nm,
+                after_nm,
+            } => write!(
                 f,
                 "point {}: expected a wavelength above {after_nm} nm, found {found_nm} nm",
                 index + 1

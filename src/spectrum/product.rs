@@ -1,0 +1,196 @@
+//! Light times reflectance: smooth parts multiplied, spikes weighed by the factor where they stand.
+//!
+//! ```text
+//! (S1 + sum w d(l - lm)) S2 = S1 S2 + sum S2(lm) w d(l - lm)        (Eq. 14)
+//! ```
+
+use super::{
+    band::Band,
+    basis::{Basis, Series},
+    composite::{Composite, Spike},
+    resampled::{Resampled, SampleGrid, Sampling},
+};
+
+/// A light as the model has it, times a factor as measured, on the 1 nm grid.
+///
+/// `factor` holds values on the light's band. Spikes read the factor off the straight line
+/// between its two neighbouring nm.
+pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Spike>) {
+    let band = light.band();
+    let smooth = light
+        .smooth
+        .on_band()
+        .iter()
+        .zip(factor)
+        .map(|(s, f)| s * f)
+        .collect();
+    (
+        smooth,
+        weigh_spikes(&light.spikes, |nm| band.interpolate(factor, nm)),
+    )
+}
+
+/// A light times a smooth factor by resampling: the composite through the products of the points.
+///
+/// Both series share band and basis; the result has one number per point. With
+/// [`Sampling::Exact`] every order of the product is kept, by coefficient convolution.
+pub fn resampled(light: &Composite, factor: &Series, sampling: Sampling) -> Composite {
+    let numbers = light
+        .smooth
+        .coefficients
+        .len()
+        .max(factor.coefficients.len());
+    let smooth = match sampling.points(numbers) {
+        Some(points) => {
+            let grid = SampleGrid {
+                band: light.band(),
+                basis: light.smooth.basis,
+                points,
+            };
+            let product = multiply(&grid.sample(&light.smooth), &grid.sample(factor));
+            grid.series(&product)
+        }
+        None => convolve(&light.smooth, factor),
+    };
+    Composite {
+        smooth,
+        spikes: weigh_spikes(&light.spikes, |nm| factor.at(nm)),
+    }
+}
+
+/// A chain of factors on one grid, never truncated in between.
+pub fn chain(light: &Composite, factors: &[Series], points: usize) -> Resampled {
+    let grid = SampleGrid {
+        band: light.band(),
+        basis: light.smooth.basis,
+        points,
+    };
+    let mut values = grid.sample(&light.smooth);
+    let mut spikes = light.spikes.clone();
+    for factor in factors {
+        values = multiply(&values, &grid.sample(factor));
+        spikes = weigh_spikes(&spikes, |nm| factor.at(nm));
+    }
+    Resampled {
+        grid,
+        values,
+        spikes,
+    }
+}
+
+/// Points for a chain: twice the numbers, four times from the fifth factor on when there are few
+/// numbers (MODEL section 5).
+pub fn chain_points(numbers: usize, factors: usize) -> usize {
+    if factors >= 5 && numbers <= 15 {
+        4 * numbers
+    } else {
+        2 * numbers
+    }
+}
+
+/// Every order of the product of two series, by convolution of their coefficients, O(N^2).
+///
+/// The series share band and basis; the result has order 2N (`4N + 1` numbers).
+pub fn convolve(a: &Series, b: &Series) -> Series {
+    let coefficients = match a.basis {
+        Basis::Fourier => fourier_convolution(a, b),
+        Basis::Cosine => cosine_convolution(&a.coefficients, &b.coefficients),
+    };
+    Series {
+        band: a.band,
+        basis: a.basis,
+        coefficients,
+    }
+}
+
+fn cosine_convolution(a: &[f64], b: &[f64]) -> Vec<f64> {
+    let mut c = vec![0.0; a.len() + b.len() - 1];
+    // cos m cos n = (cos(m+n) + cos|m-n|) / 2
+    for (m, a) in a.iter().enumerate() {
+        for (n, b) in b.iter().enumerate() {
+            c[m + n] += 0.5 * a * b;
+            c[m.abs_diff(n)] += 0.5 * a * b;
+        }
+    }
+    c
+}
+
+fn fourier_convolution(a: &Series, b: &Series) -> Vec<f64> {
+    let ((a1, b1), (a2, b2)) = (a.a_b(), b.a_b());
+    let (cos_1, cos_2) = (halved_first(&a1), halved_first(&a2));
+    let (sin_1, sin_2) = (with_zero(&b1), with_zero(&b2));
+    let order = a.order() + b.order();
+    let (mut cos, mut sin) = (vec![0.0; order + 1], vec![0.0; order + 1]);
+    for m in 0..cos_1.len() {
+        for n in 0..cos_2.len() {
+            let (sum, difference) = (m + n, m.abs_diff(n));
+            let cc = 0.5 * cos_1[m] * cos_2[n];
+            cos[sum] += cc;
+            cos[difference] += cc;
+            // sin m sin n = (cos(m-n) - cos(m+n)) / 2
+            let ss = 0.5 * sin_1[m] * sin_2[n];
+            cos[difference] += ss;
+            cos[sum] -= ss;
+            // sin m cos n = (sin(m+n) + sin(m-n)) / 2, the sine of a negative order is minus it
+            let sc = 0.5 * sin_1[m] * cos_2[n];
+            sin[sum] += sc;
+            sin[difference] += if m >= n { sc } else { -sc };
+            let cs = 0.5 * cos_1[m] * sin_2[n];
+            sin[sum] += cs;
+            sin[difference] += if n >= m { cs } else { -cs };
+        }
+    }
+    let mut coefficients = vec![2.0 * cos[0]];
+    for n in 1..=order {
+        coefficients.extend([cos[n], sin[n]]);
+    }
+    coefficients
+}
+
+/// `a0/2, a1, a2, ...`: what multiplies the cosines.
+fn halved_first(a: &[f64]) -> Vec<f64> {
+    let mut cos = a.to_vec();
+    cos[0] *= 0.5;
+    cos
+}
+
+/// `0, b1, b2, ...`: what multiplies the sines.
+fn with_zero(b: &[f64]) -> Vec<f64> {
+    std::iter::once(0.0).chain(b.iter().copied()).collect()
+}
+
+fn multiply(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a * b).collect()
+}
+
+fn weigh_spikes(spikes: &[Spike], factor_at: impl Fn(f64) -> f64) -> Vec<Spike> {
+    spikes
+        .iter()
+        .map(|s| Spike {
+            at_nm: s.at_nm,
+            weight: s.weight * factor_at(s.at_nm),
+        })
+        .collect()
+}
+
+/// Power of a product that the sample grid folds back, as a share of the product's power.
+///
+/// Zero when the grid has room for every order.
+pub fn folded_share(a: &Series, b: &Series, points: usize) -> f64 {
+    let full = convolve(a, b);
+    let band: Band = full.band;
+    let power = |from: usize| -> f64 {
+        full.coefficients
+            .iter()
+            .enumerate()
+            .skip(from)
+            .map(|(k, c)| c * c * full.basis.norm_squared(k, band))
+            .sum()
+    };
+    let all = power(0);
+    if all > 0.0 {
+        power(points.min(full.coefficients.len())) / all
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,205 @@
+//! Series sampled on a few points, where a product is one multiplication a point.
+//!
+//! The product of two series of order N has order 2N. On the paper's 2N+1 independent points it
+//! aliases; 3N+1 points keep orders up to N exact and 4N+1 keep all of them. The cosine basis
+//! samples on midpoints, `min + (j + 1/2) L / M`.
+
+use std::f64::consts::PI;
+
+use super::{
+    band::Band,
+    basis::{Basis, Series},
+    composite::Spike,
+};
+
+/// How many points a product is formed on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Sampling {
+    /// The paper's points: as many as there are numbers, 2N+1 independent ones.
+    Paper,
+    /// 3N+1 points (Fourier): orders up to N exact.
+    #[serde(rename = "3n")]
+    ThreeN,
+    /// 4N+1 points (Fourier): every order of one product exact.
+    #[serde(rename = "4n")]
+    FourN,
+    /// Twice as many points as there are numbers: the default for chains.
+    Double,
+    /// No resampling: the product on the 1 nm grid with the factor as measured.
+    Exact,
+}
+
+impl Sampling {
+    /// Every way, coarsest first.
+    pub const ALL: [Self; 5] = [
+        Self::Paper,
+        Self::ThreeN,
+        Self::FourN,
+        Self::Double,
+        Self::Exact,
+    ];
+
+    /// The word used on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::ThreeN => "3n",
+            Self::FourN => "4n",
+            Self::Double => "double",
+            Self::Exact => "exact",
+        }
+    }
+
+    /// Points for factors of `numbers` coefficients; `None` for the 1 nm product.
+    pub fn points(self, numbers: usize) -> Option<usize> {
+        let order = numbers / 2;
+        match self {
+            Self::Paper => Some(numbers),
+            Self::ThreeN => Some(3 * order + 1),
+            Self::FourN => Some(4 * order + 1),
+            Self::Double => Some(2 * numbers),
+            Self::Exact => None,
+        }
+    }
+}
+
+/// The places where series of one basis are sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SampleGrid {
+    /// The band sampled.
+    pub band: Band,
+    /// Periodic points for Fourier, midpoints for the cosine basis.
+    pub basis: Basis,
+    /// Number of independent points, at least one.
+    pub points: usize,
+}
+
+impl SampleGrid {
+    /// Distance between neighbouring points, nm.
+    pub fn step_nm(self) -> f64 {
+        self.band.length_nm() / self.points as f64
+    }
+
+    /// Where sample `i` stands, nm. For Fourier `i = points` is the period's other end, whose
+    /// value equals the first one's (Eq. 15 written with i = 0 ..= 2N+1).
+    pub fn nm(self, i: usize) -> f64 {
+        let offset = match self.basis {
+            Basis::Fourier => 0.0,
+            Basis::Cosine => 0.5,
+        };
+        self.band.min_nm() + (i as f64 + offset) * self.step_nm()
+    }
+
+    /// A series' values on the grid.
+    pub fn sample(self, series: &Series) -> Vec<f64> {
+        (0..self.points).map(|i| series.at(self.nm(i))).collect()
+    }
+
+    /// The series of lowest order through values on the grid: one number per point.
+    pub fn series(self, values: &[f64]) -> Series {
+        let m = self.points;
+        let coefficients = (0..m)
+            .map(|k| {
+                let sum: f64 = values
+                    .iter()
+                    .enumerate()
+                    .map(|(i, v)| v * self.basis_at_sample(k, i))
+                    .sum();
+                sum * self.projection_scale(k)
+            })
+            .collect();
+        Series {
+            band: self.band,
+            basis: self.basis,
+            coefficients,
+        }
+    }
+
+    /// The matrix that takes values on the grid straight to inner products with three weights
+    /// (rows by rows: point, then weight), by way of the interpolating series.
+    ///
+    /// `weight_products` gives the three inner products of basis function `k` (value x nm).
+    pub fn product_matrix(self, weight_products: impl Fn(usize) -> [f64; 3]) -> Vec<[f64; 3]> {
+        let per_number: Vec<[f64; 3]> = (0..self.points).map(weight_products).collect();
+        (0..self.points)
+            .map(|i| {
+                let mut row = [0.0; 3];
+                for (k, g) in per_number.iter().enumerate() {
+                    let share = self.basis_at_sample(k, i) * self.projection_scale(k);
+                    for (r, g) in row.iter_mut().zip(g) {
+                        *r += share * g;
+                    }
+                }
+                row
+            })
+            .collect()
+    }
+
+    /// Eq. 17, corrected: straight line between the two samples around a place.
+    pub fn linear_at(self, values: &[f64], at_nm: f64) -> f64 {
+        let (left, right, t) = self.around(at_nm);
+        values[left] * (1.0 - t) + values[right] * t
+    }
+
+    /// Eq. 17 as the paper prints it, with the two weights swapped.
+    pub fn linear_at_as_printed(self, values: &[f64], at_nm: f64) -> f64 {
+        let (left, right, t) = self.around(at_nm);
+        values[left] * t + values[right] * (1.0 - t)
+    }
+
+    /// The samples on both sides of a place and how far it is from the left one (0-1).
+    fn around(self, at_nm: f64) -> (usize, usize, f64) {
+        let x = (at_nm - self.nm(0)) / self.step_nm();
+        match self.basis {
+            Basis::Fourier => {
+                let left = (x.max(0.0) as usize).min(self.points - 1);
+                (left, (left + 1) % self.points, x - left as f64)
+            }
+            Basis::Cosine => {
+                let left = (x.max(0.0) as usize).min(self.points.saturating_sub(2));
+                let right = (left + 1).min(self.points - 1);
+                (left, right, (x - left as f64).clamp(0.0, 1.0))
+            }
+        }
+    }
+
+    /// Angle of one step of harmonic `k`, without going through nm.
+    fn basis_at_sample(self, k: usize, i: usize) -> f64 {
+        let m = self.points as f64;
+        match self.basis {
+            Basis::Fourier => {
+                if k == 0 {
+                    return 1.0;
+                }
+                let (sin, cos) = (2.0 * PI * (k.div_ceil(2) * i) as f64 / m).sin_cos();
+                if k % 2 == 1 { cos } else { sin }
+            }
+            Basis::Cosine => (PI * k as f64 * (i as f64 + 0.5) / m).cos(),
+        }
+    }
+
+    /// What a discrete sum is multiplied by to become a coefficient.
+    fn projection_scale(self, k: usize) -> f64 {
+        let m = self.points as f64;
+        let nyquist =
+            self.basis == Basis::Fourier && self.points.is_multiple_of(2) && k + 1 == self.points;
+        match self.basis {
+            Basis::Cosine if k == 0 => 1.0 / m,
+            // The cosine of half the sampling frequency is its own alias.
+            Basis::Fourier if nyquist => 1.0 / m,
+            Basis::Fourier | Basis::Cosine => 2.0 / m,
+        }
+    }
+}
+
+/// A spiky spectrum on a sample grid: values and spikes side by side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resampled {
+    /// Where the values stand.
+    pub grid: SampleGrid,
+    /// One value per point.
+    pub values: Vec<f64>,
+    /// Spikes, carried exactly.
+    pub spikes: Vec<Spike>,
+}

@@ -1,0 +1,470 @@
+//! Finding spikes: prominence proposes, energy decides.
+//!
+//! A line is worth two numbers when it carries a visible share of the light's power, so the only
+//! threshold a person sees is a share of power; the smallest height worth looking at follows
+//! from it and the widest line allowed. Candidates are local maxima judged by their prominence
+//! (how far one must come down before climbing higher); neighbours that no valley parts are one
+//! group; what stands above the lower convex hull of a group's window is its energy. That energy
+//! is taken out of the spectrum and put into the spike, so `S = smooth + sum of residues` holds
+//! to rounding and nothing is lost or counted twice.
+
+use super::{
+    band::Band,
+    composite::{GAUSSIAN_AREA, Spike},
+};
+
+/// What the detector is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpikeSettings {
+    /// Least share of the total power that a spike must carry, 0-1 (0.005 is the default 0.5 %).
+    pub threshold: f64,
+    /// Widest line, full width at half maximum in nm.
+    pub max_width_nm: f64,
+    /// Also look for absorption lines, which become negative spikes.
+    pub dips: bool,
+}
+
+impl Default for SpikeSettings {
+    fn default() -> Self {
+        Self {
+            threshold: 0.005,
+            max_width_nm: 10.0,
+            dips: false,
+        }
+    }
+}
+
+/// A line taken out of the spectrum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FoundSpike {
+    /// Centroid and energy of what was taken out.
+    pub spike: Spike,
+    /// Full width at half maximum of a Gaussian of that energy and height, nm.
+    pub width_nm: f64,
+    /// Number of local maxima that no valley parted (the 577/579 nm mercury pair is one spike).
+    pub peaks: usize,
+    /// First and last wavelength of the window it was taken from, nm.
+    pub window_nm: [f64; 2],
+}
+
+/// Wishes that come before the thresholds.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wishes<'a> {
+    /// Places (nm) whose line is taken out however weak or wide it is.
+    pub take: &'a [f64],
+    /// Places (nm) whose line stays in the smooth part.
+    pub leave: &'a [f64],
+}
+
+/// A spectrum taken apart on its grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decomposition {
+    /// What is left for the smooth part, one value per grid point.
+    pub smooth: Vec<f64>,
+    /// The lines, by rising wavelength.
+    pub spikes: Vec<FoundSpike>,
+    /// Integral of the absolute value over the band, the power that shares refer to.
+    pub power: f64,
+}
+
+impl Decomposition {
+    /// Nothing taken out.
+    pub fn untouched(band: Band, values: &[f64]) -> Self {
+        Self {
+            smooth: values.to_vec(),
+            spikes: Vec::new(),
+            power: absolute_power(band, values),
+        }
+    }
+}
+
+/// Integral of `|S|` over the band, in value x nm.
+pub fn absolute_power(band: Band, values: &[f64]) -> f64 {
+    let last = values.len() - 1;
+    let sum: f64 = values.iter().map(|v| v.abs()).sum();
+    debug_assert_eq!(values.len(), band.points());
+    sum - 0.5 * (values[0].abs() + values[last].abs())
+}
+
+/// Peaks closer than this are always one line: no spectrometer in ordinary use parts them.
+const ALWAYS_TOGETHER_NM: f64 = 4.0;
+/// Two peaks closer than the widest line are one when the valley between keeps this share of the
+/// lower one's height.
+const SHALLOW_VALLEY: f64 = 0.6;
+/// Prominence is looked for within this many line widths, so that a far background cannot decide.
+const PROMINENCE_WINDOW_WIDTHS: f64 = 6.0;
+/// The local ground of a pair is the lowest value within this many line widths outside it.
+const GROUND_WIDTHS: f64 = 2.0;
+/// A line's window reaches this many of its widths beyond its peak: a Gaussian has 0.04 % left.
+const WINDOW_WIDTHS: f64 = 1.5;
+/// One more nm on each side, so that a line of one sample still has a foot.
+const WINDOW_MARGIN_NM: f64 = 1.0;
+/// Narrowest width used for a window: a line between two samples looks this wide.
+const NARROWEST_NM: f64 = 2.0;
+/// A line may measure this much wider than asked for: its hull baseline is not exact.
+const WIDTH_TOLERANCE: f64 = 1.05;
+/// How far from a wished place a line may stand.
+const WISH_REACH_NM: f64 = 3.0;
+/// A line taken by wish may be this wide even when the detector looks for narrower ones.
+const WIDEST_WISHED_NM: f64 = 20.0;
+/// A second look finds lines that stood on the flank of stronger ones.
+const PASSES: usize = 2;
+
+/// The default detector on values on a band's grid.
+///
+/// Every spike found carries at least `threshold` of the power and measures at most 1.05 of the
+/// widest line. A spectrum without power has no spikes.
+pub fn detect(band: Band, values: &[f64], settings: SpikeSettings) -> Decomposition {
+    detect_with(band, values, settings, Wishes::default())
+}
+
+/// The default detector with places that are taken out or left in whatever the thresholds say.
+///
+/// A place in `take` where no line stands is passed over: there is nothing to take.
+pub fn detect_with(
+    band: Band,
+    values: &[f64],
+    settings: SpikeSettings,
+    wishes: Wishes<'_>,
+) -> Decomposition {
+    let mut parts = Decomposition::untouched(band, values);
+    let power = parts.power;
+    if !(power > 0.0 && power.is_finite()) {
+        return parts;
+    }
+    take_lines(band, &mut parts, settings, wishes, 1.0);
+    if settings.dips {
+        parts.smooth.iter_mut().for_each(|v| *v = -*v);
+        take_lines(band, &mut parts, settings, wishes, -1.0);
+        parts.smooth.iter_mut().for_each(|v| *v = -*v);
+    }
+    for place in wishes.take {
+        if !parts.spikes.iter().any(|s| s.covers(*place)) {
+            take_at(band, &mut parts, settings, *place);
+        }
+    }
+    parts
+        .spikes
+        .sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
+    parts
+}
+
+/// Takes lines that stand up out of `parts.smooth`; `sign` is what their weights are multiplied
+/// by (the caller turns the spectrum over for dips).
+fn take_lines(
+    band: Band,
+    parts: &mut Decomposition,
+    settings: SpikeSettings,
+    wishes: Wishes<'_>,
+    sign: f64,
+) {
+    let width = settings.max_width_nm;
+    let least_energy = settings.threshold * parts.power;
+    let least_height = least_energy / (GAUSSIAN_AREA * width);
+    for _ in 0..PASSES {
+        let peaks = candidates(&parts.smooth, least_height, width);
+        let groups = group(&parts.smooth, &peaks, width);
+        let borders = borders(&parts.smooth, &groups);
+        let mut found_one = false;
+        for (members, limits) in groups.iter().zip(borders) {
+            let Some(line) = weigh(band, &parts.smooth, members, limits) else {
+                continue;
+            };
+            let strong_and_narrow =
+                line.energy >= least_energy && line.width_nm <= WIDTH_TOLERANCE * width;
+            let found = line.found(band, members.len(), sign);
+            let wished = wishes.take.iter().any(|nm| found.covers(*nm));
+            let unwanted = wishes.leave.iter().any(|nm| found.covers(*nm));
+            if !wished && (unwanted || !strong_and_narrow) {
+                continue;
+            }
+            line.take_from(&mut parts.smooth);
+            parts.spikes.push(found);
+            found_one = true;
+        }
+        if !found_one {
+            break;
+        }
+    }
+}
+
+/// Takes the line nearest to a place, whatever its strength.
+fn take_at(band: Band, parts: &mut Decomposition, settings: SpikeSettings, at_nm: f64) {
+    let smallest = f64::MIN_POSITIVE;
+    let widest = settings.max_width_nm.max(WIDEST_WISHED_NM);
+    let peaks = candidates(&parts.smooth, smallest, widest);
+    let groups = group(&parts.smooth, &peaks, settings.max_width_nm);
+    let borders = borders(&parts.smooth, &groups);
+    let nearest = groups
+        .iter()
+        .zip(borders)
+        .filter_map(|(members, limits)| {
+            let distance = members
+                .iter()
+                .map(|p| (band.nm(p.at) - at_nm).abs())
+                .fold(f64::INFINITY, f64::min);
+            (distance <= WISH_REACH_NM).then_some((distance, members, limits))
+        })
+        .min_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((_, members, limits)) = nearest
+        && let Some(line) = weigh(band, &parts.smooth, members, limits)
+    {
+        parts.spikes.push(line.found(band, members.len(), 1.0));
+        line.take_from(&mut parts.smooth);
+    }
+}
+
+/// A local maximum with its width at half prominence.
+#[derive(Clone, Copy, Debug)]
+struct Peak {
+    at: usize,
+    width: f64,
+}
+
+/// Local maxima that are prominent and narrow enough. The ends of the range stand beside a floor
+/// of `min(min S, 0)`, so that a line cut by the range still counts as one.
+fn candidates(values: &[f64], least_height: f64, max_width: f64) -> Vec<Peak> {
+    let floor = values.iter().copied().fold(0.0, f64::min);
+    let reach = (PROMINENCE_WINDOW_WIDTHS * max_width).ceil() as usize / 2;
+    let n = values.len();
+    let mut peaks = Vec::new();
+    let mut i = 0;
+    while i < n {
+        let before = if i == 0 { floor } else { values[i - 1] };
+        if values[i] <= before {
+            i += 1;
+            continue;
+        }
+        // A flat top is one maximum, at its middle.
+        let mut end = i;
+        while end + 1 < n && values[end + 1] == values[i] {
+            end += 1;
+        }
+        let after = if end + 1 == n { floor } else { values[end + 1] };
+        if after < values[i]
+            && let Some(width) =
+                prominent_width(values, usize::midpoint(i, end), floor, reach, least_height)
+            && width <= max_width
+        {
+            peaks.push(Peak {
+                at: usize::midpoint(i, end),
+                width,
+            });
+        }
+        i = end + 1;
+    }
+    peaks
+}
+
+/// Width at half prominence of the maximum at `at`, or `None` when it is not prominent enough.
+fn prominent_width(
+    values: &[f64],
+    at: usize,
+    floor: f64,
+    reach: usize,
+    least_height: f64,
+) -> Option<f64> {
+    let top = values[at];
+    // Indices are signed: -1 and n are the floor beside the range.
+    let n = values.len() as isize;
+    let at = at as isize;
+    let value = |i: isize| {
+        if i < 0 || i >= n {
+            floor
+        } else {
+            values[i as usize]
+        }
+    };
+    let (first, last) = ((at - reach as isize).max(-1), (at + reach as isize).min(n));
+    let lowest_towards = |step: isize| {
+        let (mut i, mut base, mut lowest) = (at, at, top);
+        while i >= first && i <= last && value(i) <= top {
+            if value(i) < lowest {
+                lowest = value(i);
+                base = i;
+            }
+            i += step;
+        }
+        (base, lowest)
+    };
+    let (left_base, left) = lowest_towards(-1);
+    let (right_base, right) = lowest_towards(1);
+    let prominence = top - left.max(right);
+    if prominence < least_height {
+        return None;
+    }
+    let half = top - 0.5 * prominence;
+    let crossing = |step: isize, base: isize| {
+        let mut i = at;
+        while i != base && value(i) > half {
+            i += step;
+        }
+        let x = i as f64;
+        if value(i) < half {
+            x - step as f64 * (half - value(i)) / (value(i - step) - value(i))
+        } else {
+            x
+        }
+    };
+    Some(crossing(1, right_base) - crossing(-1, left_base))
+}
+
+/// Neighbouring candidates joined into groups.
+fn group(values: &[f64], peaks: &[Peak], width: f64) -> Vec<Vec<Peak>> {
+    let mut groups: Vec<Vec<Peak>> = Vec::new();
+    for peak in peaks {
+        let joins = groups
+            .last()
+            .and_then(|g| g.last())
+            .is_some_and(|before| together(values, before.at, peak.at, width));
+        match groups.last_mut() {
+            Some(last) if joins => last.push(*peak),
+            _ => groups.push(vec![*peak]),
+        }
+    }
+    groups
+}
+
+fn together(values: &[f64], left: usize, right: usize, width: f64) -> bool {
+    let distance = (right - left) as f64;
+    if distance < ALWAYS_TOGETHER_NM {
+        return true;
+    }
+    if distance >= width {
+        return false;
+    }
+    let reach = (GROUND_WIDTHS * width).round() as usize;
+    let (from, to) = (
+        left.saturating_sub(reach),
+        (right + reach).min(values.len() - 1),
+    );
+    let lowest = |range: &[f64]| range.iter().copied().fold(f64::INFINITY, f64::min);
+    let ground = lowest(&values[from..=left]).min(lowest(&values[right..=to]));
+    let valley = lowest(&values[left..=right]);
+    let lower = values[left].min(values[right]);
+    valley - ground > SHALLOW_VALLEY * (lower - ground)
+}
+
+/// First and last index that each group may use: the lowest points between neighbours.
+fn borders(values: &[f64], groups: &[Vec<Peak>]) -> Vec<(usize, usize)> {
+    let mut borders = Vec::with_capacity(groups.len());
+    let mut from = 0;
+    for (g, members) in groups.iter().enumerate() {
+        let to = match groups.get(g + 1) {
+            Some(next) => {
+                let (a, b) = (members[members.len() - 1].at, next[0].at);
+                (a..=b)
+                    .min_by(|i, j| values[*i].total_cmp(&values[*j]))
+                    .unwrap_or(a)
+            }
+            None => values.len() - 1,
+        };
+        borders.push((from, to));
+        from = to;
+    }
+    borders
+}
+
+/// What one group would take out.
+struct Line {
+    first: usize,
+    residue: Vec<f64>,
+    energy: f64,
+    at_nm: f64,
+    width_nm: f64,
+}
+
+impl Line {
+    fn take_from(&self, values: &mut [f64]) {
+        for (v, r) in values[self.first..].iter_mut().zip(&self.residue) {
+            *v -= r;
+        }
+    }
+
+    fn found(&self, band: Band, peaks: usize, sign: f64) -> FoundSpike {
+        FoundSpike {
+            spike: Spike {
+                at_nm: self.at_nm,
+                weight: sign * self.energy,
+            },
+            width_nm: self.width_nm,
+            peaks,
+            window_nm: [
+                band.nm(self.first),
+                band.nm(self.first + self.residue.len() - 1),
+            ],
+        }
+    }
+}
+
+impl FoundSpike {
+    /// Whether a place belongs to this line: within reach of its centroid and inside its window.
+    pub fn covers(&self, at_nm: f64) -> bool {
+        (self.spike.at_nm - at_nm).abs() <= WISH_REACH_NM
+            && (self.window_nm[0]..=self.window_nm[1]).contains(&at_nm)
+    }
+}
+
+fn weigh(band: Band, values: &[f64], members: &[Peak], limits: (usize, usize)) -> Option<Line> {
+    let (head, tail) = (members.first()?, members.last()?);
+    // The widest member decides: a shoulder's own width says nothing about the line it sits on.
+    let widest = members.iter().map(|p| p.width).fold(NARROWEST_NM, f64::max);
+    let reach = WINDOW_WIDTHS * widest + WINDOW_MARGIN_NM;
+    let first = ((head.at as f64 - reach).floor().max(0.0) as usize).max(limits.0);
+    let last = ((tail.at as f64 + reach).ceil() as usize).min(limits.1);
+    if last <= first {
+        return None;
+    }
+    let window = &values[first..=last];
+    let baseline = if head.at == 0 {
+        vec![window[window.len() - 1]; window.len()]
+    } else if tail.at == values.len() - 1 {
+        vec![window[0]; window.len()]
+    } else {
+        lower_hull(window)
+    };
+    let residue: Vec<f64> = window
+        .iter()
+        .zip(&baseline)
+        .map(|(v, b)| (v - b).max(0.0))
+        .collect();
+    let (mut energy, mut moment, mut top) = (0.0, 0.0, 0.0_f64);
+    for (i, r) in residue.iter().enumerate() {
+        let share = band.weight(first + i) * r;
+        energy += share;
+        moment += share * band.nm(first + i);
+        top = top.max(*r);
+    }
+    (top > 0.0).then(|| Line {
+        first,
+        energy,
+        at_nm: moment / energy,
+        width_nm: energy / (GAUSSIAN_AREA * top),
+        residue,
+    })
+}
+
+/// The lower convex hull of equally spaced values, read off at every point (Andrew's scan).
+fn lower_hull(values: &[f64]) -> Vec<f64> {
+    let mut corners: Vec<usize> = Vec::with_capacity(values.len());
+    for i in 0..values.len() {
+        while let [.., a, b] = corners[..] {
+            let rise_ab = (values[b] - values[a]) * (i - a) as f64;
+            let rise_ai = (values[i] - values[a]) * (b - a) as f64;
+            if rise_ab >= rise_ai {
+                corners.pop();
+            } else {
+                break;
+            }
+        }
+        corners.push(i);
+    }
+    let mut hull = Vec::with_capacity(values.len());
+    for pair in corners.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        let slope = (values[b] - values[a]) / (b - a) as f64;
+        hull.extend((a..b).map(|i| values[a] + slope * (i - a) as f64));
+    }
+    hull.push(values[values.len() - 1]);
+    hull
+}
