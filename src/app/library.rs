@@ -1,0 +1,895 @@
+//! The shipped spectra, found by name.
+//!
+//! The files lie in `presets/` and are part of the program; each group says where its numbers come
+//! from and under which licence they stand.
+
+use std::{fmt, sync::LazyLock};
+
+use crate::io::preset::{LineList, PresetComposite, PresetError, PresetFile, Shelf, Terms};
+use crate::spectrum::{Kind, NamedSpectrum};
+
+/// The shipped files, in the order in which the library lists their groups.
+const FILES: [&str; 24] = [
+    include_str!("../../presets/cie_illuminants.json"),
+    include_str!("../../presets/cie_fluorescent_1nm.json"),
+    include_str!("../../presets/cie_fluorescent_5nm.json"),
+    include_str!("../../presets/cie_led_1nm.json"),
+    include_str!("../../presets/cie_led_5nm.json"),
+    include_str!("../../presets/cie_hp_5nm.json"),
+    include_str!("../../presets/lamps_nist_traditional.json"),
+    include_str!("../../presets/lamps_nist_philips.json"),
+    include_str!("../../presets/lamps_nist_led.json"),
+    include_str!("../../presets/lamps_rit.json"),
+    include_str!("../../presets/lamps_common.json"),
+    include_str!("../../presets/solar_astm_g173.json"),
+    include_str!("../../presets/paper.json"),
+    include_str!("../../presets/atomic_lines.json"),
+    include_str!("../../presets/colorchecker_ohta.json"),
+    include_str!("../../presets/cri_tcs.json"),
+    include_str!("../../presets/nist_cqs_vs.json"),
+    include_str!("../../presets/tm30_ces99_5nm.json"),
+    include_str!("../../presets/pmc_chart.json"),
+    include_str!("../../presets/aces_training_190.json"),
+    include_str!("../../presets/metals_refractiveindex.json"),
+    include_str!("../../presets/usgs_splib07.json"),
+    include_str!("../../presets/filters_glass_cc0.json"),
+    include_str!("../../presets/observers.json"),
+];
+
+/// Most names that an error offers instead of an unknown one.
+const MOST_SUGGESTIONS: usize = 3;
+
+/// All shipped spectra, composites and lines.
+#[derive(Clone, Debug)]
+pub struct Library {
+    groups: Vec<Group>,
+    lines: Vec<ElementLine>,
+}
+
+/// The spectra of one file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Short name, as in `group/name`.
+    pub id: String,
+    /// What the group is, in a line.
+    pub title: String,
+    /// Heading of most of its items; ask the item for its own.
+    pub shelf: Shelf,
+    /// Kind of most of its items; ask the item for its own.
+    pub kind: Kind,
+    /// Where the numbers come from.
+    pub source: String,
+    /// Terms of most of its items; ask the item for its own.
+    pub licence: Terms,
+    /// Whom to name.
+    pub attribution: String,
+    /// What was done to the source's numbers.
+    pub changes: String,
+    /// What to know before using the group; may be empty.
+    pub note: String,
+    /// Its items in the file's order.
+    pub items: Vec<Preset>,
+}
+
+/// One shipped item.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Preset {
+    /// Its group's [`Group::id`].
+    pub group: String,
+    /// Its name, unique in the group.
+    pub name: String,
+    /// What its values stand for.
+    pub kind: Kind,
+    /// Under which heading it is listed.
+    pub shelf: Shelf,
+    /// Unit of its values.
+    pub unit: String,
+    /// Where its numbers come from.
+    pub source: String,
+    /// Its terms.
+    pub licence: Terms,
+    /// What to know about it, a sentence or two each.
+    pub notes: Vec<String>,
+    /// Thickness for which a transmittance holds, mm.
+    pub thickness_mm: Option<f64>,
+    /// Refractive index n and extinction coefficient k at the table's wavelengths (metals).
+    pub optical: Option<OpticalConstants>,
+    /// The numbers.
+    pub body: Body,
+}
+
+/// What an item is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Body {
+    /// A table.
+    Spectrum(NamedSpectrum),
+    /// A smooth part and spikes, as printed in the paper.
+    Composite(PresetComposite),
+    /// Spectral lines, which are not a spectrum.
+    Lines(LineList),
+}
+
+/// Complex refractive index n + ik, one value a wavelength of the item's table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpticalConstants {
+    /// Refractive index.
+    pub n: Vec<f64>,
+    /// Extinction coefficient.
+    pub k: Vec<f64>,
+}
+
+/// A line that can name a spike.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElementLine {
+    /// Symbol of its element, such as "Hg".
+    pub element: String,
+    /// Place in air, nm.
+    pub at_nm: f64,
+    /// Strength, comparable within the element only and not radiometric; none where unknown.
+    pub strength: Option<f64>,
+}
+
+/// Why a name does not stand for one shipped spectrum.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FindError {
+    /// Nothing is called that.
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// At most three names that come close, the closest first.
+        suggestions: Vec<String>,
+    },
+    /// Several items are called that.
+    Ambiguous {
+        /// What was asked for.
+        name: String,
+        /// All of them as `group/name`.
+        choices: Vec<String>,
+    },
+    /// A list of spectral lines is called that.
+    Lines {
+        /// What was asked for.
+        name: String,
+    },
+    /// A whole group is called that.
+    Group {
+        /// What was asked for.
+        name: String,
+        /// How many items it holds.
+        items: usize,
+    },
+}
+
+impl fmt::Display for FindError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unknown { name, suggestions } => {
+                write!(f, "no shipped spectrum is called \"{name}\"")?;
+                if suggestions.is_empty() {
+                    return Ok(());
+                }
+                write!(f, "; close to it: {}", suggestions.join(", "))
+            }
+            Self::Ambiguous { name, choices } => {
+                write!(f, "\"{name}\" stands for several: {}", choices.join(", "))
+            }
+            Self::Lines { name } => write!(
+                f,
+                "\"{name}\" is a list of spectral lines that names spikes, not a spectrum"
+            ),
+            Self::Group { name, items } => write!(
+                f,
+                "\"{name}\" is a group of {items}: expected {name}/NAME for one of them"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for FindError {}
+
+static BUNDLED: LazyLock<Library> = LazyLock::new(|| {
+    Library::from_files(&FILES).expect("the shipped files are read in a test of this module")
+});
+
+impl Library {
+    /// The spectra that are part of the program, read at the first call (5 ms, once).
+    pub fn bundled() -> &'static Self {
+        &BUNDLED
+    }
+
+    /// A library from the texts of preset files.
+    ///
+    /// # Errors
+    /// [`PresetError`] of the first file that cannot be read.
+    pub fn from_files(files: &[&str]) -> Result<Self, PresetError> {
+        let groups: Vec<Group> = files
+            .iter()
+            .map(|text| Group::from_json(text))
+            .collect::<Result<_, _>>()?;
+        let lines = element_lines(&groups);
+        Ok(Self { groups, lines })
+    }
+
+    /// All groups, lights first.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// The group with an id.
+    pub fn group(&self, id: &str) -> Option<&Group> {
+        self.groups.iter().find(|group| group.id == id)
+    }
+
+    /// All items, group by group.
+    pub fn presets(&self) -> impl Iterator<Item = &Preset> {
+        self.groups.iter().flat_map(|group| &group.items)
+    }
+
+    /// All items under a heading.
+    pub fn on_shelf(&self, shelf: Shelf) -> impl Iterator<Item = &Preset> {
+        self.presets().filter(move |preset| preset.shelf == shelf)
+    }
+
+    /// All tables, of every kind.
+    pub fn spectra(&self) -> impl Iterator<Item = &NamedSpectrum> {
+        self.presets().filter_map(Preset::spectrum)
+    }
+
+    /// All lines of known elements, by rising wavelength, for naming spikes.
+    pub fn lines(&self) -> &[ElementLine] {
+        &self.lines
+    }
+
+    /// All lists of lines, with their labels and thresholds (Fraunhofer's have no one element).
+    pub fn line_lists(&self) -> impl Iterator<Item = &LineList> {
+        self.presets().filter_map(Preset::line_list)
+    }
+
+    /// The spectrum or composite with a name, either plain or as `group/name`.
+    ///
+    /// Exact spelling goes before spelling that differs in capitals. A plain name that stands in
+    /// a 5 nm and a 1 nm table of the same family means the 1 nm one.
+    ///
+    /// # Errors
+    /// [`FindError`] when the name is unknown, stands for several items, for a whole group or for
+    /// a list of lines.
+    pub fn find(&self, name: &str) -> Result<&Preset, FindError> {
+        let asked = name.trim();
+        let lower = asked.to_lowercase();
+        let exact = self.called(|preset| preset.name == asked || preset.id() == asked);
+        let found = if exact.is_empty() {
+            self.called(|preset| {
+                preset.name.to_lowercase() == lower || preset.id().to_lowercase() == lower
+            })
+        } else {
+            exact
+        };
+        match found[..] {
+            [] => Err(self.not_found(asked, &lower)),
+            [preset] if matches!(preset.body, Body::Lines(_)) => {
+                Err(FindError::Lines { name: asked.into() })
+            }
+            [preset] => Ok(preset),
+            _ => Err(FindError::Ambiguous {
+                name: asked.into(),
+                choices: found.iter().map(|preset| preset.id()).collect(),
+            }),
+        }
+    }
+
+    fn called(&self, is_it: impl Fn(&Preset) -> bool) -> Vec<&Preset> {
+        let all: Vec<&Preset> = self.presets().filter(|preset| is_it(preset)).collect();
+        all.iter()
+            .copied()
+            .filter(|preset| {
+                let finer = preset
+                    .group
+                    .strip_suffix("_5nm")
+                    .map(|family| format!("{family}_1nm"));
+                !all.iter().any(|other| Some(&other.group) == finer.as_ref())
+            })
+            .collect()
+    }
+
+    fn not_found(&self, asked: &str, lower: &str) -> FindError {
+        let group = self.groups.iter().find(|group| group.id == lower);
+        match group {
+            Some(group) if group.kind == Kind::Lines => FindError::Lines { name: asked.into() },
+            Some(group) => FindError::Group {
+                name: group.id.clone(),
+                items: group.items.len(),
+            },
+            None => FindError::Unknown {
+                name: asked.into(),
+                suggestions: self.suggestions(lower),
+            },
+        }
+    }
+
+    fn suggestions(&self, lower: &str) -> Vec<String> {
+        if lower.is_empty() {
+            return Vec::new();
+        }
+        let mut ranked: Vec<(usize, String)> = Vec::new();
+        for preset in self.presets() {
+            if matches!(preset.body, Body::Lines(_)) {
+                continue;
+            }
+            let plain = preset.name.to_lowercase();
+            let full = preset.id().to_lowercase();
+            let Some(rank) = [closeness(lower, &plain), closeness(lower, &full)]
+                .into_iter()
+                .flatten()
+                .min()
+            else {
+                continue;
+            };
+            // A name that would be ambiguous itself is offered with its group.
+            let offer = match self.find_quietly(&preset.name) {
+                true => preset.name.clone(),
+                false => preset.id(),
+            };
+            if !ranked.iter().any(|(_, other)| *other == offer) {
+                ranked.push((rank, offer));
+            }
+        }
+        ranked.sort_by_key(|(rank, _)| *rank);
+        ranked.truncate(MOST_SUGGESTIONS);
+        ranked.into_iter().map(|(_, offer)| offer).collect()
+    }
+
+    fn find_quietly(&self, name: &str) -> bool {
+        self.called(|preset| preset.name == name).len() == 1
+    }
+}
+
+impl Group {
+    fn from_json(text: &str) -> Result<Self, PresetError> {
+        let file = PresetFile::from_json(text)?;
+        let items = file
+            .items
+            .iter()
+            .map(|item| {
+                let body = if let Some(composite) = item.composite() {
+                    Body::Composite(composite.clone())
+                } else if let Some(list) = item.line_list() {
+                    Body::Lines(list)
+                } else {
+                    Body::Spectrum(file.spectrum(item)?)
+                };
+                Ok(Preset {
+                    group: file.group.clone(),
+                    name: item.name.clone(),
+                    kind: file.kind_of(item),
+                    shelf: file.shelf_of(item),
+                    unit: item.unit.clone(),
+                    source: file.source_of(item).to_owned(),
+                    licence: file.licence_of(item).clone(),
+                    notes: file.notes_of(item),
+                    thickness_mm: item.thickness_mm,
+                    optical: item
+                        .n
+                        .clone()
+                        .zip(item.k.clone())
+                        .map(|(n, k)| OpticalConstants { n, k }),
+                    body,
+                })
+            })
+            .collect::<Result<_, PresetError>>()?;
+        let PresetFile {
+            format: _,
+            version: _,
+            group,
+            title,
+            kind,
+            shelf,
+            source,
+            licence,
+            attribution,
+            changes,
+            note,
+            items: _,
+        } = file;
+        Ok(Self {
+            id: group,
+            title,
+            shelf,
+            kind,
+            source,
+            licence,
+            attribution,
+            changes,
+            note,
+            items,
+        })
+    }
+}
+
+impl Preset {
+    /// The name that is never ambiguous: `group/name`.
+    pub fn id(&self) -> String {
+        format!("{}/{}", self.group, self.name)
+    }
+
+    /// The table, if it is one.
+    pub fn spectrum(&self) -> Option<&NamedSpectrum> {
+        match &self.body {
+            Body::Spectrum(spectrum) => Some(spectrum),
+            Body::Composite(_) | Body::Lines(_) => None,
+        }
+    }
+
+    /// The composite, if it is one.
+    pub fn composite(&self) -> Option<&PresetComposite> {
+        match &self.body {
+            Body::Composite(composite) => Some(composite),
+            Body::Spectrum(_) | Body::Lines(_) => None,
+        }
+    }
+
+    /// The list of lines, if it is one.
+    pub fn line_list(&self) -> Option<&LineList> {
+        match &self.body {
+            Body::Lines(list) => Some(list),
+            Body::Spectrum(_) | Body::Composite(_) => None,
+        }
+    }
+}
+
+fn element_lines(groups: &[Group]) -> Vec<ElementLine> {
+    let lists = groups
+        .iter()
+        .flat_map(|group| &group.items)
+        .filter_map(Preset::line_list);
+    let mut lines = Vec::new();
+    for list in lists {
+        let Some(element) = &list.element else {
+            continue;
+        };
+        lines.extend(list.lines.iter().map(|line| ElementLine {
+            element: element.clone(),
+            at_nm: line.at_nm,
+            strength: line.strength,
+        }));
+    }
+    lines.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+    lines
+}
+
+/// How far a name is from what was asked for, both in lower case; none when too far to be meant.
+///
+/// A name of which it is a whole word comes first, then one that holds it anywhere, the shorter
+/// the better; hyphens and blanks do not count. Otherwise the number of typing errors decides, of
+/// which a third of the letters may be.
+fn closeness(asked: &str, name: &str) -> Option<usize> {
+    const INSIDE_A_WORD: usize = 1000;
+    const TYPING_ERROR: usize = 10_000;
+    let joined = |text: &str| text.replace(['-', '_', ' '], "");
+    let (short, long) = (joined(asked), joined(name));
+    if !short.is_empty() && long.contains(&short) {
+        let whole_word = name.split_whitespace().any(|word| word == asked);
+        let place = if whole_word { 0 } else { INSIDE_A_WORD };
+        return Some(place + long.len() - short.len());
+    }
+    let errors = typing_errors(asked, name);
+    (errors <= asked.chars().count() / 3).then_some(errors * TYPING_ERROR)
+}
+
+/// Levenshtein distance: letters to insert, delete or replace.
+fn typing_errors(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, left) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, right) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(left != *right);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{collections::BTreeMap, path::Path};
+
+    use serde_json::Value;
+
+    use super::*;
+
+    fn id_of(name: &str) -> String {
+        match Library::bundled().find(name) {
+            Ok(preset) => preset.id(),
+            Err(error) => panic!("{error}"),
+        }
+    }
+
+    fn refusal(name: &str) -> FindError {
+        Library::bundled().find(name).expect_err(name)
+    }
+
+    #[test]
+    fn each_group_holds_as_many_items_as_its_source() {
+        let counts: BTreeMap<_, _> = Library::bundled()
+            .groups()
+            .iter()
+            .map(|group| (group.id.as_str(), group.items.len()))
+            .collect();
+        let expected = BTreeMap::from([
+            ("aces_training_190", 190),
+            ("atomic_lines", 10),
+            ("cie_fluorescent_1nm", 27),
+            ("cie_fluorescent_5nm", 27),
+            ("cie_hp_5nm", 5),
+            ("cie_illuminants", 13),
+            ("cie_led_1nm", 9),
+            ("cie_led_5nm", 9),
+            ("colorchecker_ohta", 24),
+            ("cri_tcs", 29),
+            ("filters_glass_cc0", 32),
+            ("lamps_common", 1),
+            ("lamps_nist_led", 15),
+            ("lamps_nist_philips", 22),
+            ("lamps_nist_traditional", 10),
+            ("lamps_rit", 8),
+            ("metals_refractiveindex", 19),
+            ("nist_cqs_vs", 30),
+            ("observers", 25),
+            ("paper", 3),
+            ("pmc_chart", 30),
+            ("solar_astm_g173", 3),
+            ("tm30_ces99_5nm", 99),
+            ("usgs_splib07", 18),
+        ]);
+        assert_eq!(counts, expected);
+    }
+
+    #[test]
+    fn shipped_files_are_written_back_byte_for_byte() {
+        for text in FILES {
+            let file = PresetFile::from_json(text).expect("a shipped file");
+            let written = file.to_json();
+            assert!(written == text, "{} differs when written back", file.group);
+            let again = PresetFile::from_json(&written).expect("our own output");
+            assert_eq!(again, file);
+        }
+    }
+
+    #[test]
+    fn each_group_and_item_states_source_licence_and_changes() {
+        for group in Library::bundled().groups() {
+            for text in [
+                &group.title,
+                &group.source,
+                &group.licence.id,
+                &group.licence.words,
+                &group.attribution,
+                &group.changes,
+            ] {
+                assert!(!text.trim().is_empty(), "{}", group.id);
+            }
+            for preset in &group.items {
+                assert!(!preset.source.is_empty() && !preset.licence.id.is_empty());
+                assert!(!preset.unit.is_empty(), "{}", preset.id());
+            }
+        }
+    }
+
+    #[test]
+    fn groups_of_the_cie_name_the_cie_title_doi_and_changes() {
+        let mut seen = 0;
+        for group in Library::bundled().groups() {
+            if group.licence.id != "CC-BY-SA-4.0" {
+                continue;
+            }
+            seen += 1;
+            for part in [
+                "International Commission on Illumination",
+                "https://doi.org/10.25039/CIE.DS.",
+                "https://creativecommons.org/licenses/by-sa/4.0/",
+                ": \"",
+            ] {
+                assert!(group.attribution.contains(part), "{}: {part}", group.id);
+            }
+            assert!(group.changes.contains("Converted"), "{}", group.id);
+            for preset in &group.items {
+                let own = preset.licence.id == "CC-BY-SA-4.0";
+                let cited = preset
+                    .source
+                    .contains("International Commission on Illumination")
+                    && (preset.source.contains("DOI 10.25039/CIE.DS.")
+                        || preset.source == group.source);
+                assert!(cited || !own, "{}: {}", preset.id(), preset.source);
+                // Every DOI that an item names is in the group's attribution, with its title.
+                for doi in preset.source.split("DOI ").skip(1) {
+                    let doi: String = doi
+                        .chars()
+                        .take_while(|c| c.is_alphanumeric() || "./".contains(*c))
+                        .collect();
+                    assert!(group.attribution.contains(&doi), "{}: {doi}", preset.id());
+                }
+            }
+        }
+        assert_eq!(seen, 7);
+    }
+
+    #[test]
+    fn no_shipped_text_tells_a_path_of_a_machine() {
+        for text in FILES {
+            let bad = [
+                "/home/", "/root/", "/tmp/", "/work/", "/usr/", "/mnt/", "C:\\", "file:",
+            ];
+            for word in bad {
+                assert!(!text.contains(word), "{word}: {}", &text[..120]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_plain_name_and_a_full_one_find_the_same() {
+        assert_eq!(id_of("CIE D65"), "cie_illuminants/CIE D65");
+        assert_eq!(id_of("cie_illuminants/CIE D65"), "cie_illuminants/CIE D65");
+        assert_eq!(id_of(" cie d65 "), "cie_illuminants/CIE D65");
+        assert_eq!(id_of("CIE_Illuminants/cie d65"), "cie_illuminants/CIE D65");
+    }
+
+    #[test]
+    fn exact_capitals_go_before_others() {
+        assert_eq!(id_of("magenta"), "colorchecker_ohta/magenta");
+        assert_eq!(id_of("Magenta"), "pmc_chart/Magenta");
+        assert!(matches!(refusal("MAGENTA"), FindError::Ambiguous { .. }));
+    }
+
+    #[test]
+    fn a_name_in_a_1_nm_and_a_5_nm_table_means_the_1_nm_one() {
+        assert_eq!(id_of("FL11"), "cie_fluorescent_1nm/FL11");
+        assert_eq!(id_of("led-b3"), "cie_led_1nm/LED-B3");
+        assert_eq!(id_of("cie_led_5nm/LED-B3"), "cie_led_5nm/LED-B3");
+    }
+
+    #[test]
+    fn slashes_in_names_are_part_of_the_name() {
+        for name in ["60 A/W (Soft White)", "F32T8/TL830 (Triphosphor)"] {
+            let id = format!("lamps_nist_philips/{name}");
+            assert_eq!(id_of(name), id);
+            assert_eq!(id_of(&id), id);
+        }
+    }
+
+    #[test]
+    fn every_item_is_found_by_its_full_name() {
+        for preset in Library::bundled().presets() {
+            match Library::bundled().find(&preset.id()) {
+                Ok(found) => assert_eq!(found.id(), preset.id()),
+                Err(FindError::Lines { .. }) => assert!(preset.line_list().is_some()),
+                Err(error) => panic!("{error}"),
+            }
+        }
+    }
+
+    #[test]
+    fn an_ambiguous_name_lists_the_choices() {
+        assert_eq!(
+            refusal("Mercury").to_string(),
+            "\"Mercury\" stands for several: lamps_nist_traditional/Mercury, paper/Mercury"
+        );
+    }
+
+    #[test]
+    fn an_unknown_name_is_answered_with_the_closest() {
+        let FindError::Unknown { suggestions, .. } = refusal("D65") else {
+            panic!("D65 is not a name here");
+        };
+        assert_eq!(suggestions, ["CIE D65", "CIE ID65"]);
+        for (asked, first) in [("E", "CIE E"), ("TL84", "Philips TL-84")] {
+            let FindError::Unknown { suggestions, .. } = refusal(asked) else {
+                panic!("{asked} is not a name here");
+            };
+            assert_eq!(suggestions[0], first);
+        }
+        let typo = refusal("Kinoten 75P").to_string();
+        assert_eq!(
+            typo,
+            "no shipped spectrum is called \"Kinoten 75P\"; close to it: Kinoton 75P"
+        );
+        let FindError::Unknown { suggestions, .. } = refusal("mercuri") else {
+            panic!("a typing error");
+        };
+        assert_eq!(
+            suggestions[..2],
+            ["lamps_nist_traditional/Mercury", "paper/Mercury"]
+        );
+        let far = refusal("qqqqqqqqqqqqqqq").to_string();
+        assert_eq!(far, "no shipped spectrum is called \"qqqqqqqqqqqqqqq\"");
+        assert!(matches!(refusal(""), FindError::Unknown { .. }));
+    }
+
+    #[test]
+    fn lines_and_groups_are_refused_in_words() {
+        for name in ["Hg I lines", "atomic_lines/Hg I lines", "atomic_lines"] {
+            let said = refusal(name).to_string();
+            assert!(said.contains("spectral lines"), "{said}");
+        }
+        assert_eq!(
+            refusal("paper").to_string(),
+            "\"paper\" is a group of 3: expected paper/NAME for one of them"
+        );
+    }
+
+    #[test]
+    fn lines_rise_and_know_their_element() {
+        let lines = Library::bundled().lines();
+        assert!(lines.windows(2).all(|pair| pair[0].at_nm <= pair[1].at_nm));
+        let green = lines
+            .iter()
+            .find(|line| line.element == "Hg" && line.at_nm == 546.075);
+        assert_eq!(green.and_then(|line| line.strength), Some(6000.0));
+        let elements: std::collections::BTreeSet<_> =
+            lines.iter().map(|line| line.element.as_str()).collect();
+        let expected = ["Ar", "Cd", "H", "He", "Hg", "Kr", "Na", "Ne", "Xe"];
+        assert!(elements.into_iter().eq(expected));
+        assert_eq!(Library::bundled().line_lists().count(), 10);
+    }
+
+    #[test]
+    fn shelves_follow_the_lamp_and_not_the_file() {
+        let shelf = |name: &str| Library::bundled().find(name).expect(name).shelf;
+        for (name, expected) in [
+            ("lamps_nist_traditional/Mercury", Shelf::Discharge),
+            ("Cool White FL", Shelf::Fluorescent),
+            ("Incandescent", Shelf::Standard),
+            ("60 A/W (Soft White)", Shelf::Standard),
+            ("SDW-T 100W/LV (Super HPS)", Shelf::Discharge),
+            ("Philips TL-84", Shelf::Fluorescent),
+            ("SC", Shelf::Standard),
+            ("CIE L41", Shelf::Led),
+            ("HP1", Shelf::Discharge),
+            ("Sodium", Shelf::Paper),
+            ("ASTM G173-03 extraterrestrial", Shelf::Sun),
+            ("Au (Johnson)", Shelf::Reflectances),
+        ] {
+            assert_eq!(shelf(name), expected, "{name}");
+        }
+        for shelf in Shelf::ALL {
+            assert!(Library::bundled().on_shelf(shelf).next().is_some());
+        }
+    }
+
+    #[test]
+    fn daylight_components_are_not_offered_as_lights() {
+        for n in 0..3 {
+            let name = format!("CIE daylight component S{n}");
+            let preset = Library::bundled().find(&name).expect("a component");
+            assert_eq!(preset.kind, Kind::Other);
+        }
+        for spectrum in Library::bundled().spectra() {
+            let dark = spectrum.samples.values().iter().any(|v| *v < 0.0);
+            assert!(!dark || spectrum.kind == Kind::Other, "{}", spectrum.name);
+        }
+    }
+
+    #[test]
+    fn the_papers_lamps_are_as_printed() {
+        let lamp = |name: &str| {
+            let preset = Library::bundled().find(&format!("paper/{name}"));
+            preset.expect(name).composite().expect(name)
+        };
+        let c = lamp("Source C");
+        assert_eq!(c.coefficients.a, [199., -5., -8., -7., -2., -4.]);
+        assert_eq!(c.coefficients.b, [16., 5., -3., 1., -1.]);
+        assert!(c.spikes.is_empty());
+        let hg = lamp("Mercury");
+        assert_eq!(hg.coefficients.a, [69., 2., 12., -6., 1., -1.]);
+        assert_eq!(hg.coefficients.b, [2., 14., 2., 5., 0.]);
+        let spikes: Vec<_> = hg.spikes.iter().map(|s| (s.at_nm, s.weight)).collect();
+        let printed = [
+            (404.7, 5.1),
+            (435.8, 10.4),
+            (491.6, 0.3),
+            (546.1, 13.7),
+            (577.8, 19.3),
+            (693.8, 2.3),
+        ];
+        assert_eq!(spikes, printed);
+        assert_eq!((hg.range_nm, hg.weight_factor), ([400.0, 700.0], 300.0));
+        // MODEL's reading: the lines carry 60 % of the lamp's power.
+        let lines: f64 = hg.spikes_in_unit_nm().map(|(_, weight)| weight).sum();
+        let smooth = hg.coefficients.a[0] / 2.0 * 300.0;
+        let share = lines / (lines + smooth);
+        assert!((share - 0.6).abs() < 0.01, "{share}");
+        let na = lamp("Sodium");
+        assert!(na.coefficients.a.iter().all(|a| *a == 0.0));
+        assert_eq!((na.spikes[0].at_nm, na.spikes[0].weight), (589.0, 31.95));
+    }
+
+    #[test]
+    fn metals_keep_n_and_k_from_which_their_reflectance_follows() {
+        for preset in &Library::bundled()
+            .group("metals_refractiveindex")
+            .expect("metals")
+            .items
+        {
+            let OpticalConstants { n, k } = preset.optical.as_ref().expect("n and k");
+            let table = preset.spectrum().expect("a table");
+            for ((n, k), r) in n.iter().zip(k).zip(table.samples.values()) {
+                let fresnel = ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k);
+                // n, k and the reflectance are each rounded to six figures (measured: 2e-6).
+                assert!((fresnel - r).abs() < 1e-5, "{}: {fresnel} {r}", preset.name);
+            }
+        }
+    }
+
+    /// Compares with the collection from which the files were made, where it is at hand.
+    #[test]
+    fn every_number_is_the_sources_bit_for_bit() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/presets_source");
+        if !folder.is_dir() {
+            println!("skipped: the source collection is not at hand");
+            return;
+        }
+        let numbers = |value: &Value| -> Vec<Option<u64>> {
+            let list = value.as_array().expect("a list");
+            list.iter().map(|v| v.as_f64().map(f64::to_bits)).collect()
+        };
+        let bits =
+            |list: &[f64]| -> Vec<Option<u64>> { list.iter().map(|v| Some(v.to_bits())).collect() };
+        let mut compared = 0;
+        for text in FILES {
+            let file = PresetFile::from_json(text).expect("a shipped file");
+            if file.group == "paper" {
+                continue;
+            }
+            let source = std::fs::read_to_string(folder.join(format!("{}.json", file.group)));
+            let source: Value = serde_json::from_str(&source.expect("the source file")).unwrap();
+            let items = source["items"].as_array().expect("items");
+            assert_eq!(items.len(), file.items.len(), "{}", file.group);
+            for (item, original) in file.items.iter().zip(items) {
+                let at = format!("{}/{}", file.group, item.name);
+                assert_eq!(original["name"], item.name.as_str());
+                assert_eq!(original["unit"], item.unit.as_str());
+                let values = match (&item.values, &item.strengths) {
+                    (Some(values), None) => bits(values),
+                    (None, Some(s)) => s.iter().map(|v| v.map(f64::to_bits)).collect(),
+                    _ => panic!("{at}: neither a table nor lines"),
+                };
+                assert_eq!(values, numbers(&original["values"]), "{at}");
+                let nm = item.wavelengths.as_ref().expect("wavelengths").nm();
+                let given = &original["wavelength_nm"];
+                if original["wavelength_form"] == "range" {
+                    let range: Vec<f64> = serde_json::from_value(given.clone()).unwrap();
+                    assert_eq!((nm[0], nm[nm.len() - 1]), (range[0], range[1]), "{at}");
+                    assert!(nm.windows(2).all(|w| w[1] - w[0] == range[2]), "{at}");
+                } else {
+                    assert_eq!(bits(&nm), numbers(given), "{at}");
+                }
+                for (key, ours) in [
+                    ("n", &item.n),
+                    ("k", &item.k),
+                    ("wavelength_vacuum_nm", &item.vacuum_nm),
+                ] {
+                    let ours = ours.as_deref().map(bits);
+                    assert_eq!(ours, original.get(key).map(numbers), "{at} {key}");
+                }
+                let labels: Option<Vec<String>> =
+                    serde_json::from_value(original["labels"].clone()).unwrap();
+                assert_eq!(labels, item.labels, "{at}");
+                let number = |key: &str| original[key].as_f64();
+                assert_eq!(item.threshold, number("threshold"), "{at}");
+                assert_eq!(item.thickness_mm, number("thickness_mm"), "{at}");
+                let filled = item.nan_filled_with_zero.map(f64::from);
+                assert_eq!(filled, number("nan_filled_with_zero"), "{at}");
+                let word = |key: &str| original[key].as_str();
+                assert_eq!(item.medium.as_deref(), word("medium"), "{at}");
+                assert_eq!(item.cie_interpolation.as_deref(), word("cie_interpolation"));
+                assert_eq!(item.cie_extrapolation.as_deref(), word("cie_extrapolation"));
+                if let Some(note) = word("note") {
+                    assert!(item.note.as_ref().is_some_and(|n| n.contains(note)), "{at}");
+                }
+                compared += values.len();
+            }
+        }
+        assert!(compared > 60_000, "{compared} values compared");
+    }
+}

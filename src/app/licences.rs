@@ -1,0 +1,242 @@
+//! Under which terms the program, its data and its fonts may be passed on.
+
+use std::{collections::BTreeSet, fmt::Write as _};
+
+use super::library::Library;
+
+/// A licence or notice in full.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Licence {
+    /// SPDX id, or the file's name in `LICENSES/` where there is no id.
+    pub id: &'static str,
+    /// What it covers here, in a line.
+    pub title: &'static str,
+    /// The full text.
+    pub text: &'static str,
+}
+
+static ALL: [Licence; 9] = [
+    Licence {
+        id: "MIT",
+        title: "MIT License: the program's own code (at choice), and the resampled USGS spectra",
+        text: include_str!("../../LICENSES/MIT.txt"),
+    },
+    Licence {
+        id: "Apache-2.0",
+        title: "Apache License 2.0: the program's own code (at choice), and the 190 AMPAS reflectances",
+        text: include_str!("../../LICENSES/Apache-2.0.txt"),
+    },
+    Licence {
+        id: "CC-BY-SA-4.0",
+        title: "Creative Commons Attribution-ShareAlike 4.0: the CIE's tables",
+        text: include_str!("../../LICENSES/CC-BY-SA-4.0.txt"),
+    },
+    Licence {
+        id: "BSD-3-Clause",
+        title: "BSD 3-Clause: tables from colour-science, pvlib and rascal",
+        text: include_str!("../../LICENSES/BSD-3-Clause.txt"),
+    },
+    Licence {
+        id: "CC0-1.0",
+        title: "Creative Commons Zero 1.0: metals and filter glasses",
+        text: include_str!("../../LICENSES/CC0-1.0.txt"),
+    },
+    Licence {
+        id: "DejaVu-Fonts",
+        title: "Bitstream Vera and Arev licences: the font DejaVu Sans",
+        text: include_str!("../../LICENSES/DejaVu-Fonts.txt"),
+    },
+    Licence {
+        id: "Ubuntu-font-1.0",
+        title: "Ubuntu Font Licence 1.0: the font Ubuntu Light",
+        text: include_str!("../../LICENSES/Ubuntu-font-1.0.txt"),
+    },
+    Licence {
+        id: "Hack-Fonts",
+        title: "MIT and Bitstream Vera licences: the font Hack",
+        text: include_str!("../../LICENSES/Hack-Fonts.txt"),
+    },
+    Licence {
+        id: "egui-icons",
+        title: "MIT License: the icon font of the window toolkit",
+        text: include_str!("../../LICENSES/egui-icons.txt"),
+    },
+];
+
+/// Width of the rules between the parts, characters.
+const RULE: usize = 78;
+
+/// Every licence text that travels with the program.
+pub fn all() -> &'static [Licence] {
+    &ALL
+}
+
+/// What is under which licence: the code, each group of spectra, the fonts.
+pub fn overview(library: &Library) -> String {
+    let mut out = String::from(
+        "Spectral Explorer\n\
+         Copyright 2026 The Spectral Explorer developers\n\
+         The program's own code: MIT OR Apache-2.0, at your choice.\n\
+         The shipped spectra are data files with terms of their own:\n",
+    );
+    for group in library.groups() {
+        let _ = write!(
+            out,
+            "\n{id}: {title}\n  licence: {licence}\n  source: {source}\n  attribution: {attribution}\n  changes: {changes}\n",
+            id = group.id,
+            title = group.title,
+            licence = group.licence,
+            source = group.source,
+            attribution = group.attribution,
+            changes = group.changes,
+        );
+        let others: BTreeSet<String> = group
+            .items
+            .iter()
+            .filter(|item| item.licence != group.licence)
+            .map(|item| item.licence.to_string())
+            .collect();
+        for other in others {
+            let names: Vec<&str> = group
+                .items
+                .iter()
+                .filter(|item| item.licence.to_string() == other)
+                .map(|item| item.name.as_str())
+                .collect();
+            let _ = writeln!(out, "  otherwise: {}: {other}", names.join(", "));
+        }
+    }
+    out.push_str("\nFonts in the window:\n");
+    for licence in &ALL[5..] {
+        let _ = writeln!(out, "  {}", licence.title);
+    }
+    out
+}
+
+/// The overview and every licence in full, as `--licences` prints them.
+pub fn text(library: &Library) -> String {
+    let mut out = overview(library);
+    for Licence { id, title, text } in all() {
+        let rule = "=".repeat(RULE);
+        let _ = write!(
+            out,
+            "\n{rule}\n{id}\n{title}\n{rule}\n\n{}\n",
+            text.trim_end()
+        );
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_licence_that_an_item_names_is_there_in_full() {
+        let ids: BTreeSet<&str> = all().iter().map(|licence| licence.id).collect();
+        assert_eq!(ids.len(), all().len(), "ids are unique");
+        for preset in Library::bundled().presets() {
+            for id in preset.licence.id.split(" AND ") {
+                // A LicenseRef of ours says that nobody holds rights: there is no text.
+                assert!(
+                    ids.contains(id) || id.starts_with("LicenseRef-"),
+                    "{}: {id}",
+                    preset.id()
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_texts_are_complete_from_their_first_to_their_last_words() {
+        for (id, first, last) in [
+            (
+                "MIT",
+                "Permission is hereby granted",
+                "DEALINGS IN THE\nSOFTWARE.",
+            ),
+            (
+                "Apache-2.0",
+                "Apache License",
+                "limitations under the License.",
+            ),
+            (
+                "CC-BY-SA-4.0",
+                "Attribution-ShareAlike 4.0",
+                "creativecommons.org.",
+            ),
+            (
+                "BSD-3-Clause",
+                "Copyright 2013 Colour Developers",
+                "SUCH DAMAGE.",
+            ),
+            ("CC0-1.0", "CC0 1.0 Universal", "use of the Work."),
+            (
+                "DejaVu-Fonts",
+                "Bitstream Vera Fonts Copyright",
+                "tavmjong @ free\n. fr.",
+            ),
+            (
+                "Ubuntu-font-1.0",
+                "UBUNTU FONT LICENCE Version 1.0",
+                "SOFTWARE.",
+            ),
+            ("Hack-Fonts", "Source Foundry Authors", "gnome dot org."),
+            ("egui-icons", "John Slegers", "SOFTWARE."),
+        ] {
+            let licence = all().iter().find(|l| l.id == id).expect(id);
+            assert!(licence.text.contains(first), "{id}");
+            let text = licence
+                .text
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" ");
+            let last = last.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(
+                text.ends_with(&last),
+                "{id} ends in {}",
+                &text[text.len() - 60..]
+            );
+        }
+        let by_sa = all().iter().find(|l| l.id == "CC-BY-SA-4.0").expect("it");
+        for section in 1..=8 {
+            assert!(by_sa.text.contains(&format!("Section {section} -- ")));
+        }
+    }
+
+    #[test]
+    fn the_overview_tells_of_every_group_where_from_and_what_was_changed() {
+        let library = Library::bundled();
+        let overview = overview(library);
+        for group in library.groups() {
+            for part in [
+                &group.id,
+                &group.source,
+                &group.attribution,
+                &group.changes,
+                &group.licence.words,
+            ] {
+                assert!(overview.contains(part.as_str()), "{}: {part}", group.id);
+            }
+        }
+        assert!(overview.contains("MIT OR Apache-2.0"));
+        assert!(overview.contains("DejaVu Sans"));
+    }
+
+    #[test]
+    fn the_whole_text_holds_every_licence() {
+        let text = text(Library::bundled());
+        for licence in all() {
+            assert!(text.contains(licence.text.trim_end()), "{}", licence.id);
+        }
+    }
+
+    #[test]
+    fn the_program_names_its_own_developers() {
+        assert!(
+            ALL[0]
+                .text
+                .contains("Copyright 2026 The Spectral Explorer developers")
+        );
+    }
+}
