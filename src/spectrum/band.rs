@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 /// Shortest range that a model may have, in nm.
 pub const SHORTEST_NM: u32 = 20;
 
@@ -17,7 +19,8 @@ pub const MOST_STEPS: u32 = 20_000;
 ///
 /// Fits and comparisons all use this grid with trapezoid weights, so that a comparison measures
 /// the model and not the quadrature.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "[f64; 2]", into = "[f64; 2]")]
 pub struct Band {
     min_nm: u32,
     max_nm: u32,
@@ -53,6 +56,20 @@ impl fmt::Display for BandError {
 }
 
 impl std::error::Error for BandError {}
+
+impl TryFrom<[f64; 2]> for Band {
+    type Error = BandError;
+
+    fn try_from([min_nm, max_nm]: [f64; 2]) -> Result<Self, BandError> {
+        Self::new(min_nm, max_nm)
+    }
+}
+
+impl From<Band> for [f64; 2] {
+    fn from(band: Band) -> Self {
+        [band.min_nm(), band.max_nm()]
+    }
+}
 
 impl Band {
     /// The program's default range, 380-780 nm.

@@ -96,15 +96,22 @@ pub fn decompose(
     settings: SpikeSettings,
     edits: &SpikeEdits,
 ) -> Decomposed {
-    if edits.is_empty() {
-        return Decomposed::of(spikes::detect(band, values, settings));
-    }
+    decompose_by(band, edits, |wishes| {
+        spikes::detect_with(band, values, settings, wishes)
+    })
+}
+
+/// Takes a spectrum apart with any detector and a person's edits.
+pub fn decompose_by(
+    band: Band,
+    edits: &SpikeEdits,
+    detect: impl Fn(Wishes<'_>) -> Decomposition,
+) -> Decomposed {
     let take: Vec<f64> = edits.hand.iter().filter_map(|h| h.line_nm).collect();
-    let wishes = Wishes {
+    let mut parts = Decomposed::of(detect(Wishes {
         take: &take,
         leave: &edits.deleted_nm,
-    };
-    let mut parts = Decomposed::of(spikes::detect_with(band, values, settings, wishes));
+    }));
     for (index, hand) in edits.hand.iter().enumerate() {
         if !band.contains(hand.at_nm) {
             continue;

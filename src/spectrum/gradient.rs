@@ -8,7 +8,7 @@
 use super::{
     band::Band,
     composite::{GAUSSIAN_AREA, Spike},
-    spikes::{Decomposition, FoundSpike},
+    spikes::{Decomposition, FoundSpike, Wishes},
 };
 
 /// Steepest slope that still counts as smooth, as a share of the maximum per nm.
@@ -23,7 +23,16 @@ const REACH_WIDTHS: f64 = 3.0;
 ///
 /// `gradient` is the least slope as a share of the largest value per nm; `max_width_nm` bounds
 /// the search and the full width at half maximum of what is accepted.
-pub fn detect(band: Band, values: &[f64], gradient: f64, max_width_nm: f64) -> Decomposition {
+///
+/// Lines at the places of `wishes.leave` stay in the smooth part. `wishes.take` cannot ask for
+/// more than the slopes show.
+pub fn detect(
+    band: Band,
+    values: &[f64],
+    gradient: f64,
+    max_width_nm: f64,
+    wishes: Wishes<'_>,
+) -> Decomposition {
     let mut parts = Decomposition::untouched(band, values);
     let top = values.iter().copied().fold(0.0_f64, |m, v| m.max(v.abs()));
     let steep = gradient * top;
@@ -59,10 +68,7 @@ pub fn detect(band: Band, values: &[f64], gradient: f64, max_width_nm: f64) -> D
             .enumerate()
             .map(|(i, r)| r * band.nm(left + i))
             .sum();
-        for (v, r) in parts.smooth[left..].iter_mut().zip(&residue) {
-            *v -= r;
-        }
-        parts.spikes.push(FoundSpike {
+        let found = FoundSpike {
             spike: Spike {
                 at_nm: moment / energy,
                 weight: energy,
@@ -70,7 +76,14 @@ pub fn detect(band: Band, values: &[f64], gradient: f64, max_width_nm: f64) -> D
             width_nm,
             peaks: 1,
             window_nm: [band.nm(left), band.nm(right)],
-        });
+        };
+        if wishes.leave.iter().any(|nm| found.covers(*nm)) {
+            continue;
+        }
+        for (v, r) in parts.smooth[left..].iter_mut().zip(&residue) {
+            *v -= r;
+        }
+        parts.spikes.push(found);
         from = right;
     }
     parts

@@ -1,0 +1,77 @@
+//! What a person can do to the document. Views push these; only [`App::apply`] carries them out.
+//!
+//! [`App::apply`]: super::App::apply
+
+use std::sync::Arc;
+
+use super::{
+    document::{Document, Subject, View},
+    entry::Entry,
+    scale::Scale,
+    settings::Settings,
+};
+use crate::spectrum::{Kind, NamedSpectrum, SpikeEdits};
+
+/// One change of the document, or a step through its history.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// New knobs; they are clamped when applied.
+    Edit(Settings),
+    /// Makes a spectrum the light, or the selected reflectance, by its kind.
+    Show(Arc<Entry>),
+    /// Adds a spectrum to the overlays, or takes it away.
+    ToggleOverlay(Arc<Entry>),
+    /// No overlays.
+    ClearOverlays,
+    /// What the model is of.
+    About(Subject),
+    /// New hand edits of the subject's spikes.
+    EditSpikes(SpikeEdits),
+    /// The group whose reflectances are the patches.
+    PatchSet(String),
+    /// The patch whose product is drawn.
+    Patch(Option<usize>),
+    /// The scale switch.
+    Scale(Scale),
+    /// What the plot shows.
+    View(View),
+    /// Takes spectra in as the user's own and shows the first.
+    Adopt(Vec<NamedSpectrum>),
+    /// A new name for one of the user's own.
+    Rename {
+        /// The entry's key.
+        key: String,
+        /// Its new name.
+        name: String,
+    },
+    /// What one of the user's own stands for.
+    SetKind {
+        /// The entry's key.
+        key: String,
+        /// Its kind.
+        kind: Kind,
+    },
+    /// Takes one of the user's own out of the library.
+    Remove {
+        /// The entry's key.
+        key: String,
+    },
+    /// Another document altogether: a project that was opened.
+    Replace(Box<Document>),
+    /// One step back.
+    Undo,
+    /// One step forward again.
+    Redo,
+}
+
+impl Command {
+    /// Whether this continues a gesture: a slider that is dragged makes one step of undo, not one
+    /// a frame.
+    pub fn continues(&self, before: &Self) -> bool {
+        match (self, before) {
+            (Self::Edit(_), Self::Edit(_)) | (Self::EditSpikes(_), Self::EditSpikes(_)) => true,
+            (Self::Rename { key: a, .. }, Self::Rename { key: b, .. }) => a == b,
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! What a person is working on: plain data that every step of undo keeps a copy of.
+
+use std::{collections::BTreeMap, sync::Arc};
+
+use serde::{Deserialize, Serialize};
+
+use super::{entry::Entry, scale::Scale, settings::Settings};
+use crate::spectrum::SpikeEdits;
+
+/// Which of the two selected spectra the model is of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Subject {
+    /// The light.
+    #[default]
+    Light,
+    /// The selected reflectance or transmittance, looked at under the light.
+    Factor,
+}
+
+/// The patches that a light is judged by at first: the 24 of the ColorChecker.
+pub const FIRST_PATCH_SET: &str = "colorchecker_ohta";
+
+/// The light shown at first: a triphosphor lamp whose lines no short series can follow.
+pub const FIRST_LIGHT: &str = "cie_fluorescent_1nm/FL11";
+
+/// What the spectrum plot shows.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct View {
+    /// The measured curve.
+    pub measured: bool,
+    /// Smooth part and stems together.
+    pub model: bool,
+    /// The smooth part alone.
+    pub smooth: bool,
+    /// The spikes' stems.
+    pub spikes: bool,
+    /// The residual below.
+    pub residual: bool,
+    /// The overlays.
+    pub overlays: bool,
+    /// The strip of spectrum colours under the axis.
+    pub strip: bool,
+    /// Logarithmic vertical axis.
+    pub log_axis: bool,
+    /// Bring the patches to the screen's white.
+    pub adapt_patches: bool,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            measured: true,
+            model: false,
+            smooth: true,
+            spikes: true,
+            residual: true,
+            overlays: true,
+            strip: true,
+            log_axis: false,
+            adapt_patches: false,
+        }
+    }
+}
+
+/// Everything that undo brings back and a project keeps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// The light.
+    pub light: Arc<Entry>,
+    /// The selected reflectance or transmittance.
+    pub factor: Option<Arc<Entry>>,
+    /// What the model is of.
+    pub subject: Subject,
+    /// Further spectra drawn for comparison.
+    pub overlays: Vec<Arc<Entry>>,
+    /// The user's own spectra.
+    pub own: Vec<Arc<Entry>>,
+    /// The number that the next own spectrum gets.
+    pub next_own: u64,
+    /// The knobs.
+    pub settings: Settings,
+    /// Hand edits of spikes, by the entry's key.
+    pub edits: BTreeMap<String, SpikeEdits>,
+    /// The group whose reflectances are the patches.
+    pub patch_set: String,
+    /// The patch whose product is drawn.
+    pub patch: Option<usize>,
+    /// The scale switch.
+    pub scale: Scale,
+    /// What the plot shows.
+    pub view: View,
+}
+
+impl Document {
+    /// A fresh document about a light.
+    pub fn about(light: Arc<Entry>) -> Self {
+        Self {
+            light,
+            factor: None,
+            subject: Subject::Light,
+            overlays: Vec::new(),
+            own: Vec::new(),
+            next_own: 1,
+            settings: Settings::default(),
+            edits: BTreeMap::new(),
+            patch_set: FIRST_PATCH_SET.to_owned(),
+            patch: None,
+            scale: Scale::default(),
+            view: View::default(),
+        }
+    }
+
+    /// The spectrum that the model is of.
+    pub fn subject_entry(&self) -> &Arc<Entry> {
+        match (&self.subject, &self.factor) {
+            (Subject::Factor, Some(factor)) => factor,
+            _ => &self.light,
+        }
+    }
+
+    /// Whether the subject is the light.
+    pub fn is_about_light(&self) -> bool {
+        self.subject == Subject::Light || self.factor.is_none()
+    }
+
+    /// The hand edits of the subject's spikes.
+    pub fn subject_edits(&self) -> SpikeEdits {
+        self.edits
+            .get(&self.subject_entry().key)
+            .cloned()
+            .unwrap_or_default()
+    }
+}

@@ -1,0 +1,117 @@
+//! A spectrum in the window's hands: where it came from and by what name it is found again.
+
+use std::sync::Arc;
+
+use super::library::{Body, Library, Preset};
+use crate::{
+    io::preset::{PresetComposite, Shelf},
+    spectrum::{
+        Band, Composite, Kind, NamedSpectrum, Sampled, Series, Spike, composite::add_spikes,
+    },
+};
+
+/// One spectrum of the library or of the user's own files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// What finds it again: `group/name` for a preset, `own/<number>` for a file's spectrum.
+    pub key: String,
+    /// The heading it stands under; `None` for the user's own.
+    pub shelf: Option<Shelf>,
+    /// The spectrum.
+    pub spectrum: NamedSpectrum,
+    /// Under which terms the numbers may be passed on; empty for the user's own.
+    pub licence: String,
+}
+
+impl Entry {
+    /// A shipped spectrum; `None` for lists of lines, which are not spectra.
+    pub fn of_preset(preset: &Preset) -> Option<Self> {
+        let spectrum = match &preset.body {
+            Body::Spectrum(spectrum) => spectrum.clone(),
+            Body::Composite(composite) => NamedSpectrum {
+                name: preset.name.clone(),
+                kind: preset.kind,
+                unit: preset.unit.clone(),
+                scale: 1.0,
+                samples: sampled_from_composite(&composite_from_preset(composite)?)?,
+                notes: {
+                    let mut notes = preset.notes.clone();
+                    notes.push(SAMPLED_NOTE.to_owned());
+                    notes
+                },
+                source: preset.source.clone(),
+            },
+            Body::Lines(_) => return None,
+        };
+        Some(Self {
+            key: preset.id(),
+            shelf: Some(preset.shelf),
+            spectrum,
+            licence: preset.licence.words.clone(),
+        })
+    }
+
+    /// The user's own spectrum number `number`.
+    pub fn own(number: u64, spectrum: NamedSpectrum) -> Self {
+        Self {
+            key: format!("own/{number}"),
+            shelf: None,
+            spectrum,
+            licence: String::new(),
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.spectrum.name
+    }
+
+    /// What its values stand for.
+    pub fn kind(&self) -> Kind {
+        self.spectrum.kind
+    }
+
+    /// Whether the window can take it as a light or a reflectance.
+    pub fn is_usable(&self) -> bool {
+        self.kind() == Kind::Light || self.kind().is_factor()
+    }
+
+    /// Its values on a band's grid.
+    pub fn on_band(&self, band: Band) -> Vec<f64> {
+        self.spectrum.samples.on_band(band, self.kind().outside())
+    }
+}
+
+/// All shipped spectra that can be shown, in the library's order.
+pub fn bundled_entries() -> Vec<Arc<Entry>> {
+    Library::bundled()
+        .presets()
+        .filter_map(Entry::of_preset)
+        .map(Arc::new)
+        .collect()
+}
+
+const SAMPLED_NOTE: &str =
+    "A composite, sampled at 1 nm; each spike is split linearly over its two neighbouring nm.";
+
+/// A composite as a 1 nm table over its own range, each spike split linearly over its two
+/// neighbouring nm; `None` for a composite with numbers that are not finite.
+pub fn sampled_from_composite(composite: &Composite) -> Option<Sampled> {
+    let band = composite.band();
+    let mut values = composite.smooth.on_band();
+    add_spikes(band, &composite.spikes, &mut values);
+    Sampled::even(band.min_nm(), 1.0, values).ok()
+}
+
+/// The paper's lamps as composites, the visible weight factor applied.
+pub fn composite_from_preset(preset: &PresetComposite) -> Option<Composite> {
+    let [min_nm, max_nm] = preset.range_nm;
+    let band = Band::new(min_nm, max_nm).ok()?;
+    Some(Composite {
+        smooth: Series::fourier(band, &preset.coefficients.a, &preset.coefficients.b)?,
+        spikes: preset
+            .spikes_in_unit_nm()
+            .map(|(at_nm, weight)| Spike { at_nm, weight })
+            .collect(),
+    })
+}

@@ -1,0 +1,48 @@
+//! Undo and redo: two lists of documents.
+
+use super::document::Document;
+
+/// Steps kept; a document shares its spectra, so a step is small.
+const MOST_STEPS: usize = 500;
+
+/// What was before and what was undone.
+#[derive(Clone, Debug, Default)]
+pub struct History {
+    past: Vec<Document>,
+    future: Vec<Document>,
+}
+
+impl History {
+    /// Remembers a document that is about to change; what was undone is forgotten.
+    pub fn remember(&mut self, before: Document) {
+        if self.past.len() == MOST_STEPS {
+            self.past.remove(0);
+        }
+        self.past.push(before);
+        self.future.clear();
+    }
+
+    /// The document before, in exchange for the present one.
+    pub fn undo(&mut self, present: &Document) -> Option<Document> {
+        let before = self.past.pop()?;
+        self.future.push(present.clone());
+        Some(before)
+    }
+
+    /// The document that was undone last, in exchange for the present one.
+    pub fn redo(&mut self, present: &Document) -> Option<Document> {
+        let after = self.future.pop()?;
+        self.past.push(present.clone());
+        Some(after)
+    }
+
+    /// Whether there is a step back.
+    pub fn can_undo(&self) -> bool {
+        !self.past.is_empty()
+    }
+
+    /// Whether there is a step forward.
+    pub fn can_redo(&self) -> bool {
+        !self.future.is_empty()
+    }
+}

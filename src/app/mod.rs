@@ -1,0 +1,30 @@
+//! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
+
+pub mod chart;
+pub mod command;
+pub mod derived;
+pub mod document;
+pub mod entry;
+pub mod export;
+pub mod history;
+pub mod library;
+pub mod licences;
+pub mod line_names;
+pub mod open;
+pub mod plot_svg;
+pub mod report;
+pub mod scale;
+pub mod settings;
+pub mod spike_hand;
+pub mod state;
+pub mod tables;
+pub mod ticks;
+pub mod workspace;
+
+pub use command::Command;
+pub use derived::Derived;
+pub use document::{Document, Subject, View};
+pub use entry::Entry;
+pub use scale::Scale;
+pub use settings::Settings;
+pub use state::App;

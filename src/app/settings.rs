@@ -1,0 +1,123 @@
+//! The model's knobs: one small value, clamped in one place.
+
+use std::ops::RangeInclusive;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    color::Observer,
+    spectrum::{Band, Basis, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
+};
+
+/// Orders that may be asked for.
+pub const ORDERS: RangeInclusive<usize> = 0..=100;
+/// Spike thresholds in percent of the total power.
+pub const THRESHOLDS_PERCENT: RangeInclusive<f64> = 0.01..=50.0;
+/// Widest lines in nm.
+pub const WIDTHS_NM: RangeInclusive<f64> = 1.0..=50.0;
+/// Slopes of the gradient detector, in percent of the maximum per nm.
+pub const GRADIENTS_PERCENT: RangeInclusive<f64> = 0.1..=50.0;
+
+/// Which spike detector runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Detector {
+    /// Prominence proposes, energy decides: the program's own.
+    Energy,
+    /// The paper's: steep on both sides.
+    Gradient,
+}
+
+/// Everything that decides what the model of a spectrum is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Settings {
+    /// Functions of the smooth part.
+    pub basis: Basis,
+    /// Order `N`; the smooth part takes `2N + 1` numbers.
+    pub order: usize,
+    /// Whether lines are taken out as spikes at all.
+    pub spikes: bool,
+    /// Least share of the power a spike must carry, percent.
+    pub threshold_percent: f64,
+    /// Widest line, full width at half maximum, nm.
+    pub max_width_nm: f64,
+    /// Look for absorption lines too.
+    pub dips: bool,
+    /// Which detector runs.
+    pub detector: Detector,
+    /// The gradient detector's slope, percent of the maximum per nm.
+    pub gradient_percent: f64,
+    /// Make the light's own X, Y, Z exact.
+    pub colour_exact: bool,
+    /// Range of the model.
+    pub band: Band,
+    /// Whose colour-matching functions.
+    pub observer: Observer,
+    /// How products with reflectances are formed.
+    pub sampling: Sampling,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            basis: Basis::Fourier,
+            order: 7,
+            spikes: true,
+            threshold_percent: 0.5,
+            max_width_nm: 10.0,
+            dips: false,
+            detector: Detector::Energy,
+            gradient_percent: 100.0 * DEFAULT_GRADIENT,
+            colour_exact: false,
+            band: Band::VISIBLE,
+            observer: Observer::Cie1931,
+            sampling: Sampling::Exact,
+        }
+    }
+}
+
+impl Settings {
+    /// Every value moved to the nearest one that is allowed; what is not a number becomes the
+    /// default.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let default = Self::default();
+        let within = |value: f64, range: &RangeInclusive<f64>, default: f64| {
+            if value.is_nan() {
+                default
+            } else {
+                value.clamp(*range.start(), *range.end())
+            }
+        };
+        Self {
+            order: self.order.clamp(*ORDERS.start(), *ORDERS.end()),
+            threshold_percent: within(
+                self.threshold_percent,
+                &THRESHOLDS_PERCENT,
+                default.threshold_percent,
+            ),
+            max_width_nm: within(self.max_width_nm, &WIDTHS_NM, default.max_width_nm),
+            gradient_percent: within(
+                self.gradient_percent,
+                &GRADIENTS_PERCENT,
+                default.gradient_percent,
+            ),
+            ..self
+        }
+    }
+
+    /// The order that the band's grid can carry.
+    pub fn effective_order(self) -> usize {
+        self.order.min(Basis::highest_order(self.band))
+    }
+
+    /// What the default detector is asked for.
+    pub fn spike_settings(self) -> SpikeSettings {
+        SpikeSettings {
+            threshold: self.threshold_percent / 100.0,
+            max_width_nm: self.max_width_nm,
+            dips: self.dips,
+        }
+    }
+}

@@ -1,0 +1,557 @@
+//! The program's state: one document, its history, and what is derived from it.
+
+use std::{
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use super::{
+    command::Command,
+    derived::{Derived, Question},
+    document::{Document, FIRST_LIGHT, Subject},
+    entry::{Entry, bundled_entries},
+    history::History,
+    library::Library,
+    line_names::{ElementLine, LineName, name_spikes},
+    spike_hand::{self, SpikeAct},
+    tables::{CURVE_ORDER, Tables, Viewing},
+};
+use crate::{
+    color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
+    spectrum::{
+        Band, Basis, Composite, Kind, NamedSpectrum, Sampling, Series, Spike,
+        product::{on_grid, resampled},
+    },
+};
+
+/// How weighty a message is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    /// Something was done.
+    Info,
+    /// Something was refused or went wrong.
+    Problem,
+}
+
+/// A sentence for the status line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Message {
+    /// How weighty it is.
+    pub tone: Tone,
+    /// One line.
+    pub text: String,
+}
+
+/// The product of the light with one patch, exact and by the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProductView {
+    /// The patch's name.
+    pub name: String,
+    /// The patch's reflectance on the grid.
+    pub reflectance: Vec<f64>,
+    /// Measured light times reflectance on the grid.
+    pub exact: Vec<f64>,
+    /// The model's product without its spikes, on the grid.
+    pub smooth: Vec<f64>,
+    /// The spikes, weighed by the reflectance where they stand.
+    pub spikes: Vec<Spike>,
+    /// How the product was formed.
+    pub sampling: Sampling,
+}
+
+/// What the shared tables were made for.
+#[derive(Clone, Debug, PartialEq)]
+struct TablesFor {
+    band: Band,
+    basis: Basis,
+    order: usize,
+    observer: Observer,
+    patch_set: Option<String>,
+    /// The light's key when the subject is looked at under it.
+    under: Option<Arc<Entry>>,
+}
+
+/// The program without a window.
+#[derive(Clone, Debug)]
+pub struct App {
+    bundled: Arc<Vec<Arc<Entry>>>,
+    lines: Arc<Vec<ElementLine>>,
+    document: Document,
+    history: History,
+    /// The command that the present gesture is made of; `None` between gestures.
+    gesture: Option<Command>,
+    tables: Arc<Tables>,
+    tables_for: TablesFor,
+    derived: Arc<Derived>,
+    names: Vec<LineName>,
+    took: Duration,
+    messages: Vec<Message>,
+    revision: u64,
+}
+
+impl Default for App {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl App {
+    /// The program as it starts the first time: a lamp worth looking at.
+    ///
+    /// # Panics
+    /// Never in a sound build: the first light is one of the bundled presets (a test).
+    pub fn new() -> Self {
+        let bundled = bundled_entries();
+        let first = bundled
+            .iter()
+            .find(|e| e.key == FIRST_LIGHT)
+            .unwrap_or(&bundled[0])
+            .clone();
+        Self::about(bundled, Document::about(first))
+    }
+
+    /// The program with a document that was made elsewhere.
+    pub fn with_document(document: Document) -> Self {
+        Self::about(bundled_entries(), document)
+    }
+
+    fn about(bundled: Vec<Arc<Entry>>, document: Document) -> Self {
+        let lines = Library::bundled()
+            .lines()
+            .iter()
+            .map(|line| ElementLine {
+                element: line.element.clone(),
+                at_nm: line.at_nm,
+                strength: line.strength.unwrap_or(0.0),
+            })
+            .collect();
+        let tables_for = tables_for(&document);
+        let tables = Arc::new(make_tables(&tables_for));
+        let derived = Arc::new(derive(&document, &tables));
+        let mut app = Self {
+            bundled: Arc::new(bundled),
+            lines: Arc::new(lines),
+            document,
+            history: History::default(),
+            gesture: None,
+            tables,
+            tables_for,
+            derived,
+            names: Vec::new(),
+            took: Duration::ZERO,
+            messages: Vec::new(),
+            revision: 0,
+        };
+        app.recompute();
+        app
+    }
+
+    /// The document.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// What is derived from it.
+    pub fn derived(&self) -> &Arc<Derived> {
+        &self.derived
+    }
+
+    /// The shared tables, for benches and studies.
+    pub fn tables(&self) -> &Arc<Tables> {
+        &self.tables
+    }
+
+    /// The shipped spectra.
+    pub fn bundled(&self) -> &[Arc<Entry>] {
+        &self.bundled
+    }
+
+    /// Names of the model's spikes, in their order.
+    pub fn spike_names(&self) -> &[LineName] {
+        &self.names
+    }
+
+    /// All atomic lines, for hover.
+    pub fn element_lines(&self) -> &[ElementLine] {
+        &self.lines
+    }
+
+    /// How long the last recomputation took.
+    pub fn took(&self) -> Duration {
+        self.took
+    }
+
+    /// Grows with every change of the document.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// The newest message.
+    pub fn message(&self) -> Option<&Message> {
+        self.messages.last()
+    }
+
+    /// All messages, oldest first.
+    pub fn messages(&self) -> &[Message] {
+        &self.messages
+    }
+
+    /// Whether there is something to undo.
+    pub fn can_undo(&self) -> bool {
+        self.history.can_undo()
+    }
+
+    /// Whether there is something to do again.
+    pub fn can_redo(&self) -> bool {
+        self.history.can_redo()
+    }
+
+    /// Says something in the status line.
+    pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
+        const MOST: usize = 200;
+        if self.messages.len() == MOST {
+            self.messages.remove(0);
+        }
+        self.messages.push(Message {
+            tone,
+            text: text.into(),
+        });
+    }
+
+    /// The entry of that key, shipped or the user's own.
+    pub fn entry(&self, key: &str) -> Option<Arc<Entry>> {
+        self.document
+            .own
+            .iter()
+            .chain(self.bundled.iter())
+            .find(|e| e.key == key)
+            .cloned()
+    }
+
+    /// A gesture ends when the pointer is let go: the next change is a step of its own.
+    pub fn end_gesture(&mut self) {
+        self.gesture = None;
+    }
+
+    /// The only place that changes the document.
+    pub fn apply(&mut self, command: Command) {
+        let before = self.document.clone();
+        match command.clone() {
+            Command::Undo => return self.step(History::undo, "Nothing to undo."),
+            Command::Redo => return self.step(History::redo, "Nothing to do again."),
+            Command::Edit(settings) => self.document.settings = settings.clamped(),
+            Command::Show(entry) => self.show(entry),
+            Command::ToggleOverlay(entry) => {
+                let overlays = &mut self.document.overlays;
+                match overlays.iter().position(|o| o.key == entry.key) {
+                    Some(index) => drop(overlays.remove(index)),
+                    None => overlays.push(entry),
+                }
+            }
+            Command::ClearOverlays => self.document.overlays.clear(),
+            Command::About(subject) => self.document.subject = subject,
+            Command::EditSpikes(edits) => {
+                let key = self.document.subject_entry().key.clone();
+                if edits.is_empty() {
+                    self.document.edits.remove(&key);
+                } else {
+                    self.document.edits.insert(key, edits);
+                }
+            }
+            Command::PatchSet(group) => {
+                self.document.patch_set = group;
+                self.document.patch = None;
+            }
+            Command::Patch(patch) => self.document.patch = patch,
+            Command::Scale(scale) => self.document.scale = scale,
+            Command::View(view) => self.document.view = view,
+            Command::Adopt(spectra) => self.adopt(spectra),
+            Command::Rename { key, name } => {
+                self.change_own(&key, |spectrum| spectrum.name.clone_from(&name));
+            }
+            Command::SetKind { key, kind } => {
+                self.change_own(&key, |spectrum| spectrum.kind = kind);
+            }
+            Command::Remove { key } => self.remove(&key),
+            Command::Replace(document) => self.document = *document,
+        }
+        if self.document == before {
+            return;
+        }
+        let continues = self
+            .gesture
+            .as_ref()
+            .is_some_and(|last| command.continues(last));
+        if !continues {
+            self.history.remember(before);
+        }
+        self.gesture = Some(command);
+        self.recompute();
+    }
+
+    /// Carries out an act on the subject's spikes.
+    pub fn act_on_spikes(&mut self, act: SpikeAct) {
+        let edits = spike_hand::after(act, &self.document.subject_edits(), &self.derived.parts);
+        self.apply(Command::EditSpikes(edits));
+    }
+
+    /// The product with the selected patch; `None` when there is none.
+    pub fn product(&self) -> Option<ProductView> {
+        let index = self.document.patch?;
+        let patches = self.tables.patches.as_ref()?;
+        let reflectance = patches.reflectances.get(index)?;
+        let derived = &self.derived;
+        let sampling = self.document.settings.sampling;
+        let (smooth, spikes) = match sampling {
+            Sampling::Exact => on_grid(&derived.model, reflectance),
+            _ => {
+                let numbers = derived.model.smooth.coefficients.len();
+                let factor = Series {
+                    coefficients: patches.coefficients[index][..numbers].to_vec(),
+                    ..derived.model.smooth.clone()
+                };
+                let Composite { smooth, spikes } = resampled(&derived.model, &factor, sampling);
+                (smooth.on_band(), spikes)
+            }
+        };
+        Some(ProductView {
+            name: patches.set.names().get(index)?.clone(),
+            reflectance: reflectance.clone(),
+            exact: derived
+                .measured
+                .iter()
+                .zip(reflectance)
+                .map(|(s, r)| s * r)
+                .collect(),
+            smooth,
+            spikes,
+            sampling,
+        })
+    }
+
+    /// Factor from the subject's own numbers to the scale in force.
+    pub fn scale_factor(&self) -> f64 {
+        let subject = &self.document.subject_entry().spectrum;
+        self.document.scale.factor(subject).unwrap_or(1.0)
+    }
+
+    /// The unit of the values on screen.
+    pub fn unit(&self) -> String {
+        self.document
+            .scale
+            .unit(&self.document.subject_entry().spectrum)
+    }
+
+    fn step(
+        &mut self,
+        step: impl Fn(&mut History, &Document) -> Option<Document>,
+        otherwise: &str,
+    ) {
+        match step(&mut self.history, &self.document) {
+            Some(document) => {
+                self.document = document;
+                self.gesture = None;
+                self.recompute();
+            }
+            None => self.say(Tone::Info, otherwise),
+        }
+    }
+
+    fn show(&mut self, entry: Arc<Entry>) {
+        match entry.kind() {
+            Kind::Light => {
+                self.document.light = entry;
+                self.document.subject = Subject::Light;
+            }
+            Kind::Reflectance | Kind::Transmittance => {
+                self.document.factor = Some(entry);
+                self.document.subject = Subject::Factor;
+            }
+            kind @ (Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other) => {
+                let overlays = &mut self.document.overlays;
+                if !overlays.iter().any(|o| o.key == entry.key) {
+                    overlays.push(entry.clone());
+                }
+                self.say(
+                    Tone::Info,
+                    format!(
+                        "{} is neither a light nor a reflectance ({kind}): drawn as an overlay.",
+                        entry.name()
+                    ),
+                );
+            }
+        }
+    }
+
+    fn adopt(&mut self, spectra: Vec<NamedSpectrum>) {
+        let mut first = None;
+        for spectrum in spectra {
+            let entry = Arc::new(Entry::own(self.document.next_own, spectrum));
+            self.document.next_own += 1;
+            first.get_or_insert_with(|| entry.clone());
+            self.document.own.push(entry);
+        }
+        if let Some(entry) = first {
+            self.show(entry);
+        }
+    }
+
+    fn change_own(&mut self, key: &str, change: impl Fn(&mut NamedSpectrum)) {
+        let changed = |entry: &Arc<Entry>| {
+            let mut new = Entry::clone(entry);
+            change(&mut new.spectrum);
+            Arc::new(new)
+        };
+        let document = &mut self.document;
+        let everywhere = document
+            .own
+            .iter_mut()
+            .chain(&mut document.overlays)
+            .chain(&mut document.factor)
+            .chain(std::iter::once(&mut document.light));
+        let mut new = None;
+        for entry in everywhere.filter(|e| e.key == key) {
+            *entry = changed(entry);
+            new = Some(entry.clone());
+        }
+        // A light that turned into a reflectance changes its place.
+        if let Some(entry) = new {
+            let is_light = self.document.light.key == key;
+            let is_factor = self.document.factor.as_ref().is_some_and(|f| f.key == key);
+            if is_light && entry.kind() != Kind::Light {
+                self.document.light = self.first_light();
+                self.show(entry);
+            } else if is_factor && !entry.kind().is_factor() {
+                self.document.factor = None;
+                self.show(entry);
+            }
+        }
+    }
+
+    fn remove(&mut self, key: &str) {
+        self.document.own.retain(|e| e.key != key);
+        self.document.overlays.retain(|e| e.key != key);
+        self.document.edits.remove(key);
+        if self.document.factor.as_ref().is_some_and(|f| f.key == key) {
+            self.document.factor = None;
+            self.document.subject = Subject::Light;
+        }
+        if self.document.light.key == key {
+            self.document.light = self.first_light();
+        }
+    }
+
+    fn first_light(&self) -> Arc<Entry> {
+        self.entry(FIRST_LIGHT)
+            .unwrap_or_else(|| self.bundled[0].clone())
+    }
+
+    fn recompute(&mut self) {
+        let start = Instant::now();
+        let wanted = tables_for(&self.document);
+        if wanted != self.tables_for {
+            self.tables = Arc::new(make_tables(&wanted));
+            self.tables_for = wanted;
+        }
+        let count = self.tables.patches.as_ref().map_or(0, |p| p.set.len());
+        if self.document.patch.is_some_and(|p| p >= count) {
+            self.document.patch = None;
+        }
+        self.derived = Arc::new(derive(&self.document, &self.tables));
+        let spectrum = &self.document.subject_entry().spectrum;
+        self.names = name_spikes(
+            &self.derived.model.spikes,
+            spectrum.samples.step_nm(),
+            self.derived.parts.power,
+            &self.lines,
+        );
+        self.took = start.elapsed();
+        self.revision += 1;
+    }
+}
+
+fn tables_for(document: &Document) -> TablesFor {
+    let settings = document.settings;
+    let is_light = document.is_about_light();
+    TablesFor {
+        band: settings.band,
+        basis: settings.basis,
+        order: settings.effective_order().max(CURVE_ORDER),
+        observer: settings.observer,
+        patch_set: is_light.then(|| document.patch_set.clone()),
+        under: (!is_light).then(|| document.light.clone()),
+    }
+}
+
+fn make_tables(wanted: &TablesFor) -> Tables {
+    let (band, observer) = (wanted.band, wanted.observer);
+    let viewing = match &wanted.under {
+        Some(light) => Viewing::under(&light.on_band(band), band, observer),
+        None => Viewing::of_light(band, observer),
+    };
+    let patches = wanted.patch_set.as_ref().map(|group| {
+        let items = Library::bundled().group(group).map(|g| &g.items[..]);
+        items
+            .unwrap_or_default()
+            .iter()
+            .filter_map(|p| p.spectrum())
+            .filter(|s| s.kind.is_factor())
+            .map(|s| (s.name.clone(), s.samples.on_band(band, s.kind.outside())))
+            .unzip()
+    });
+    Tables::new(band, wanted.basis, wanted.order, observer, viewing, patches)
+}
+
+/// The pure step from a document to what is shown of it.
+pub fn derive(document: &Document, tables: &Tables) -> Derived {
+    let settings = document.settings;
+    let band = settings.band;
+    let subject = document.subject_entry();
+    let is_light = document.is_about_light();
+    let measured = subject.on_band(band);
+    let light = if is_light {
+        measured.clone()
+    } else {
+        document.light.on_band(band)
+    };
+    let full_range = |entry: &Entry| {
+        entry
+            .spectrum
+            .samples
+            .linear_on(360, 830, entry.kind().outside())
+    };
+    let light_values = full_range(&document.light);
+    let subject_values = if is_light {
+        light_values.clone()
+    } else {
+        full_range(subject)
+            .iter()
+            .zip(&light_values)
+            .map(|(r, s)| r * s)
+            .collect()
+    };
+    let white = xyz_from_nm_values(&light_values, settings.observer);
+    let scaled = |observer: Observer| -> Xyz {
+        let y = xyz_from_nm_values(&light_values, observer).y;
+        xyz_from_nm_values(&subject_values, observer) * (100.0 / y)
+    };
+    let full = (white.y > 0.0).then(|| (scaled(settings.observer), scaled(Observer::Cie1931)));
+    let edits = document.subject_edits();
+    Derived::of(
+        Question {
+            measured: &measured,
+            is_light,
+            light: &light,
+            full,
+            full_luminance: white.y,
+            settings,
+            edits: &edits,
+            adaptation: if document.view.adapt_patches {
+                Adaptation::ToLight
+            } else {
+                Adaptation::None
+            },
+        },
+        tables,
+    )
+}

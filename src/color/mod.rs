@@ -1,0 +1,46 @@
+//! From spectrum to colour: numbers only, no files, no window.
+//!
+//! ```text
+//! observer      colour-matching functions and other weighting tables
+//! xyz           tristimulus values: CIE sums over 360-830 nm, or through any `integrate`
+//! chromaticity  xy, CIE 1976 u'v', CIE 1960 uv
+//! lab           CIE 1976 L*a*b* against a white
+//! ciede2000     colour difference
+//! srgb          what a screen shows: IEC 61966-2-1, and how colours outside it are mapped
+//! adaptation    Bradford chromatic adaptation, for "adapt to the light"
+//! cct           correlated colour temperature and Duv (Ohno)
+//! blackbody     Planck's law
+//! gaussian_cmf  the paper's Gaussian fit of the colour-matching functions: why few terms suffice
+//! patches       many reflectances under one light, fast enough for a slider
+//! wavelength_rgb  the colours under a wavelength axis
+//! matrix        3x3 arithmetic that works in constants
+//! ```
+//!
+//! Units: wavelengths in nm, temperatures in kelvin, XYZ in whatever scale the caller states
+//! (the CIE sums return Y = 100). Nothing here returns NaN: where a quantity does not exist the
+//! answer is `None` or an error that says why in words.
+
+pub mod adaptation;
+pub mod blackbody;
+pub mod cct;
+pub mod chromaticity;
+pub mod ciede2000;
+pub mod gaussian_cmf;
+pub mod lab;
+pub mod matrix;
+pub mod observer;
+pub mod patches;
+pub mod srgb;
+pub mod wavelength_rgb;
+pub mod xyz;
+
+pub use adaptation::Adaptation;
+pub use cct::{Cct, NoCct, cct_from_uv_1960, cct_from_xyz};
+pub use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xy_from_xyz};
+pub use ciede2000::delta_e_2000;
+pub use lab::{Lab, lab_from_xyz, xyz_from_lab};
+pub use observer::{ColourMatching, Observer};
+pub use patches::{PatchDifference, PatchMatrix, PatchSet};
+pub use srgb::{Mapping, Srgb, Swatch};
+pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over};
+pub use xyz::{Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance};

@@ -1,0 +1,214 @@
+//! Tristimulus values.
+//!
+//! Two ways lead to XYZ. Measured data go through CIE sums on whole nm, 360-830 (METRICS's
+//! "full" colour). Models go through [`xyz_from_integral`], which needs nothing but the ability
+//! to integrate against a weight, so that spikes are exact.
+
+use std::ops::{Add, AddAssign, Mul, Sub};
+
+use super::observer::Observer;
+use crate::spectrum::{Outside, Sampled, band::dot};
+
+/// First wavelength of the CIE sums, nm.
+pub const FIRST_NM: u32 = 360;
+
+/// Last wavelength of the CIE sums, nm.
+pub const LAST_NM: u32 = 830;
+
+/// Number of whole nm in the CIE sums.
+pub const POINTS: usize = (LAST_NM - FIRST_NM + 1) as usize;
+
+/// CIE tristimulus values; the scale is the caller's (most often Y = 100 for the light).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Xyz {
+    /// X.
+    pub x: f64,
+    /// Y.
+    pub y: f64,
+    /// Z.
+    pub z: f64,
+}
+
+impl Xyz {
+    /// No light.
+    pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
+
+    /// From three numbers.
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self { x, y, z }
+    }
+
+    /// From `[X, Y, Z]`.
+    pub const fn from_array([x, y, z]: [f64; 3]) -> Self {
+        Self { x, y, z }
+    }
+
+    /// As `[X, Y, Z]`.
+    pub const fn to_array(self) -> [f64; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// All three multiplied by a factor.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self::new(self.x * factor, self.y * factor, self.z * factor)
+    }
+
+    /// Scaled so that Y is `y`; `None` when there is no positive Y to scale.
+    pub fn with_y(self, y: f64) -> Option<Self> {
+        let scaled = Self::new(self.x / self.y * y, y, self.z / self.y * y);
+        (self.y > 0.0 && scaled.is_finite()).then_some(scaled)
+    }
+
+    /// Whether all three are finite numbers.
+    pub fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl Add for Xyz {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl AddAssign for Xyz {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Sub for Xyz {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl Mul<f64> for Xyz {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        self.scaled(factor)
+    }
+}
+
+/// XYZ of anything that can be integrated against a weight, in value x nm (not normalised).
+///
+/// `integrate(w)` must return the integral of `spectrum(nm) * w(nm)` over nm; a line of weight
+/// `s` at `l` contributes `s * w(l)`.
+pub fn xyz_from_integral(
+    integrate: impl Fn(&dyn Fn(f64) -> f64) -> f64,
+    observer: Observer,
+) -> Xyz {
+    let table = observer.table();
+    Xyz::from_array(std::array::from_fn(|k| integrate(&|nm| table.at(nm)[k])))
+}
+
+/// XYZ of a light from its values on whole nm 360-830: plain sums, not normalised.
+///
+/// # Panics
+/// When `light` does not have [`POINTS`] values.
+pub fn xyz_from_nm_values(light: &[f64], observer: Observer) -> Xyz {
+    assert_eq!(light.len(), POINTS, "one value per nm of 360-830");
+    let table = observer.table();
+    // Tables that start later (2015: 390 nm) weigh nothing before their start.
+    let skip = (table.first_nm - FIRST_NM) as usize;
+    Xyz::from_array(std::array::from_fn(|k| {
+        let row = &table.xyz[k];
+        dot(&light[skip..skip + row.len()], row)
+    }))
+}
+
+/// XYZ of a light with Y = 100: linear to whole nm, plain sums over 360-830.
+///
+/// `None` when Y is not positive: no light, light outside the visible, or negative samples that
+/// outweigh the rest.
+pub fn xyz_from_light(light: &Sampled, outside: Outside, observer: Observer) -> Option<Xyz> {
+    xyz_from_nm_values(&light.linear_on(FIRST_NM, LAST_NM, outside), observer).with_y(100.0)
+}
+
+/// XYZ of a reflectance (or transmittance) under a light, Y = 100 for the light itself.
+///
+/// The light is zero outside its table, the reflectance goes on with its end values. `None` when
+/// the light's Y is not positive.
+pub fn xyz_from_reflectance(
+    reflectance: &Sampled,
+    light: &Sampled,
+    observer: Observer,
+) -> Option<Xyz> {
+    let light = light.linear_on(FIRST_NM, LAST_NM, Outside::Zero);
+    let white = xyz_from_nm_values(&light, observer);
+    let product: Vec<f64> = reflectance
+        .linear_on(FIRST_NM, LAST_NM, Outside::Hold)
+        .iter()
+        .zip(&light)
+        .map(|(r, s)| r * s)
+        .collect();
+    let raw = xyz_from_nm_values(&product, observer);
+    let scaled = Xyz::new(raw.x / white.y, raw.y / white.y, raw.z / white.y) * 100.0;
+    (white.y > 0.0 && scaled.is_finite()).then_some(scaled)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flat(value: f64) -> Sampled {
+        Sampled::new(vec![360.0, 830.0], vec![value, value]).unwrap()
+    }
+
+    #[test]
+    fn a_flat_light_gives_the_sums_of_the_table() {
+        for observer in Observer::ALL {
+            let xyz = xyz_from_light(&flat(3.0), Outside::Zero, observer).unwrap();
+            let [x, y, z] = observer.table().sums();
+            assert_eq!(xyz.y, 100.0);
+            // The same 471 products summed in another order.
+            assert!((xyz.x - 100.0 * x / y).abs() < 1e-11);
+            assert!((xyz.z - 100.0 * z / y).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn a_perfect_reflector_has_the_colour_of_the_light() {
+        let light = Sampled::new(vec![400.0, 550.0, 700.0], vec![0.2, 1.0, 0.7]).unwrap();
+        let seen = xyz_from_reflectance(&flat(1.0), &light, Observer::Cie1964).unwrap();
+        let own = xyz_from_light(&light, Outside::Zero, Observer::Cie1964).unwrap();
+        // Identical products; only the order of scaling differs.
+        assert!((seen.x - own.x).abs() < 1e-12 && (seen.z - own.z).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_light_no_visible_light_and_negative_light_have_no_colour() {
+        let infrared = Sampled::new(vec![900.0, 1000.0], vec![1.0, 1.0]).unwrap();
+        let huge = flat(f64::MAX);
+        for light in [flat(0.0), flat(-1.0), infrared, huge] {
+            assert_eq!(
+                xyz_from_light(&light, Outside::Zero, Observer::Cie1931),
+                None
+            );
+            assert_eq!(
+                xyz_from_reflectance(&flat(0.5), &light, Observer::Cie1931),
+                None
+            );
+        }
+    }
+
+    #[test]
+    fn a_line_is_weighed_exactly_through_the_integral() {
+        let xyz = xyz_from_integral(|weight| 2.5 * weight(546.1), Observer::Cie1931);
+        let [x, y, z] = Observer::Cie1931.table().at(546.1);
+        assert_eq!(xyz, Xyz::new(2.5 * x, 2.5 * y, 2.5 * z));
+    }
+
+    #[test]
+    fn arithmetic_is_by_component() {
+        let (a, b) = (Xyz::new(1.0, 2.0, 3.0), Xyz::new(0.5, 0.25, -1.0));
+        assert_eq!(a + b - b, a);
+        assert_eq!(a * 2.0, Xyz::from_array([2.0, 4.0, 6.0]));
+        let mut sum = a;
+        sum += b;
+        assert_eq!(sum.to_array(), [1.5, 2.25, 2.0]);
+        assert_eq!(Xyz::ZERO.with_y(100.0), None);
+    }
+}

@@ -1,0 +1,135 @@
+//! One number a line: wavelengths and values by turns, as Macam radiometers write them.
+
+use super::draft::Draft;
+use super::number::{self, Cell};
+use super::text::lines;
+use super::units::WavelengthUnit;
+use super::{Input, ReadError, Reading};
+
+/// Fewest points that alternating lines must hold to be taken for a spectrum.
+const FEWEST_POINTS: usize = 5;
+
+/// A column of single numbers read as pairs.
+#[derive(Debug)]
+pub struct Pairs<'a> {
+    header: Vec<(usize, &'a str)>,
+    axis: Vec<f64>,
+    values: Vec<f64>,
+    lines: Vec<u32>,
+    decimal_comma: bool,
+}
+
+/// The longest run of lines with one number each, its first line, and the lines before it.
+#[derive(Default)]
+struct Lone<'a> {
+    header: Vec<(usize, &'a str)>,
+    numbers: Vec<f64>,
+    lines: Vec<u32>,
+}
+
+fn longest_run(text: &str, decimal_comma: bool) -> Lone<'_> {
+    let mut best = Lone::default();
+    let mut run = Lone::default();
+    for (line, content) in lines(text) {
+        let content = content.trim();
+        if content.is_empty() {
+            continue;
+        }
+        if let Cell::Number(value) = number::parse(content, decimal_comma) {
+            run.numbers.push(value);
+            run.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+            continue;
+        }
+        let mut header = Vec::new();
+        if run.numbers.len() > best.numbers.len() {
+            best = std::mem::take(&mut run);
+        } else {
+            header = std::mem::take(&mut run.header);
+            run = Lone::default();
+        }
+        if header.len() < 50 {
+            header.push((line, content));
+        }
+        run.header = header;
+    }
+    if run.numbers.len() > best.numbers.len() { run } else { best }
+}
+
+/// How many lines hold one number each, and the first of them; `None` when hardly any do.
+pub fn lone_numbers(text: &str) -> Option<(usize, usize)> {
+    let run = longest_run(text, false);
+    let first = *run.lines.first()?;
+    (run.numbers.len() >= FEWEST_POINTS).then_some((run.numbers.len(), first as usize))
+}
+
+/// Wavelengths and values by turns, if the text holds them.
+pub fn find(text: &str) -> Option<Pairs<'_>> {
+    [false, true].into_iter().find_map(|decimal_comma| {
+        let run = longest_run(text, decimal_comma);
+        // An odd count has one number of a header in front (a count, a scan number).
+        let skip = run.numbers.len() % 2;
+        let axis: Vec<f64> = run.numbers.iter().skip(skip).step_by(2).copied().collect();
+        let rising = axis.windows(2).all(|p| p[1] > p[0]);
+        let falling = axis.windows(2).all(|p| p[1] < p[0]);
+        let (first, last) = (*axis.first()?, *axis.last()?);
+        WavelengthUnit::of_range(first.min(last), first.max(last))?;
+        if axis.len() < FEWEST_POINTS || !(rising || falling) {
+            return None;
+        }
+        Some(Pairs {
+            values: run.numbers.iter().skip(skip + 1).step_by(2).copied().collect(),
+            lines: run.lines.iter().skip(skip + 1).step_by(2).copied().collect(),
+            header: run.header,
+            axis,
+            decimal_comma,
+        })
+    })
+}
+
+/// Reads pairs as a spectrum.
+///
+/// # Errors
+/// [`ReadError`] when they are none.
+pub fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
+    let mut reading = Reading::default();
+    let draft = Draft {
+        name: input.stem().to_owned(),
+        title: String::new(),
+        axis_title: String::new(),
+        says_nm: false,
+        header: &pairs.header,
+        axis: &pairs.axis,
+        values: pairs.values.clone(),
+        lines: &pairs.lines,
+        percent_signs: false,
+        decimal_comma: pairs.decimal_comma,
+    };
+    draft.finish(input, &mut reading)?;
+    reading
+        .notes
+        .push("one number a line: wavelength and value by turns".to_owned());
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+
+    #[test]
+    fn wavelengths_and_values_by_turns_are_read() {
+        let text = "@19/5/1997\n#No Title\n 2.5E+02\n 0.0\n 2.51E+02\n 0.5\n 2.52E+02\n 1.0\n 2.53E+02\n 0.5\n 2.54E+02\n 0.25\n";
+        let reading = read_bytes("a.DTA", text.as_bytes()).unwrap();
+        assert_eq!(reading.spectra[0].samples.nm()[4], 254.0);
+        assert_eq!(reading.spectra[0].samples.values(), [0.0, 0.5, 1.0, 0.5, 0.25]);
+    }
+
+    #[test]
+    fn values_without_wavelengths_are_refused_in_words() {
+        let text = "Record 1\n".to_owned() + &"0.5\n0.6\n0.4\n".repeat(5);
+        let refusal = read_bytes("a.txt", text.as_bytes()).unwrap_err().to_string();
+        assert_eq!(
+            refusal,
+            "a.txt, line 2: found 15 lines of one number each, expected a wavelength beside each value"
+        );
+    }
+}

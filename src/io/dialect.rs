@@ -1,0 +1,119 @@
+//! How a text table separates its cells and marks its decimals.
+
+/// What stands between two cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delimiter {
+    /// One TAB.
+    Tab,
+    /// One semicolon.
+    Semicolon,
+    /// One comma.
+    Comma,
+    /// Any run of blanks and TABs.
+    Space,
+}
+
+/// A delimiter and a decimal mark, found together because either alone misleads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dialect {
+    /// What stands between two cells.
+    pub delimiter: Delimiter,
+    /// Whether decimals are marked by a comma instead of a point.
+    pub decimal_comma: bool,
+}
+
+impl Dialect {
+    /// Every dialect that is tried; of equally good ones the earlier is taken. A comma between
+    /// cells and in numbers at once works where cells are quoted.
+    pub const ALL: [Self; 8] = [
+        Self::new(Delimiter::Tab, false),
+        Self::new(Delimiter::Semicolon, false),
+        Self::new(Delimiter::Comma, false),
+        Self::new(Delimiter::Space, false),
+        Self::new(Delimiter::Tab, true),
+        Self::new(Delimiter::Semicolon, true),
+        Self::new(Delimiter::Space, true),
+        Self::new(Delimiter::Comma, true),
+    ];
+
+    const fn new(delimiter: Delimiter, decimal_comma: bool) -> Self {
+        Self {
+            delimiter,
+            decimal_comma,
+        }
+    }
+
+    /// The dialect in words, for provenance.
+    pub fn words(self) -> String {
+        let cells = match self.delimiter {
+            Delimiter::Tab => "cells separated by TAB",
+            Delimiter::Semicolon => "cells separated by semicolon",
+            Delimiter::Comma => "cells separated by comma",
+            Delimiter::Space => "cells separated by blanks",
+        };
+        let decimals = if self.decimal_comma { ", decimal comma" } else { "" };
+        format!("{cells}{decimals}")
+    }
+
+    /// The cells of a line, trimmed; quotes around a cell are honoured and removed.
+    pub fn split<'a>(self, line: &'a str, cells: &mut Vec<&'a str>) {
+        cells.clear();
+        let mark = match self.delimiter {
+            Delimiter::Tab => '\t',
+            Delimiter::Semicolon => ';',
+            Delimiter::Comma => ',',
+            Delimiter::Space => {
+                cells.extend(line.split_ascii_whitespace());
+                return;
+            }
+        };
+        if !line.contains('"') {
+            cells.extend(line.split(mark).map(str::trim_ascii));
+            return;
+        }
+        let (mut start, mut in_quotes) = (0, false);
+        for (at, byte) in line.bytes().enumerate() {
+            match byte {
+                b'"' => in_quotes = !in_quotes,
+                b if b == mark as u8 && !in_quotes => {
+                    cells.push(unquoted(&line[start..at]));
+                    start = at + 1;
+                }
+                _ => {}
+            }
+        }
+        cells.push(unquoted(&line[start..]));
+    }
+}
+
+fn unquoted(cell: &str) -> &str {
+    let cell = cell.trim_ascii();
+    cell.strip_prefix('"')
+        .and_then(|c| c.strip_suffix('"'))
+        .map_or(cell, str::trim_ascii)
+}
+
+/// Length without the empty cells at the end of a line.
+pub fn used(cells: &[&str]) -> usize {
+    cells.iter().rposition(|c| !c.is_empty()).map_or(0, |i| i + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_delimiter_inside_quotes_does_not_separate() {
+        let mut cells = Vec::new();
+        Dialect::new(Delimiter::Comma, true).split("\"380,5\", \"0,25\" ,", &mut cells);
+        assert_eq!(cells, ["380,5", "0,25", ""]);
+        assert_eq!(used(&cells), 2);
+    }
+
+    #[test]
+    fn blanks_and_tabs_in_any_number_separate_once() {
+        let mut cells = Vec::new();
+        Dialect::new(Delimiter::Space, false).split("  380 \t 0.5  ", &mut cells);
+        assert_eq!(cells, ["380", "0.5"]);
+    }
+}

@@ -1,0 +1,166 @@
+//! A spectrum on its way from a text table to the library: unit, kind, scale, order, notes.
+
+use crate::spectrum::{Kind, NamedSpectrum};
+
+use super::columns::axis_unit;
+use super::curve::{self, Trouble};
+use super::meaning;
+use super::reading::provenance;
+use super::units::WavelengthUnit;
+use super::{Guess, Guessed, Input, ReadError, Reading};
+
+/// What a table says about one spectrum.
+pub struct Draft<'a> {
+    /// What to call it.
+    pub name: String,
+    /// Title and unit above its values.
+    pub title: String,
+    /// Title and unit above the wavelengths.
+    pub axis_title: String,
+    /// Whether the wavelengths say "nm" themselves.
+    pub says_nm: bool,
+    /// Lines above the table.
+    pub header: &'a [(usize, &'a str)],
+    /// Wavelengths in the file's unit; NaN where one is missing.
+    pub axis: &'a [f64],
+    /// Values in the file's number; NaN where one is missing.
+    pub values: Vec<f64>,
+    /// Lines of the points in the file, for messages; one only for a spectrum in a row.
+    pub lines: &'a [u32],
+    /// Whether values carry per cent signs.
+    pub percent_signs: bool,
+    /// Whether decimals are marked by commas.
+    pub decimal_comma: bool,
+}
+
+/// Numbers that instruments write for "not measured", when they stand apart from the other
+/// values.
+const SENTINELS: [f64; 4] = [-9999.0, -999.0, -99.99, -9.999];
+
+impl Draft<'_> {
+    /// Decides what the file leaves open, notes it, and adds the spectrum to a reading.
+    ///
+    /// # Errors
+    /// [`ReadError`] when the numbers are no spectrum.
+    pub fn finish(mut self, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
+        let index = reading.spectra.len();
+        let mut notes = Vec::new();
+        let mut guess = |what, chosen: &str, because: &str, notes: &mut Vec<String>| {
+            notes.push(format!("taken as {chosen}: {because}"));
+            reading.guesses.push(Guess {
+                spectrum: index,
+                what,
+                chosen: chosen.to_owned(),
+                because: because.to_owned(),
+            });
+        };
+
+        let range = extent(self.axis);
+        let (unit, stated, because) = axis_unit(
+            &self.axis_title,
+            self.header,
+            self.says_nm,
+            input.has_extension("dpt"),
+            range,
+        );
+        if !stated {
+            guess(Guessed::WavelengthUnit, unit.word(), &because, &mut notes);
+        } else if unit != WavelengthUnit::Nanometre {
+            notes.push(format!("wavelengths converted from {} ({because})", unit.word()));
+        }
+        let nm: Vec<f64> = match unit {
+            WavelengthUnit::Nanometre => self.axis.to_vec(),
+            _ => self.axis.iter().map(|x| unit.to_nm(*x)).collect(),
+        };
+
+        drop_sentinels(&mut self.values, &mut notes);
+        let cleaned = curve::clean(&nm, &self.values).map_err(|trouble| self.trouble(input, trouble))?;
+        notes.extend(cleaned.notes);
+        let mut samples = cleaned.samples;
+
+        let found = meaning::kind(&self.title, self.header, &input.name, samples.values());
+        if !found.stated {
+            guess(Guessed::Kind, found.kind.word(), &found.because, &mut notes);
+        }
+        let mut scale = 1.0;
+        let mut unit_of_values = meaning::unit(&self.title, self.header);
+        if found.kind.is_factor() {
+            let percent = meaning::percent(
+                &self.title,
+                self.header,
+                self.percent_signs,
+                samples.values(),
+            );
+            if percent.percent {
+                scale = 0.01;
+                samples = samples.scaled(scale);
+            }
+            let chosen = if percent.percent { "percent" } else { "fraction" };
+            if !percent.stated {
+                guess(Guessed::Percent, chosen, &percent.because, &mut notes);
+            } else if percent.percent {
+                notes.push(format!("per cent divided by 100 ({})", percent.because));
+            }
+            "fraction".clone_into(&mut unit_of_values);
+        } else if found.kind == Kind::Absorbance {
+            unit_of_values.clear();
+        }
+
+        let comma = if self.decimal_comma { "decimal comma" } else { "" };
+        let percent = if scale == 1.0 { "" } else { "from per cent" };
+        let mut spectrum = NamedSpectrum {
+            name: self.name,
+            kind: found.kind,
+            unit: unit_of_values,
+            scale,
+            samples,
+            notes: Vec::new(),
+            source: input.name.clone(),
+        };
+        let line = provenance(&spectrum, &[percent, comma]);
+        if index == 0 {
+            reading.notes.insert(0, line.clone());
+        }
+        spectrum.notes.push(line);
+        spectrum.notes.extend(notes);
+        reading.spectra.push(spectrum);
+        Ok(())
+    }
+
+    fn trouble(&self, input: &Input, trouble: Trouble) -> ReadError {
+        let error = input.error(trouble.to_string(), trouble.expected());
+        let line = trouble
+            .index()
+            .and_then(|index| self.lines.get(index))
+            .or(self.lines.first());
+        match line {
+            Some(line) => error.at_line(*line as usize),
+            None => error,
+        }
+    }
+}
+
+fn extent(axis: &[f64]) -> (f64, f64) {
+    axis.iter()
+        .filter(|x| !x.is_nan())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+            (lo.min(*x), hi.max(*x))
+        })
+}
+
+/// Turns a repeated "not measured" number into gaps, if all other values lie well above it.
+fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
+    for sentinel in SENTINELS {
+        let count = values.iter().filter(|v| **v == sentinel).count();
+        let lowest = values
+            .iter()
+            .filter(|v| **v != sentinel && !v.is_nan())
+            .fold(f64::INFINITY, |a, v| a.min(*v));
+        if count >= 2 && lowest > 0.5 * sentinel {
+            for v in values.iter_mut().filter(|v| **v == sentinel) {
+                *v = f64::NAN;
+            }
+            notes.push(format!("{count} values of {sentinel} taken as not measured"));
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Why a file was not read or not written: one line each, naming the file.
+
+use std::fmt;
+
+/// Longest piece of a file that a message repeats, in characters.
+const LONGEST_QUOTE: usize = 48;
+
+/// Longest file name that a message repeats, in characters.
+const LONGEST_NAME: usize = 120;
+
+/// A file that could not be read: where, what was there and what should have been.
+///
+/// The message is always one line: `lamp.csv, line 12: found "abc", expected a number in column 2`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadError {
+    /// Name of the file without its folder.
+    pub file: String,
+    /// Line in the file, counted from 1, where there is one to point at.
+    pub line: Option<usize>,
+    /// What was found, in words or as a quotation.
+    pub found: String,
+    /// What was expected instead.
+    pub expected: String,
+}
+
+impl ReadError {
+    /// An error of the whole file.
+    pub fn new(file: &str, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self {
+            file: printable(file, LONGEST_NAME),
+            line: None,
+            found: one_line(&found.into()),
+            expected: one_line(&expected.into()),
+        }
+    }
+
+    /// The same error at a line of the file (counted from 1).
+    #[must_use]
+    pub fn at_line(mut self, line: usize) -> Self {
+        self.line = Some(line);
+        self
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            file,
+            line,
+            found,
+            expected,
+        } = self;
+        match line {
+            Some(line) => write!(f, "{file}, line {line}: found {found}, expected {expected}"),
+            None => write!(f, "{file}: found {found}, expected {expected}"),
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// A file that could not be written, and why, in one line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WriteError {
+    /// The file as the user named it.
+    pub file: String,
+    /// What stood in the way and what would work.
+    pub why: String,
+}
+
+impl WriteError {
+    /// An error of the whole file.
+    pub fn new(file: &str, why: impl Into<String>) -> Self {
+        Self {
+            file: printable(file, LONGEST_NAME),
+            why: one_line(&why.into()),
+        }
+    }
+}
+
+impl fmt::Display for WriteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.file, self.why)
+    }
+}
+
+impl std::error::Error for WriteError {}
+
+/// A piece of a file as a quotation: in quotes, shortened, anything unprintable as a dot.
+pub fn quoted(text: &str) -> String {
+    format!("\"{}\"", printable(text, LONGEST_QUOTE))
+}
+
+/// Text of one line, at most `longest` characters, anything unprintable as a dot.
+fn printable(text: &str, longest: usize) -> String {
+    let mut out: String = text
+        .trim()
+        .chars()
+        .take(longest)
+        .map(|c| if is_printable(c) { c } else { '·' })
+        .collect();
+    if text.trim().chars().nth(longest).is_some() {
+        out.push('…');
+    }
+    out
+}
+
+fn one_line(text: &str) -> String {
+    text.chars()
+        .map(|c| if is_printable(c) { c } else { ' ' })
+        .collect()
+}
+
+/// Neither a control character nor one of Unicode's line and direction marks, which would let a
+/// file name or a cell break the line or turn it round.
+fn is_printable(c: char) -> bool {
+    !c.is_control()
+        && !matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fffd}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_names_file_line_found_and_expected_in_one_line() {
+        let error = ReadError::new("lamp.csv", quoted("abc"), "a number in column 2").at_line(12);
+        assert_eq!(
+            error.to_string(),
+            "lamp.csv, line 12: found \"abc\", expected a number in column 2"
+        );
+    }
+
+    #[test]
+    fn garbage_is_shortened_and_made_printable() {
+        let garbage = "a\u{0}\n\u{202e}".to_owned() + &"x".repeat(500);
+        let shown = ReadError::new("odd\nname.txt", quoted(&garbage), "text").to_string();
+        assert!(!shown.contains(|c: char| c.is_control() || c == '\u{202e}'));
+        assert!(shown.chars().count() < 120, "{shown}");
+        assert!(shown.starts_with("odd·name.txt: found \"a···xxx"));
+    }
+}

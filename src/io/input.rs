@@ -1,0 +1,93 @@
+//! A file as the formats see it: name, bytes and, if it is text, its text.
+
+use std::cell::OnceCell;
+use std::path::{Path, PathBuf};
+
+use super::error::ReadError;
+use super::text::{self, Text};
+
+/// How much text a sniffer looks at, in bytes.
+const HEAD_BYTES: usize = 8192;
+
+/// A file in memory.
+#[derive(Debug)]
+pub struct Input<'a> {
+    /// Name without the folder, as messages show it.
+    pub name: String,
+    /// The whole content.
+    pub bytes: &'a [u8],
+    /// Where it lies, for formats that are a pair of files; `None` when it came another way.
+    pub path: Option<PathBuf>,
+    text: OnceCell<Option<Text<'a>>>,
+}
+
+impl<'a> Input<'a> {
+    /// A file from its name and content.
+    pub fn new(name: &str, bytes: &'a [u8]) -> Self {
+        Self {
+            name: name.to_owned(),
+            bytes,
+            path: None,
+            text: OnceCell::new(),
+        }
+    }
+
+    /// A file from its place and content.
+    pub fn at(path: &Path, bytes: &'a [u8]) -> Self {
+        Self {
+            path: Some(path.to_owned()),
+            ..Self::new(&name_of(path), bytes)
+        }
+    }
+
+    /// The decoded text, or `None` for a binary file. Decoded once, on first use.
+    pub fn text(&self) -> Option<&Text<'a>> {
+        self.text
+            .get_or_init(|| (!text::is_binary(self.bytes)).then(|| text::decode(self.bytes)))
+            .as_ref()
+    }
+
+    /// The first part of the text without blanks in front; empty for a binary file.
+    pub fn head(&self) -> &str {
+        let Some(text) = self.text() else { return "" };
+        let text = text.text.trim_start();
+        &text[..text.floor_char_boundary(HEAD_BYTES)]
+    }
+
+    /// The text.
+    ///
+    /// # Errors
+    /// [`ReadError`] for a binary file.
+    pub fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
+        self.text()
+            .ok_or_else(|| self.error("binary data", "a text file"))
+    }
+
+    /// Whether the name ends in an extension (lower case, without the dot).
+    pub fn has_extension(&self, extension: &str) -> bool {
+        self.name
+            .rsplit_once('.')
+            .is_some_and(|(_, end)| end.eq_ignore_ascii_case(extension))
+    }
+
+    /// The name without its last extension: what a spectrum is called that has no name.
+    pub fn stem(&self) -> &str {
+        match self.name.rsplit_once('.') {
+            Some((stem, _)) if !stem.is_empty() => stem,
+            _ => &self.name,
+        }
+    }
+
+    /// An error of this file.
+    pub fn error(&self, found: impl Into<String>, expected: impl Into<String>) -> ReadError {
+        ReadError::new(&self.name, found, expected)
+    }
+}
+
+/// The last part of a path, as messages show it.
+pub fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(
+        || path.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    )
+}

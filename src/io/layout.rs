@@ -1,0 +1,247 @@
+//! Where a block of numbers keeps its wavelengths: down a column or along a row.
+
+use std::ops::Range;
+
+use super::dialect::{Dialect, used};
+use super::number::label_nm;
+use super::table::Block;
+use super::titles::Titles;
+use super::units::{WavelengthUnit, names_wavelength};
+
+/// Where the wavelengths are.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Layout {
+    /// Down a column, one spectrum in each other column.
+    Column(usize),
+    /// Along a row, one spectrum in each row.
+    Row {
+        /// The first column with a wavelength; names may stand before it.
+        first: usize,
+        /// The wavelengths in the file's unit, one each column from `first` on.
+        axis: Vec<f64>,
+        /// The first row of values: 1 when the wavelengths are the block's first row, 0 when they
+        /// stand in the header.
+        from_row: usize,
+        /// Whether the axis says by itself that it counts nanometres.
+        says_nm: bool,
+    },
+}
+
+/// Fewest wavelengths in a row that make a table of spectra in rows.
+const FEWEST_IN_A_ROW: usize = 5;
+
+/// Share of rows that must hold a wavelength.
+const FILLED: f64 = 0.9;
+
+/// How sure a sequence of numbers is a wavelength axis: 0 is no.
+fn strength(values: impl Iterator<Item = f64> + Clone) -> u32 {
+    let mut min = f64::INFINITY;
+    let mut max = f64::NEG_INFINITY;
+    let (mut count, mut up, mut down, mut ones) = (0usize, 0usize, 0usize, 0usize);
+    let mut last = f64::NAN;
+    for v in values {
+        if v.is_nan() {
+            continue;
+        }
+        count += 1;
+        min = min.min(v);
+        max = max.max(v);
+        up += usize::from(v > last);
+        down += usize::from(v < last);
+        ones += usize::from(v - last == 1.0);
+        last = v;
+    }
+    let reversals = up.min(down);
+    if count < 2 || up + down == 0 || reversals * 10 > count.max(20) {
+        return 0;
+    }
+    let counts_rows = ones + 1 == count && min <= 1.0 && min.fract() == 0.0;
+    match WavelengthUnit::of_range(min, max) {
+        Some(WavelengthUnit::Nanometre) => 4,
+        Some(WavelengthUnit::PerCentimetre) => 3,
+        Some(_) if !counts_rows => 2,
+        _ => u32::from(!counts_rows && min > 0.0 && max > 100.0),
+    }
+}
+
+/// The block's layout, or `None` when it holds no wavelengths.
+pub fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
+    let (down, down_strength) = wavelength_column(block, titles);
+    let along = wavelength_row(block).or_else(|| wavelength_header(block, dialect));
+    match along {
+        Some((layout, along_strength))
+            if along_strength > down_strength
+                || along_strength == down_strength && block.width > block.rows() =>
+        {
+            Some(layout)
+        }
+        _ => (down_strength > 0).then_some(Layout::Column(down)),
+    }
+}
+
+fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
+    let mut best = (0, 0);
+    for column in 0..block.width {
+        let stats = &block.columns[column];
+        // Columns far to the right are not searched, so that a wide table stays cheap.
+        if column > 16 || (stats.numbers as f64) < FILLED * block.rows() as f64 {
+            continue;
+        }
+        let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
+            || names_wavelength(titles.units.get(column).map_or("", String::as_str));
+        let by_values = strength(block.column(column));
+        let score = match (by_values, titled || stats.nanometres > 0) {
+            (0, _) => 0,
+            (s, true) => s + 10,
+            (s, false) => s,
+        };
+        if score > best.1 {
+            best = (column, score);
+        }
+    }
+    best
+}
+
+/// Wavelengths along the first row of the block: `wavelength, 380, 385, ...`.
+fn wavelength_row(block: &Block) -> Option<(Layout, u32)> {
+    let row = block.row(0);
+    let first = row.iter().position(|v| !v.is_nan())?;
+    let last = row.iter().rposition(|v| !v.is_nan())?;
+    let axis = &row[first..=last];
+    let strength = strength_of_row(axis)?;
+    let says_nm = block.columns[first].nanometres > 0;
+    Some((
+        Layout::Row {
+            first,
+            axis: axis.to_vec(),
+            from_row: 1,
+            says_nm,
+        },
+        strength,
+    ))
+}
+
+/// Wavelengths in titles with a common word: `R_400, R_410, ...` or `400 nm, 410 nm, ...`.
+fn wavelength_header(block: &Block, dialect: Dialect) -> Option<(Layout, u32)> {
+    let mut cells = Vec::new();
+    for (_, line) in block.header.iter().rev().take(3) {
+        dialect.split(line, &mut cells);
+        let labels: Vec<_> = cells[..used(&cells)].iter().map(|c| label_nm(c)).collect();
+        if labels.len() != block.width {
+            continue;
+        }
+        let Some(before) = labels.iter().rposition(Option::is_none).map(|i| i + 1).or(Some(0))
+        else {
+            continue;
+        };
+        let axis: Vec<f64> = labels[before..].iter().flatten().map(|l| l.0).collect();
+        if let Some(strength) = strength_of_row(&axis) {
+            let says_nm = labels[before..].iter().flatten().all(|l| l.1);
+            return Some((
+                Layout::Row {
+                    first: before,
+                    axis,
+                    from_row: 0,
+                    says_nm,
+                },
+                strength,
+            ));
+        }
+    }
+    None
+}
+
+fn strength_of_row(axis: &[f64]) -> Option<u32> {
+    let rising = axis.windows(2).all(|p| p[1] > p[0]);
+    let falling = axis.windows(2).all(|p| p[1] < p[0]);
+    let found = strength(axis.iter().copied());
+    (axis.len() >= FEWEST_IN_A_ROW && (rising || falling) && found >= 2).then_some(found)
+}
+
+/// Rows of a wavelength column from one jump back to the start to the next: a file that lists the
+/// same range twice holds two tables. A short step back (detectors that overlap) is no jump.
+pub fn runs(axis: &[f64]) -> Vec<Range<usize>> {
+    let mut runs = Vec::new();
+    let (mut start, mut low, mut high) = (0, f64::INFINITY, f64::NEG_INFINITY);
+    let mut rising = None;
+    let mut last = f64::NAN;
+    for (row, v) in axis.iter().copied().enumerate().filter(|(_, v)| !v.is_nan()) {
+        let against = match rising {
+            Some(true) => last - v,
+            Some(false) => v - last,
+            None => 0.0,
+        };
+        if against > 0.5 * (high - low) && row - start >= 5 {
+            runs.push(start..row);
+            (start, low, high, rising) = (row, v, v, None);
+        } else {
+            if rising.is_none() && v != last && !last.is_nan() {
+                rising = Some(v > last);
+            }
+            (low, high) = (low.min(v), high.max(v));
+        }
+        last = v;
+    }
+    runs.push(start..axis.len());
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::dialect::Delimiter;
+    use crate::io::table::scan;
+
+    fn layout(text: &str) -> Option<Layout> {
+        let dialect = Dialect {
+            delimiter: Delimiter::Comma,
+            decimal_comma: false,
+        };
+        let scan = scan(text, dialect).unwrap();
+        let block = &scan.blocks[0];
+        of(block, &Titles::of(block, dialect), dialect)
+    }
+
+    #[test]
+    fn wavelengths_stand_behind_a_column_that_counts_rows() {
+        let text = "0,380,1.5\n1,385,1.6\n2,390,1.7\n";
+        assert_eq!(layout(text), Some(Layout::Column(1)));
+    }
+
+    #[test]
+    fn a_titled_column_wins() {
+        let text = "counts,nm\n500,380\n510,385\n520,390\n";
+        assert_eq!(layout(text), Some(Layout::Column(1)));
+    }
+
+    #[test]
+    fn wavelengths_in_the_first_row_make_spectra_in_rows() {
+        let text = "wavelength,380,385,390,395,400\n1,.1,.2,.3,.2,.1\n2,.2,.3,.4,.3,.2\n";
+        let Some(Layout::Row { first, axis, from_row, .. }) = layout(text) else {
+            panic!("spectra in rows expected");
+        };
+        assert_eq!((first, axis[4], from_row), (1, 400.0, 1));
+    }
+
+    #[test]
+    fn wavelengths_in_labels_make_spectra_in_rows() {
+        let text = "name,R_400,R_410,R_420,R_430,R_440\nred,1,2,3,4,5\nblue,2,3,4,5,6\n";
+        let Some(Layout::Row { first, axis, from_row, .. }) = layout(text) else {
+            panic!("spectra in rows expected");
+        };
+        assert_eq!((first, axis[0], from_row), (1, 400.0, 0));
+    }
+
+    #[test]
+    fn numbers_without_wavelengths_have_no_layout() {
+        assert_eq!(layout("1,2\n3,1\n2,7\n1,0\n"), None);
+    }
+
+    #[test]
+    fn a_range_listed_twice_is_two_tables_and_an_overlap_is_one() {
+        let twice: Vec<f64> = (0..10).chain(0..10).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
+        assert_eq!(runs(&twice), [0..10, 10..20]);
+        let overlap: Vec<f64> = (0..10).chain(8..20).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
+        assert_eq!(runs(&overlap), [0..22]);
+    }
+}

@@ -1,0 +1,178 @@
+//! Files to spectra and back, one format a file.
+//!
+//! [`read_path`] and [`read_bytes`] look at the content, not at the extension: every entry of
+//! [`FORMATS`] says how sure it is that a file is its own, the surest reads it, and of equally
+//! sure ones the earlier in the list. A further format is one more file and one more entry.
+//!
+//! ```text
+//! bytes -> text (encoding) -> sniff -> the format's reader -> Reading
+//!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> meaning -> curve
+//! ```
+//!
+//! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
+//! Nothing here touches colour or the window.
+
+pub mod alternating;
+pub mod atomic;
+pub mod columns;
+pub mod composite_json;
+pub mod composite_line;
+pub mod csv;
+pub mod curve;
+pub mod dialect;
+pub mod draft;
+pub mod error;
+pub mod foreign_json;
+pub mod input;
+pub mod layout;
+pub mod meaning;
+pub mod number;
+pub mod pick;
+pub mod preset;
+pub mod reading;
+pub mod roles;
+pub mod spd;
+pub mod spdx;
+pub mod spectrum_json;
+pub mod table;
+pub mod text;
+pub mod titles;
+pub mod units;
+pub mod unreadable;
+pub mod write;
+
+use std::io::Read;
+use std::path::Path;
+
+pub use error::{ReadError, WriteError};
+pub use input::Input;
+pub use reading::{CompositeFile, Guess, Guessed, Reading};
+pub use write::{Provenance, write_as};
+
+/// How sure a format is that a file is its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Confidence {
+    /// Not this format.
+    No,
+    /// Nothing speaks against it.
+    Possible,
+    /// The content looks like it.
+    Likely,
+    /// The content says so.
+    Certain,
+}
+
+/// A file format that the program knows.
+#[derive(Clone, Copy)]
+pub struct Format {
+    /// What messages call it.
+    pub name: &'static str,
+    /// Usual extensions, lower case, for file dialogues.
+    pub extensions: &'static [&'static str],
+    /// How sure it is that a file is its own.
+    pub sniff: fn(&Input) -> Confidence,
+    /// Reads a file of its own, or refuses it.
+    pub read: fn(&Input) -> Result<Reading, ReadError>,
+}
+
+/// Every format, the special before the general.
+pub const FORMATS: &[Format] = &[
+    unreadable::FORMAT,
+    composite_json::FORMAT,
+    composite_line::FORMAT,
+    spectrum_json::FORMAT,
+    foreign_json::FORMAT,
+    spdx::FORMAT,
+    spd::FORMAT,
+    columns::FORMAT,
+];
+
+/// Reads a file from disk.
+///
+/// # Errors
+/// [`ReadError`] when it cannot be opened, is larger than [`text::MOST_BYTES`], or holds nothing
+/// that the program reads.
+pub fn read_path(path: &Path) -> Result<Reading, ReadError> {
+    let name = input::name_of(path);
+    let trouble = |error: std::io::Error| {
+        let (found, expected) = match error.kind() {
+            std::io::ErrorKind::NotFound => ("no such file".to_owned(), "a file that exists"),
+            std::io::ErrorKind::PermissionDenied => {
+                ("no permission to read it".to_owned(), "a file you may read")
+            }
+            _ => (error.to_string(), "a file that can be read"),
+        };
+        ReadError::new(&name, found, expected)
+    };
+    let file = std::fs::File::open(path).map_err(trouble)?;
+    let about = file.metadata().map_err(trouble)?;
+    if about.is_dir() {
+        return Err(ReadError::new(&name, "a folder", "a file"));
+    }
+    let mut bytes = Vec::with_capacity(about.len().min(text::MOST_BYTES) as usize);
+    file.take(text::MOST_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(trouble)?;
+    read(&Input::at(path, &bytes))
+}
+
+/// Reads a file that is in memory; `name` is what messages and spectra call it.
+///
+/// # Errors
+/// [`ReadError`] when it is too large or holds nothing that the program reads.
+pub fn read_bytes(name: &str, bytes: &[u8]) -> Result<Reading, ReadError> {
+    read(&Input::new(name, bytes))
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    if input.bytes.len() as u64 > text::MOST_BYTES {
+        return Err(input.error("more than 512 MiB", "at most 512 MiB in one file"));
+    }
+    if input.bytes.is_empty() {
+        return Err(input.error("an empty file", "a spectrum"));
+    }
+    let mut best = (Confidence::No, None);
+    for format in FORMATS {
+        let confidence = (format.sniff)(input);
+        if confidence > best.0 {
+            best = (confidence, Some(format));
+        }
+    }
+    let Some(format) = best.1 else {
+        return Err(input.error("binary data of no kind known here", "a file with a spectrum"));
+    };
+    let mut reading = (format.read)(input)?;
+    reading.file.clone_from(&input.name);
+    reading.format = format.name;
+    reading.name_apart();
+    if let Some(text) = input.text() {
+        reading.notes.extend(text.notes());
+    }
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_content_decides_and_not_the_extension() {
+        let reading = read_bytes("lamp.xlsx", b"380\t0.5\n385\t0.6\n390\t0.7\n").unwrap();
+        assert_eq!(reading.format, columns::FORMAT.name);
+        assert_eq!(reading.spectra[0].samples.values(), [0.5, 0.6, 0.7]);
+    }
+
+    #[test]
+    fn nothing_and_a_folder_are_refused_in_words() {
+        let empty = read_bytes("a.csv", b"").unwrap_err().to_string();
+        assert_eq!(empty, "a.csv: found an empty file, expected a spectrum");
+        let folder = tempfile::tempdir().unwrap();
+        let refusal = read_path(folder.path()).unwrap_err().to_string();
+        assert!(refusal.contains("expected a file"), "{refusal}");
+        let missing = read_path(&folder.path().join("none.csv")).unwrap_err();
+        assert_eq!(
+            missing.to_string(),
+            "none.csv: found no such file, expected a file that exists"
+        );
+    }
+}

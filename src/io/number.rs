@@ -1,0 +1,175 @@
+//! One cell of a table: a number, a gap, or text.
+
+/// What stands in a cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cell {
+    /// A finite number.
+    Number(f64),
+    /// A finite number with a per cent sign behind it.
+    Percent(f64),
+    /// A wavelength with its unit behind it: `380nm`, `Spectral Data 380[nm]`.
+    Nanometres(f64),
+    /// Nothing at all.
+    Empty,
+    /// A word or number that stands for a missing value: `NaN`, `n/a`, `-1.23e34`.
+    Gap,
+    /// Anything else.
+    Text,
+}
+
+/// Numbers of this size and beyond stand for "not measured" (USGS writes -1.23e34), never for light.
+const ABSURD: f64 = 1e30;
+
+/// Words that instruments and programs write where a value is missing (lower case).
+const GAP_WORDS: [&str; 20] = [
+    "nan", "n/a", "na", "#n/a", "null", "none", "inf", "-inf", "+inf", "infinity", "-infinity",
+    "-", "--", "---", "1.#ind", "-1.#ind", "1.#qnan", "1.#inf", "#div/0!", "missing",
+];
+
+/// Reads a cell whose decimal mark is a comma (`decimal_comma`) or a point.
+pub fn parse(cell: &str, decimal_comma: bool) -> Cell {
+    let cell = cell.trim_ascii();
+    if let Some(value) = number(cell, decimal_comma) {
+        return if value.abs() < ABSURD {
+            Cell::Number(value)
+        } else {
+            Cell::Gap
+        };
+    }
+    slow(cell, decimal_comma)
+}
+
+/// The cells that are not plain numbers; rare in a table, so not in the hot path.
+fn slow(cell: &str, decimal_comma: bool) -> Cell {
+    let cell = cell.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\'');
+    if cell.is_empty() {
+        return Cell::Empty;
+    }
+    if cell.len() <= 12
+        && GAP_WORDS
+            .iter()
+            .any(|word| cell.eq_ignore_ascii_case(word))
+    {
+        return Cell::Gap;
+    }
+    if let Some(value) = number(cell, decimal_comma) {
+        return Cell::Number(value);
+    }
+    if let Some(body) = cell.strip_suffix('%') {
+        return number(body.trim(), decimal_comma).map_or(Cell::Text, Cell::Percent);
+    }
+    // A typographic minus, and Fortran's double exponent.
+    if cell.len() <= 40
+        && cell.contains(['−', 'D', 'd'])
+        && cell.contains(|c: char| c.is_ascii_digit())
+    {
+        let plain = cell.replace('−', "-").replace(['D', 'd'], "e");
+        if let Some(value) = number(&plain, decimal_comma) {
+            return Cell::Number(value);
+        }
+    }
+    match label_nm(cell) {
+        Some((value, true)) => Cell::Nanometres(value),
+        Some((_, false)) | None => Cell::Text,
+    }
+}
+
+/// A finite or overflowing decimal number and nothing else; `inf` and `nan` are words, not numbers.
+pub fn number(cell: &str, decimal_comma: bool) -> Option<f64> {
+    let bytes = cell.as_bytes();
+    let (first, last) = (*bytes.first()?, *bytes.last()?);
+    let starts = matches!(first, b'0'..=b'9' | b'+' | b'-' | b'.' | b',');
+    if !starts || !matches!(last, b'0'..=b'9' | b'.') {
+        return None;
+    }
+    if !decimal_comma {
+        return cell.parse().ok();
+    }
+    let Some(comma) = bytes.iter().position(|b| *b == b',') else {
+        return if bytes.contains(&b'.') {
+            None
+        } else {
+            cell.parse().ok()
+        };
+    };
+    let mut buffer = [0u8; 64];
+    let copy = buffer.get_mut(..bytes.len())?;
+    copy.copy_from_slice(bytes);
+    copy[comma] = b'.';
+    // A second mark of either kind makes two points, which no number has.
+    std::str::from_utf8(copy).ok()?.parse().ok()
+}
+
+/// The wavelength in a label, and whether "nm" follows it: `380nm`, `Spectral Data 380[nm]`,
+/// `SPEC_380`, `nm380`, `R 400.5 nm`. Letters may stand before the number, digits may not.
+pub fn label_nm(label: &str) -> Option<(f64, bool)> {
+    let label = label.trim();
+    let start = label.find(|c: char| c.is_ascii_digit())?;
+    let rest = &label[start..];
+    let end = rest
+        .find(|c: char| !c.is_ascii_digit() && c != '.')
+        .unwrap_or(rest.len());
+    let unit = rest[end..].trim();
+    let has_unit = ["nm", "[nm]", "(nm)"]
+        .iter()
+        .any(|known| unit.eq_ignore_ascii_case(known));
+    if !has_unit && !unit.is_empty() {
+        return None;
+    }
+    let before = label[..start].trim_end();
+    if before.ends_with(['-', '+', '.', ',', '(', '~', '/']) {
+        return None;
+    }
+    Some((rest[..end].parse().ok()?, has_unit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_in_every_spelling_met() {
+        for (cell, comma, value) in [
+            ("380", false, 380.0),
+            ("4.770109669322E2", false, 477.010_966_932_2),
+            ("7.935132e-011", false, 7.935_132e-11),
+            ("7,464650E+000", true, 7.464_65),
+            (",5", true, 0.5),
+            ("-0,25", true, -0.25),
+            ("2.5D+02", false, 250.0),
+            ("−3", false, -3.0),
+            ("\"1.5\"", false, 1.5),
+        ] {
+            assert_eq!(parse(cell, comma), Cell::Number(value), "{cell}");
+        }
+        assert_eq!(parse("45.5 %", false), Cell::Percent(45.5));
+    }
+
+    #[test]
+    fn the_other_decimal_mark_makes_text_of_a_cell() {
+        assert_eq!(parse("0,5", false), Cell::Text);
+        assert_eq!(parse("0.5", true), Cell::Text);
+        assert_eq!(parse("1.234,5", true), Cell::Text);
+        assert_eq!(parse("300,", true), Cell::Text);
+    }
+
+    #[test]
+    fn gaps_are_known_by_word_and_by_absurd_size() {
+        for cell in ["NaN", "n/a", "-1.23e34", "inf", "-", "1.#QNAN", "1e999"] {
+            assert_eq!(parse(cell, false), Cell::Gap, "{cell}");
+        }
+        assert_eq!(parse("  ", false), Cell::Empty);
+        assert_eq!(parse("abc", false), Cell::Text);
+    }
+
+    #[test]
+    fn a_wavelength_may_carry_its_unit_or_a_label() {
+        assert_eq!(parse("380nm", false), Cell::Nanometres(380.0));
+        assert_eq!(parse("Spectral Data 380[nm]", false), Cell::Nanometres(380.0));
+        assert_eq!(parse("Custom1(655~665nm)", false), Cell::Text);
+        assert_eq!(parse("R14", false), Cell::Text);
+        assert_eq!(label_nm("SPEC_380"), Some((380.0, false)));
+        assert_eq!(label_nm("nm380"), Some((380.0, false)));
+        assert_eq!(label_nm("TL-01"), None);
+    }
+}

@@ -1,0 +1,216 @@
+//! Chooses the dialect of a text table and finds its tables.
+
+use super::dialect::Dialect;
+use super::layout::{self, Layout};
+use super::table::{BadCell, Block, Scan, TooManyCells, scan};
+use super::titles::Titles;
+
+/// How much text decides the dialect, in bytes: many times the longest header.
+const SAMPLE_BYTES: usize = 256 * 1024;
+
+/// How much is looked at when the first sample holds no table.
+const LONG_SAMPLE_BYTES: usize = 16 * 1024 * 1024;
+
+/// A block that holds much fewer rows than the longest is part of a header or footer.
+const SHORTEST_SHARE: usize = 8;
+
+/// Longest break inside a table, in lines, that is passed over and said.
+const LONGEST_BREAK: usize = 5;
+
+/// A block with its titles and layout.
+#[derive(Debug)]
+pub struct Table<'a> {
+    /// The numbers.
+    pub block: Block<'a>,
+    /// What stands above them.
+    pub titles: Titles,
+    /// Where the wavelengths are.
+    pub layout: Layout,
+    /// What was passed over to get it, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Why a text holds no table that can be read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoTable {
+    /// More numbers than the program keeps.
+    TooMany(TooManyCells),
+    /// A word among numbers.
+    Bad(BadCell),
+    /// Numbers from this line on, but no wavelengths among them.
+    NoWavelengths { line: usize },
+    /// No two lines of two numbers.
+    NoRows,
+}
+
+/// The dialect under which a text has most numbers in tables with wavelengths.
+///
+/// Words among the numbers count against a dialect: `380,5 0,3` has two numbers and a word with
+/// commas between cells, and two numbers and no word with decimal commas and blanks.
+pub fn dialect(text: &str) -> Dialect {
+    for limit in [SAMPLE_BYTES, LONG_SAMPLE_BYTES] {
+        let sample = first_lines(text, limit);
+        let mut best = (0, Dialect::ALL[0]);
+        for dialect in Dialect::ALL {
+            let score = scan(sample, dialect).map_or(0, |found| score(&found, dialect));
+            if score > best.0 {
+                best = (score, dialect);
+            }
+        }
+        if best.0 > 0 || sample.len() == text.len() {
+            return best.1;
+        }
+    }
+    Dialect::ALL[0]
+}
+
+fn first_lines(text: &str, limit: usize) -> &str {
+    let cut = text.floor_char_boundary(limit);
+    let end = text[cut..].find('\n').map_or(text.len(), |at| cut + at);
+    &text[..end]
+}
+
+fn score(found: &Scan, dialect: Dialect) -> usize {
+    found
+        .blocks
+        .iter()
+        .filter(|block| layout::of(block, &Titles::of(block, dialect), dialect).is_some())
+        .map(|block| {
+            let numbers: usize = block.columns.iter().map(|c| c.numbers).sum();
+            let texts: usize = block.columns.iter().map(|c| c.texts).sum();
+            numbers.saturating_sub(2 * texts)
+        })
+        .sum()
+}
+
+/// All tables of a text in a dialect.
+///
+/// # Errors
+/// [`NoTable`] when there is none, or one is broken by a word.
+pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
+    let found = scan(text, dialect).map_err(NoTable::TooMany)?;
+    let Some(longest) = found.blocks.iter().map(Block::rows).max() else {
+        return Err(NoTable::NoRows);
+    };
+    let first_of_longest = found
+        .blocks
+        .iter()
+        .find(|b| b.rows() == longest)
+        .map_or(1, |b| b.lines[0] as usize);
+    let mut tables: Vec<Table> = Vec::new();
+    for (block, notes) in joined(found.blocks)? {
+        if block.rows() * SHORTEST_SHARE < longest {
+            continue;
+        }
+        let titles = Titles::of(&block, dialect);
+        if let Some(layout) = layout::of(&block, &titles, dialect) {
+            tables.push(Table {
+                block,
+                titles,
+                layout,
+                notes,
+            });
+        }
+    }
+    if tables.is_empty() {
+        return Err(NoTable::NoWavelengths {
+            line: first_of_longest,
+        });
+    }
+    Ok(tables)
+}
+
+/// Joins blocks that one table was broken into by a page head or a stray line.
+fn joined(blocks: Vec<Block<'_>>) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
+    let mut out: Vec<(Block, Vec<String>)> = Vec::new();
+    for block in blocks {
+        let Some((last, notes)) = out.last_mut() else {
+            out.push((block, Vec::new()));
+            continue;
+        };
+        if !goes_on(last, &block) {
+            out.push((block, Vec::new()));
+            continue;
+        }
+        if let Some(bad) = &last.ended_by {
+            return Err(NoTable::Bad(bad.clone()));
+        }
+        notes.push(match block.header.as_slice() {
+            [(line, _)] => format!("line {line} is no row of the table and was left out"),
+            [(first, _), .., (last, _)] => {
+                format!("lines {first} to {last} are no rows of the table and were left out")
+            }
+            [] => "the table is interrupted once".to_owned(),
+        });
+        last.cells.extend(&block.cells);
+        last.lines.extend(&block.lines);
+        for (sum, part) in last.columns.iter_mut().zip(&block.columns) {
+            sum.numbers += part.numbers;
+            sum.texts += part.texts;
+            sum.percents += part.percents;
+            sum.nanometres += part.nanometres;
+        }
+        last.bad.extend(block.bad);
+        last.ended_by = block.ended_by;
+    }
+    Ok(out)
+}
+
+/// Whether `next` continues `block`: as wide, close behind, and some column that ran one way all
+/// along runs on.
+fn goes_on(block: &Block, next: &Block) -> bool {
+    if block.width != next.width || next.header.len() > LONGEST_BREAK || block.rows() < 3 {
+        return false;
+    }
+    let end = block.rows() - 1;
+    let column = 0;
+    let (before, last, first) = (block.row(end - 1)[column], block.row(end)[column], next.row(0)[column]);
+    let step = last - before;
+    // A jump of more than a few steps is another table.
+    (first - last) * step > 0.0 && (first - last).abs() <= 20.0 * step.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::dialect::Delimiter;
+
+    #[test]
+    fn delimiter_and_decimal_mark_are_found_together() {
+        for (row, delimiter, comma) in [
+            ("380.5,0.25", Delimiter::Comma, false),
+            ("380,5;0,25", Delimiter::Semicolon, true),
+            ("380.5; 0.25 ", Delimiter::Semicolon, false),
+            ("380,5\t0,25", Delimiter::Tab, true),
+            ("380,5 0,25 0,26", Delimiter::Space, true),
+            ("380.5  0.25", Delimiter::Space, false),
+            ("380.5,\t0.25", Delimiter::Comma, false),
+            ("\"380,5\",\"0,25\"", Delimiter::Comma, true),
+            ("380,7,464650E+000", Delimiter::Comma, false),
+        ] {
+            let text: String = (0..5)
+                .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
+                .collect();
+            let found = dialect(&text);
+            assert_eq!((found.delimiter, found.decimal_comma), (delimiter, comma), "{row}");
+        }
+    }
+
+    #[test]
+    fn a_page_head_inside_a_table_is_passed_over_and_said() {
+        let text = "380 1\n385 2\n390 3\nPage two\n395 4\n400 5\n";
+        let tables = tables(text, dialect(text)).unwrap();
+        assert_eq!(tables.len(), 1);
+        assert_eq!(tables[0].block.rows(), 5);
+        assert_eq!(tables[0].notes, ["line 4 is no row of the table and was left out"]);
+    }
+
+    #[test]
+    fn a_word_where_a_number_should_be_is_an_error_with_its_line() {
+        let text = "380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n";
+        let Err(NoTable::Bad(bad)) = tables(text, dialect(text)) else {
+            panic!("an error expected");
+        };
+        assert_eq!((bad.line, bad.column, bad.text.as_str()), (4, 1, "abc"));
+    }
+}

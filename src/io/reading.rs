@@ -1,0 +1,145 @@
+//! What comes out of a file.
+
+use std::collections::HashMap;
+
+use crate::spectrum::{Composite, NamedSpectrum};
+
+/// What a reader had to guess and a person may flip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Guessed {
+    /// What the values stand for.
+    Kind,
+    /// What the wavelength axis counts.
+    WavelengthUnit,
+    /// Whether the values are per cent or fractions.
+    Percent,
+}
+
+/// One guess: what was chosen and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guess {
+    /// Index into [`Reading::spectra`].
+    pub spectrum: usize,
+    /// What was guessed.
+    pub what: Guessed,
+    /// The choice in a word ("light", "nm", "percent", "fraction").
+    pub chosen: String,
+    /// What spoke for it.
+    pub because: String,
+}
+
+/// A composite with what a person needs to know about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CompositeFile {
+    /// The model.
+    pub composite: Composite,
+    /// Unit of its smooth part; empty when unknown. A spike's weight is in this unit x nm.
+    pub unit: String,
+    /// Where the numbers come from; empty when unknown.
+    pub source: String,
+    /// What lists and plots call it. The file format has no name, so this is the file's own.
+    pub name: String,
+}
+
+/// Everything that one file holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Name of the file without its folder.
+    pub file: String,
+    /// Name of the format that read it.
+    pub format: &'static str,
+    /// Measured spectra, in file order.
+    pub spectra: Vec<NamedSpectrum>,
+    /// Composite models.
+    pub composites: Vec<CompositeFile>,
+    /// What had to be guessed.
+    pub guesses: Vec<Guess>,
+    /// Provenance and whatever is odd about the file, a line each; the first is the line that the
+    /// window and the command line show ("1 nm block, 401 points, W m-2 nm-1, decimal comma").
+    pub notes: Vec<String>,
+}
+
+impl Reading {
+    /// Gives every spectrum a name of its own: doubles get "(2)", "(3)", ...
+    pub fn name_apart(&mut self) {
+        let mut seen: HashMap<String, usize> = HashMap::new();
+        for spectrum in &mut self.spectra {
+            let count = seen.entry(spectrum.name.clone()).or_default();
+            *count += 1;
+            if *count > 1 {
+                spectrum.name = format!("{} ({count})", spectrum.name);
+            }
+        }
+    }
+}
+
+/// One line about a spectrum: grid, points, unit, and counts of what is odd.
+pub fn provenance(spectrum: &NamedSpectrum, how: &[&str]) -> String {
+    let samples = &spectrum.samples;
+    let steps = || samples.nm().windows(2).map(|w| w[1] - w[0]);
+    let step = samples.step_nm();
+    // Rounded grids (3.333 nm written 373, 377, 380) count as even within a per mille of a nm.
+    let even = steps().all(|s| (s - step).abs() <= 1e-3_f64.max(1e-6 * step));
+    let grid = if even {
+        format!("{} nm steps", round3(step))
+    } else {
+        format!("irregular steps (about {} nm)", round3(step))
+    };
+    let mut parts = vec![
+        grid,
+        format!("{} points", samples.len()),
+        format!("{}-{} nm", round3(samples.first_nm()), round3(samples.last_nm())),
+        spectrum.kind.word().to_owned(),
+    ];
+    if !spectrum.unit.is_empty() && spectrum.unit != spectrum.kind.word() {
+        parts.push(spectrum.unit.clone());
+    }
+    parts.extend(how.iter().filter(|h| !h.is_empty()).map(|h| (*h).to_owned()));
+    match samples.values().iter().filter(|v| **v < 0.0).count() {
+        0 => {}
+        1 => parts.push("1 negative value kept".to_owned()),
+        n => parts.push(format!("{n} negative values kept")),
+    }
+    parts.join(", ")
+}
+
+fn round3(x: f64) -> f64 {
+    (x * 1000.0).round() / 1000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::{Kind, Sampled};
+
+    fn spectrum(name: &str) -> NamedSpectrum {
+        NamedSpectrum {
+            name: name.to_owned(),
+            kind: Kind::Light,
+            unit: "W m-2 nm-1".to_owned(),
+            scale: 1.0,
+            samples: Sampled::even(380.0, 5.0, vec![1.0, -0.5, 2.0]).unwrap(),
+            notes: Vec::new(),
+            source: String::new(),
+        }
+    }
+
+    #[test]
+    fn provenance_is_one_line_that_says_what_was_read() {
+        assert_eq!(
+            provenance(&spectrum("a"), &["decimal comma"]),
+            "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1, decimal comma, 1 negative value kept"
+        );
+    }
+
+    #[test]
+    fn two_spectra_of_one_name_are_told_apart() {
+        let mut reading = Reading {
+            spectra: vec![spectrum("a"), spectrum("b"), spectrum("a")],
+            ..Reading::default()
+        };
+        reading.name_apart();
+        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(names, ["a", "b", "a (2)"]);
+    }
+}

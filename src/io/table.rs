@@ -1,0 +1,346 @@
+//! Finds the blocks of numbers in a text, whatever stands around them.
+//!
+//! A row is a line of at least two numbers (or gaps) with no more words than numbers. A block is
+//! a run of rows; blank lines and comments do not end it. Lines that are no rows, and runs of a
+//! single row, are the header of the block that follows. The scan goes once over the text and
+//! keeps one number a cell, so its time and memory grow with the file's length only.
+
+use super::dialect::{Dialect, used};
+use super::number::{self, Cell};
+use super::text::lines;
+
+/// Most cells of numbers that one file may hold; 64 million take 512 MiB of memory.
+pub const MOST_CELLS: usize = 64_000_000;
+
+/// Most header lines kept before a block: the first hundred and the last hundred are enough.
+const HEADER_LINES: usize = 200;
+
+/// What one column of a block holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Column {
+    /// Cells with a number.
+    pub numbers: usize,
+    /// Cells with a word that is no gap.
+    pub texts: usize,
+    /// Numbers with a per cent sign.
+    pub percents: usize,
+    /// Numbers with "nm" behind them.
+    pub nanometres: usize,
+}
+
+/// A word that stands where the column otherwise holds numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BadCell {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// Column, from 0.
+    pub column: usize,
+    /// The word.
+    pub text: String,
+}
+
+/// A run of rows and the lines before it.
+#[derive(Clone, Debug)]
+pub struct Block<'a> {
+    /// The lines before the block with their numbers, comment marks removed.
+    pub header: Vec<(usize, &'a str)>,
+    /// Cells in a row.
+    pub width: usize,
+    /// `width` numbers a row, row after row; NaN where a cell holds none.
+    pub cells: Vec<f64>,
+    /// Line of each row, from 1.
+    pub lines: Vec<u32>,
+    /// One entry a column.
+    pub columns: Vec<Column>,
+    /// Words among numbers, at most one a column (the first).
+    pub bad: Vec<BadCell>,
+    /// The line that ended the block, if it looked like a row gone wrong.
+    pub ended_by: Option<BadCell>,
+    /// Text of the first row, which returns to the header when the block stays a single row.
+    first_row: &'a str,
+}
+
+impl<'a> Block<'a> {
+    fn new(header: Vec<(usize, &'a str)>, width: usize, first_row: &'a str) -> Self {
+        Self {
+            header,
+            width,
+            cells: Vec::new(),
+            lines: Vec::new(),
+            columns: vec![Column::default(); width],
+            bad: Vec::new(),
+            ended_by: None,
+            first_row,
+        }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// One row's numbers.
+    pub fn row(&self, row: usize) -> &[f64] {
+        &self.cells[row * self.width..(row + 1) * self.width]
+    }
+
+    /// One column's numbers from top to bottom.
+    pub fn column(&self, column: usize) -> impl Iterator<Item = f64> + Clone + '_ {
+        self.cells.iter().skip(column).step_by(self.width).copied()
+    }
+
+    /// A part of the rows as a block of its own, under the same header.
+    pub fn part(&self, rows: std::ops::Range<usize>) -> Self {
+        let cells = self.cells[rows.start * self.width..rows.end * self.width].to_vec();
+        Self {
+            cells,
+            lines: self.lines[rows].to_vec(),
+            ..Self::new(self.header.clone(), self.width, self.first_row)
+        }
+        .recounted()
+    }
+
+    /// Counts a part's numbers; words were gone with the whole block's check.
+    fn recounted(mut self) -> Self {
+        for column in 0..self.width {
+            self.columns[column].numbers = self.column(column).filter(|v| !v.is_nan()).count();
+        }
+        self
+    }
+
+    fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
+        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+        for column in 0..self.width {
+            let kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
+            let stats = &mut self.columns[column];
+            let value = match kind {
+                Cell::Number(v) => v,
+                Cell::Percent(v) => {
+                    stats.percents += 1;
+                    v
+                }
+                Cell::Nanometres(v) => {
+                    stats.nanometres += 1;
+                    v
+                }
+                Cell::Empty | Cell::Gap => f64::NAN,
+                Cell::Text => {
+                    stats.texts += 1;
+                    if stats.numbers > 0 && !self.bad.iter().any(|b| b.column == column) {
+                        self.bad.push(BadCell {
+                            line,
+                            column,
+                            text: cells[column].to_owned(),
+                        });
+                    }
+                    f64::NAN
+                }
+            };
+            stats.numbers += usize::from(!value.is_nan());
+            self.cells.push(value);
+        }
+    }
+}
+
+/// More cells than [`MOST_CELLS`], found at this line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooManyCells {
+    /// Line of the file, from 1.
+    pub line: usize,
+}
+
+/// What the lines after the last block were, and the blocks.
+#[derive(Clone, Debug)]
+pub struct Scan<'a> {
+    /// Blocks of at least two rows, in file order.
+    pub blocks: Vec<Block<'a>>,
+    /// Lines after the last block.
+    pub footer: Vec<(usize, &'a str)>,
+}
+
+/// All blocks of at least two rows in a text.
+///
+/// # Errors
+/// [`TooManyCells`] when the text holds more numbers than the program keeps.
+pub fn scan<'a>(text: &'a str, dialect: Dialect) -> Result<Scan<'a>, TooManyCells> {
+    let mut blocks = Vec::new();
+    let mut header: Vec<(usize, &str)> = Vec::new();
+    let mut block: Option<Block> = None;
+    let (mut cells, mut kinds) = (Vec::new(), Vec::new());
+    let mut held = 0;
+    for (line, raw) in lines(text) {
+        let content = raw.trim_ascii();
+        if content.is_empty() {
+            continue;
+        }
+        if let Some(comment) = comment(content) {
+            push_header(&mut header, line, comment);
+            continue;
+        }
+        dialect.split(content_with_tabs(raw), &mut cells);
+        kinds.clear();
+        kinds.extend(
+            cells
+                .iter()
+                .map(|cell| number::parse(cell, dialect.decimal_comma)),
+        );
+        let is_row = looks_like_row(&kinds);
+        let used = used(&cells);
+        if let Some(open) = &mut block {
+            if is_row && used <= open.width && (used == open.width || open.rows() >= 3) {
+                held += open.width;
+                open.push(line, &cells, &kinds);
+            } else {
+                open.ended_by = row_gone_wrong(open, line, &cells, &kinds);
+                close(block.take(), &mut blocks, &mut header);
+            }
+        }
+        if block.is_none() {
+            if is_row {
+                let mut open = Block::new(std::mem::take(&mut header), cells.len(), content);
+                held += open.width;
+                open.push(line, &cells, &kinds);
+                block = Some(open);
+            } else {
+                push_header(&mut header, line, content);
+            }
+        }
+        if held > MOST_CELLS {
+            return Err(TooManyCells { line });
+        }
+    }
+    close(block, &mut blocks, &mut header);
+    Ok(Scan {
+        blocks,
+        footer: header,
+    })
+}
+
+/// Blanks at the ends go, TABs stay: an empty first or last cell counts.
+fn content_with_tabs(raw: &str) -> &str {
+    raw.trim_matches(' ')
+}
+
+/// The words of a comment line, or `None` when the line is none. A semicolon, and a per cent
+/// sign, may also begin a row whose first cell is empty.
+fn comment(content: &str) -> Option<&str> {
+    let body = ["#", "//", "%", ";"]
+        .iter()
+        .find_map(|mark| content.strip_prefix(mark))?;
+    let starts_row = content.starts_with(';')
+        && body.trim_start().starts_with(|c: char| c.is_ascii_digit());
+    (!starts_row).then(|| body.trim_start_matches(['#', '/', '%', ';']).trim_ascii())
+}
+
+fn looks_like_row(kinds: &[Cell]) -> bool {
+    let (mut numbers, mut gaps, mut texts) = (0, 0, 0);
+    let mut first_gap_or_empty = 0;
+    for kind in kinds {
+        match kind {
+            Cell::Number(_) | Cell::Percent(_) | Cell::Nanometres(_) => numbers += 1,
+            Cell::Gap => gaps += 1,
+            Cell::Empty => first_gap_or_empty += 1,
+            Cell::Text => texts += 1,
+        }
+    }
+    // A wavelength with nothing but empty cells behind it is a row with every value missing.
+    let lone = numbers == 1 && texts == 0 && first_gap_or_empty > 0 && kinds.len() > 1
+        && matches!(kinds[0], Cell::Number(_));
+    texts <= numbers && (numbers + gaps >= 2 && numbers >= 1 || lone)
+}
+
+/// A line of the block's width with numbers and words where only numbers stood.
+fn row_gone_wrong(block: &Block, line: usize, cells: &[&str], kinds: &[Cell]) -> Option<BadCell> {
+    if used(cells) != block.width || block.rows() < 3 {
+        return None;
+    }
+    kinds
+        .iter()
+        .zip(&block.columns)
+        .position(|(kind, column)| matches!(kind, Cell::Text) && column.numbers > 0)
+        .map(|column| BadCell {
+            line,
+            column,
+            text: cells[column].to_owned(),
+        })
+}
+
+fn close<'a>(
+    block: Option<Block<'a>>,
+    blocks: &mut Vec<Block<'a>>,
+    header: &mut Vec<(usize, &'a str)>,
+) {
+    let Some(block) = block else { return };
+    if block.rows() >= 2 {
+        blocks.push(block);
+        return;
+    }
+    // A single row is a header line ("Index,13,14,15"): put it back where it stood.
+    let after = std::mem::take(header);
+    *header = block.header;
+    push_header(header, block.lines[0] as usize, block.first_row);
+    header.extend(after);
+}
+
+fn push_header<'a>(header: &mut Vec<(usize, &'a str)>, line: usize, content: &'a str) {
+    if header.len() >= HEADER_LINES {
+        header.remove(HEADER_LINES / 2);
+    }
+    header.push((line, content));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::dialect::Delimiter;
+
+    const COMMA: Dialect = Dialect {
+        delimiter: Delimiter::Comma,
+        decimal_comma: false,
+    };
+
+    fn blocks(text: &str) -> Vec<Block<'_>> {
+        scan(text, COMMA).map(|s| s.blocks).unwrap_or_default()
+    }
+
+    #[test]
+    fn words_around_a_block_are_its_header() {
+        let found = blocks("Lamp A\n# note\nIndex,13,14\nnm,a,b\n380,1,2\n\n385,3,4\n");
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].cells, [380.0, 1.0, 2.0, 385.0, 3.0, 4.0]);
+        assert_eq!(found[0].lines, [5, 7]);
+        assert_eq!(
+            found[0].header,
+            [(1, "Lamp A"), (2, "note"), (3, "Index,13,14"), (4, "nm,a,b")]
+        );
+    }
+
+    #[test]
+    fn words_between_blocks_divide_them() {
+        let found = blocks("380,1\n385,2\nSecond\n380,3\n385,4\n");
+        assert_eq!(found.len(), 2);
+        assert_eq!(found[1].header, [(3, "Second")]);
+    }
+
+    #[test]
+    fn a_gap_is_kept_as_a_gap_and_a_word_is_remembered() {
+        let found = blocks("380,1,NaN\n385,,2\n390,3,4\n395,abc,5\n400,6,\n");
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].rows(), 5);
+        assert_eq!(found[0].columns[1].numbers, 3);
+        assert_eq!(
+            found[0].bad,
+            [BadCell {
+                line: 4,
+                column: 1,
+                text: "abc".to_owned()
+            }]
+        );
+    }
+
+    #[test]
+    fn a_row_gone_wrong_is_remembered_where_it_ends_a_block() {
+        let found = blocks("380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n");
+        assert_eq!(found[0].ended_by.as_ref().map(|b| b.line), Some(4));
+    }
+}

@@ -1,0 +1,167 @@
+//! Titles of a table's columns, found in the lines above it.
+
+use super::dialect::{Delimiter, Dialect, used};
+use super::table::Block;
+use super::units::names_wavelength;
+
+/// Longest cell that can be a title; longer ones are sentences.
+const LONGEST_TITLE: usize = 80;
+
+/// What stands above each column; empty strings where nothing does.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Titles {
+    /// One title a column.
+    pub names: Vec<String>,
+    /// One unit a column, from a line of units in brackets below the titles.
+    pub units: Vec<String>,
+}
+
+impl Titles {
+    /// Title and unit of a column in one text, for the words that it holds.
+    pub fn whole(&self, column: usize) -> String {
+        let name = self.names.get(column).map_or("", String::as_str);
+        let unit = self.units.get(column).map_or("", String::as_str);
+        format!("{name} {unit}").trim().to_owned()
+    }
+
+    /// Whether any column is titled.
+    pub fn any(&self) -> bool {
+        self.names.iter().any(|n| !n.is_empty())
+    }
+
+    /// Finds the titles of a block.
+    ///
+    /// The line next above the block is one if it has a cell for each column; further lines count
+    /// only above a line of units or of empty cells, or when they name the wavelength column.
+    pub fn of(block: &Block, dialect: Dialect) -> Self {
+        let width = block.width;
+        let mut found = Self {
+            names: vec![String::new(); width],
+            units: vec![String::new(); width],
+        };
+        let mut next_above = true;
+        for (_, line) in block.header.iter().rev().take(12) {
+            let Some(cells) = cells_for(line, dialect, width) else {
+                next_above = false;
+                continue;
+            };
+            let filled = cells.iter().filter(|c| !c.is_empty()).count();
+            if is_unit_line(&cells) {
+                found.units = cells;
+            } else if filled < 2 && width > 2 {
+                // A row of empty cells ("Name,,,,"): look above it.
+            } else if next_above || names_wavelength(&cells[0]) {
+                found.names = with_label(cells);
+                break;
+            }
+        }
+        found
+    }
+}
+
+/// A line's cells, one for each column, or `None` when it cannot be a line of titles.
+fn cells_for(line: &str, dialect: Dialect, width: usize) -> Option<Vec<String>> {
+    let mut cells = Vec::new();
+    dialect.split(line, &mut cells);
+    let filled = used(&cells);
+    if dialect.delimiter == Delimiter::Space && filled != width && filled + 1 != width {
+        // Titles of several words each, set apart by TABs or by two blanks and more.
+        cells.clear();
+        let apart = if line.contains('\t') { "\t" } else { "  " };
+        cells.extend(line.split(apart).map(str::trim).filter(|c| !c.is_empty()));
+    }
+    let filled = used(&cells);
+    let bracketed = cells.first().is_some_and(|c| c.starts_with('[') && names_wavelength(c));
+    let whole = cells.len() >= width && filled <= width.max(1);
+    // Tables written with row names have no title above the first column.
+    let one_less = filled + 1 == width && filled >= 2;
+    if !(whole && filled > 0 || one_less || bracketed && filled <= width)
+        || cells.iter().any(|c| c.chars().count() > LONGEST_TITLE)
+    {
+        return None;
+    }
+    let mut titles: Vec<String> = Vec::with_capacity(width);
+    if one_less && cells.len() < width && !names_wavelength(cells[0]) {
+        titles.push(String::new());
+    }
+    titles.extend(cells.iter().take(filled).map(|c| c.trim_matches('"').trim().to_owned()));
+    titles.resize(width, String::new());
+    Some(titles)
+}
+
+fn is_unit_line(cells: &[String]) -> bool {
+    let mut filled = cells.iter().filter(|c| !c.is_empty()).peekable();
+    filled.peek().is_some()
+        && filled.all(|c| {
+            c.starts_with('[') && c.ends_with(']') || c.starts_with('(') && c.ends_with(')')
+        })
+}
+
+/// Titles that are bare numbers take the first column's word: "Index 13".
+fn with_label(mut cells: Vec<String>) -> Vec<String> {
+    let label = cells[0].clone();
+    if label.is_empty() || names_wavelength(&label) || label.parse::<f64>().is_ok() {
+        return cells;
+    }
+    for cell in &mut cells[1..] {
+        if cell.parse::<f64>().is_ok() {
+            *cell = format!("{label} {cell}");
+        }
+    }
+    cells
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::table::scan;
+
+    fn titles(text: &str, delimiter: Delimiter) -> Titles {
+        let dialect = Dialect {
+            delimiter,
+            decimal_comma: false,
+        };
+        let scan = scan(text, dialect).unwrap();
+        Titles::of(&scan.blocks[0], dialect)
+    }
+
+    #[test]
+    fn titles_and_a_line_of_units_below_them_are_found() {
+        let found = titles(
+            "Wave ;Dark ;Transmittance\n[nm] ;[counts] ;[%]\n\n300;3;1.5\n301;2;2.5\n",
+            Delimiter::Semicolon,
+        );
+        assert_eq!(found.names, ["Wave", "Dark", "Transmittance"]);
+        assert_eq!(found.units, ["[nm]", "[counts]", "[%]"]);
+    }
+
+    #[test]
+    fn numbered_columns_take_the_word_before_them() {
+        let found = titles(
+            "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n",
+            Delimiter::Comma,
+        );
+        assert_eq!(found.names, ["Index", "Index 13", "Index 14"]);
+    }
+
+    #[test]
+    fn key_and_value_lines_are_no_titles() {
+        let found = titles(
+            "Units\tW\nLine0\tsome note\n[Start Data]\n250.0\t7e-11\t-10\n251.0\t1e-10\t-10\n",
+            Delimiter::Tab,
+        );
+        assert!(!found.any());
+    }
+
+    #[test]
+    fn a_table_with_row_names_has_one_title_less() {
+        let found = titles("nm lamp\n1 380 0.5\n2 385 0.6\n", Delimiter::Space);
+        assert_eq!(found.names, ["", "nm", "lamp"]);
+    }
+
+    #[test]
+    fn titles_of_several_words_are_set_apart_by_wide_gaps() {
+        let found = titles("Wave length   Value of it\n380 0.5\n385 0.6\n", Delimiter::Space);
+        assert_eq!(found.names, ["Wave length", "Value of it"]);
+    }
+}

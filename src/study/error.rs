@@ -1,0 +1,164 @@
+//! How far a model is from the spectrum it stands for (MODEL section 10).
+//!
+//! With `m` the measured spectrum on the 1 nm grid and `d` the model (each spike split linearly
+//! over its two neighbouring nm) minus `m`:
+//!
+//! ```text
+//! relative_rms       sqrt(int d^2 / int m^2)
+//! relative_rms_10nm  the same after a Gaussian blur of 10 nm full width, zero outside the range,
+//!                    spikes blurred analytically
+//! max_abs            max |d| / max |m|
+//! energy             int d / int |m|
+//! lowest             min(smooth) / max |m|
+//! ```
+
+use crate::spectrum::{Band, Spike, composite::add_spikes, spikes::absolute_power};
+
+/// The figures of merit of one model on one spectrum; all are shares, none has a unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectrumErrors {
+    /// Root mean square of the difference over that of the spectrum.
+    pub relative_rms: f64,
+    /// The same behind a 10 nm blur: what a spectrometer of that bandwidth would see.
+    pub relative_rms_10nm: f64,
+    /// Largest difference over the largest value.
+    pub max_abs: f64,
+    /// Power gained (positive) or lost over the spectrum's.
+    pub energy: f64,
+    /// Lowest value of the smooth part over the largest value: negative when it dips below zero.
+    pub lowest: f64,
+}
+
+/// Full width at half maximum of the blur, nm.
+pub const BLUR_NM: f64 = 10.0;
+
+/// A Gaussian blur on a band's grid.
+#[derive(Clone, Debug)]
+pub struct Blur {
+    band: Band,
+    /// Density at 0, 1, 2, ... nm from the centre, per nm.
+    taps: Vec<f64>,
+    sigma_nm: f64,
+}
+
+/// Taps reach this many standard deviations: what lies beyond is under 1e-8 of the area.
+const REACH_SIGMAS: f64 = 6.0;
+
+impl Blur {
+    /// A blur of full width `width_nm` at half maximum.
+    pub fn new(band: Band, width_nm: f64) -> Self {
+        let sigma_nm = width_nm / (8.0 * std::f64::consts::LN_2).sqrt();
+        let reach = (REACH_SIGMAS * sigma_nm).ceil() as usize;
+        Self {
+            band,
+            taps: (0..=reach).map(|i| density(i as f64, sigma_nm)).collect(),
+            sigma_nm,
+        }
+    }
+
+    /// Values on the grid blurred by the trapezoid rule; zero is assumed outside the band.
+    pub fn values(&self, values: &[f64]) -> Vec<f64> {
+        let n = self.band.points();
+        let reach = self.taps.len() - 1;
+        // Weighted and padded once, so that the inner loop has no edge.
+        let mut padded = vec![0.0; n + 2 * reach];
+        for (i, v) in values.iter().enumerate() {
+            padded[reach + i] = v * self.band.weight(i);
+        }
+        let mut out: Vec<f64> = padded[reach..reach + n]
+            .iter()
+            .map(|v| v * self.taps[0])
+            .collect();
+        for (k, tap) in self.taps.iter().enumerate().skip(1) {
+            let (left, right) = (&padded[reach - k..], &padded[reach + k..]);
+            for (o, (l, r)) in out.iter_mut().zip(left.iter().zip(right)) {
+                *o += tap * (l + r);
+            }
+        }
+        out
+    }
+
+    /// Adds spikes, blurred analytically, to values that are blurred already.
+    pub fn add_spikes(&self, spikes: &[Spike], blurred: &mut [f64]) {
+        let reach = self.taps.len() as f64;
+        for spike in spikes {
+            let centre = spike.at_nm - self.band.min_nm();
+            let from = (centre - reach).floor().max(0.0) as usize;
+            let to = ((centre + reach).ceil().max(0.0) as usize).min(blurred.len());
+            for (i, b) in blurred.iter_mut().enumerate().take(to).skip(from) {
+                *b += spike.weight * density(i as f64 - centre, self.sigma_nm);
+            }
+        }
+    }
+}
+
+fn density(distance_nm: f64, sigma_nm: f64) -> f64 {
+    let t = distance_nm / sigma_nm;
+    (-0.5 * t * t).exp() / (sigma_nm * (2.0 * std::f64::consts::PI).sqrt())
+}
+
+/// Compares a model with the measured spectrum; `None` for an all-zero spectrum.
+///
+/// `measured` and `smooth` are values on the band's grid.
+pub fn spectrum_errors(
+    blur: &Blur,
+    measured: &[f64],
+    smooth: &[f64],
+    spikes: &[Spike],
+) -> Option<SpectrumErrors> {
+    let band = blur.band;
+    let top = measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let square = band.inner(measured, measured);
+    if !(top > 0.0 && square > 0.0) {
+        return None;
+    }
+    let smooth_difference = difference(smooth, measured);
+    let mut whole = smooth_difference.clone();
+    add_spikes(band, spikes, &mut whole);
+    let mut blurred = blur.values(&smooth_difference);
+    blur.add_spikes(spikes, &mut blurred);
+    let blurred_measured = blur.values(measured);
+    let blurred_square = band.inner(&blurred_measured, &blurred_measured);
+    Some(SpectrumErrors {
+        relative_rms: (band.inner(&whole, &whole) / square).sqrt(),
+        relative_rms_10nm: (band.inner(&blurred, &blurred) / blurred_square).sqrt(),
+        max_abs: whole.iter().fold(0.0_f64, |m, v| m.max(v.abs())) / top,
+        energy: band.integral(&whole) / absolute_power(band, measured),
+        lowest: smooth.iter().copied().fold(f64::INFINITY, f64::min) / top,
+    })
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Median, 95th percentile and largest of a set of errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Half of the values lie below.
+    pub median: f64,
+    /// 95 % of the values lie below.
+    pub p95: f64,
+    /// The largest.
+    pub worst: f64,
+}
+
+impl Spread {
+    /// The spread of some values, by linear interpolation between ranks; `None` for no value.
+    pub fn of(values: &[f64]) -> Option<Self> {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let worst = *sorted.last()?;
+        let at = |share: f64| {
+            let rank = share * (sorted.len() - 1) as f64;
+            let below = rank as usize;
+            let above = (below + 1).min(sorted.len() - 1);
+            sorted[below] + (rank - below as f64) * (sorted[above] - sorted[below])
+        };
+        Some(Self {
+            median: at(0.5),
+            p95: at(0.95),
+            worst,
+        })
+    }
+}
