@@ -308,7 +308,9 @@ impl Edge {
         // Both are whole numbers, so the quotient is exact where it is whole, and elsewhere too
         // far from a whole number to be rounded across it.
         let crossing = level / slope;
-        let crossing = crossing.clamp(f64::from(run[0]) - 1.0, f64::from(run[1]) + 1.0);
+        let crossing = crossing
+            .max(f64::from(run[0]) - 1.0)
+            .min(f64::from(run[1]) + 1.0);
         let truncated = crossing as i32;
         let below = truncated - i32::from(f64::from(truncated) > crossing);
         let exact = f64::from(below) == crossing;

@@ -1,0 +1,303 @@
+//! From a path, a dropped file or a word on the command line to spectra.
+
+use std::{
+    path::{Path, PathBuf},
+    sync::{
+        Arc,
+        mpsc::{Receiver, Sender, channel},
+    },
+};
+
+use super::{
+    entry::{Entry, sampled_from_composite},
+    library::{Body, Library},
+    workspace::{self, Restored},
+};
+use crate::{
+    io::{self, CompositeFile, Reading},
+    spectrum::{Kind, NamedSpectrum},
+};
+
+/// What a file turned out to be.
+#[derive(Debug)]
+pub enum Loaded {
+    /// Spectra (composites sampled at 1 nm), and one line on how they were read.
+    Spectra {
+        /// Where they came from; `None` for bytes that were dropped without a path.
+        path: Option<PathBuf>,
+        /// At least one.
+        spectra: Vec<NamedSpectrum>,
+        /// "lamp.csv: plain columns, 401 points, ...".
+        how: String,
+    },
+    /// A project of this program.
+    Project {
+        /// Where it came from.
+        path: Option<PathBuf>,
+        /// Its content.
+        restored: Box<Restored>,
+    },
+    /// Refused, in one line with file, line, found and expected.
+    Refused(String),
+}
+
+/// Reads a file.
+pub fn load_path(path: &Path) -> Loaded {
+    // A project is JSON of our own: it is looked for by its format word, not by its extension.
+    if let Some(loaded) = project_at(path) {
+        return loaded;
+    }
+    from_reading(io::read_path(path), Some(path.to_owned()))
+}
+
+/// Reads a file that is in memory.
+pub fn load_bytes(name: &str, bytes: &[u8]) -> Loaded {
+    if looks_like_project(bytes)
+        && let Ok(text) = std::str::from_utf8(bytes)
+    {
+        return project(name, text, None);
+    }
+    from_reading(io::read_bytes(name, bytes), None)
+}
+
+fn project_at(path: &Path) -> Option<Loaded> {
+    use std::io::Read;
+    let mut head = [0; 512];
+    let mut file = std::fs::File::open(path).ok()?;
+    let count = file.read(&mut head).ok()?;
+    if !looks_like_project(&head[..count]) {
+        return None;
+    }
+    let name = path.file_name()?.to_string_lossy().into_owned();
+    let text = std::fs::read_to_string(path).ok()?;
+    Some(project(&name, &text, Some(path.to_owned())))
+}
+
+fn looks_like_project(bytes: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(512)]);
+    head.trim_start().starts_with('{') && head.contains(workspace::FORMAT)
+}
+
+fn project(name: &str, text: &str, path: Option<PathBuf>) -> Loaded {
+    match workspace::from_json(text) {
+        Ok(restored) => Loaded::Project {
+            path,
+            restored: Box::new(restored),
+        },
+        Err(why) => Loaded::Refused(format!("{name}: {why}")),
+    }
+}
+
+fn from_reading(reading: Result<Reading, io::ReadError>, path: Option<PathBuf>) -> Loaded {
+    let reading = match reading {
+        Ok(reading) => reading,
+        Err(refusal) => return Loaded::Refused(refusal.to_string()),
+    };
+    let how = format!(
+        "{}: {}{}{}",
+        reading.file,
+        reading.format,
+        if reading.notes.is_empty() { "" } else { ", " },
+        reading.notes.first().map_or("", String::as_str)
+    );
+    let file = reading.file.clone();
+    let spectra = spectra_of(reading);
+    if spectra.is_empty() {
+        return Loaded::Refused(format!("{file}: found no spectrum, expected at least one"));
+    }
+    Loaded::Spectra { path, spectra, how }
+}
+
+/// Every spectrum of a reading; composites are sampled at 1 nm. The file's notes go to each.
+pub fn spectra_of(reading: Reading) -> Vec<NamedSpectrum> {
+    let Reading {
+        file,
+        format: _,
+        spectra,
+        composites,
+        guesses: _,
+        notes,
+    } = reading;
+    let mut all = spectra;
+    all.extend(composites.into_iter().filter_map(sampled));
+    for spectrum in &mut all {
+        for note in &notes {
+            if !spectrum.notes.contains(note) {
+                spectrum.notes.push(note.clone());
+            }
+        }
+        if spectrum.source.is_empty() {
+            spectrum.source.clone_from(&file);
+        }
+    }
+    all
+}
+
+fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
+    Some(NamedSpectrum {
+        samples: sampled_from_composite(&file.composite)?,
+        name: file.name,
+        kind: Kind::Light,
+        unit: file.unit,
+        scale: 1.0,
+        notes: vec![format!(
+            "A composite of {} numbers, sampled at 1 nm.",
+            file.composite.numbers()
+        )],
+        source: file.source,
+    })
+}
+
+/// Reads files on threads of their own, so that no window waits for a disk.
+pub struct Loader {
+    sender: Sender<Loaded>,
+    receiver: Receiver<Loaded>,
+    pending: usize,
+}
+
+impl Default for Loader {
+    fn default() -> Self {
+        let (sender, receiver) = channel();
+        Self {
+            sender,
+            receiver,
+            pending: 0,
+        }
+    }
+}
+
+impl Loader {
+    /// Starts reading files in their order; `wake` is called when each one is there.
+    pub fn open(&mut self, paths: Vec<PathBuf>, wake: Arc<dyn Fn() + Send + Sync>) {
+        self.pending += paths.len();
+        let sender = self.sender.clone();
+        std::thread::spawn(move || {
+            for path in paths {
+                // A panic in a reader must not leave the window waiting for ever.
+                let loaded = std::panic::catch_unwind(|| load_path(&path)).unwrap_or_else(|_| {
+                    Loaded::Refused(format!(
+                        "{}: the reader failed on this file",
+                        path.display()
+                    ))
+                });
+                if sender.send(loaded).is_err() {
+                    return;
+                }
+                wake();
+            }
+        });
+    }
+
+    /// What has been read since the last call.
+    pub fn finished(&mut self) -> Vec<Loaded> {
+        let done: Vec<Loaded> = self.receiver.try_iter().collect();
+        self.pending -= done.len().min(self.pending);
+        done
+    }
+
+    /// Files still being read.
+    pub fn pending(&self) -> usize {
+        self.pending
+    }
+}
+
+/// The spectrum that the command line names: a file, a preset or `group/name`.
+///
+/// `pick` chooses one of a file's spectra by name or by number from 1.
+///
+/// # Errors
+/// One line that says what was found and what was expected.
+pub fn resolve(input: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<Entry, String> {
+    let path = Path::new(input);
+    let mut entry = if path.is_file() {
+        from_file(path, pick)?
+    } else {
+        from_library(input, path, pick)?
+    };
+    if let Some(kind) = kind {
+        entry.spectrum.kind = kind;
+    }
+    if !entry.is_usable() {
+        return Err(format!(
+            "{}: found {} values, expected a light, a reflectance or a transmittance (say --kind)",
+            entry.name(),
+            entry.kind()
+        ));
+    }
+    Ok(entry)
+}
+
+fn from_file(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
+    let mut spectra = match load_path(path) {
+        Loaded::Spectra { spectra, .. } => spectra,
+        Loaded::Refused(why) => return Err(why),
+        Loaded::Project { restored, .. } => {
+            return Ok(Entry::clone(restored.document.subject_entry()));
+        }
+    };
+    let index = match pick {
+        Some(pick) => picked(&spectra, pick).ok_or_else(|| {
+            let names: Vec<&str> = spectra.iter().take(8).map(|s| s.name.as_str()).collect();
+            format!(
+                "{}: found no spectrum {pick:?}, expected a name or a number from 1 to {} ({}{})",
+                path.display(),
+                spectra.len(),
+                names.join(", "),
+                if spectra.len() > 8 { ", ..." } else { "" }
+            )
+        })?,
+        None => 0,
+    };
+    let count = spectra.len();
+    let mut spectrum = spectra.swap_remove(index);
+    if count > 1 {
+        spectrum.notes.push(format!(
+            "Spectrum {} of {count} in the file.",
+            index + 1
+        ));
+    }
+    Ok(Entry::own(1, spectrum))
+}
+
+fn picked(spectra: &[NamedSpectrum], pick: &str) -> Option<usize> {
+    let by_name = spectra.iter().position(|s| s.name == pick);
+    let by_number = || {
+        let number: usize = pick.parse().ok()?;
+        (1..=spectra.len()).contains(&number).then(|| number - 1)
+    };
+    let by_any_case = || {
+        let pick = pick.to_lowercase();
+        spectra.iter().position(|s| s.name.to_lowercase() == pick)
+    };
+    by_name.or_else(by_number).or_else(by_any_case)
+}
+
+fn from_library(input: &str, path: &Path, pick: Option<&str>) -> Result<Entry, String> {
+    let looks_like_path = path.extension().is_some_and(|e| {
+        e.len() <= 5 && e.to_string_lossy().chars().all(|c| c.is_ascii_alphabetic())
+    }) || path.is_absolute();
+    let preset = match Library::bundled().find(input) {
+        Ok(preset) => preset,
+        Err(_) if looks_like_path => {
+            // The reader's own words for a missing file or a folder.
+            return Err(io::read_path(path).err().map_or_else(
+                || format!("{input}: found no file, expected a file or a preset's name"),
+                |e| e.to_string(),
+            ));
+        }
+        Err(why) => return Err(why.to_string()),
+    };
+    if pick.is_some() {
+        return Err(format!(
+            "{input}: found a preset, expected a file where --spectrum is given"
+        ));
+    }
+    match &preset.body {
+        Body::Lines(_) => Err(format!(
+            "{input}: found a list of lines, expected a spectrum"
+        )),
+        Body::Spectrum(_) | Body::Composite(_) => {
+            Entry::of_preset(preset).ok_or_else(|| format!("{input}: found numbers that are no spectrum, expected a spectrum"))
+        }
+    }
+}

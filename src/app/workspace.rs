@@ -1,0 +1,364 @@
+//! The workspace: what comes back after a restart or a kill, and the same as a named project.
+//!
+//! Shipped spectra are kept by name, the user's own with all their numbers. What no longer exists
+//! (a preset of another version) is left out and said.
+
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    document::{Document, FIRST_LIGHT, Subject, View},
+    entry::{Entry, bundled_entries},
+    scale::Scale,
+    settings::Settings,
+};
+use crate::{
+    io::atomic::save_atomically,
+    spectrum::{Kind, NamedSpectrum, Sampled, SpikeEdits},
+};
+
+/// The word that marks a workspace or project file.
+pub const FORMAT: &str = "spectral-explorer-project";
+/// The version written.
+pub const VERSION: u32 = 1;
+
+/// How the window looks; not part of undo.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Preferences {
+    /// Dark surroundings.
+    pub dark: bool,
+    /// Zoom of the whole window, 0.8-2.5.
+    pub zoom: f32,
+    /// Large type and thick lines.
+    pub projector: bool,
+    /// Files opened last, newest first.
+    pub recent: Vec<PathBuf>,
+    /// Inner size of the window in points, if it was ever shown.
+    pub window: Option<[f32; 2]>,
+    /// What the error-against-order curve shows.
+    pub curve: CurveQuantity,
+    /// The shelves that are folded in the library.
+    pub folded: Vec<String>,
+    /// The bottom panel shows the spikes instead of the patches.
+    pub spikes_below: bool,
+}
+
+impl Default for Preferences {
+    fn default() -> Self {
+        Self {
+            dark: true,
+            zoom: 1.0,
+            projector: false,
+            recent: Vec::new(),
+            window: None,
+            curve: CurveQuantity::default(),
+            folded: Vec::new(),
+            spikes_below: false,
+        }
+    }
+}
+
+/// Smallest and largest zoom.
+pub const ZOOMS: [f32; 2] = [0.8, 2.5];
+
+impl Preferences {
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(mut self) -> Self {
+        self.zoom = if self.zoom.is_finite() {
+            self.zoom.clamp(ZOOMS[0], ZOOMS[1])
+        } else {
+            1.0
+        };
+        self.window = self
+            .window
+            .filter(|size| size.iter().all(|s| (200.0..=20_000.0).contains(s)));
+        self.recent.truncate(MOST_RECENT);
+        self
+    }
+
+    /// Puts a file on top of the recent ones.
+    pub fn remember_file(&mut self, path: &Path) {
+        self.recent.retain(|p| p != path);
+        self.recent.insert(0, path.to_owned());
+        self.recent.truncate(MOST_RECENT);
+    }
+}
+
+/// Recent files kept.
+const MOST_RECENT: usize = 12;
+
+/// What the error-against-order curve shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CurveQuantity {
+    /// CIEDE2000 of the light itself.
+    Own,
+    /// Mean CIEDE2000 of the patches.
+    #[default]
+    Patches,
+    /// Largest CIEDE2000 of the patches.
+    PatchesWorst,
+    /// Relative RMS at 1 nm.
+    Rms,
+    /// Relative RMS behind a 10 nm blur.
+    RmsBlurred,
+}
+
+/// A spectrum of the user's own with all its numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct OwnSpectrum {
+    key: String,
+    name: String,
+    kind: Kind,
+    unit: String,
+    scale: f64,
+    nm: Vec<f64>,
+    values: Vec<f64>,
+    notes: Vec<String>,
+    source: String,
+}
+
+/// What is written: the document by names, and the window's preferences.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Stored {
+    format: String,
+    version: u32,
+    program: String,
+    light: String,
+    #[serde(default)]
+    factor: Option<String>,
+    #[serde(default)]
+    subject: Subject,
+    #[serde(default)]
+    overlays: Vec<String>,
+    #[serde(default)]
+    own: Vec<OwnSpectrum>,
+    #[serde(default)]
+    next_own: u64,
+    #[serde(default)]
+    settings: Settings,
+    #[serde(default)]
+    edits: BTreeMap<String, SpikeEdits>,
+    patch_set: String,
+    #[serde(default)]
+    patch: Option<usize>,
+    #[serde(default)]
+    scale: Scale,
+    #[serde(default)]
+    view: View,
+    #[serde(default)]
+    preferences: Option<Preferences>,
+}
+
+/// What came back from a workspace or project.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Restored {
+    /// The document.
+    pub document: Document,
+    /// The window's preferences; `None` in a project.
+    pub preferences: Option<Preferences>,
+    /// What could not be brought back, a sentence each.
+    pub losses: Vec<String>,
+}
+
+/// The text of a workspace (with preferences) or a project (without).
+pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String {
+    let Document {
+        light,
+        factor,
+        subject,
+        overlays,
+        own,
+        next_own,
+        settings,
+        edits,
+        patch_set,
+        patch,
+        scale,
+        view,
+    } = document;
+    let stored = Stored {
+        format: FORMAT.to_owned(),
+        version: VERSION,
+        program: env!("CARGO_PKG_VERSION").to_owned(),
+        light: light.key.clone(),
+        factor: factor.as_ref().map(|f| f.key.clone()),
+        subject: *subject,
+        overlays: overlays.iter().map(|o| o.key.clone()).collect(),
+        own: own.iter().map(|entry| OwnSpectrum::of(entry)).collect(),
+        next_own: *next_own,
+        settings: *settings,
+        edits: edits.clone(),
+        patch_set: patch_set.clone(),
+        patch: *patch,
+        scale: *scale,
+        view: *view,
+        preferences: preferences.cloned(),
+    };
+    // The structure holds nothing that JSON cannot: no map with other keys than text.
+    serde_json::to_string_pretty(&stored).unwrap_or_default()
+}
+
+/// Reads a workspace or project.
+///
+/// # Errors
+/// One line that says what is wrong with the text.
+pub fn from_json(text: &str) -> Result<Restored, String> {
+    let stored: Stored = serde_json::from_str(text)
+        .map_err(|e| format!("line {}: {e}, expected a {FORMAT} file", e.line()))?;
+    if stored.format != FORMAT {
+        return Err(format!(
+            "found the format {:?}, expected {FORMAT:?}",
+            stored.format
+        ));
+    }
+    if stored.version > VERSION {
+        return Err(format!(
+            "found version {}, expected {VERSION} or lower: a newer Spectral Explorer wrote it",
+            stored.version
+        ));
+    }
+    let mut losses = Vec::new();
+    let mut own = Vec::new();
+    for spectrum in stored.own {
+        let name = spectrum.name.clone();
+        match spectrum.into_entry() {
+            Ok(entry) => own.push(Arc::new(entry)),
+            Err(why) => losses.push(format!("{name} was not brought back: {why}.")),
+        }
+    }
+    let bundled = bundled_entries();
+    let mut find = |key: &str| {
+        let found = own.iter().chain(&bundled).find(|e| e.key == key).cloned();
+        if found.is_none() {
+            losses.push(format!("{key} is not in this version's library."));
+        }
+        found
+    };
+    let light = find(&stored.light)
+        .or_else(|| find(FIRST_LIGHT))
+        .ok_or("no light to show")?;
+    let document = Document {
+        light,
+        factor: stored.factor.as_deref().and_then(&mut find),
+        subject: stored.subject,
+        overlays: stored
+            .overlays
+            .iter()
+            .filter_map(|key| find(key))
+            .collect(),
+        next_own: stored.next_own.max(own.len() as u64 + 1),
+        own: own.clone(),
+        settings: stored.settings.clamped(),
+        edits: stored.edits,
+        patch_set: stored.patch_set,
+        patch: stored.patch,
+        scale: stored.scale,
+        view: stored.view,
+    };
+    Ok(Restored {
+        document,
+        preferences: stored.preferences.map(Preferences::clamped),
+        losses,
+    })
+}
+
+impl OwnSpectrum {
+    fn of(entry: &Entry) -> Self {
+        let NamedSpectrum {
+            name,
+            kind,
+            unit,
+            scale,
+            samples,
+            notes,
+            source,
+        } = &entry.spectrum;
+        Self {
+            key: entry.key.clone(),
+            name: name.clone(),
+            kind: *kind,
+            unit: unit.clone(),
+            scale: *scale,
+            nm: samples.nm().to_vec(),
+            values: samples.values().to_vec(),
+            notes: notes.clone(),
+            source: source.clone(),
+        }
+    }
+
+    fn into_entry(self) -> Result<Entry, String> {
+        let samples = Sampled::new(self.nm, self.values).map_err(|e| e.to_string())?;
+        Ok(Entry {
+            key: self.key,
+            shelf: None,
+            spectrum: NamedSpectrum {
+                name: self.name,
+                kind: self.kind,
+                unit: self.unit,
+                scale: self.scale,
+                samples,
+                notes: self.notes,
+                source: self.source,
+            },
+            licence: String::new(),
+        })
+    }
+}
+
+/// Where the workspace lies on this computer; `None` when the system names no data folder.
+pub fn default_path() -> Option<PathBuf> {
+    let folders = directories::ProjectDirs::from("org", "", "spectral-explorer")?;
+    Some(folders.data_dir().join("workspace.json"))
+}
+
+/// Saves a workspace so that a kill at any moment leaves either the old or the new one.
+///
+/// # Errors
+/// One line for the status line.
+pub fn save(path: &Path, text: &str) -> Result<(), String> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder)
+            .map_err(|e| format!("workspace not saved: {}: {e}", folder.display()))?;
+    }
+    save_atomically(path, text.as_bytes()).map_err(|e| format!("workspace not saved: {e}"))
+}
+
+/// Loads the workspace; `Ok(None)` when there is none yet.
+///
+/// # Errors
+/// One line. A workspace that cannot be read is set aside under another name, so that nothing
+/// overwrites it.
+pub fn load(path: &Path) -> Result<Option<Restored>, String> {
+    let text = match std::fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(e) => return Err(set_aside(path, &e.to_string())),
+    };
+    from_json(&text)
+        .map(Some)
+        .map_err(|why| set_aside(path, &why))
+}
+
+fn set_aside(path: &Path, why: &str) -> String {
+    let mut kept = path.with_extension("damaged.json");
+    let mut number = 2;
+    while kept.exists() {
+        kept = path.with_extension(format!("damaged-{number}.json"));
+        number += 1;
+    }
+    match std::fs::rename(path, &kept) {
+        Ok(()) => format!(
+            "The last workspace could not be read ({why}); it is kept as {}.",
+            kept.display()
+        ),
+        Err(e) => format!("The last workspace could not be read ({why}) nor set aside ({e})."),
+    }
+}

@@ -1,0 +1,137 @@
+//! Saving a file in one step: write beside, bring to disk, rename over.
+//!
+//! Whoever looks sees the old file or the new one, also after a crash or a full disk.
+
+use std::fs;
+use std::io::{Error, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use super::error::WriteError;
+use super::input::name_of;
+
+/// Saves bytes as a file, replacing an old one in a single step.
+///
+/// A link is followed, and the permissions of a file that is replaced are kept.
+///
+/// # Errors
+/// [`WriteError`] in words: no such folder, read-only folder, disk full, ...
+pub fn save_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    save(path, bytes).map_err(|error| WriteError::new(&name_of(path), words(path, &error)))
+}
+
+fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if target.is_dir() {
+        return Err(Error::from(ErrorKind::IsADirectory));
+    }
+    let folder = folder_of(&target);
+    let old = fs::metadata(&target).ok().map(|about| about.permissions());
+    if old.as_ref().is_some_and(fs::Permissions::readonly) {
+        return Err(Error::new(ErrorKind::PermissionDenied, "the file is read-only"));
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".saving-");
+    #[cfg(unix)]
+    let everyone = {
+        use std::os::unix::fs::PermissionsExt;
+        // As any new file: the user's mask takes away what it should.
+        fs::Permissions::from_mode(0o666)
+    };
+    #[cfg(unix)]
+    builder.permissions(everyone);
+    let mut file = builder.tempfile_in(&folder)?;
+    file.write_all(bytes)?;
+    if let Some(permissions) = old {
+        file.as_file().set_permissions(permissions)?;
+    }
+    file.as_file().sync_all()?;
+    file.persist(&target).map_err(|refused| refused.error)?;
+    sync_folder(&folder);
+    Ok(())
+}
+
+fn folder_of(target: &Path) -> PathBuf {
+    match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// Brings the rename itself to disk. The file is complete either way, so a system that cannot
+/// sync a folder is no error.
+#[cfg(unix)]
+fn sync_folder(folder: &Path) {
+    if let Ok(folder) = fs::File::open(folder) {
+        let _ = folder.sync_all();
+    }
+}
+
+#[cfg(not(unix))]
+fn sync_folder(_: &Path) {}
+
+fn words(path: &Path, error: &Error) -> String {
+    let folder = folder_of(path);
+    let folder = folder.display();
+    match error.kind() {
+        ErrorKind::NotFound => format!("found no folder {folder}, expected one that exists"),
+        ErrorKind::NotADirectory => format!("found a file at {folder}, expected a folder"),
+        ErrorKind::IsADirectory => "found a folder of this name, expected a file name".to_owned(),
+        ErrorKind::PermissionDenied => format!("found {folder} or the file read-only, expected permission to write there"),
+        ErrorKind::ReadOnlyFilesystem => format!("found a read-only disk at {folder}, expected one to write to"),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            format!("found the disk full at {folder}, expected room for the file; nothing was changed")
+        }
+        ErrorKind::InvalidFilename => "found a file name this disk does not take, expected a shorter or plainer one".to_owned(),
+        _ => format!("could not be saved in {folder}: {error}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_whole_and_nothing_is_left_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        save_atomically(&path, b"old").unwrap();
+        save_atomically(&path, b"new").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_missing_folder_and_a_folder_of_that_name_are_refused_in_words() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = save_atomically(&folder.path().join("none").join("a.txt"), b"").unwrap_err();
+        assert!(missing.to_string().starts_with("a.txt: found no folder"), "{missing}");
+        let taken = save_atomically(folder.path(), b"").unwrap_err().to_string();
+        assert!(taken.contains("found a folder of this name"), "{taken}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permissions_of_a_replaced_file_stay_and_new_files_are_ordinary() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+        let path = folder.path().join("a.txt");
+        save_atomically(&path, b"1").unwrap();
+        assert_eq!(mode(&path) & 0o600, 0o600);
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+        save_atomically(&path, b"2").unwrap();
+        assert_eq!(mode(&path), 0o640);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("a.txt"), folder.path().join("l.txt"));
+        save_atomically(&file, b"1").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        save_atomically(&link, b"2").unwrap();
+        assert_eq!(fs::read(&file).unwrap(), b"2");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    }
+}

@@ -1,0 +1,258 @@
+//! The composite model as JSON, bit-exact there and back.
+//!
+//! ```text
+//! {"format": "composite-spectrum", "version": 1, "range_nm": [min, max],
+//!  "basis": "fourier" | "cosine",
+//!  "coefficients": {"a": [N+1], "b": [N]} | {"c": [2N+1]},
+//!  "spikes": [{"at_nm", "weight"}], "unit", "source"}
+//! ```
+//!
+//! The Fourier `a0` is the paper's, halved in the series; the cosine `c0` is not. A Fourier series
+//! whose last sine was dropped is written with a zero in its place.
+
+use serde::{Deserialize, Serialize};
+
+use crate::spectrum::{Band, Basis, Composite, Series, Spike};
+
+use super::error::WriteError;
+use super::spectrum_json::json_error;
+use super::{CompositeFile, Confidence, Format, Input, ReadError, Reading};
+
+/// The word in `format`.
+pub const FORMAT_WORD: &str = "composite-spectrum";
+
+/// The version written and read.
+pub const VERSION: u32 = 1;
+
+/// The composite model.
+pub const FORMAT: Format = Format {
+    name: "composite JSON",
+    extensions: &["json"],
+    sniff,
+    read,
+};
+
+#[derive(Serialize, Deserialize)]
+struct File {
+    format: String,
+    version: u32,
+    range_nm: [f64; 2],
+    basis: Basis,
+    coefficients: Coefficients,
+    #[serde(default)]
+    spikes: Vec<Line>,
+    #[serde(default)]
+    unit: String,
+    #[serde(default)]
+    source: String,
+}
+
+#[derive(Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Coefficients {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    a: Option<Vec<f64>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    b: Option<Vec<f64>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    c: Option<Vec<f64>>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Line {
+    at_nm: f64,
+    weight: f64,
+}
+
+fn sniff(input: &Input) -> Confidence {
+    if input.head().starts_with('{') && input.head().contains(FORMAT_WORD) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let file = parse(input, text)?;
+    Ok(Reading {
+        notes: vec![in_words(&file.composite)],
+        composites: vec![file],
+        ..Reading::default()
+    })
+}
+
+/// One line about a composite: basis, order, range, spikes.
+pub fn in_words(composite: &Composite) -> String {
+    let (band, smooth) = (composite.band(), &composite.smooth);
+    format!(
+        "{} series of order {}, {}-{} nm, {}, {} numbers",
+        smooth.basis.word(),
+        smooth.order(),
+        band.min_nm(),
+        band.max_nm(),
+        match composite.spikes.len() {
+            0 => "no spikes".to_owned(),
+            1 => "1 spike".to_owned(),
+            n => format!("{n} spikes"),
+        },
+        composite.numbers()
+    )
+}
+
+fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
+    let file: File = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
+    let File {
+        format,
+        version,
+        range_nm: [min, max],
+        basis,
+        coefficients,
+        spikes,
+        unit,
+        source,
+    } = file;
+    if format != FORMAT_WORD {
+        return Err(input.error(format!("format \"{format}\""), format!("\"{FORMAT_WORD}\"")));
+    }
+    if version != VERSION {
+        return Err(input.error(format!("version {version}"), format!("version {VERSION}")));
+    }
+    let band = Band::new(min, max)
+        .map_err(|error| input.error(format!("range_nm [{min}, {max}]"), error.to_string()))?;
+    let coefficients = prefix_order(basis, coefficients)
+        .map_err(|(found, expected)| input.error(found, expected))?;
+    let spikes = spikes
+        .into_iter()
+        .map(|Line { at_nm, weight }| Spike { at_nm, weight })
+        .collect();
+    let composite = checked(band, basis, coefficients, spikes)
+        .map_err(|(found, expected)| input.error(found, expected))?;
+    Ok(CompositeFile {
+        composite,
+        unit,
+        source,
+        name: input.stem().to_owned(),
+    })
+}
+
+fn prefix_order(
+    basis: Basis,
+    coefficients: Coefficients,
+) -> Result<Vec<f64>, (String, &'static str)> {
+    let Coefficients { a, b, c } = coefficients;
+    match (basis, a, b, c) {
+        (Basis::Cosine, None, None, Some(c)) => Ok(c),
+        (Basis::Fourier, Some(a), b, None) => {
+            let b = b.unwrap_or_default();
+            // One sine less is a series whose last sine was dropped.
+            if a.is_empty() || (a.len() != b.len() + 1 && a.len() != b.len() + 2) {
+                return Err((
+                    format!("{} numbers in a and {} in b", a.len(), b.len()),
+                    "one more in a than in b",
+                ));
+            }
+            let mut all = vec![a[0]];
+            let mut sines = b.iter();
+            for cosine in &a[1..] {
+                all.push(*cosine);
+                all.extend(sines.next());
+            }
+            Ok(all)
+        }
+        (Basis::Cosine, ..) => Err((
+            "other coefficients with the cosine basis".to_owned(),
+            "{\"c\": [...]}",
+        )),
+        (Basis::Fourier, ..) => Err((
+            "other coefficients with the fourier basis".to_owned(),
+            "{\"a\": [...], \"b\": [...]}",
+        )),
+    }
+}
+
+/// A composite of numbers that make sense: at least one coefficient and no more than the band
+/// carries, everything finite, spikes put in rising order.
+pub fn checked(
+    band: Band,
+    basis: Basis,
+    coefficients: Vec<f64>,
+    mut spikes: Vec<Spike>,
+) -> Result<Composite, (String, String)> {
+    let most = 2 * Basis::highest_order(band) + 1;
+    if coefficients.is_empty() || coefficients.len() > most {
+        return Err((
+            format!("{} coefficients", coefficients.len()),
+            format!("1 to {most} on this range"),
+        ));
+    }
+    if coefficients.iter().any(|c| !c.is_finite()) {
+        return Err(("a coefficient that is not finite".into(), "a number".into()));
+    }
+    for spike in &spikes {
+        if !spike.at_nm.is_finite() || spike.at_nm <= 0.0 || !spike.weight.is_finite() {
+            return Err((
+                format!("a spike of {} at {} nm", spike.weight, spike.at_nm),
+                "a wavelength above 0 and a finite weight".to_owned(),
+            ));
+        }
+    }
+    if !spikes.is_sorted_by(|x, y| x.at_nm <= y.at_nm) {
+        spikes.sort_by(|x, y| x.at_nm.total_cmp(&y.at_nm));
+    }
+    Ok(Composite {
+        smooth: Series {
+            band,
+            basis,
+            coefficients,
+        },
+        spikes,
+    })
+}
+
+/// A composite as JSON.
+///
+/// # Errors
+/// [`WriteError`] when a number is not finite, which JSON cannot hold.
+pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
+    let CompositeFile {
+        composite,
+        unit,
+        source,
+        name,
+    } = file;
+    let smooth = &composite.smooth;
+    let finite = smooth.coefficients.iter().all(|c| c.is_finite())
+        && composite.spikes.iter().all(|s| s.at_nm.is_finite() && s.weight.is_finite());
+    if !finite || smooth.coefficients.is_empty() {
+        return Err(WriteError::new(name, "found a coefficient or spike that is not finite, expected numbers"));
+    }
+    let coefficients = match smooth.basis {
+        Basis::Fourier => {
+            let (a, b) = smooth.a_b();
+            Coefficients { a: Some(a), b: Some(b), c: None }
+        }
+        Basis::Cosine => Coefficients {
+            c: Some(smooth.coefficients.clone()),
+            ..Coefficients::default()
+        },
+    };
+    let file = File {
+        format: FORMAT_WORD.to_owned(),
+        version: VERSION,
+        range_nm: [smooth.band.min_nm(), smooth.band.max_nm()],
+        basis: smooth.basis,
+        coefficients,
+        spikes: composite
+            .spikes
+            .iter()
+            .map(|s| Line { at_nm: s.at_nm, weight: s.weight })
+            .collect(),
+        unit: unit.clone(),
+        source: source.clone(),
+    };
+    match serde_json::to_string_pretty(&file) {
+        Ok(text) => Ok(text + "\n"),
+        Err(error) => Err(WriteError::new(name, error.to_string())),
+    }
+}

@@ -1,0 +1,159 @@
+//! pbrt and Mitsuba `.spd`: one wavelength in nm and one value a line, `#` comments, nothing else.
+//!
+//! The format states neither kind nor unit; comments and the file's name may. Files whose name
+//! says `eta`, `n` or `k` hold optical constants, not a reflectance.
+
+use std::fmt::Write;
+
+use crate::spectrum::NamedSpectrum;
+
+use super::draft::Draft;
+use super::error::quoted;
+use super::number;
+use super::text::lines;
+use super::write::{Provenance, shortest};
+use super::{Confidence, Format, Input, ReadError, Reading};
+
+/// pbrt and Mitsuba pairs.
+pub const FORMAT: Format = Format {
+    name: "pbrt .spd",
+    extensions: &["spd"],
+    sniff,
+    read,
+};
+
+fn sniff(input: &Input) -> Confidence {
+    let first = input
+        .head()
+        .lines()
+        .map(str::trim)
+        .find(|l| !l.is_empty() && !l.starts_with('#'));
+    match first.map(pair) {
+        Some(Ok(_)) if input.has_extension("spd") => Confidence::Likely,
+        _ => Confidence::No,
+    }
+}
+
+/// The two numbers of a line, or what is wrong with it.
+fn pair(line: &str) -> Result<(f64, f64), (String, &'static str)> {
+    let mut numbers = [0.0; 2];
+    let mut count = 0;
+    for word in line.split_ascii_whitespace() {
+        let value = number::number(word, false)
+            .filter(|v| v.is_finite())
+            .ok_or_else(|| (quoted(word), "a wavelength in nm and a value"))?;
+        if let Some(slot) = numbers.get_mut(count) {
+            *slot = value;
+        }
+        count += 1;
+    }
+    match count {
+        2 => Ok((numbers[0], numbers[1])),
+        1 => Err((quoted(line), "a value after the wavelength")),
+        n => Err((format!("{n} numbers"), "a wavelength in nm and one value")),
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let (mut nm, mut values, mut at, mut comments) = (vec![], vec![], vec![], vec![]);
+    for (line, content) in lines(text) {
+        let content = content.trim();
+        let (body, comment) = content.split_once('#').unwrap_or((content, ""));
+        if !comment.trim().is_empty() && comments.len() < 200 {
+            comments.push((line, comment.trim()));
+        }
+        if body.trim().is_empty() {
+            continue;
+        }
+        let (wavelength, value) =
+            pair(body).map_err(|(found, expected)| input.error(found, expected).at_line(line))?;
+        nm.push(wavelength);
+        values.push(value);
+        at.push(u32::try_from(line).unwrap_or(u32::MAX));
+    }
+    let name = comments
+        .iter()
+        .find_map(|(_, c)| c.strip_prefix("name:"))
+        .map_or(input.stem(), str::trim);
+    let draft = Draft {
+        name: name.to_owned(),
+        title: String::new(),
+        axis_title: String::new(),
+        says_nm: true,
+        header: &comments,
+        axis: &nm,
+        values,
+        lines: &at,
+        percent_signs: false,
+        decimal_comma: false,
+    };
+    let mut reading = Reading::default();
+    draft.finish(input, &mut reading)?;
+    Ok(reading)
+}
+
+/// A spectrum as `.spd` text, with name, kind, unit and provenance in comments.
+pub fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String {
+    let mut out = String::new();
+    for (key, value) in provenance.of(spectrum) {
+        let _ = writeln!(out, "# {key}: {value}");
+    }
+    for (nm, value) in spectrum.samples.nm().iter().zip(spectrum.samples.values()) {
+        let _ = writeln!(out, "{} {}", shortest(*nm), shortest(*value));
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+    use crate::io::write::tests::awkward_spectrum;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn pairs_and_comments_are_read() {
+        let reading = read_bytes("lamp.spd", b"# a lamp\n400 0.5 # first\n\n500\t1.5\n").unwrap();
+        assert_eq!(reading.format, "pbrt .spd");
+        assert_eq!(reading.spectra[0].samples.values(), [0.5, 1.5]);
+        assert_eq!(reading.spectra[0].kind, Kind::Light);
+    }
+
+    #[test]
+    fn optical_constants_are_neither_light_nor_reflectance() {
+        for name in ["Au.eta.spd", "Cu.k.spd"] {
+            let reading = read_bytes(name, b"400 0.5\n500 0.7\n").unwrap();
+            assert_eq!(reading.spectra[0].kind, Kind::Other);
+            assert!(reading.spectra[0].notes.iter().any(|n| n.contains("file's name")));
+        }
+    }
+
+    #[test]
+    fn anything_but_pairs_is_refused_with_its_line() {
+        let refusal = |text: &str| read_bytes("a.spd", text.as_bytes()).unwrap_err().to_string();
+        assert_eq!(
+            refusal("400 1\n500 abc\n"),
+            "a.spd, line 2: found \"abc\", expected a wavelength in nm and a value"
+        );
+        assert_eq!(
+            refusal("400 1\n500 1 2\n"),
+            "a.spd, line 2: found 3 numbers, expected a wavelength in nm and one value"
+        );
+        assert_eq!(
+            refusal("400 1\n500\n"),
+            "a.spd, line 2: found \"500\", expected a value after the wavelength"
+        );
+    }
+
+    #[test]
+    fn what_is_written_is_read_back_to_the_bit() {
+        for kind in [Kind::Light, Kind::Reflectance, Kind::Weighting] {
+            let spectrum = awkward_spectrum(kind);
+            let text = write(&spectrum, &Provenance::default());
+            let back = read_bytes("x.spd", text.as_bytes()).unwrap().spectra.remove(0);
+            assert_eq!(back.samples, spectrum.samples);
+            assert_eq!((back.kind, &back.name), (kind, &spectrum.name));
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! Writing spectra: which formats there are, what every export says, and numbers.
+
+use std::path::Path;
+
+use crate::spectrum::NamedSpectrum;
+
+use super::atomic::save_atomically;
+use super::error::WriteError;
+use super::input::name_of;
+use super::{csv, spd, spdx, spectrum_json};
+
+/// What every export says about itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Provenance {
+    /// Program and version ("spectral-explorer 1.0.0").
+    pub program: String,
+    /// Where the numbers come from; the spectrum's own source where empty.
+    pub source: String,
+    /// The scale in force in words ("as measured", "peak 1", "100 lx").
+    pub scale_words: String,
+    /// Settings of the model in words; empty where no model is written.
+    pub settings: String,
+}
+
+impl Provenance {
+    /// Keys and values about a spectrum, in the order written; empty ones left out, and no value
+    /// holds a line end.
+    pub fn of(&self, spectrum: &NamedSpectrum) -> Vec<(&'static str, String)> {
+        let Self {
+            program,
+            source: _,
+            scale_words,
+            settings,
+        } = self;
+        [
+            ("name", spectrum.name.as_str()),
+            ("kind", spectrum.kind.word()),
+            ("unit", &spectrum.unit),
+            ("source", self.source_of(spectrum)),
+            ("scale", scale_words),
+            ("settings", settings),
+            ("written by", program),
+        ]
+        .into_iter()
+        .map(|(key, value)| (key, one_line(value)))
+        .filter(|(_, value)| !value.is_empty())
+        .collect()
+    }
+
+    /// The source to state for a spectrum.
+    pub fn source_of<'a>(&'a self, spectrum: &'a NamedSpectrum) -> &'a str {
+        if self.source.is_empty() {
+            &spectrum.source
+        } else {
+            &self.source
+        }
+    }
+}
+
+/// A named column of an export. NaN is written as an empty cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Title above the column.
+    pub title: String,
+    /// One value each wavelength.
+    pub values: Vec<f64>,
+}
+
+/// What is written as CSV: columns on one grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Columns {
+    /// Wavelengths, nm.
+    pub nm: Vec<f64>,
+    /// The columns, each as long as `nm`.
+    pub columns: Vec<Column>,
+}
+
+impl Columns {
+    /// The measured samples of a spectrum alone.
+    pub fn measured(spectrum: &NamedSpectrum) -> Self {
+        Self {
+            nm: spectrum.samples.nm().to_vec(),
+            columns: vec![Column {
+                title: "measured".to_owned(),
+                values: spectrum.samples.values().to_vec(),
+            }],
+        }
+    }
+}
+
+/// Extensions that [`write_as`] knows, with the format's name for file dialogues.
+pub const WRITABLE: [(&str, &str); 4] = [
+    ("csv", "CSV"),
+    ("json", "spectrum JSON"),
+    ("spd", "pbrt .spd"),
+    ("spdx", "IES TM-27 .spdx"),
+];
+
+/// A spectrum in the format of an extension. `columns` is what CSV holds; other formats hold the
+/// measured samples.
+///
+/// # Errors
+/// The extensions that can be written, when this one cannot.
+pub fn encode(
+    extension: &str,
+    spectrum: &NamedSpectrum,
+    columns: &Columns,
+    provenance: &Provenance,
+) -> Result<String, String> {
+    match extension.to_lowercase().as_str() {
+        "csv" => Ok(csv::write(spectrum, columns, provenance)),
+        "json" => Ok(spectrum_json::write(spectrum, provenance)),
+        "spd" => Ok(spd::write(spectrum, provenance)),
+        "spdx" => Ok(spdx::write(spectrum, provenance)),
+        other => {
+            let known: Vec<String> = WRITABLE.iter().map(|(e, _)| format!(".{e}")).collect();
+            let found = if other.is_empty() {
+                "no extension".to_owned()
+            } else {
+                format!("extension .{}", one_line(other))
+            };
+            Err(format!("found {found}, expected one of {}", known.join(", ")))
+        }
+    }
+}
+
+/// Writes a spectrum in the format of the path's extension, in one step: the file is either the
+/// old one or the new one, never half of it.
+///
+/// # Errors
+/// [`WriteError`] for an extension that cannot be written or a place that cannot be written to.
+pub fn write_as(
+    path: &Path,
+    spectrum: &NamedSpectrum,
+    columns: &Columns,
+    provenance: &Provenance,
+) -> Result<(), WriteError> {
+    let extension = path
+        .extension()
+        .map(|e| e.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let text = encode(&extension, spectrum, columns, provenance)
+        .map_err(|why| WriteError::new(&name_of(path), why))?;
+    save_atomically(path, text.as_bytes())
+}
+
+/// The shortest decimals that read back to the same bits: `0.1`, `380`, `5e-324`, `-0`.
+pub fn shortest(value: f64) -> String {
+    let mut text = format!("{value:?}");
+    if text.ends_with(".0") {
+        text.truncate(text.len() - 2);
+    }
+    text
+}
+
+/// Text without line ends and other control characters.
+pub fn one_line(text: &str) -> String {
+    let text: String = text
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
+    text.trim().to_owned()
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::io::{read_bytes, read_path};
+    use crate::spectrum::{Kind, Sampled};
+
+    /// A spectrum with numbers and a name that are hard to write.
+    pub(crate) fn awkward_spectrum(kind: Kind) -> NamedSpectrum {
+        let nm = vec![360.0, 380.1, 404.656, 1e3 / 3.0 + 100.0, 780.0, 2500.25];
+        let values = vec![0.1 + 0.2, -0.0, 5e-324, 1.0 / 3.0, -1e-300, 1.25];
+        NamedSpectrum {
+            name: "Lampe <b> & \"no. 1\", käse; µ".to_owned(),
+            kind,
+            unit: if kind.is_factor() { "fraction" } else { "W m-2 nm-1" }.to_owned(),
+            scale: 1.0,
+            samples: Sampled::new(nm, values).unwrap(),
+            notes: Vec::new(),
+            source: "Own measurement".to_owned(),
+        }
+    }
+
+    fn bits(values: &[f64]) -> Vec<u64> {
+        values.iter().map(|v| v.to_bits()).collect()
+    }
+
+    #[test]
+    fn every_writer_is_read_back_to_the_same_bits() {
+        let provenance = Provenance {
+            program: "spectral-explorer 0.0.0".to_owned(),
+            source: String::new(),
+            scale_words: "as measured".to_owned(),
+            settings: "cosine, N = 7\n".to_owned(),
+        };
+        let folder = tempfile::tempdir().unwrap();
+        for (extension, _) in WRITABLE {
+            for kind in Kind::ALL {
+                let spectrum = awkward_spectrum(kind);
+                let columns = Columns::measured(&spectrum);
+                let path = folder.path().join(format!("x.{extension}"));
+                write_as(&path, &spectrum, &columns, &provenance).unwrap();
+                let reading = read_path(&path).unwrap();
+                let back = &reading.spectra[0];
+                assert_eq!(bits(back.samples.nm()), bits(spectrum.samples.nm()), "{extension}");
+                assert_eq!(bits(back.samples.values()), bits(spectrum.samples.values()), "{extension}");
+                assert_eq!(back.scale, 1.0);
+                if kind.is_factor() || kind == Kind::Light {
+                    assert_eq!((back.kind, &back.unit), (kind, &spectrum.unit), "{extension}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_extension_that_cannot_be_written_lists_those_that_can() {
+        let spectrum = awkward_spectrum(Kind::Light);
+        let columns = Columns::measured(&spectrum);
+        let error = write_as(Path::new("a.xyz"), &spectrum, &columns, &Provenance::default());
+        assert_eq!(
+            error.unwrap_err().to_string(),
+            "a.xyz: found extension .xyz, expected one of .csv, .json, .spd, .spdx"
+        );
+    }
+
+    #[test]
+    fn shortest_numbers_are_exact() {
+        for value in [0.1, 380.0, -0.0, 5e-324, f64::MAX, 1e21, 123_456_789.125] {
+            let back: f64 = shortest(value).parse().unwrap();
+            assert_eq!(back.to_bits(), value.to_bits());
+        }
+        assert_eq!(shortest(380.0), "380");
+        let text = read_bytes("a.csv", b"380,1\n381,2\n").unwrap();
+        assert_eq!(text.spectra.len(), 1);
+    }
+}
