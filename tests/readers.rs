@@ -1,1 +1,390 @@
+//! Readers against files that others wrote, and against rubbish.
+//!
+//! The real files lie outside the project under licences of their own; where their folder is not
+//! there, these stories say so and pass.
 
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proptest::prelude::*;
+use serde_json::Value;
+use spectral_explorer::io::{Guessed, Reading, read_bytes, read_path};
+use spectral_explorer::spectrum::{Kind, NamedSpectrum};
+
+/// Files that must read to the reference reading.
+const MUST_MATCH: [&str; 33] = [
+    "TM27_Sample_Spectral_Data.spdx",
+    "cie.stdillum.F11.spd",
+    "macbeth-1.spd",
+    "Au.eta.spd",
+    "ESPD2021_0104_231446.xls",
+    "licor-li1800-q-irrad.PRN",
+    "Osram.HQIT.400W.PRN",
+    "macam-e-irrad.DTA",
+    "ZERO-1.DTA",
+    "optronics-OL731.txt",
+    "Bentham_01_and_12.csv",
+    "OOusb4000.txt",
+    "OO_comma.txt",
+    "OceanView_nonEN.txt",
+    "LEDWhitesPlusCanaryYellow.txt",
+    "J_MUR_MARS_17_0001.ttt",
+    "avasoft8.txt",
+    "CRAIC_export.txt",
+    "UQG-UG1-2mm.CSV",
+    "Cherry_3C01_GT.csv",
+    "Yellow_101.csv",
+    "solux-4700K-stoft.csv",
+    "aster-Rpc-drygrass.txt",
+    "a.spectrum.txt",
+    "bkr1mm074ws.txt",
+    "ribb00001.asd.txt",
+    "asd-e-irrad-sky.csv2",
+    "gr070214_003.sig",
+    "CIE_illum_FLs.csv",
+    "Cu.k.spd",
+    "mitsuba_Au.eta.spd",
+    "mitsuba_Ag.k.spd",
+    "cie_d65_5nm.spdx",
+];
+
+/// Files that must read, with the number of spectra and of points in the first.
+const MUST_READ: [(&str, usize, usize); 17] = [
+    ("psi-spectrapen-SP.csv", 12, 256),
+    ("CIE_a-opic_action_spectra.csv", 5, 226),
+    ("linss2_10e_5.csv", 3, 89),
+    ("colorchecker_n_ohta_transposed.csv", 24, 81),
+    ("test.csv", 1, 16),
+    ("Clear_115um.txt", 1, 911),
+    ("Betula_leaf_yellow_2010_1006_1_LICOR.csv", 4, 0),
+    ("Quercus_leaf_sun_2010_0802_1_LICOR.csv", 4, 0),
+    ("BW-007-Clear-MRC-nano-1.2mm-46mm-ABS.CSV", 1, 911),
+    ("jazspec.jaz", 1, 2048),
+    ("FMNH6834.00000001.Master.Transmission", 1, 3648),
+    ("avantes_export2.trt", 1, 0),
+    ("feather_1.TXT", 1, 0),
+    ("cvars_grape_leaf1_lc_rg_01236.sed", 1, 2151),
+    ("iso7589_stutung_380_780_5.json", 1, 81),
+    ("licor-li180-irrad.txt", 1, 0),
+    ("flu1.txt", 1, 181),
+];
+
+/// Files that hold no spectrum, or one of a format refused by its name, and words of the refusal.
+const MUST_REFUSE: [(&str, &str); 20] = [
+    ("Invalid.spdx", "expected <IESTM2714>"),
+    ("argyll_output_read1.txt", "expected two or more columns"),
+    ("bad-input-test.txt", "expected"),
+    ("sekonic_c-700_5392K.csv", "expected"),
+    ("FReDflowerID_157.dx", "web page"),
+    (
+        "splib07a_Brick_GDS355_Paving_Dk_Gry_ASDFRa_AREF.txt",
+        "2151 lines of one number each",
+    ),
+    ("FBH450-10.xlsx", "Excel workbook"),
+    ("FBH660-10.xlsx", "Excel workbook"),
+    ("D65.exr", "OpenEXR"),
+    ("Ohta1997.exr", "OpenEXR"),
+    ("BiSpectral.exr", "OpenEXR"),
+    ("OceanOptics.spc", "Galactic"),
+    ("library_berlin.sli", "ENVI"),
+    ("library_berlin.hdr", "ENVI"),
+    ("optimized.sli", "ENVI"),
+    ("cubus_gamsberg_subset", "ENVI"),
+    ("uv.jdx", "JCAMP-DX"),
+    ("F8.sp", "Argyll"),
+    ("default.ti3", "Argyll"),
+    ("wasatch-enlighten-scope.json", "JSON with the keys"),
+];
+
+fn folder() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/real_files");
+    if folder.is_dir() {
+        Some(folder)
+    } else {
+        eprintln!("skipped: {} is not there", folder.display());
+        None
+    }
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
+}
+
+/// Whether a spectrum is the reference's: points, ends, and the sum of the file's own numbers.
+fn matches(spectrum: &NamedSpectrum, series: &Value) -> bool {
+    let number = |key: &str| series[key].as_f64().unwrap_or(f64::NAN);
+    let samples = &spectrum.samples;
+    let sum: f64 = samples.values().iter().map(|v| v / spectrum.scale).sum();
+    samples.len() as f64 == number("n")
+        && close(samples.first_nm(), number("first_wl"))
+        && close(samples.last_nm(), number("last_wl"))
+        && close(sum, number("sum_values"))
+}
+
+/// "matches", "expected otherwise" or "no reference".
+fn verdict(reading: &Reading, expected: &Value) -> &'static str {
+    match expected["series"].as_array() {
+        None => "no reference",
+        Some(series) => {
+            let found = |one| reading.spectra.iter().any(|s| matches(s, one));
+            if !series.is_empty() && series.iter().all(found) {
+                "matches"
+            } else {
+                "expected otherwise"
+            }
+        }
+    }
+}
+
+#[test]
+fn every_real_file_is_read_or_refused_in_one_line_that_names_it() {
+    let Some(folder) = folder() else { return };
+    let expected = json(&folder.join("expected_open.json"));
+    let index = json(&folder.join("INDEX.json"));
+    let mut failures = Vec::new();
+    for entry in index.as_array().unwrap() {
+        let name = entry["file"].as_str().unwrap();
+        let expected = &expected["files"][name];
+        match read_path(&folder.join(name)) {
+            Ok(reading) => {
+                let verdict = verdict(&reading, expected);
+                println!(
+                    "{name:52.52} {verdict:18} {} x {:60.60} [{}]",
+                    reading.spectra.len(),
+                    reading.notes[0],
+                    reading.format
+                );
+                let has_reference = expected["series"].is_array();
+                if MUST_MATCH.contains(&name) && has_reference && verdict != "matches" {
+                    failures.push(format!("{name}: {verdict}"));
+                }
+            }
+            Err(refusal) => {
+                let line = refusal.to_string();
+                println!("{name:52.52} refused            {line}");
+                if line.lines().count() != 1
+                    || !line.starts_with(name)
+                    || !line.contains("expected")
+                {
+                    failures.push(format!(
+                        "{name}: not one line with file and expectation: {line}"
+                    ));
+                }
+                if MUST_MATCH.contains(&name) {
+                    failures.push(line);
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+#[test]
+fn plain_tables_of_many_makers_are_read() {
+    let Some(folder) = folder() else { return };
+    for (name, spectra, points) in MUST_READ {
+        let reading = read_path(&folder.join(name)).unwrap();
+        assert_eq!(
+            reading.spectra.len(),
+            spectra,
+            "{name}: {:?}",
+            reading.notes
+        );
+        if points > 0 {
+            assert_eq!(reading.spectra[0].samples.len(), points, "{name}");
+        }
+    }
+}
+
+#[test]
+fn what_holds_no_spectrum_is_refused_by_what_it_is() {
+    let Some(folder) = folder() else { return };
+    for (name, words) in MUST_REFUSE {
+        let refusal = read_path(&folder.join(name)).unwrap_err().to_string();
+        assert!(refusal.contains(words), "{refusal}");
+    }
+}
+
+#[test]
+fn kinds_and_scales_of_real_files_are_told_by_their_words() {
+    let Some(folder) = folder() else { return };
+    for (name, kind, scale) in [
+        ("aster-Rpc-drygrass.txt", Kind::Reflectance, 0.01),
+        ("bkr1mm074ws.txt", Kind::Reflectance, 1.0),
+        ("UQG-UG1-2mm.CSV", Kind::Transmittance, 0.01),
+        ("Cherry_3C01_GT.csv", Kind::Transmittance, 0.01),
+        ("J_MUR_MARS_17_0001.ttt", Kind::Transmittance, 0.01),
+        ("CRAIC_export.txt", Kind::Reflectance, 0.01),
+        (
+            "Betula_leaf_yellow_2010_1006_1_LICOR.csv",
+            Kind::Reflectance,
+            1.0,
+        ),
+        ("cvars_grape_leaf1_lc_rg_01236.sed", Kind::Reflectance, 1.0),
+        ("LEDWhitesPlusCanaryYellow.txt", Kind::Light, 1.0),
+        ("optronics-OL731.txt", Kind::Light, 1.0),
+        ("psi-spectrapen-SP.csv", Kind::Light, 1.0),
+        ("TM27_Sample_Spectral_Data.spdx", Kind::Light, 1.0),
+        ("CIE_a-opic_action_spectra.csv", Kind::Weighting, 1.0),
+        ("linss2_10e_5.csv", Kind::Weighting, 1.0),
+        ("Au.eta.spd", Kind::Other, 1.0),
+        ("mitsuba_Ag.k.spd", Kind::Other, 1.0),
+        ("macbeth-1.spd", Kind::Reflectance, 1.0),
+    ] {
+        let reading = read_path(&folder.join(name)).unwrap();
+        let first = &reading.spectra[0];
+        assert_eq!(
+            (first.kind, first.scale),
+            (kind, scale),
+            "{name}: {:?}",
+            first.notes
+        );
+    }
+}
+
+#[test]
+fn what_was_guessed_can_be_flipped_and_what_is_stated_is_not_guessed() {
+    let guessed = |text: &str| {
+        let reading = read_bytes("a.csv", text.as_bytes()).unwrap();
+        reading.guesses.iter().map(|g| g.what).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        guessed("380,0.5\n385,0.6\n"),
+        [Guessed::WavelengthUnit, Guessed::Kind]
+    );
+    assert_eq!(
+        guessed("wavelength (nm),irradiance\n380,0.5\n385,0.6\n"),
+        []
+    );
+    assert_eq!(
+        guessed("wavelength (nm),reflectance\n380,50\n385,60\n"),
+        [Guessed::Percent]
+    );
+}
+
+#[test]
+fn a_large_table_is_read_in_time_that_grows_with_its_length_only() {
+    // A quadratic reader takes minutes over these; the limit is wide for slow machines.
+    let rows = 200_000;
+    let text: String = (0..rows)
+        .map(|i| format!("{},{}\n", 300.0 + 0.001 * f64::from(i), i % 97))
+        .collect();
+    let start = std::time::Instant::now();
+    let reading = read_bytes("large.csv", text.as_bytes()).unwrap();
+    assert_eq!(reading.spectra[0].samples.len(), rows as usize);
+    let took = start.elapsed();
+    println!("{:.0} MB/s", text.len() as f64 / 1e6 / took.as_secs_f64());
+    assert!(took.as_secs() < 20, "{took:?}");
+}
+
+/// Names that lead to each reader.
+fn names() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec![
+        "a.csv", "a.spd", "a.spdx", "a.json", "a.txt", "a", "a.dpt", "a.spc",
+    ])
+}
+
+/// Text of the pieces that tables are made of.
+fn table_like() -> impl Strategy<Value = String> {
+    let piece = prop::sample::select(vec![
+        "380",
+        "385",
+        "390.5",
+        "0,5",
+        "-1.23e34",
+        "NaN",
+        "abc",
+        "nm",
+        "%",
+        "#",
+        ";",
+        ",",
+        "\t",
+        " ",
+        "\n",
+        "\n",
+        "\r\n",
+        "\"",
+        "wavelength",
+        "{",
+        "}",
+        "[",
+        "]",
+        ":",
+        "<IESTM2714>",
+        "cs1;",
+        "cosine;",
+        "1e308",
+        "-0",
+        "µ",
+        "\u{feff}",
+        "\0",
+        "0",
+        "1",
+        "2",
+        "3",
+    ]);
+    prop::collection::vec(piece, 0..200).prop_map(|pieces| pieces.concat())
+}
+
+fn is_refused_well(name: &str, bytes: &[u8]) -> Result<(), TestCaseError> {
+    match read_bytes(name, bytes) {
+        Ok(reading) => {
+            prop_assert!(!reading.notes.is_empty());
+            prop_assert!(!reading.spectra.is_empty() || !reading.composites.is_empty());
+        }
+        Err(refusal) => {
+            let line = refusal.to_string();
+            prop_assert_eq!(line.lines().count(), 1);
+            prop_assert!(line.starts_with(name) && line.contains(", expected "));
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn random_bytes_never_panic(name in names(), bytes in prop::collection::vec(any::<u8>(), 0..600)) {
+        is_refused_well(name, &bytes)?;
+    }
+
+    #[test]
+    fn random_text_never_panics(name in names(), text in "\\PC*") {
+        is_refused_well(name, text.as_bytes())?;
+    }
+
+    #[test]
+    fn text_like_tables_never_panics(name in names(), text in table_like()) {
+        is_refused_well(name, text.as_bytes())?;
+    }
+
+    #[test]
+    fn a_table_in_any_dialect_reads_to_the_same_numbers(
+        values in prop::collection::vec(-1e6..1e6f64, 5..40),
+        delimiter in prop::sample::select(vec![";", "\t", "  ", ","]),
+        comma in any::<bool>(),
+        falling in any::<bool>(),
+        end in prop::sample::select(vec!["\n", "\r\n", "\r"]),
+    ) {
+        let comma = comma && delimiter != ",";
+        let mut rows: Vec<String> = values
+            .iter()
+            .enumerate()
+            .map(|(i, v)| {
+                let row = format!("{}{delimiter}{v:?}", 380.5 + i as f64);
+                if comma { row.replace('.', ",") } else { row }
+            })
+            .collect();
+        if falling {
+            rows.reverse();
+        }
+        let text = format!("A header{end}{end}{}{end}", rows.join(end));
+        let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
+        prop_assert_eq!(reading.spectra[0].samples.values(), &values[..]);
+        prop_assert_eq!(reading.spectra[0].samples.first_nm(), 380.5);
+    }
+}

@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// How a light's numbers are shown; reflectances are always shown as measured.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Scale {
     /// The file's unit.

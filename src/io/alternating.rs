@@ -52,7 +52,11 @@ fn longest_run(text: &str, decimal_comma: bool) -> Lone<'_> {
         }
         run.header = header;
     }
-    if run.numbers.len() > best.numbers.len() { run } else { best }
+    if run.numbers.len() > best.numbers.len() {
+        run
+    } else {
+        best
+    }
 }
 
 /// How many lines hold one number each, and the first of them; `None` when hardly any do.
@@ -77,8 +81,20 @@ pub fn find(text: &str) -> Option<Pairs<'_>> {
             return None;
         }
         Some(Pairs {
-            values: run.numbers.iter().skip(skip + 1).step_by(2).copied().collect(),
-            lines: run.lines.iter().skip(skip + 1).step_by(2).copied().collect(),
+            values: run
+                .numbers
+                .iter()
+                .skip(skip + 1)
+                .step_by(2)
+                .copied()
+                .collect(),
+            lines: run
+                .lines
+                .iter()
+                .skip(skip + 1)
+                .step_by(2)
+                .copied()
+                .collect(),
             header: run.header,
             axis,
             decimal_comma,
@@ -120,13 +136,18 @@ mod tests {
         let text = "@19/5/1997\n#No Title\n 2.5E+02\n 0.0\n 2.51E+02\n 0.5\n 2.52E+02\n 1.0\n 2.53E+02\n 0.5\n 2.54E+02\n 0.25\n";
         let reading = read_bytes("a.DTA", text.as_bytes()).unwrap();
         assert_eq!(reading.spectra[0].samples.nm()[4], 254.0);
-        assert_eq!(reading.spectra[0].samples.values(), [0.0, 0.5, 1.0, 0.5, 0.25]);
+        assert_eq!(
+            reading.spectra[0].samples.values(),
+            [0.0, 0.5, 1.0, 0.5, 0.25]
+        );
     }
 
     #[test]
     fn values_without_wavelengths_are_refused_in_words() {
         let text = "Record 1\n".to_owned() + &"0.5\n0.6\n0.4\n".repeat(5);
-        let refusal = read_bytes("a.txt", text.as_bytes()).unwrap_err().to_string();
+        let refusal = read_bytes("a.txt", text.as_bytes())
+            .unwrap_err()
+            .to_string();
         assert_eq!(
             refusal,
             "a.txt, line 2: found 15 lines of one number each, expected a wavelength beside each value"

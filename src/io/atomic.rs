@@ -27,7 +27,10 @@ fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let folder = folder_of(&target);
     let old = fs::metadata(&target).ok().map(|about| about.permissions());
     if old.as_ref().is_some_and(fs::Permissions::readonly) {
-        return Err(Error::new(ErrorKind::PermissionDenied, "the file is read-only"));
+        return Err(Error::new(
+            ErrorKind::PermissionDenied,
+            "the file is read-only",
+        ));
     }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".saving-");
@@ -76,12 +79,21 @@ fn words(path: &Path, error: &Error) -> String {
         ErrorKind::NotFound => format!("found no folder {folder}, expected one that exists"),
         ErrorKind::NotADirectory => format!("found a file at {folder}, expected a folder"),
         ErrorKind::IsADirectory => "found a folder of this name, expected a file name".to_owned(),
-        ErrorKind::PermissionDenied => format!("found {folder} or the file read-only, expected permission to write there"),
-        ErrorKind::ReadOnlyFilesystem => format!("found a read-only disk at {folder}, expected one to write to"),
-        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            format!("found the disk full at {folder}, expected room for the file; nothing was changed")
+        ErrorKind::PermissionDenied => {
+            format!("found {folder} or the file read-only, expected permission to write there")
         }
-        ErrorKind::InvalidFilename => "found a file name this disk does not take, expected a shorter or plainer one".to_owned(),
+        ErrorKind::ReadOnlyFilesystem => {
+            format!("found a read-only disk at {folder}, expected one to write to")
+        }
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            format!(
+                "found the disk full at {folder}, expected room for the file; nothing was changed"
+            )
+        }
+        ErrorKind::InvalidFilename => {
+            "found a file name this disk does not take, expected a shorter or plainer one"
+                .to_owned()
+        }
         _ => format!("could not be saved in {folder}: {error}"),
     }
 }
@@ -104,7 +116,10 @@ mod tests {
     fn a_missing_folder_and_a_folder_of_that_name_are_refused_in_words() {
         let folder = tempfile::tempdir().unwrap();
         let missing = save_atomically(&folder.path().join("none").join("a.txt"), b"").unwrap_err();
-        assert!(missing.to_string().starts_with("a.txt: found no folder"), "{missing}");
+        assert!(
+            missing.to_string().starts_with("a.txt: found no folder"),
+            "{missing}"
+        );
         let taken = save_atomically(folder.path(), b"").unwrap_err().to_string();
         assert!(taken.contains("found a folder of this name"), "{taken}");
     }

@@ -1,21 +1,22 @@
 //! Plain columns: CSV, TSV and whatever else writes wavelengths and values as text.
 //!
-//! Nothing about the table is taken from the extension. [`pick`](super::pick) finds delimiter and
+//! Nothing about the table is taken from the extension. [`pick`] finds delimiter and
 //! decimal mark, [`table`](super::table) the blocks of numbers, [`titles`](super::titles) and
-//! [`layout`](super::layout) where the wavelengths are, [`meaning`](super::meaning) what the
+//! [`layout`] where the wavelengths are, [`meaning`](super::meaning) what the
 //! values stand for, [`curve`](super::curve) puts them in order. Each decision is a note, each
 //! guess a [`Guess`](super::Guess).
 
 use super::alternating;
 use super::dialect::Dialect;
-use super::draft::Draft;
+use super::draft::{Draft, header_field};
 use super::error::quoted;
 use super::layout::{self, Layout};
 use super::pick::{self, NoTable, Table};
 use super::roles::value_columns;
+use super::rows::{AlongRow, read_rows};
+use super::table::BadCell;
 use super::text::lines;
 use super::titles::Titles;
-use super::units::WavelengthUnit;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Plain columns of numbers.
@@ -51,11 +52,25 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut reading = Reading::default();
     let several = tables.len() > 1;
     for (number, table) in tables.iter().enumerate() {
-        let part = if several { format!(", table {}", number + 1) } else { String::new() };
+        let part = if several {
+            format!(", table {}", number + 1)
+        } else {
+            String::new()
+        };
         read_table(input, text, dialect, table, &part, &mut reading)?;
     }
     reading.notes.push(dialect.words());
     Ok(reading)
+}
+
+/// The refusal for a word among numbers.
+pub fn bad_cell(input: &Input, bad: &BadCell) -> ReadError {
+    input
+        .error(
+            quoted(&bad.text),
+            format!("a number in column {}", bad.column + 1),
+        )
+        .at_line(bad.line)
 }
 
 fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
@@ -63,13 +78,23 @@ fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
         NoTable::TooMany(too_many) => input
             .error("more than 64 million numbers", "a smaller table")
             .at_line(too_many.line),
-        NoTable::Bad(bad) => input
-            .error(quoted(&bad.text), format!("a number in column {}", bad.column + 1))
-            .at_line(bad.line),
-        NoTable::NoWavelengths { line } => input
+        NoTable::Bad(bad) => bad_cell(input, &bad),
+        NoTable::NoWavelengths {
+            line,
+            step_back: None,
+        } => input
             .error(
                 "numbers with no wavelengths among them",
                 "a column or row of wavelengths that rises or falls throughout",
+            )
+            .at_line(line),
+        NoTable::NoWavelengths {
+            step_back: Some((line, found, after)),
+            ..
+        } => input
+            .error(
+                format!("{found} after {after} in column 1"),
+                "wavelengths that rise or fall throughout",
             )
             .at_line(line),
         NoTable::NoRows => match alternating::lone_numbers(text) {
@@ -82,7 +107,11 @@ fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
             None => {
                 let first = lines(text).find(|(_, l)| !l.trim().is_empty());
                 let (line, found) = first.map_or((1, String::new()), |(n, l)| (n, quoted(l)));
-                let found = if found.is_empty() { "blank lines".to_owned() } else { format!("no table after {found}") };
+                let found = if found.is_empty() {
+                    "blank lines".to_owned()
+                } else {
+                    format!("no table after {found}")
+                };
                 input.error(found, A_TABLE).at_line(line)
             }
         },
@@ -104,14 +133,32 @@ fn read_table(
             let runs = layout::runs(&axis);
             let several = runs.len() > 1;
             for (number, run) in runs.into_iter().enumerate() {
-                let run_part = if several { format!("{part}, part {}", number + 1) } else { part.to_owned() };
-                let rows = Rows { wavelength: *wavelength, run, part: run_part };
+                let run_part = if several {
+                    format!("{part}, part {}", number + 1)
+                } else {
+                    part.to_owned()
+                };
+                let rows = Rows {
+                    wavelength: *wavelength,
+                    run,
+                    part: run_part,
+                };
                 read_columns(input, dialect, table, &axis, &rows, reading)?;
             }
             Ok(())
         }
-        Layout::Row { first, axis, from_row, says_nm } => {
-            let row = AlongRow { first: *first, axis, from_row: *from_row, says_nm: *says_nm };
+        Layout::Row {
+            first,
+            axis,
+            from_row,
+            says_nm,
+        } => {
+            let row = AlongRow {
+                first: *first,
+                axis,
+                from_row: *from_row,
+                says_nm: *says_nm,
+            };
             read_rows(input, text, dialect, table, &row, reading)
         }
     }
@@ -140,30 +187,40 @@ fn read_columns(
         .filter(|bad| bad.column == rows.wavelength || values.contains(&bad.column))
         .min_by_key(|bad| bad.line)
     {
-        return Err(refusal(input, "", NoTable::Bad(bad.clone())));
+        return Err(bad_cell(input, bad));
     }
     if values.is_empty() {
-        return Err(input.error("wavelengths and no values", A_TABLE).at_line(block.lines[0] as usize));
+        return Err(input
+            .error("wavelengths and no values", A_TABLE)
+            .at_line(block.lines[0] as usize));
     }
     let says_nm = block.columns[rows.wavelength].nanometres > 0;
     let title = titles.whole(rows.wavelength);
+    let stem = header_field(&block.header, "name:").unwrap_or(input.stem());
     for (number, column) in values.iter().enumerate() {
         let name = column_name(titles, *column, values.len(), number);
         let draft = Draft {
-            name: name_with_part(input.stem(), &name, &rows.part),
+            name: name_with_part(stem, &name, &rows.part),
             title: titles.whole(*column),
             axis_title: title.clone(),
             says_nm,
             header: &block.header,
             axis: &axis[rows.run.clone()],
-            values: block.column(*column).skip(rows.run.start).take(rows.run.len()).collect(),
+            values: block
+                .column(*column)
+                .skip(rows.run.start)
+                .take(rows.run.len())
+                .collect(),
             lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
             percent_signs: block.columns[*column].percents > 0,
             decimal_comma: dialect.decimal_comma,
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
         if values.len() > 1 && draft.values.iter().filter(|v| !v.is_nan()).count() < 2 {
-            reading.notes.push(format!("column {} holds no values and was left out", column + 1));
+            reading.notes.push(format!(
+                "column {} holds no values and was left out",
+                column + 1
+            ));
             continue;
         }
         draft.finish(input, reading)?;
@@ -179,8 +236,9 @@ fn read_columns(
 /// Title of a value column where it says more than what kind of value it is.
 fn column_name(titles: &Titles, column: usize, columns: usize, number: usize) -> String {
     let title = titles.names[column].trim();
-    let generic = super::meaning::kind_of_title(title).is_some()
-        || ["value", "values", "y", "data", "measured"].contains(&title.to_lowercase().as_str());
+    let generic = super::kinds::kind_of_title(title).is_some()
+        || title.len() == 1
+        || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str());
     match (title.is_empty(), columns) {
         (true, 1) => String::new(),
         (true, _) => format!("column {}", number + 1),
@@ -194,119 +252,5 @@ fn name_with_part(stem: &str, name: &str, part: &str) -> String {
         (true, _) => format!("{stem}{part}"),
         (false, true) => format!("{stem}, {name}{part}"),
         (false, false) => format!("{name}{part}"),
-    }
-}
-
-/// Wavelengths along a row.
-struct AlongRow<'a> {
-    first: usize,
-    axis: &'a [f64],
-    from_row: usize,
-    says_nm: bool,
-}
-
-fn read_rows(
-    input: &Input,
-    text: &str,
-    dialect: Dialect,
-    table: &Table,
-    along: &AlongRow,
-    reading: &mut Reading,
-) -> Result<(), ReadError> {
-    let block = &table.block;
-    let labels = row_labels(text, dialect, block.lines.as_slice(), along.first);
-    let kind_title = titles_before(table, along.first);
-    let columns = along.first..along.first + along.axis.len();
-    if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
-        return Err(refusal(input, "", NoTable::Bad(bad.clone())));
-    }
-    for row in along.from_row..block.rows() {
-        let label = labels.get(row).filter(|l| !l.is_empty());
-        let name = match label {
-            Some(label) if label.parse::<f64>().is_ok() => format!("{}, row {label}", input.stem()),
-            Some(label) => label.clone(),
-            None => format!("{}, row {}", input.stem(), row + 1 - along.from_row),
-        };
-        let draft = Draft {
-            name,
-            title: String::new(),
-            axis_title: kind_title.clone(),
-            says_nm: along.says_nm,
-            header: &block.header,
-            axis: along.axis,
-            values: block.row(row)[columns.clone()].to_vec(),
-            lines: std::slice::from_ref(&block.lines[row]),
-            percent_signs: false,
-            decimal_comma: dialect.decimal_comma,
-        };
-        if draft.values.iter().filter(|v| !v.is_nan()).count() < 2 {
-            reading.notes.push(format!("line {} holds no values and was left out", block.lines[row]));
-            continue;
-        }
-        draft.finish(input, reading)?;
-    }
-    reading.notes.push("wavelengths in a row, one spectrum in each further row".to_owned());
-    Ok(())
-}
-
-/// What stands before the wavelengths in their row ("wavelength (nm)").
-fn titles_before(table: &Table, first: usize) -> String {
-    (0..first).map(|c| table.titles.whole(c)).collect::<Vec<_>>().join(" ")
-}
-
-/// The words before the values in each row.
-fn row_labels(text: &str, dialect: Dialect, rows: &[u32], first: usize) -> Vec<String> {
-    let mut labels = Vec::with_capacity(rows.len());
-    let mut cells = Vec::new();
-    let mut wanted = rows.iter().copied().peekable();
-    for (line, content) in lines(text) {
-        let Some(next) = wanted.peek() else { break };
-        if line as u64 == u64::from(*next) {
-            wanted.next();
-            dialect.split(content.trim_matches(' '), &mut cells);
-            let words: Vec<&str> = cells.iter().take(first).copied().filter(|c| !c.is_empty()).collect();
-            labels.push(words.join(" "));
-        }
-    }
-    labels
-}
-
-/// The unit of an axis: told by its title or the header, else by its range.
-pub fn axis_unit(
-    title: &str,
-    header: &[(usize, &str)],
-    says_nm: bool,
-    file_is_dpt: bool,
-    range: (f64, f64),
-) -> (WavelengthUnit, bool, String) {
-    let makes_sense = |unit: WavelengthUnit| {
-        let (a, b) = (unit.to_nm(range.0), unit.to_nm(range.1));
-        a.min(b) >= 1.0 && a.max(b) <= 1e6
-    };
-    if says_nm {
-        return (WavelengthUnit::Nanometre, true, "the file's own labels".to_owned());
-    }
-    if let Some(unit) = WavelengthUnit::of_title(title).filter(|u| makes_sense(*u)) {
-        return (unit, true, "the column's title".to_owned());
-    }
-    let stated = header.iter().rev().find_map(|(_, line)| {
-        let lower = line.trim().to_lowercase();
-        let about_axis = super::units::names_wavelength(&lower) || lower.starts_with("x unit") || lower.starts_with("xunit");
-        WavelengthUnit::of_title(&lower).filter(|u| about_axis && makes_sense(*u))
-    });
-    if let Some(unit) = stated {
-        return (unit, true, "the header".to_owned());
-    }
-    if file_is_dpt {
-        let because = "Bruker's .dpt tables mostly count wave numbers; flip it if these are nm";
-        return (WavelengthUnit::PerCentimetre, false, because.to_owned());
-    }
-    match WavelengthUnit::of_range(range.0, range.1) {
-        Some(unit) => (unit, false, format!("the range {} to {}", range.0, range.1)),
-        None => (
-            WavelengthUnit::Nanometre,
-            false,
-            format!("no unit fits the range {} to {} well", range.0, range.1),
-        ),
     }
 }

@@ -223,14 +223,24 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
     } = file;
     let smooth = &composite.smooth;
     let finite = smooth.coefficients.iter().all(|c| c.is_finite())
-        && composite.spikes.iter().all(|s| s.at_nm.is_finite() && s.weight.is_finite());
+        && composite
+            .spikes
+            .iter()
+            .all(|s| s.at_nm.is_finite() && s.weight.is_finite());
     if !finite || smooth.coefficients.is_empty() {
-        return Err(WriteError::new(name, "found a coefficient or spike that is not finite, expected numbers"));
+        return Err(WriteError::new(
+            name,
+            "found a coefficient or spike that is not finite, expected numbers",
+        ));
     }
     let coefficients = match smooth.basis {
         Basis::Fourier => {
             let (a, b) = smooth.a_b();
-            Coefficients { a: Some(a), b: Some(b), c: None }
+            Coefficients {
+                a: Some(a),
+                b: Some(b),
+                c: None,
+            }
         }
         Basis::Cosine => Coefficients {
             c: Some(smooth.coefficients.clone()),
@@ -246,7 +256,10 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         spikes: composite
             .spikes
             .iter()
-            .map(|s| Line { at_nm: s.at_nm, weight: s.weight })
+            .map(|s| Line {
+                at_nm: s.at_nm,
+                weight: s.weight,
+            })
             .collect(),
         unit: unit.clone(),
         source: source.clone(),

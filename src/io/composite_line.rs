@@ -103,7 +103,10 @@ pub fn write(composite: &Composite) -> String {
 pub fn parse(text: &str) -> Result<Composite, LineError> {
     let fields: Vec<&str> = text.trim().split(';').map(str::trim).collect();
     if fields[0] != MARK {
-        return Err(trouble(quoted(fields[0]), "a line that begins with \"cs1;\""));
+        return Err(trouble(
+            quoted(fields[0]),
+            "a line that begins with \"cs1;\"",
+        ));
     }
     let (basis, range, coefficients, spikes) = match fields[..] {
         [_, basis, range, coefficients, spikes] => (basis, range, coefficients, spikes),
@@ -126,8 +129,7 @@ pub fn parse(text: &str) -> Result<Composite, LineError> {
         .split_whitespace()
         .map(parse_spike)
         .collect::<Result<_, _>>()?;
-    checked(band, basis, coefficients, spikes)
-        .map_err(|(found, expected)| trouble(found, expected))
+    checked(band, basis, coefficients, spikes).map_err(|(found, expected)| trouble(found, expected))
 }
 
 fn finite(word: &str, expected: &str) -> Result<f64, LineError> {
@@ -144,7 +146,8 @@ fn parse_range(range: &str) -> Result<Band, LineError> {
         finite(min.trim(), "a range in whole nm")?,
         finite(max.trim(), "a range in whole nm")?,
     );
-    Band::new(min, max).map_err(|error| trouble(format!("range {}", quoted(range)), error.to_string()))
+    Band::new(min, max)
+        .map_err(|error| trouble(format!("range {}", quoted(range)), error.to_string()))
 }
 
 fn parse_spike(word: &str) -> Result<Spike, LineError> {
@@ -172,20 +175,37 @@ mod tests {
         assert_eq!(composite.smooth.order(), 1);
         assert_eq!(composite.spikes[1].at_nm, 435.84);
         assert_eq!(write(&composite), line);
-        assert_eq!(parse("  cs1; cosine;380:780;\n1 2\n3;\n").unwrap().numbers(), 3);
+        assert_eq!(
+            parse("  cs1; cosine;380:780;\n1 2\n3;\n")
+                .unwrap()
+                .numbers(),
+            3
+        );
     }
 
     #[test]
     fn each_fault_is_named() {
         for (line, words) in [
-            ("cs2;x", "found \"cs2\", expected a line that begins with \"cs1;\""),
+            (
+                "cs2;x",
+                "found \"cs2\", expected a line that begins with \"cs1;\"",
+            ),
             ("cs1;fourier", "found 2 fields"),
-            ("cs1;sine;380:780;1;", "found basis \"sine\", expected fourier or cosine"),
+            (
+                "cs1;sine;380:780;1;",
+                "found basis \"sine\", expected fourier or cosine",
+            ),
             ("cs1;cosine;380-780;1;", "expected MIN:MAX in nm"),
             ("cs1;cosine;380:381;1;", "at least 20 nm"),
-            ("cs1;cosine;380:780;1 x;", "found \"x\", expected a number as coefficient"),
+            (
+                "cs1;cosine;380:780;1 x;",
+                "found \"x\", expected a number as coefficient",
+            ),
             ("cs1;cosine;380:780;;", "found 0 coefficients"),
-            ("cs1;cosine;380:780;1;404", "found spike \"404\", expected nm*weight"),
+            (
+                "cs1;cosine;380:780;1;404",
+                "found spike \"404\", expected nm*weight",
+            ),
             ("cs1;cosine;380:780;1;404*inf", "expected a spike's weight"),
         ] {
             let error = parse(line).unwrap_err().to_string();
@@ -218,7 +238,11 @@ mod tests {
                 Composite {
                     smooth: Series {
                         band: Band::VISIBLE,
-                        basis: if fourier { Basis::Fourier } else { Basis::Cosine },
+                        basis: if fourier {
+                            Basis::Fourier
+                        } else {
+                            Basis::Cosine
+                        },
                         coefficients,
                     },
                     spikes,
@@ -228,7 +252,14 @@ mod tests {
 
     fn all_bits(composite: &Composite) -> Vec<u64> {
         let spikes = composite.spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
-        composite.smooth.coefficients.iter().copied().chain(spikes).map(f64::to_bits).collect()
+        composite
+            .smooth
+            .coefficients
+            .iter()
+            .copied()
+            .chain(spikes)
+            .map(f64::to_bits)
+            .collect()
     }
 
     proptest! {

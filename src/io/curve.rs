@@ -27,7 +27,11 @@ pub enum Trouble {
     /// More than [`MOST_SAMPLES`].
     TooMany { found: usize },
     /// Wavelengths run to and fro; the first step backwards.
-    NotMonotonic { index: usize, nm: f64, after_nm: f64 },
+    NotMonotonic {
+        index: usize,
+        nm: f64,
+        after_nm: f64,
+    },
     /// A wavelength of zero or less.
     NotPositive { index: usize, nm: f64 },
 }
@@ -133,7 +137,13 @@ fn put_in_order(
     if reversals > 0 && reversals as f64 > MOST_REVERSALS * steps as f64 {
         let at = points
             .windows(2)
-            .position(|p| if falling { p[1].0 > p[0].0 } else { p[1].0 < p[0].0 })
+            .position(|p| {
+                if falling {
+                    p[1].0 > p[0].0
+                } else {
+                    p[1].0 < p[0].0
+                }
+            })
             .unwrap_or(0);
         return Err(Trouble::NotMonotonic {
             index: whence.get(at + 1).map_or(at + 1, |i| *i as usize),
@@ -166,7 +176,10 @@ fn average_doubles(points: &mut Vec<(f64, f64)>, notes: &mut Vec<String>) {
             points[from].1
         } else {
             // Divided first, so that the sum of two huge values stays finite.
-            points[from..from + count].iter().map(|p| p.1 / count as f64).sum()
+            points[from..from + count]
+                .iter()
+                .map(|p| p.1 / count as f64)
+                .sum()
         };
         points[kept] = (nm, value);
         kept += 1;
@@ -208,10 +221,17 @@ mod tests {
 
     #[test]
     fn two_detectors_that_overlap_are_put_in_order() {
-        let nm: Vec<f64> = (0..20).map(f64::from).map(|i| 900.0 + i).chain([915.5, 930.0]).collect();
+        let nm: Vec<f64> = (0..20)
+            .map(f64::from)
+            .map(|i| 900.0 + i)
+            .chain([915.5, 930.0])
+            .collect();
         let read = clean(&nm, &vec![1.0; nm.len()]).unwrap();
         assert_eq!(read.samples.len(), 22);
-        assert_eq!(read.notes, ["wavelengths step back once: put in rising order"]);
+        assert_eq!(
+            read.notes,
+            ["wavelengths step back once: put in rising order"]
+        );
     }
 
     #[test]

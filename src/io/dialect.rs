@@ -51,7 +51,11 @@ impl Dialect {
             Delimiter::Comma => "cells separated by comma",
             Delimiter::Space => "cells separated by blanks",
         };
-        let decimals = if self.decimal_comma { ", decimal comma" } else { "" };
+        let decimals = if self.decimal_comma {
+            ", decimal comma"
+        } else {
+            ""
+        };
         format!("{cells}{decimals}")
     }
 
@@ -95,7 +99,10 @@ fn unquoted(cell: &str) -> &str {
 
 /// Length without the empty cells at the end of a line.
 pub fn used(cells: &[&str]) -> usize {
-    cells.iter().rposition(|c| !c.is_empty()).map_or(0, |i| i + 1)
+    cells
+        .iter()
+        .rposition(|c| !c.is_empty())
+        .map_or(0, |i| i + 1)
 }
 
 #[cfg(test)]

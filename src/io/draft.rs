@@ -2,8 +2,9 @@
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
-use super::columns::axis_unit;
+use super::axis::{self, Axis, AxisUnit};
 use super::curve::{self, Trouble};
+use super::kinds;
 use super::meaning;
 use super::reading::provenance;
 use super::units::WavelengthUnit;
@@ -55,18 +56,24 @@ impl Draft<'_> {
             });
         };
 
-        let range = extent(self.axis);
-        let (unit, stated, because) = axis_unit(
-            &self.axis_title,
-            self.header,
-            self.says_nm,
-            input.has_extension("dpt"),
-            range,
-        );
+        let AxisUnit {
+            unit,
+            because,
+            stated,
+        } = axis::unit(&Axis {
+            title: &self.axis_title,
+            header: self.header,
+            says_nm: self.says_nm,
+            is_dpt: input.has_extension("dpt"),
+            range: extent(self.axis),
+        });
         if !stated {
             guess(Guessed::WavelengthUnit, unit.word(), &because, &mut notes);
         } else if unit != WavelengthUnit::Nanometre {
-            notes.push(format!("wavelengths converted from {} ({because})", unit.word()));
+            notes.push(format!(
+                "wavelengths converted from {} ({because})",
+                unit.word()
+            ));
         }
         let nm: Vec<f64> = match unit {
             WavelengthUnit::Nanometre => self.axis.to_vec(),
@@ -74,11 +81,12 @@ impl Draft<'_> {
         };
 
         drop_sentinels(&mut self.values, &mut notes);
-        let cleaned = curve::clean(&nm, &self.values).map_err(|trouble| self.trouble(input, trouble))?;
+        let cleaned =
+            curve::clean(&nm, &self.values).map_err(|trouble| self.trouble(input, trouble))?;
         notes.extend(cleaned.notes);
         let mut samples = cleaned.samples;
 
-        let found = meaning::kind(&self.title, self.header, &input.name, samples.values());
+        let found = kinds::kind(&self.title, self.header, &input.name, samples.values());
         if !found.stated {
             guess(Guessed::Kind, found.kind.word(), &found.because, &mut notes);
         }
@@ -95,7 +103,11 @@ impl Draft<'_> {
                 scale = 0.01;
                 samples = samples.scaled(scale);
             }
-            let chosen = if percent.percent { "percent" } else { "fraction" };
+            let chosen = if percent.percent {
+                "percent"
+            } else {
+                "fraction"
+            };
             if !percent.stated {
                 guess(Guessed::Percent, chosen, &percent.because, &mut notes);
             } else if percent.percent {
@@ -106,7 +118,11 @@ impl Draft<'_> {
             unit_of_values.clear();
         }
 
-        let comma = if self.decimal_comma { "decimal comma" } else { "" };
+        let comma = if self.decimal_comma {
+            "decimal comma"
+        } else {
+            ""
+        };
         let percent = if scale == 1.0 { "" } else { "from per cent" };
         let mut spectrum = NamedSpectrum {
             name: self.name,
@@ -115,7 +131,9 @@ impl Draft<'_> {
             scale,
             samples,
             notes: Vec::new(),
-            source: input.name.clone(),
+            source: header_field(self.header, "source:")
+                .unwrap_or(&input.name)
+                .to_owned(),
         };
         let line = provenance(&spectrum, &[percent, comma]);
         if index == 0 {
@@ -140,6 +158,15 @@ impl Draft<'_> {
     }
 }
 
+/// What a header line says behind a word ("name:", "source:"); upper or lower case.
+pub fn header_field<'a>(header: &[(usize, &'a str)], word: &str) -> Option<&'a str> {
+    header.iter().rev().find_map(|(_, line)| {
+        let start = line.trim_start().get(..word.len())?;
+        let value = line.trim_start()[word.len()..].trim();
+        (start.eq_ignore_ascii_case(word) && !value.is_empty()).then_some(value)
+    })
+}
+
 fn extent(axis: &[f64]) -> (f64, f64) {
     axis.iter()
         .filter(|x| !x.is_nan())
@@ -160,7 +187,9 @@ fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
             for v in values.iter_mut().filter(|v| **v == sentinel) {
                 *v = f64::NAN;
             }
-            notes.push(format!("{count} values of {sentinel} taken as not measured"));
+            notes.push(format!(
+                "{count} values of {sentinel} taken as not measured"
+            ));
         }
     }
 }

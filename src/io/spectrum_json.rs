@@ -67,7 +67,9 @@ fn sniff(input: &Input) -> Confidence {
 pub fn json_error(input: &Input, error: &serde_json::Error) -> ReadError {
     // The parser's sentence ends in "at line L column C" and mostly holds "X, expected Y".
     let text = error.to_string();
-    let text = text.rsplit_once(" at line ").map_or(&*text, |(head, _)| head);
+    let text = text
+        .rsplit_once(" at line ")
+        .map_or(&*text, |(head, _)| head);
     let (found, expected) = text
         .split_once(", expected ")
         .or_else(|| text.split_once(" expected "))
@@ -108,14 +110,22 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     if wavelengths_nm.len() != values.len() {
         return Err(input.error(
-            format!("{} wavelengths and {} values", wavelengths_nm.len(), values.len()),
+            format!(
+                "{} wavelengths and {} values",
+                wavelengths_nm.len(),
+                values.len()
+            ),
             "one value for each wavelength",
         ));
     }
     let cleaned = curve::clean(&wavelengths_nm, &values)
         .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
     let mut spectrum = NamedSpectrum {
-        name: if name.is_empty() { input.stem().to_owned() } else { name },
+        name: if name.is_empty() {
+            input.stem().to_owned()
+        } else {
+            name
+        },
         kind,
         unit,
         scale: 1.0,
@@ -161,12 +171,26 @@ mod tests {
     #[test]
     fn faults_are_named_with_their_line() {
         for (body, words) in [
-            ("\n\"wavelengths_nm\":[400,\"x\"],\"values\":[1,2]}", "line 2: found JSON with invalid type: string \"x\", expected f64"),
-            ("\"wavelengths_nm\":[400,500],\"values\":[1]}", "found 2 wavelengths and 1 values, expected one value for each wavelength"),
-            ("\"wavelengths_nm\":[400],\"values\":[1]}", "found 1 point with a wavelength and a value, expected at least 2"),
-            ("\"wavelengths_nm\":[400,500],\"values\":[1,1e999]}", "number out of range"),
+            (
+                "\n\"wavelengths_nm\":[400,\"x\"],\"values\":[1,2]}",
+                "line 2: found JSON with invalid type: string \"x\", expected f64",
+            ),
+            (
+                "\"wavelengths_nm\":[400,500],\"values\":[1]}",
+                "found 2 wavelengths and 1 values, expected one value for each wavelength",
+            ),
+            (
+                "\"wavelengths_nm\":[400],\"values\":[1]}",
+                "found 1 point with a wavelength and a value, expected at least 2",
+            ),
+            (
+                "\"wavelengths_nm\":[400,500],\"values\":[1,1e999]}",
+                "number out of range",
+            ),
         ] {
-            let refusal = read_bytes("a.json", (HEAD.to_owned() + body).as_bytes()).unwrap_err().to_string();
+            let refusal = read_bytes("a.json", (HEAD.to_owned() + body).as_bytes())
+                .unwrap_err()
+                .to_string();
             assert!(refusal.contains(words), "{refusal}");
         }
     }

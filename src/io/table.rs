@@ -37,6 +37,8 @@ pub struct BadCell {
     pub column: usize,
     /// The word.
     pub text: String,
+    /// Whether its line is a row beyond doubt: its first number carries the column on.
+    pub certain: bool,
 }
 
 /// A run of rows and the lines before it.
@@ -89,30 +91,26 @@ impl<'a> Block<'a> {
         self.cells.iter().skip(column).step_by(self.width).copied()
     }
 
-    /// A part of the rows as a block of its own, under the same header.
-    pub fn part(&self, rows: std::ops::Range<usize>) -> Self {
-        let cells = self.cells[rows.start * self.width..rows.end * self.width].to_vec();
-        Self {
-            cells,
-            lines: self.lines[rows].to_vec(),
-            ..Self::new(self.header.clone(), self.width, self.first_row)
-        }
-        .recounted()
+    /// Whether a column counts the rows, from 0 or 1.
+    pub fn counts_rows(&self, column: usize) -> bool {
+        let first = self.row(0)[column];
+        (first == 0.0 || first == 1.0)
+            && self
+                .column(column)
+                .enumerate()
+                .all(|(row, v)| v == first + row as f64)
     }
 
-    /// Counts a part's numbers; words were gone with the whole block's check.
-    fn recounted(mut self) -> Self {
-        for column in 0..self.width {
-            self.columns[column].numbers = self.column(column).filter(|v| !v.is_nan()).count();
-        }
-        self
+    /// Whether a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
+    /// where the block has shown its width.
+    fn takes(&self, used: usize, all: usize) -> bool {
+        used == self.width || used < self.width && (all == self.width || self.rows() >= 3)
     }
 
     fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
         self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
-        for column in 0..self.width {
+        for (column, stats) in self.columns.iter_mut().enumerate() {
             let kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
-            let stats = &mut self.columns[column];
             let value = match kind {
                 Cell::Number(v) => v,
                 Cell::Percent(v) => {
@@ -131,6 +129,7 @@ impl<'a> Block<'a> {
                             line,
                             column,
                             text: cells[column].to_owned(),
+                            certain: true,
                         });
                     }
                     f64::NAN
@@ -187,7 +186,7 @@ pub fn scan<'a>(text: &'a str, dialect: Dialect) -> Result<Scan<'a>, TooManyCell
         let is_row = looks_like_row(&kinds);
         let used = used(&cells);
         if let Some(open) = &mut block {
-            if is_row && used <= open.width && (used == open.width || open.rows() >= 3) {
+            if is_row && open.takes(used, cells.len()) {
                 held += open.width;
                 open.push(line, &cells, &kinds);
             } else {
@@ -227,8 +226,8 @@ fn comment(content: &str) -> Option<&str> {
     let body = ["#", "//", "%", ";"]
         .iter()
         .find_map(|mark| content.strip_prefix(mark))?;
-    let starts_row = content.starts_with(';')
-        && body.trim_start().starts_with(|c: char| c.is_ascii_digit());
+    let starts_row =
+        content.starts_with(';') && body.trim_start().starts_with(|c: char| c.is_ascii_digit());
     (!starts_row).then(|| body.trim_start_matches(['#', '/', '%', ';']).trim_ascii())
 }
 
@@ -244,25 +243,78 @@ fn looks_like_row(kinds: &[Cell]) -> bool {
         }
     }
     // A wavelength with nothing but empty cells behind it is a row with every value missing.
-    let lone = numbers == 1 && texts == 0 && first_gap_or_empty > 0 && kinds.len() > 1
+    let lone = numbers == 1
+        && texts == 0
+        && first_gap_or_empty > 0
+        && kinds.len() > 1
         && matches!(kinds[0], Cell::Number(_));
     texts <= numbers && (numbers + gaps >= 2 && numbers >= 1 || lone)
 }
 
-/// A line of the block's width with numbers and words where only numbers stood.
+/// A line of the block's width with numbers and words, where only numbers stood.
+///
+/// Either its first number carries the first column on, or a word with digits in it stands there
+/// ("38x") and the block may tell by what follows.
 fn row_gone_wrong(block: &Block, line: usize, cells: &[&str], kinds: &[Cell]) -> Option<BadCell> {
-    if used(cells) != block.width || block.rows() < 3 {
+    if used(cells) != block.width || block.rows() < 2 {
         return None;
     }
-    kinds
+    let column = kinds
         .iter()
         .zip(&block.columns)
-        .position(|(kind, column)| matches!(kind, Cell::Text) && column.numbers > 0)
-        .map(|column| BadCell {
+        .position(|(kind, column)| matches!(kind, Cell::Text) && column.numbers > 0)?;
+    let certain = match kinds[0] {
+        Cell::Number(first) | Cell::Nanometres(first) => {
+            let end = block.rows() - 1;
+            if !carries_on(block.row(end - 1)[0], block.row(end)[0], first) {
+                return None;
+            }
+            true
+        }
+        Cell::Text if cells[0].contains(|c: char| c.is_ascii_digit()) => false,
+        _ => return None,
+    };
+    kinds
+        .iter()
+        .any(|kind| matches!(kind, Cell::Number(_)))
+        .then(|| BadCell {
             line,
             column,
             text: cells[column].to_owned(),
+            certain,
         })
+}
+
+/// Whether `next` follows two numbers of a column: the same way on, and by no more than a few
+/// steps.
+pub fn carries_on(before: f64, last: f64, next: f64) -> bool {
+    let step = last - before;
+    (next - last) * step > 0.0 && (next - last).abs() <= 20.0 * step.abs()
+}
+
+/// The line above a block, if it is a row of it that holds a word.
+pub fn row_gone_wrong_above(block: &Block, dialect: Dialect) -> Option<BadCell> {
+    let (line, content) = block.header.last()?;
+    let mut cells = Vec::new();
+    dialect.split(content, &mut cells);
+    let Cell::Number(first) = number::parse(cells[..].first()?, dialect.decimal_comma) else {
+        return None;
+    };
+    if used(&cells) != block.width || !carries_on(block.row(1)[0], block.row(0)[0], first) {
+        return None;
+    }
+    let column = cells
+        .iter()
+        .zip(&block.columns)
+        .position(|(cell, column)| {
+            matches!(number::parse(cell, dialect.decimal_comma), Cell::Text) && column.numbers > 0
+        })?;
+    Some(BadCell {
+        line: *line,
+        column,
+        text: cells[column].to_owned(),
+        certain: true,
+    })
 }
 
 fn close<'a>(
@@ -311,7 +363,12 @@ mod tests {
         assert_eq!(found[0].lines, [5, 7]);
         assert_eq!(
             found[0].header,
-            [(1, "Lamp A"), (2, "note"), (3, "Index,13,14"), (4, "nm,a,b")]
+            [
+                (1, "Lamp A"),
+                (2, "note"),
+                (3, "Index,13,14"),
+                (4, "nm,a,b")
+            ]
         );
     }
 
@@ -333,9 +390,18 @@ mod tests {
             [BadCell {
                 line: 4,
                 column: 1,
-                text: "abc".to_owned()
+                text: "abc".to_owned(),
+                certain: true,
             }]
         );
+    }
+
+    #[test]
+    fn a_remark_that_only_some_rows_have_does_not_break_the_table() {
+        let found = blocks("380,1,\n381,2,peak\n382,3,\n383,4,\n");
+        assert_eq!((found.len(), found[0].rows()), (1, 4));
+        let found = blocks("0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n");
+        assert_eq!((found.len(), found[0].rows()), (1, 4));
     }
 
     #[test]

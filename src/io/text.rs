@@ -109,7 +109,12 @@ impl<'a> Iterator for Lines<'a> {
             self.rest = None;
             return (!rest.is_empty()).then_some((self.number, rest));
         };
-        let past = end + if rest[end..].starts_with("\r\n") { 2 } else { 1 };
+        let past = end
+            + if rest[end..].starts_with("\r\n") {
+                2
+            } else {
+                1
+            };
         self.rest = Some(&rest[past..]);
         Some((self.number, &rest[..end]))
     }

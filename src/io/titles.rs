@@ -40,8 +40,10 @@ impl Titles {
             units: vec![String::new(); width],
         };
         let mut next_above = true;
+        // Rows that begin with a name or a count are titled from the second column on.
+        let row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
         for (_, line) in block.header.iter().rev().take(12) {
-            let Some(cells) = cells_for(line, dialect, width) else {
+            let Some(cells) = cells_for(line, dialect, width, row_names) else {
                 next_above = false;
                 continue;
             };
@@ -50,9 +52,11 @@ impl Titles {
                 found.units = cells;
             } else if filled < 2 && width > 2 {
                 // A row of empty cells ("Name,,,,"): look above it.
-            } else if next_above || names_wavelength(&cells[0]) {
+            } else if (next_above || names_wavelength(&cells[0])) && !is_key_and_number(&cells) {
                 found.names = with_label(cells);
                 break;
+            } else {
+                next_above = false;
             }
         }
         found
@@ -60,7 +64,7 @@ impl Titles {
 }
 
 /// A line's cells, one for each column, or `None` when it cannot be a line of titles.
-fn cells_for(line: &str, dialect: Dialect, width: usize) -> Option<Vec<String>> {
+fn cells_for(line: &str, dialect: Dialect, width: usize, row_names: bool) -> Option<Vec<String>> {
     let mut cells = Vec::new();
     dialect.split(line, &mut cells);
     let filled = used(&cells);
@@ -71,7 +75,9 @@ fn cells_for(line: &str, dialect: Dialect, width: usize) -> Option<Vec<String>> 
         cells.extend(line.split(apart).map(str::trim).filter(|c| !c.is_empty()));
     }
     let filled = used(&cells);
-    let bracketed = cells.first().is_some_and(|c| c.starts_with('[') && names_wavelength(c));
+    let bracketed = cells
+        .first()
+        .is_some_and(|c| c.starts_with('[') && names_wavelength(c));
     let whole = cells.len() >= width && filled <= width.max(1);
     // Tables written with row names have no title above the first column.
     let one_less = filled + 1 == width && filled >= 2;
@@ -81,10 +87,15 @@ fn cells_for(line: &str, dialect: Dialect, width: usize) -> Option<Vec<String>> 
         return None;
     }
     let mut titles: Vec<String> = Vec::with_capacity(width);
-    if one_less && cells.len() < width && !names_wavelength(cells[0]) {
+    if one_less && cells.len() < width && row_names {
         titles.push(String::new());
     }
-    titles.extend(cells.iter().take(filled).map(|c| c.trim_matches('"').trim().to_owned()));
+    titles.extend(
+        cells
+            .iter()
+            .take(filled)
+            .map(|c| c.trim_matches('"').trim().to_owned()),
+    );
     titles.resize(width, String::new());
     Some(titles)
 }
@@ -97,15 +108,28 @@ fn is_unit_line(cells: &[String]) -> bool {
         })
 }
 
+/// A line such as "Integration time, 92.0" above two columns.
+fn is_key_and_number(cells: &[String]) -> bool {
+    cells.len() == 2 && !cells[1].contains(char::is_alphabetic)
+}
+
 /// Titles that are bare numbers take the first column's word: "Index 13".
 fn with_label(mut cells: Vec<String>) -> Vec<String> {
     let label = cells[0].clone();
     if label.is_empty() || names_wavelength(&label) || label.parse::<f64>().is_ok() {
+        for cell in cells
+            .iter_mut()
+            .filter(|c| !c.contains(char::is_alphabetic))
+        {
+            cell.clear();
+        }
         return cells;
     }
     for cell in &mut cells[1..] {
         if cell.parse::<f64>().is_ok() {
             *cell = format!("{label} {cell}");
+        } else if !cell.contains(char::is_alphabetic) {
+            cell.clear();
         }
     }
     cells
@@ -154,6 +178,14 @@ mod tests {
     }
 
     #[test]
+    fn a_setting_above_two_columns_is_no_title() {
+        for line in ["I-Time,92.0", "SSI1,---"] {
+            let found = titles(&format!("{line}\n380nm,1\n381nm,2\n"), Delimiter::Comma);
+            assert!(!found.any(), "{found:?}");
+        }
+    }
+
+    #[test]
     fn a_table_with_row_names_has_one_title_less() {
         let found = titles("nm lamp\n1 380 0.5\n2 385 0.6\n", Delimiter::Space);
         assert_eq!(found.names, ["", "nm", "lamp"]);
@@ -161,7 +193,10 @@ mod tests {
 
     #[test]
     fn titles_of_several_words_are_set_apart_by_wide_gaps() {
-        let found = titles("Wave length   Value of it\n380 0.5\n385 0.6\n", Delimiter::Space);
+        let found = titles(
+            "Wave length   Value of it\n380 0.5\n385 0.6\n",
+            Delimiter::Space,
+        );
         assert_eq!(found.names, ["Wave length", "Value of it"]);
     }
 }

@@ -62,12 +62,20 @@ impl WavelengthUnit {
         }
     }
 
-    /// The unit that a title of the wavelength column names ("Wavelength (nm)", "[um]", "Å").
+    /// The unit that a title of the wavelength column names (`Wavelength (nm)`, `[um]`, `Å`).
     pub fn of_title(title: &str) -> Option<Self> {
         let title = title.to_lowercase();
         let has = |words: &[&str]| words.iter().any(|w| title.contains(w));
         let tokens = || title.split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ');
-        if has(&["wavenumber", "wave number", "cm-1", "cm^-1", "cm⁻¹", "1/cm", "kayser"]) {
+        if has(&[
+            "wavenumber",
+            "wave number",
+            "cm-1",
+            "cm^-1",
+            "cm⁻¹",
+            "1/cm",
+            "kayser",
+        ]) {
             Some(Self::PerCentimetre)
         } else if has(&["nanomet"]) || tokens().any(|t| t == "nm") {
             Some(Self::Nanometre)
@@ -101,7 +109,10 @@ impl WavelengthUnit {
 
 /// Whether a column's title says that it is the wavelength axis.
 pub fn names_wavelength(title: &str) -> bool {
-    let title = title.trim().trim_matches(['"', '#', '[', ']', '(', ')']).to_lowercase();
+    let title = title
+        .trim()
+        .trim_matches(['"', '#', '[', ']', '(', ')'])
+        .to_lowercase();
     if matches!(
         title.trim(),
         "w" | "x" | "wl" | "nm" | "um" | "µm" | "w.length" | "λ" | "lam" | "cm-1" | "wn" | "ev"
@@ -146,7 +157,10 @@ mod tests {
         use WavelengthUnit::*;
         assert_eq!(WavelengthUnit::of_range(0.35, 2.5), Some(Micrometre));
         assert_eq!(WavelengthUnit::of_range(380.0, 780.0), Some(Nanometre));
-        assert_eq!(WavelengthUnit::of_range(4000.0, 25_000.0), Some(PerCentimetre));
+        assert_eq!(
+            WavelengthUnit::of_range(4000.0, 25_000.0),
+            Some(PerCentimetre)
+        );
         assert_eq!(WavelengthUnit::of_range(0.0, 400.0), None);
     }
 
@@ -161,7 +175,16 @@ mod tests {
 
     #[test]
     fn the_wavelength_column_is_known_by_its_title() {
-        for title in ["wl", "w.length", "Wave", "[nm]", "Wvl", "LOWER WVL", "\"Wavelength\"", "nm"] {
+        for title in [
+            "wl",
+            "w.length",
+            "Wave",
+            "[nm]",
+            "Wvl",
+            "LOWER WVL",
+            "\"Wavelength\"",
+            "nm",
+        ] {
             assert!(names_wavelength(title), "{title}");
         }
         for title in ["R(adaxial)", "white", "Transmittance(%)", "watt"] {

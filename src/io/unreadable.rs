@@ -1,6 +1,6 @@
 //! Formats that are known by their content and not read: refused by their name.
 
-use super::{Confidence, Format, Input, Reading, ReadError};
+use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Recognises files of other kinds so that they are refused in plain words.
 pub const FORMAT: Format = Format {
@@ -74,7 +74,7 @@ fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
 fn is_galactic(input: &Input) -> bool {
     input.has_extension("spc")
         && input.text().is_none()
-        && matches!(input.bytes.get(1), Some(0x4b | 0x4c | 0x4d))
+        && matches!(input.bytes.get(1), Some(0x4b..=0x4d))
 }
 
 /// A zip archive, told by the names of its first members.
@@ -120,27 +120,51 @@ fn known_text(input: &Input) -> Option<(&'static str, &'static str)> {
     let first = head.lines().next().unwrap_or("").trim();
     let lower = head.get(..head.floor_char_boundary(512))?.to_lowercase();
     let first_word = first.split_whitespace().next().unwrap_or("");
-    let (found, expected) = if first.starts_with("##") && head.contains('=') && first.contains("TITLE")
-    {
-        ("a JCAMP-DX file", NOT_YET)
-    } else if matches!(first_word, "SPECT" | "CCSS" | "CCMX" | "CTI1" | "CTI2" | "CTI3" | "CAL" | "CGATS.17" | "CGATS.5" | "IT8.7/1" | "IT8.7/2" | "IT8.7/3" | "IT8.7/4")
-        || first.starts_with("LGOROWLENGTH")
-        || head.contains("BEGIN_DATA_FORMAT")
-    {
-        ("an Argyll or CGATS file", NOT_YET)
-    } else if first == "ENVI" {
-        ("an ENVI header", NOT_YET)
-    } else if head.contains("SPDXVersion") || head.contains("spdxVersion") || head.contains("spdx.org/rdf") {
-        ("an SPDX software licence document", "an IES TM-27 .spdx spectrum")
-    } else if lower.starts_with("<!doctype html") || lower.starts_with("<html") || lower.starts_with("<br") {
-        ("a web page (HTML)", A_SPECTRUM)
-    } else if lower.starts_with("<svg") || lower.contains("<svg ") && lower.starts_with("<?xml") {
-        ("an SVG drawing", A_SPECTRUM)
-    } else if first.starts_with("{\\rtf") {
-        ("a rich text document (.rtf)", AS_CSV)
-    } else {
-        return None;
-    };
+    let (found, expected) =
+        if first.starts_with("##") && head.contains('=') && first.contains("TITLE") {
+            ("a JCAMP-DX file", NOT_YET)
+        } else if matches!(
+            first_word,
+            "SPECT"
+                | "CCSS"
+                | "CCMX"
+                | "CTI1"
+                | "CTI2"
+                | "CTI3"
+                | "CAL"
+                | "CGATS.17"
+                | "CGATS.5"
+                | "IT8.7/1"
+                | "IT8.7/2"
+                | "IT8.7/3"
+                | "IT8.7/4"
+        ) || first.starts_with("LGOROWLENGTH")
+            || head.contains("BEGIN_DATA_FORMAT")
+        {
+            ("an Argyll or CGATS file", NOT_YET)
+        } else if first == "ENVI" {
+            ("an ENVI header", NOT_YET)
+        } else if head.contains("SPDXVersion")
+            || head.contains("spdxVersion")
+            || head.contains("spdx.org/rdf")
+        {
+            (
+                "an SPDX software licence document",
+                "an IES TM-27 .spdx spectrum",
+            )
+        } else if lower.starts_with("<!doctype html")
+            || lower.starts_with("<html")
+            || lower.starts_with("<br")
+        {
+            ("a web page (HTML)", A_SPECTRUM)
+        } else if lower.starts_with("<svg") || lower.contains("<svg ") && lower.starts_with("<?xml")
+        {
+            ("an SVG drawing", A_SPECTRUM)
+        } else if first.starts_with("{\\rtf") {
+            ("a rich text document (.rtf)", AS_CSV)
+        } else {
+            return None;
+        };
     Some((found, expected))
 }
 
@@ -151,7 +175,11 @@ mod tests {
     #[test]
     fn files_of_other_kinds_are_refused_by_name() {
         for (name, bytes, words) in [
-            ("a.xlsx", b"PK\x03\x04....xl/workbook.xml".as_slice(), "Excel workbook"),
+            (
+                "a.xlsx",
+                b"PK\x03\x04....xl/workbook.xml".as_slice(),
+                "Excel workbook",
+            ),
             ("a.zip", b"PK\x03\x04....", "zip archive"),
             ("a.exr", b"\x76\x2f\x31\x01\x02", "OpenEXR"),
             ("a.png", b"\x89PNG\r\n\x1a\n", "PNG"),

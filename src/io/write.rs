@@ -7,7 +7,7 @@ use crate::spectrum::NamedSpectrum;
 use super::atomic::save_atomically;
 use super::error::WriteError;
 use super::input::name_of;
-use super::{csv, spd, spdx, spectrum_json};
+use super::{csv, spd, spdx_write, spectrum_json};
 
 /// What every export says about itself.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -111,7 +111,7 @@ pub fn encode(
         "csv" => Ok(csv::write(spectrum, columns, provenance)),
         "json" => Ok(spectrum_json::write(spectrum, provenance)),
         "spd" => Ok(spd::write(spectrum, provenance)),
-        "spdx" => Ok(spdx::write(spectrum, provenance)),
+        "spdx" => Ok(spdx_write::write(spectrum, provenance)),
         other => {
             let known: Vec<String> = WRITABLE.iter().map(|(e, _)| format!(".{e}")).collect();
             let found = if other.is_empty() {
@@ -119,7 +119,10 @@ pub fn encode(
             } else {
                 format!("extension .{}", one_line(other))
             };
-            Err(format!("found {found}, expected one of {}", known.join(", ")))
+            Err(format!(
+                "found {found}, expected one of {}",
+                known.join(", ")
+            ))
         }
     }
 }
@@ -175,7 +178,12 @@ pub(crate) mod tests {
         NamedSpectrum {
             name: "Lampe <b> & \"no. 1\", käse; µ".to_owned(),
             kind,
-            unit: if kind.is_factor() { "fraction" } else { "W m-2 nm-1" }.to_owned(),
+            unit: if kind.is_factor() {
+                "fraction"
+            } else {
+                "W m-2 nm-1"
+            }
+            .to_owned(),
             scale: 1.0,
             samples: Sampled::new(nm, values).unwrap(),
             notes: Vec::new(),
@@ -204,11 +212,23 @@ pub(crate) mod tests {
                 write_as(&path, &spectrum, &columns, &provenance).unwrap();
                 let reading = read_path(&path).unwrap();
                 let back = &reading.spectra[0];
-                assert_eq!(bits(back.samples.nm()), bits(spectrum.samples.nm()), "{extension}");
-                assert_eq!(bits(back.samples.values()), bits(spectrum.samples.values()), "{extension}");
+                assert_eq!(
+                    bits(back.samples.nm()),
+                    bits(spectrum.samples.nm()),
+                    "{extension}"
+                );
+                assert_eq!(
+                    bits(back.samples.values()),
+                    bits(spectrum.samples.values()),
+                    "{extension}"
+                );
                 assert_eq!(back.scale, 1.0);
                 if kind.is_factor() || kind == Kind::Light {
-                    assert_eq!((back.kind, &back.unit), (kind, &spectrum.unit), "{extension}");
+                    assert_eq!(
+                        (back.kind, &back.unit),
+                        (kind, &spectrum.unit),
+                        "{extension}"
+                    );
                 }
             }
         }
@@ -218,7 +238,12 @@ pub(crate) mod tests {
     fn an_extension_that_cannot_be_written_lists_those_that_can() {
         let spectrum = awkward_spectrum(Kind::Light);
         let columns = Columns::measured(&spectrum);
-        let error = write_as(Path::new("a.xyz"), &spectrum, &columns, &Provenance::default());
+        let error = write_as(
+            Path::new("a.xyz"),
+            &spectrum,
+            &columns,
+            &Provenance::default(),
+        );
         assert_eq!(
             error.unwrap_err().to_string(),
             "a.xyz: found extension .xyz, expected one of .csv, .json, .spd, .spdx"

@@ -1,0 +1,341 @@
+//! What can be taken out of the program, each with units, scale, provenance and version.
+
+use std::fmt::Write as _;
+
+use super::{
+    chart::spectrum_chart,
+    derived::PatchPair,
+    plot_svg::Theme,
+    state::App,
+    workspace,
+};
+use crate::{
+    io::{
+        CompositeFile, Provenance, composite_json, composite_line,
+        write::{Column, Columns, encode, shortest},
+    },
+    spectrum::{NamedSpectrum, Sampled},
+};
+
+/// A text that can be saved or copied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Export {
+    /// The composite as JSON, bit-exact.
+    CompositeJson,
+    /// The composite in one line, to paste into a message.
+    CompositeLine,
+    /// Measured, model, smooth part, spikes and residual on the 1 nm grid.
+    Csv,
+    /// The reconstruction as pairs for pbrt and Mitsuba.
+    Spd,
+    /// The measured spectrum as IES TM-27.
+    Spdx,
+    /// The measured spectrum as our JSON.
+    SpectrumJson,
+    /// The patches' colours and errors.
+    PatchesCsv,
+    /// The spikes.
+    SpikesCsv,
+    /// The error against the order.
+    CurveCsv,
+    /// The plot as SVG.
+    PlotSvg,
+    /// Everything, to open again.
+    Project,
+}
+
+impl Export {
+    /// Everything that the menu offers to save as text, in its order.
+    pub const ALL: [Self; 11] = [
+        Self::CompositeJson,
+        Self::CompositeLine,
+        Self::Csv,
+        Self::Spd,
+        Self::Spdx,
+        Self::SpectrumJson,
+        Self::PatchesCsv,
+        Self::SpikesCsv,
+        Self::CurveCsv,
+        Self::PlotSvg,
+        Self::Project,
+    ];
+
+    /// What the menu calls it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::CompositeJson => "Composite (JSON)",
+            Self::CompositeLine => "Composite (one line)",
+            Self::Csv => "Spectrum and model (CSV)",
+            Self::Spd => "Reconstruction (.spd)",
+            Self::Spdx => "Measured spectrum (.spdx)",
+            Self::SpectrumJson => "Measured spectrum (JSON)",
+            Self::PatchesCsv => "Patches (CSV)",
+            Self::SpikesCsv => "Spikes (CSV)",
+            Self::CurveCsv => "Error against order (CSV)",
+            Self::PlotSvg => "Plot (SVG)",
+            Self::Project => "Project",
+        }
+    }
+
+    /// The extension of its file.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::CompositeJson | Self::SpectrumJson | Self::Project => "json",
+            Self::CompositeLine => "txt",
+            Self::Csv | Self::PatchesCsv | Self::SpikesCsv | Self::CurveCsv => "csv",
+            Self::Spd => "spd",
+            Self::Spdx => "spdx",
+            Self::PlotSvg => "svg",
+        }
+    }
+
+    /// A name for the file: the spectrum's, with what the file holds.
+    pub fn suggested_name(self, app: &App) -> String {
+        let part = match self {
+            Self::CompositeJson | Self::CompositeLine => "-composite",
+            Self::Csv => "-model",
+            Self::Spd => "-reconstruction",
+            Self::Spdx | Self::SpectrumJson | Self::PlotSvg => "",
+            Self::PatchesCsv => "-patches",
+            Self::SpikesCsv => "-spikes",
+            Self::CurveCsv => "-error-against-order",
+            Self::Project => "-project",
+        };
+        format!("{}{part}.{}", file_stem(app), self.extension())
+    }
+
+    /// The text itself. `theme` only matters for pictures.
+    ///
+    /// # Errors
+    /// One line when the result holds a number that the format cannot.
+    pub fn text(self, app: &App, theme: Theme) -> Result<String, String> {
+        let (document, derived) = (app.document(), app.derived());
+        match self {
+            Self::CompositeJson => {
+                composite_json::write(&composite_file(app)).map_err(|e| e.to_string())
+            }
+            Self::CompositeLine => Ok(composite_line::write(&derived.model) + "\n"),
+            Self::Csv => {
+                let scaled = scaled_subject(app);
+                encode("csv", &scaled, &columns(app), &provenance(app))
+            }
+            Self::Spd => {
+                let model = reconstruction(app)?;
+                encode("spd", &model, &Columns::measured(&model), &provenance(app))
+            }
+            Self::Spdx | Self::SpectrumJson => {
+                let scaled = scaled_subject(app);
+                let columns = Columns::measured(&scaled);
+                encode(self.extension(), &scaled, &columns, &provenance(app))
+            }
+            Self::PatchesCsv => Ok(patches_csv(app)),
+            Self::SpikesCsv => Ok(spikes_csv(app)),
+            Self::CurveCsv => Ok(curve_csv(app)),
+            Self::PlotSvg => Ok(spectrum_chart(app, theme).to_svg(1000, 640)),
+            Self::Project => Ok(workspace::to_json(document, None)),
+        }
+    }
+}
+
+/// The spectrum's name as a file name: letters, digits, `-`, `_` and `.` only.
+pub fn file_stem(app: &App) -> String {
+    let name: String = app
+        .document()
+        .subject_entry()
+        .name()
+        .chars()
+        .map(|c| {
+            if c.is_alphanumeric() || ['-', '_', '.'].contains(&c) {
+                c
+            } else {
+                '-'
+            }
+        })
+        .collect();
+    let name = name.trim_matches(['-', '.']);
+    if name.is_empty() {
+        "spectrum".to_owned()
+    } else {
+        name.to_owned()
+    }
+}
+
+/// The model as it stands, in the file's own unit whatever the scale.
+pub fn composite_file(app: &App) -> CompositeFile {
+    let spectrum = &app.document().subject_entry().spectrum;
+    CompositeFile {
+        composite: app.derived().model.clone(),
+        unit: spectrum.unit.clone(),
+        source: spectrum.source.clone(),
+        name: spectrum.name.clone(),
+    }
+}
+
+/// What every export says about itself.
+pub fn provenance(app: &App) -> Provenance {
+    let document = app.document();
+    let settings = document.settings;
+    Provenance {
+        program: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
+        source: document.subject_entry().spectrum.source.clone(),
+        scale_words: document.scale.words().to_owned(),
+        settings: format!(
+            "{} order {}, {} spikes (threshold {} %, width {} nm){}, {}-{} nm",
+            settings.basis.word(),
+            settings.effective_order(),
+            app.derived().model.spikes.len(),
+            settings.threshold_percent,
+            settings.max_width_nm,
+            if settings.colour_exact {
+                ", colour-exact"
+            } else {
+                ""
+            },
+            settings.band.min_nm(),
+            settings.band.max_nm(),
+        ),
+    }
+}
+
+/// The subject with the scale in force.
+fn scaled_subject(app: &App) -> NamedSpectrum {
+    let spectrum = &app.document().subject_entry().spectrum;
+    NamedSpectrum {
+        samples: spectrum.samples.scaled(app.scale_factor()),
+        unit: app.unit(),
+        ..spectrum.clone()
+    }
+}
+
+/// The model as a spectrum on the 1 nm grid, spikes split over their neighbouring nm, with the
+/// scale in force.
+fn reconstruction(app: &App) -> Result<NamedSpectrum, String> {
+    let derived = app.derived();
+    let samples = Sampled::even(derived.band.min_nm(), 1.0, derived.model_values())
+        .map_err(|e| e.to_string())?
+        .scaled(app.scale_factor());
+    let subject = scaled_subject(app);
+    Ok(NamedSpectrum {
+        name: format!("{} (composite model)", subject.name),
+        samples,
+        ..subject
+    })
+}
+
+fn columns(app: &App) -> Columns {
+    let derived = app.derived();
+    let factor = app.scale_factor();
+    let column = |title: &str, values: &[f64]| Column {
+        title: title.to_owned(),
+        values: values.iter().map(|v| v * factor).collect(),
+    };
+    let model = derived.model_values();
+    let spikes: Vec<f64> = model
+        .iter()
+        .zip(&derived.smooth)
+        .map(|(m, s)| m - s)
+        .collect();
+    Columns {
+        nm: derived.band.grid().collect(),
+        columns: vec![
+            column("measured", &derived.measured),
+            column("model", &model),
+            column("smooth", &derived.smooth),
+            column("spikes", &spikes),
+            column("residual", &derived.residual),
+        ],
+    }
+}
+
+/// Comment lines that begin every table.
+fn table_head(app: &App) -> String {
+    let mut out = String::new();
+    for (key, value) in provenance(app).of(&app.document().subject_entry().spectrum) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "# {key}: {value}");
+    }
+    out
+}
+
+fn row(cells: &[String]) -> String {
+    let mut line = cells.join(",");
+    line.push('\n');
+    line
+}
+
+fn number(value: Option<f64>) -> String {
+    value
+        .filter(|v| v.is_finite())
+        .map(shortest)
+        .unwrap_or_default()
+}
+
+fn words(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "'"))
+}
+
+/// The patches as a table: names, CIEDE2000, XYZ (Y of the light 100) and screen colours.
+pub fn patches_csv(app: &App) -> String {
+    let mut out = table_head(app);
+    out.push_str("patch,delta_e_2000,exact_x,exact_y,exact_z,model_x,model_y,model_z,exact_srgb,model_srgb\n");
+    let patches = app.derived().patches.as_ref();
+    for PatchPair {
+        name,
+        delta_e_2000,
+        exact,
+        model,
+        exact_swatch,
+        model_swatch,
+    } in patches.map(|p| &p.items[..]).unwrap_or_default()
+    {
+        let mut cells = vec![words(name), number(Some(*delta_e_2000))];
+        cells.extend(
+            exact
+                .to_array()
+                .into_iter()
+                .chain(model.to_array())
+                .map(|v| number(Some(v))),
+        );
+        cells.extend([exact_swatch.hex(), model_swatch.hex()]);
+        out.push_str(&row(&cells));
+    }
+    out
+}
+
+/// The spikes as a table, weights with the scale in force.
+pub fn spikes_csv(app: &App) -> String {
+    let derived = app.derived();
+    let factor = app.scale_factor();
+    let mut out = table_head(app);
+    out.push_str("at_nm,weight,share_of_power,width_nm,line,by_hand\n");
+    for (spike, name) in derived.parts.spikes.iter().zip(app.spike_names()) {
+        let share = spike.spike.weight / derived.parts.power;
+        out.push_str(&row(&[
+            number(Some(spike.spike.at_nm)),
+            number(Some(spike.spike.weight * factor)),
+            number(Some(share)),
+            number(spike.width_nm),
+            words(name.safe.as_deref().unwrap_or_default()),
+            spike.hand.is_some().to_string(),
+        ]));
+    }
+    out
+}
+
+/// The whole order curve as a table.
+pub fn curve_csv(app: &App) -> String {
+    let mut out = table_head(app);
+    out.push_str("order,numbers,delta_e_own,delta_e_patches_mean,delta_e_patches_max,relative_rms,relative_rms_10nm\n");
+    for point in &app.derived().curve {
+        out.push_str(&row(&[
+            point.order.to_string(),
+            point.numbers.to_string(),
+            number(point.own),
+            number(point.patches_mean),
+            number(point.patches_max),
+            number(point.relative_rms),
+            number(point.relative_rms_10nm),
+        ]));
+    }
+    out
+}

@@ -1,0 +1,156 @@
+//! What may stand on the command line. The comments here are what `--help` prints.
+
+use std::{ffi::OsString, path::PathBuf};
+
+use clap::{Args, Parser, Subcommand};
+
+use super::{
+    options::{ModelOptions, PickOptions},
+    words,
+};
+use crate::{app::plot_svg::Theme, spectrum::Kind};
+
+/// Opens light spectra and shows what they are made of: a short series and a few spikes.
+///
+/// With no command it opens the window, with the given files or presets in it.
+#[derive(Parser, Debug)]
+#[command(
+    name = super::PROGRAM,
+    version,
+    propagate_version = true,
+    args_conflicts_with_subcommands = true
+)]
+pub struct Arguments {
+    /// Files or names of presets to open in the window.
+    #[arg(value_name = "FILES")]
+    pub files: Vec<OsString>,
+    /// A missing display is an error (exit code 3) instead of a reason to work without.
+    #[arg(long)]
+    pub window: bool,
+    /// Print the licences of program, data and fonts.
+    #[arg(long)]
+    pub licences: bool,
+    /// What to do instead of opening the window.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// What can be done without a window.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Print the model of a spectrum, its error and its colour.
+    Report(Report),
+    /// List the shipped spectra.
+    List(List),
+    /// Save a picture of the window; needs no display.
+    Render(Render),
+    /// Save the plot of a spectrum and its model as SVG or PNG.
+    Plot(Plot),
+    /// Write a spectrum, or its model, in another format.
+    Convert(Convert),
+}
+
+/// Options of `report`.
+#[derive(Args, Debug)]
+pub struct Report {
+    /// A file, a preset's name (FL2, "CIE D65") or group/name (paper/Mercury).
+    #[arg(value_name = "INPUT")]
+    pub input: String,
+    /// Which spectrum of the file, and what it is.
+    #[command(flatten)]
+    pub pick: PickOptions,
+    /// The model.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// Print JSON; its keys are stable.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `list`.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct List {
+    /// Only this kind: light, reflectance, transmittance, absorbance, weighting, lines or other
+    /// [default: the first three, which the other commands take].
+    #[arg(long, value_name = "KIND", value_parser = words::any_kind)]
+    pub kind: Option<Kind>,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `render`.
+#[derive(Args, Debug)]
+pub struct Render {
+    /// A file, a preset's name or group/name [default: what the window shows at first].
+    #[arg(value_name = "INPUT")]
+    pub input: Option<String>,
+    /// Which spectrum of the file, and what it is.
+    #[command(flatten)]
+    pub pick: PickOptions,
+    /// The model.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// The picture to write.
+    #[arg(long, value_name = "FILE.png", value_parser = words::png_path())]
+    pub out: PathBuf,
+    /// Width and height in px.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x800", value_parser = words::size)]
+    pub size: [u32; 2],
+    /// dark or light.
+    #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
+    pub theme: Theme,
+}
+
+/// Options of `plot`.
+#[derive(Args, Debug)]
+pub struct Plot {
+    /// A file, a preset's name or group/name.
+    #[arg(value_name = "INPUT")]
+    pub input: String,
+    /// Which spectrum of the file, and what it is.
+    #[command(flatten)]
+    pub pick: PickOptions,
+    /// The model.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// The picture to write, .svg or .png.
+    #[arg(long, value_name = "FILE", value_parser = words::picture_path())]
+    pub out: PathBuf,
+    /// Width and height in px.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x800", value_parser = words::size)]
+    pub size: [u32; 2],
+    /// dark or light.
+    #[arg(long, value_name = "THEME", default_value = "light", value_parser = words::theme)]
+    pub theme: Theme,
+}
+
+/// Options of `convert`.
+#[derive(Args, Debug)]
+pub struct Convert {
+    /// A file, a preset's name or group/name.
+    #[arg(value_name = "IN")]
+    pub input: String,
+    /// The file to write: .csv, .json, .spd or .spdx.
+    #[arg(value_name = "OUT")]
+    pub out: PathBuf,
+    /// Write the samples (spectrum) or the model (composite, as .json only)
+    /// [default: composite for OUT.composite.json, or for .json from a composite].
+    #[arg(long = "as", value_name = "FORM", value_parser = words::form)]
+    pub form: Option<Form>,
+    /// Which spectrum of the file, and what it is.
+    #[command(flatten)]
+    pub pick: PickOptions,
+    /// The model, where one is written.
+    #[command(flatten)]
+    pub model: ModelOptions,
+}
+
+/// What `convert` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Wavelengths and values.
+    Spectrum,
+    /// The model: coefficients and spikes.
+    Composite,
+}

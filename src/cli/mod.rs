@@ -1,0 +1,126 @@
+//! The same engine without a window: arguments in, words, JSON and files out.
+//!
+//! ```text
+//! spectral-explorer [FILES] [--window]          the window, opened by the caller
+//! spectral-explorer report|list|render|plot|convert ...   one command a file
+//! ```
+//!
+//! Everything is written to what the caller hands in, and pictures are made by the caller's
+//! [`Pictures`], so that nothing here knows of a window. A refusal is one line on `err` that says
+//! what was found and what was expected.
+
+mod arguments;
+mod convert;
+mod list;
+mod no_display;
+mod options;
+mod plot;
+mod refusal;
+mod render;
+mod report;
+mod subject;
+mod window;
+mod words;
+
+use std::{
+    ffi::OsString,
+    io::{self, Write},
+};
+
+use clap::Parser;
+
+use crate::app::{App, library::Library, licences, plot_svg::Theme, workspace::Preferences};
+use arguments::{Arguments, Command};
+pub use no_display::without_display;
+use refusal::Refusal;
+pub use window::{Input, app_with};
+
+/// What messages and `--version` call the program.
+pub const PROGRAM: &str = env!("CARGO_PKG_NAME");
+
+/// What is left to do for the caller.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// Nothing; leave with this exit code.
+    Done(u8),
+    /// Open the window.
+    Window {
+        /// What to open in it.
+        files: Vec<Input>,
+        /// A missing display is an error.
+        insist: bool,
+    },
+}
+
+/// Who draws pictures: the window's own painter, handed in by the caller.
+pub trait Pictures {
+    /// The whole window as PNG, `size` in px.
+    fn window(&self, app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8>;
+    /// The spectrum plot alone as PNG, `size` in px.
+    fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8>;
+}
+
+/// Carries out a command line; `args` begins with the program's own name.
+///
+/// Exit codes: 0 done (also when the reader of `out` went away), 1 an input or a place to write
+/// to was bad, 2 the arguments were.
+pub fn run(
+    args: impl IntoIterator<Item = OsString>,
+    pictures: &dyn Pictures,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> Outcome {
+    let done = match Arguments::try_parse_from(args) {
+        Ok(arguments) => match carry_out(arguments, pictures, out, err) {
+            Ok(outcome) => return outcome,
+            Err(refusal) => Err(refusal),
+        },
+        Err(error) => refusal::of_clap(&error).and_then(|text| print(out, &text)),
+    };
+    Outcome::Done(match done {
+        Ok(()) => 0,
+        Err(refusal) => refusal.tell(err),
+    })
+}
+
+fn carry_out(
+    arguments: Arguments,
+    pictures: &dyn Pictures,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> Result<Outcome, Refusal> {
+    match arguments {
+        Arguments { licences: true, .. } => print(out, &licences::text(Library::bundled()))?,
+        Arguments {
+            command: Some(command),
+            ..
+        } => match command {
+            Command::Report(options) => report::run(&options, out, err)?,
+            Command::List(options) => list::run(options, out)?,
+            Command::Render(options) => render::run(&options, pictures, out, err)?,
+            Command::Plot(options) => plot::run(&options, pictures, out, err)?,
+            Command::Convert(options) => convert::run(&options, out, err)?,
+        },
+        Arguments { files, window, .. } => {
+            return Ok(Outcome::Window {
+                files: window::inputs(&files)?,
+                insist: window,
+            });
+        }
+    }
+    Ok(Outcome::Done(0))
+}
+
+/// Prints text and brings it out.
+fn print(out: &mut dyn Write, text: &str) -> Result<(), Refusal> {
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.flush())
+        .map_err(Refusal::Output)
+}
+
+/// Says something that is no part of the result, on a line of its own.
+///
+/// Nobody may be listening, and there is nowhere else to say so.
+fn remark(err: &mut dyn Write, text: &str) {
+    let _: io::Result<()> = writeln!(err, "{PROGRAM}: {}", refusal::in_one_line(text));
+}

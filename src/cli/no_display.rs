@@ -1,0 +1,76 @@
+//! What the program does where there is no display: it says so and does its main job.
+
+use std::{
+    io::Write,
+    path::{Path, PathBuf},
+};
+
+use super::{Pictures, print, refusal::Refusal, remark};
+use crate::{
+    app::{App, report, workspace::Preferences},
+    io::atomic::save_atomically,
+};
+
+/// Exit code for a missing display where a window was insisted on.
+const NO_DISPLAY: u8 = 3;
+
+/// Size of the picture, px.
+const SIZE: [u32; 2] = [1280, 800];
+
+/// Says in one sentence that there is no display, prints the report of what is open and writes a
+/// picture of the window to a new file that it names. Gives the exit code.
+///
+/// With `insist` a missing display is an error with exit code 3.
+pub fn without_display(
+    app: &App,
+    insist: bool,
+    pictures: &dyn Pictures,
+    out: &mut dyn Write,
+    err: &mut dyn Write,
+) -> u8 {
+    if insist {
+        remark(
+            err,
+            "--window: found no display, expected one (DISPLAY or WAYLAND_DISPLAY names it)",
+        );
+        return NO_DISPLAY;
+    }
+    remark(
+        err,
+        "There is no display, so here is the report, and the window as a picture.",
+    );
+    match report_and_picture(app, pictures, out) {
+        Ok(()) => 0,
+        Err(refusal) => refusal.tell(err),
+    }
+}
+
+fn report_and_picture(
+    app: &App,
+    pictures: &dyn Pictures,
+    out: &mut dyn Write,
+) -> Result<(), Refusal> {
+    print(out, &report::text(app))?;
+    let picture = pictures.window(app, &Preferences::default(), SIZE);
+    let here = new_name(Path::new(""));
+    let path = match save_atomically(&here, &picture) {
+        Ok(()) => here,
+        // A folder that cannot be written to is no reason to give nothing.
+        Err(_) => {
+            let elsewhere = new_name(&std::env::temp_dir());
+            save_atomically(&elsewhere, &picture).map_err(|why| Refusal::File(why.to_string()))?;
+            elsewhere
+        }
+    };
+    print(out, &format!("Picture   {}\n", path.display()))
+}
+
+/// A name in the folder that no file has yet.
+fn new_name(folder: &Path) -> PathBuf {
+    let first = folder.join(format!("{}.png", super::PROGRAM));
+    let others = (2..).map(|number| folder.join(format!("{}-{number}.png", super::PROGRAM)));
+    std::iter::once(first)
+        .chain(others)
+        .find(|path| !path.exists())
+        .unwrap_or_default()
+}

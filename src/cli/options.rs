@@ -1,0 +1,108 @@
+//! The options that several commands share.
+
+use clap::Args;
+
+use super::words;
+use crate::{
+    app::Settings,
+    color::Observer,
+    spectrum::{Band, Basis, Kind, Sampling},
+};
+
+/// Which spectrum is meant, what it is and what shines on it.
+#[derive(Args, Clone, Debug, Default)]
+pub struct PickOptions {
+    /// Which spectrum of a file with several, by name or number from 1 [default: the first].
+    #[arg(long, value_name = "NAME|INDEX")]
+    pub spectrum: Option<String>,
+    /// What the values are: light, reflectance or transmittance [default: as the file says].
+    #[arg(long, value_name = "KIND", value_parser = words::usable_kind)]
+    pub kind: Option<Kind>,
+    /// The light on a reflectance or transmittance, a file or a preset [default: CIE D65].
+    #[arg(long, value_name = "NAME")]
+    pub light: Option<String>,
+}
+
+/// The model's knobs; what is not given keeps its default.
+#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+pub struct ModelOptions {
+    /// Order of the smooth part, 0 to 100: it takes 2N + 1 numbers [default: 7].
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = words::order)]
+    pub order: Option<usize>,
+    /// Least share of the power that makes a line a spike, 0.01 to 50 % [default: 0.5].
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = words::threshold)]
+    pub threshold: Option<f64>,
+    /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
+    #[arg(long, value_name = "NM", allow_hyphen_values = true, value_parser = words::max_width)]
+    pub max_width: Option<f64>,
+    /// Functions of the smooth part: fourier or cosine [default: fourier].
+    #[arg(long, value_name = "BASIS", value_parser = words::basis)]
+    pub basis: Option<Basis>,
+    /// Make X, Y and Z of the model exact.
+    #[arg(long)]
+    pub colour_exact: bool,
+    /// Take no lines out as spikes.
+    #[arg(long)]
+    pub no_spikes: bool,
+    /// Look for absorption lines too.
+    #[arg(long)]
+    pub dips: bool,
+    /// Range of the model in whole nm, at least 20 nm [default: 380:780].
+    #[arg(long, value_name = "MIN:MAX", allow_hyphen_values = true, value_parser = words::range)]
+    pub range: Option<Band>,
+    /// Colour-matching functions: 1931, 1964, 2015-2 or 2015-10 [default: 1931].
+    #[arg(long, value_name = "YEAR", value_parser = words::observer)]
+    pub observer: Option<Observer>,
+    /// How products with reflectances are formed: paper, 3n, 4n, double or exact [default: exact].
+    #[arg(long, value_name = "POINTS", value_parser = words::sampling)]
+    pub sampling: Option<Sampling>,
+}
+
+impl ModelOptions {
+    /// Whether any of them was given.
+    pub fn is_given(&self) -> bool {
+        *self != Self::default()
+    }
+
+    /// These options over other settings.
+    pub fn over(self, settings: Settings) -> Settings {
+        let Self {
+            order,
+            threshold,
+            max_width,
+            basis,
+            colour_exact,
+            no_spikes,
+            dips,
+            range,
+            observer,
+            sampling,
+        } = self;
+        Settings {
+            basis: basis.unwrap_or(settings.basis),
+            order: order.unwrap_or(settings.order),
+            spikes: settings.spikes && !no_spikes,
+            threshold_percent: threshold.unwrap_or(settings.threshold_percent),
+            max_width_nm: max_width.unwrap_or(settings.max_width_nm),
+            dips: settings.dips || dips,
+            detector: settings.detector,
+            gradient_percent: settings.gradient_percent,
+            colour_exact: settings.colour_exact || colour_exact,
+            band: range.unwrap_or(settings.band),
+            observer: observer.unwrap_or(settings.observer),
+            sampling: sampling.unwrap_or(settings.sampling),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_options_are_the_programs_own_defaults() {
+        let none = ModelOptions::default();
+        assert!(!none.is_given());
+        assert_eq!(none.over(Settings::default()), Settings::default());
+    }
+}

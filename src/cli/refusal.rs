@@ -1,0 +1,123 @@
+//! Why nothing came of it: one line and an exit code.
+
+use std::{
+    error::Error as _,
+    io::{self, ErrorKind as Io, Write},
+};
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use crate::io::error::quoted;
+
+/// A command that was not carried out.
+#[derive(Debug)]
+pub enum Refusal {
+    /// The arguments make no sense.
+    Usage(String),
+    /// An input cannot be read, or a file cannot be written.
+    File(String),
+    /// What should have been printed could not be.
+    Output(io::Error),
+}
+
+impl Refusal {
+    /// Says so in one line and gives the exit code: 2 for arguments, 1 for files; a reader that
+    /// went away (`| head`) has all it wanted and is no error.
+    pub fn tell(self, err: &mut dyn Write) -> u8 {
+        let (text, code) = match self {
+            Self::Usage(text) => (text, 2),
+            Self::File(text) => (text, 1),
+            Self::Output(error) if error.kind() == Io::BrokenPipe => return 0,
+            Self::Output(error) => (
+                format!("the output: found {}, expected to write it", error.kind()),
+                1,
+            ),
+        };
+        super::remark(err, &text);
+        code
+    }
+}
+
+/// Text without line ends and other marks that would break a line.
+pub fn in_one_line(text: &str) -> String {
+    let breaks = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
+    text.trim().replace(breaks, " ")
+}
+
+/// What clap has to say: help and version are text to print, everything else a refusal.
+///
+/// # Errors
+/// [`Refusal::Usage`] with the offending word and what was expected.
+pub fn of_clap(error: &clap::Error) -> Result<String, Refusal> {
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            Ok(error.render().to_string())
+        }
+        ErrorKind::DisplayVersion => Ok(format!(
+            "{} {}\n",
+            super::PROGRAM,
+            env!("CARGO_PKG_VERSION")
+        )),
+        _ => Err(Refusal::Usage(in_words(error))),
+    }
+}
+
+fn in_words(error: &clap::Error) -> String {
+    let context = |kind| error.get(kind).map(words_of).unwrap_or_default();
+    let option = context(ContextKind::InvalidArg);
+    // "--order <N>" is called "--order".
+    let name = option.split(" <").next().unwrap_or_default().to_owned();
+    let value = context(ContextKind::InvalidValue);
+    match error.kind() {
+        ErrorKind::ValueValidation => match error.source() {
+            Some(why) => format!("{name}: {why}"),
+            None => format!("{name}: found {}, expected another value", quoted(&value)),
+        },
+        ErrorKind::InvalidValue if value.is_empty() => {
+            format!("{name}: found no value, expected {option} (see --help)")
+        }
+        ErrorKind::TooManyValues => format!("{name}: found {}, expected no value", quoted(&value)),
+        ErrorKind::UnknownArgument => {
+            let close = context(ContextKind::SuggestedArg);
+            let hint = if !option.starts_with('-') {
+                "no further word (quote a name that has blanks)".to_owned()
+            } else if close.is_empty() {
+                "a known option (see --help)".to_owned()
+            } else {
+                format!("{close} or another known option (see --help)")
+            };
+            format!("found {}, expected {hint}", quoted(&option))
+        }
+        ErrorKind::InvalidSubcommand => {
+            let word = context(ContextKind::InvalidSubcommand);
+            format!("found {}, expected a command (see --help)", quoted(&word))
+        }
+        ErrorKind::MissingRequiredArgument => {
+            let missing = option.replace(['<', '>'], "");
+            format!("found no {missing}, expected one (see --help)")
+        }
+        ErrorKind::ArgumentConflict => {
+            let other = context(ContextKind::PriorArg);
+            if other.is_empty() || other == option {
+                format!("{name}: found twice, expected once")
+            } else {
+                format!("found {option} together with {other}, expected one of them")
+            }
+        }
+        ErrorKind::InvalidUtf8 => "found a word that is no Unicode, expected text".to_owned(),
+        _ => first_line(error),
+    }
+}
+
+fn words_of(value: &ContextValue) -> String {
+    match value {
+        ContextValue::Strings(all) => all.join(", "),
+        other => other.to_string(),
+    }
+}
+
+fn first_line(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    let line = text.lines().next().unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned()
+}

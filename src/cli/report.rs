@@ -1,0 +1,25 @@
+//! `report`: the model of a spectrum, its error and its colour, in words or as JSON.
+
+use std::io::Write;
+
+use super::{arguments::Report, print, refusal::Refusal, subject};
+use crate::app::report;
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for an input that cannot be read.
+pub fn run(options: &Report, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+    let Report {
+        input,
+        pick,
+        model,
+        json,
+    } = options;
+    let app = subject::app(input, pick, *model, err)?;
+    if *json {
+        print(out, &format!("{:#}\n", report::json(&app)))
+    } else {
+        print(out, &report::text(&app))
+    }
+}

@@ -1,0 +1,185 @@
+//! One word of the command line to a value, or what was found and what was expected.
+
+use std::{
+    ffi::OsString,
+    ops::RangeInclusive,
+    path::{Path, PathBuf},
+};
+
+use clap::builder::{OsStringValueParser, TypedValueParser};
+
+use super::arguments::Form;
+use crate::{
+    app::{
+        plot_svg::Theme,
+        settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
+    },
+    color::Observer,
+    io::error::quoted,
+    spectrum::{
+        Band, Basis, Kind, Sampling,
+        band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
+    },
+};
+
+/// Smallest and largest pictures, px: below, no window has room for its panels; above, a picture
+/// takes hundreds of MB while it is made.
+pub const SIZES: [[u32; 2]; 2] = [[320, 240], [7680, 4320]];
+
+fn refused(word: &str, expected: impl std::fmt::Display) -> String {
+    format!("found {}, expected {expected}", quoted(word))
+}
+
+/// `--order`.
+pub fn order(word: &str) -> Result<usize, String> {
+    let (least, most) = (ORDERS.start(), ORDERS.end());
+    word.parse()
+        .ok()
+        .filter(|order| ORDERS.contains(order))
+        .ok_or_else(|| refused(word, format_args!("a whole number from {least} to {most}")))
+}
+
+/// `--threshold`.
+pub fn threshold(word: &str) -> Result<f64, String> {
+    number(word, &THRESHOLDS_PERCENT, "percent")
+}
+
+/// `--max-width`.
+pub fn max_width(word: &str) -> Result<f64, String> {
+    number(word, &WIDTHS_NM, "nm")
+}
+
+fn number(word: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {
+    // NaN is in no range.
+    word.parse()
+        .ok()
+        .filter(|value| range.contains(value))
+        .ok_or_else(|| {
+            let (least, most) = (range.start(), range.end());
+            refused(
+                word,
+                format_args!("a number from {least} to {most} ({unit})"),
+            )
+        })
+}
+
+/// `--range`.
+pub fn range(word: &str) -> Result<Band, String> {
+    let bounds = || {
+        let (min, max) = word.split_once(':')?;
+        Some((min.trim().parse().ok()?, max.trim().parse().ok()?))
+    };
+    let Some((min_nm, max_nm)) = bounds() else {
+        return Err(refused(word, "MIN:MAX in nm, such as 380:780"));
+    };
+    Band::new(min_nm, max_nm).map_err(|why| match why {
+        BandError::NotWhole { .. } => refused(word, "MIN:MAX in whole nm, not negative"),
+        BandError::TooShort { .. } => refused(
+            word,
+            format_args!("MIN:MAX at least {SHORTEST_NM} nm apart"),
+        ),
+        BandError::TooLong { .. } => refused(
+            word,
+            format_args!("MIN:MAX at most {MOST_STEPS} nm apart and up to {LONGEST_NM} nm"),
+        ),
+    })
+}
+
+/// `--basis`.
+pub fn basis(word: &str) -> Result<Basis, String> {
+    one_of(word, &Basis::ALL, Basis::word)
+}
+
+/// `--observer`.
+pub fn observer(word: &str) -> Result<Observer, String> {
+    one_of(word, &Observer::ALL, Observer::word)
+}
+
+/// `--sampling`.
+pub fn sampling(word: &str) -> Result<Sampling, String> {
+    one_of(word, &Sampling::ALL, Sampling::word)
+}
+
+/// `--kind` of an input: what the program can take.
+pub fn usable_kind(word: &str) -> Result<Kind, String> {
+    let usable = [Kind::Light, Kind::Reflectance, Kind::Transmittance];
+    one_of(word, &usable, Kind::word)
+}
+
+/// `--kind` of a list.
+pub fn any_kind(word: &str) -> Result<Kind, String> {
+    one_of(word, &Kind::ALL, Kind::word)
+}
+
+/// `--as`.
+pub fn form(word: &str) -> Result<Form, String> {
+    one_of(
+        word,
+        &[Form::Composite, Form::Spectrum],
+        |form| match form {
+            Form::Composite => "composite",
+            Form::Spectrum => "spectrum",
+        },
+    )
+}
+
+/// `--theme`.
+pub fn theme(word: &str) -> Result<Theme, String> {
+    one_of(word, &[Theme::Dark, Theme::Light], |theme| match theme {
+        Theme::Dark => "dark",
+        Theme::Light => "light",
+    })
+}
+
+fn one_of<T: Copy>(word: &str, all: &[T], name: fn(T) -> &'static str) -> Result<T, String> {
+    let found = all.iter().copied().find(|value| name(*value) == word);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = all.iter().map(|value| name(*value)).collect();
+        let (last, others) = names.split_last().unwrap_or((&"nothing", &[]));
+        refused(word, format_args!("{} or {last}", others.join(", ")))
+    })
+}
+
+/// `--size`.
+pub fn size(word: &str) -> Result<[u32; 2], String> {
+    let [least, most] = SIZES;
+    let both = || {
+        let (width, height) = word.split_once(['x', 'X', '×'])?;
+        Some([width.parse().ok()?, height.parse().ok()?])
+    };
+    both()
+        .filter(|size| (0..2).all(|i| (least[i]..=most[i]).contains(&size[i])))
+        .ok_or_else(|| {
+            let ([w, h], [wide, high]) = (least, most);
+            refused(
+                word,
+                format_args!("WIDTHxHEIGHT from {w}x{h} to {wide}x{high}"),
+            )
+        })
+}
+
+/// `--out` of a picture of the window.
+pub fn png_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["png"]))
+}
+
+/// `--out` of a plot.
+pub fn picture_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["svg", "png"]))
+}
+
+fn with_extension(path: OsString, known: &[&str]) -> Result<PathBuf, String> {
+    let path = PathBuf::from(path);
+    if known.contains(&extension(&path).as_str()) {
+        return Ok(path);
+    }
+    let known: Vec<String> = known.iter().map(|e| format!(".{e}")).collect();
+    let expected = format!("a file that ends in {}", known.join(" or "));
+    Err(refused(&path.to_string_lossy(), expected))
+}
+
+/// The extension of a path in lower case; empty when it has none.
+pub fn extension(path: &Path) -> String {
+    let extension = path.extension().unwrap_or_default();
+    extension.to_string_lossy().to_lowercase()
+}

@@ -1,0 +1,256 @@
+//! What values stand for, told by titles, header lines, the file's name, last the values.
+//!
+//! Titles of columns count most, then lines that state what is on the y axis, then the rest of
+//! the header, then the file's name. Whatever is not stated is a guess, and the reading says so.
+
+use crate::spectrum::Kind;
+
+/// A kind and what told it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KindFound {
+    /// The kind.
+    pub kind: Kind,
+    /// What told it, for the person who may flip it.
+    pub because: String,
+    /// Whether the file states it, or it is only likely.
+    pub stated: bool,
+}
+
+/// Words in a title or a header line, lower case, and the kind they tell, strongest first.
+const WORDS: [(Kind, &[&str]); 6] = [
+    (
+        Kind::Weighting,
+        &[
+            "xbar",
+            "ybar",
+            "zbar",
+            "x_bar",
+            "y_bar",
+            "z_bar",
+            "x-bar",
+            "y-bar",
+            "z-bar",
+            "colour-matching",
+            "color-matching",
+            "colour matching",
+            "color matching",
+            "cmf",
+            "luminous efficiency",
+            "v(l",
+            "v(λ",
+            "action spectr",
+            "cone fundamental",
+            "opic",
+            "spectral sensitivity",
+            "responsivity",
+        ],
+    ),
+    (Kind::Absorbance, &["absorbance", "optical density"]),
+    (
+        Kind::Other,
+        &[
+            "refractive",
+            "optical constants",
+            "extinction coeff",
+            "tabulated n",
+        ],
+    ),
+    (Kind::Reflectance, &["reflect", "%r", "albedo"]),
+    (Kind::Transmittance, &["transmit", "transmis", "%t"]),
+    (
+        Kind::Light,
+        &[
+            "irradian",
+            "radiance",
+            "radiant",
+            "w/m",
+            "w m-2",
+            "wm-2",
+            "w/nm",
+            "w/cm",
+            "/nm",
+            "emission",
+            "spectral power",
+            "power distribution",
+            "photon",
+            "intensity",
+            "counts",
+        ],
+    ),
+];
+
+/// Words in a file's name only: too weak for a line of text.
+const NAME_WORDS: [(Kind, &[&str]); 7] = [
+    (
+        Kind::Other,
+        &[
+            ".eta.", ".k.", ".n.", "_eta.", "_k.", "_n.", "-eta.", "-k.", "-n.",
+        ],
+    ),
+    (
+        Kind::Weighting,
+        &[
+            "cmf", "xyz_", "ciexyz", "linss", "sbrgb", "vlambda", "vl_", "opic", "action",
+            "sensitiv",
+        ],
+    ),
+    (
+        Kind::Reflectance,
+        &[
+            "reflect",
+            "macbeth",
+            "colorchecker",
+            "colourchecker",
+            "munsell",
+            "_refl",
+        ],
+    ),
+    (Kind::Transmittance, &["transm", "filter"]),
+    (Kind::Absorbance, &["absorb"]),
+    (
+        Kind::Light,
+        &[
+            "irrad", "radian", "spd", "lamp", "led", "illum", "light", "emission", "daylight",
+            "halogen",
+        ],
+    ),
+    (Kind::Lines, &[]),
+];
+
+/// The kind that a title tells by its words or its one letter (`R`, `T`, `%R`, `n`, `k`).
+pub fn kind_of_title(title: &str) -> Option<Kind> {
+    let title = title.trim().to_lowercase();
+    let stem = title.split(['(', '[', ' ', '_', '.']).next().unwrap_or("");
+    kind_of_words(&title).or(match stem {
+        "r" | "refl" | "rho" => Some(Kind::Reflectance),
+        "t" | "trans" | "tau" => Some(Kind::Transmittance),
+        "abs" | "od" => Some(Kind::Absorbance),
+        "n" | "k" | "eta" => Some(Kind::Other),
+        "spd" | "power" | "energy" | "irr" => Some(Kind::Light),
+        _ => None,
+    })
+}
+
+/// The kind that a line of text tells.
+pub fn kind_of_words(line: &str) -> Option<Kind> {
+    let line = line.to_lowercase();
+    WORDS
+        .iter()
+        .find(|(_, words)| words.iter().any(|w| line.contains(w)))
+        .map(|(kind, _)| *kind)
+}
+
+/// The kind that a file's name suggests.
+pub fn kind_of_name(name: &str) -> Option<Kind> {
+    let name = name.to_lowercase();
+    NAME_WORDS
+        .iter()
+        .find(|(_, words)| words.iter().any(|w| name.contains(w)))
+        .map(|(kind, _)| *kind)
+}
+
+/// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
+pub fn states_values(line: &str) -> bool {
+    let line = line.trim().to_lowercase();
+    [
+        "y unit",
+        "yunit",
+        "y-unit",
+        "unit",
+        "measurement",
+        "quantity",
+    ]
+    .iter()
+    .any(|start| line.starts_with(start))
+}
+
+/// The kind of one column.
+pub fn kind(title: &str, header: &[(usize, &str)], file: &str, values: &[f64]) -> KindFound {
+    let stated = |kind, because: String| KindFound {
+        kind,
+        because,
+        stated: true,
+    };
+    let lines = || header.iter().rev().map(|(_, line)| *line);
+    // What this program's own files say.
+    let own = lines().find_map(|line| {
+        let word = line.strip_prefix("kind:")?.trim();
+        Kind::ALL.into_iter().find(|kind| kind.word() == word)
+    });
+    if let Some(kind) = own {
+        return stated(kind, "the header".to_owned());
+    }
+    if let Some(kind) = kind_of_title(title) {
+        return stated(kind, format!("the column's title \"{}\"", short(title)));
+    }
+    let telling = lines()
+        .filter(|line| states_values(line))
+        .chain(lines())
+        .find_map(|line| kind_of_words(line).map(|kind| (kind, line)));
+    if let Some((kind, line)) = telling {
+        return stated(kind, format!("the header line \"{}\"", short(line)));
+    }
+    let guess = |kind, because: &str| KindFound {
+        kind,
+        because: because.to_owned(),
+        stated: false,
+    };
+    if let Some(kind) = kind_of_name(file) {
+        return guess(kind, "the file's name");
+    }
+    if values.iter().all(|v| (-0.05..=1.2).contains(v)) {
+        guess(
+            Kind::Light,
+            "nothing states it; all values lie in 0..1, so it may be a reflectance or a transmittance",
+        )
+    } else {
+        guess(Kind::Light, "nothing states it")
+    }
+}
+
+fn short(text: &str) -> String {
+    let text = text.trim();
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_tell_the_kind() {
+        for (title, kind) in [
+            ("R(adaxial)", Some(Kind::Reflectance)),
+            ("T(abaxial)", Some(Kind::Transmittance)),
+            ("Transmittance(%)", Some(Kind::Transmittance)),
+            ("Reflect. [1.0]", Some(Kind::Reflectance)),
+            ("irradiance [W m-2 nm-1]", Some(Kind::Light)),
+            ("x_bar", Some(Kind::Weighting)),
+            ("n", Some(Kind::Other)),
+            ("TL01", None),
+            ("red", None),
+        ] {
+            assert_eq!(kind_of_title(title), kind, "{title}");
+        }
+    }
+
+    #[test]
+    fn the_y_axis_line_outweighs_the_rest_of_the_header() {
+        let header = [
+            (1, "Y Units: Reflectance (percent)"),
+            (2, "irradiance of the sample"),
+        ];
+        assert_eq!(kind("", &header, "a.txt", &[50.0]).kind, Kind::Reflectance);
+    }
+
+    #[test]
+    fn a_kind_that_nothing_states_is_a_guess() {
+        let found = kind("", &[], "x.csv", &[0.1, 0.5]);
+        assert_eq!((found.kind, found.stated), (Kind::Light, false));
+        assert!(found.because.contains("may be a reflectance"));
+        assert_eq!(kind("", &[], "Au.eta.spd", &[1.0]).kind, Kind::Other);
+    }
+}

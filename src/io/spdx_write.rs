@@ -1,0 +1,89 @@
+//! Writing IES TM-27 `.spdx`.
+
+use std::fmt::Write;
+
+use crate::spectrum::{Kind, NamedSpectrum};
+
+use super::spdx::QUANTITIES;
+use super::write::{Provenance, shortest};
+
+/// The TM-27 word for a spectrum.
+fn quantity_of(spectrum: &NamedSpectrum) -> &'static str {
+    match spectrum.kind {
+        Kind::Reflectance => "reflectance",
+        Kind::Transmittance => "transmittance",
+        Kind::Light => QUANTITIES
+            .iter()
+            .find(|(_, kind, unit)| *kind == Kind::Light && *unit == spectrum.unit)
+            .map_or("relative", |(word, ..)| word),
+        Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => "other",
+    }
+}
+
+/// A spectrum as TM-27 XML.
+pub fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String {
+    let comments = provenance
+        .of(spectrum)
+        .iter()
+        .filter(|(key, _)| !matches!(*key, "name" | "source"))
+        .map(|(key, value)| format!("{key}: {value}"))
+        .collect::<Vec<_>>()
+        .join("; ");
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    out.push_str("<IESTM2714 xmlns=\"iestm2714\" version=\"1.0\">\n  <Header>\n");
+    for (element, value) in [
+        ("Manufacturer", provenance.source_of(spectrum)),
+        ("Description", &spectrum.name),
+        ("DocumentCreator", &provenance.program),
+        ("Comments", &comments),
+    ] {
+        let _ = writeln!(out, "    <{element}>{}</{element}>", escaped(value));
+    }
+    let _ = writeln!(
+        out,
+        "  </Header>\n  <SpectralDistribution>\n    <SpectralQuantity>{}</SpectralQuantity>",
+        quantity_of(spectrum)
+    );
+    for (nm, value) in spectrum.samples.nm().iter().zip(spectrum.samples.values()) {
+        let _ = writeln!(
+            out,
+            "    <SpectralData wavelength=\"{}\">{}</SpectralData>",
+            shortest(*nm),
+            shortest(*value)
+        );
+    }
+    out.push_str("  </SpectralDistribution>\n</IESTM2714>\n");
+    out
+}
+
+/// Text for XML: markup escaped, characters that XML forbids left out.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+    use crate::io::write::tests::awkward_spectrum;
+
+    #[test]
+    fn markup_in_names_is_escaped_and_what_xml_forbids_left_out() {
+        let mut spectrum = awkward_spectrum(Kind::Light);
+        spectrum.name = "a<b>&\u{1}\"c".to_owned();
+        let text = write(&spectrum, &Provenance::default());
+        let back = read_bytes("a.spdx", text.as_bytes()).unwrap();
+        assert_eq!(back.spectra[0].name, "a<b>& \"c");
+        assert_eq!(back.spectra[0].unit, "W m-2 nm-1");
+    }
+}

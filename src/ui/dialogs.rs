@@ -1,0 +1,169 @@
+//! Small windows over the window: a path to type, the shortcuts, About.
+
+use std::path::PathBuf;
+
+use eframe::egui;
+use egui::{Context, Ui};
+
+use super::keys::SHORTCUTS;
+use crate::app::{
+    library::Library,
+    licences::{self, Licence},
+};
+
+/// The small window that is open.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Dialog {
+    /// A path to open.
+    OpenPath(String),
+    /// A path to save to, and what is waiting to be saved there.
+    SavePath(String),
+    /// The list of shortcuts.
+    Shortcuts,
+    /// About; the licence being read, if one is.
+    About(Option<usize>),
+}
+
+/// What a small window came to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Still open.
+    Open,
+    /// Closed without a word.
+    Closed,
+    /// A path to open.
+    OpenPath(PathBuf),
+    /// A path to save to.
+    SavePath(PathBuf),
+}
+
+/// Draws the open dialog.
+pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
+    let title = match dialog {
+        Dialog::OpenPath(_) => "Open a file",
+        Dialog::SavePath(_) => "Save to a file",
+        Dialog::Shortcuts => "Shortcuts",
+        Dialog::About(_) => "About Spectral Explorer",
+    };
+    let mut outcome = Outcome::Open;
+    let modal = egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
+        ui.set_max_width(620.0);
+        ui.heading(title);
+        ui.add_space(4.0);
+        match dialog {
+            Dialog::OpenPath(text) => path_field(ui, text, "Open", &mut outcome, Outcome::OpenPath),
+            Dialog::SavePath(text) => path_field(ui, text, "Save", &mut outcome, Outcome::SavePath),
+            Dialog::Shortcuts => shortcuts(ui),
+            Dialog::About(reading) => about(ui, reading),
+        }
+        if matches!(dialog, Dialog::Shortcuts | Dialog::About(_)) {
+            ui.add_space(6.0);
+            if ui.button("Close").clicked() {
+                outcome = Outcome::Closed;
+            }
+        }
+    });
+    if modal.should_close() && outcome == Outcome::Open {
+        outcome = Outcome::Closed;
+    }
+    outcome
+}
+
+fn path_field(
+    ui: &mut Ui,
+    text: &mut String,
+    verb: &str,
+    outcome: &mut Outcome,
+    chosen: impl Fn(PathBuf) -> Outcome,
+) {
+    let label = ui.label("Path of the file");
+    let field = ui
+        .add(egui::TextEdit::singleline(text).desired_width(480.0))
+        .labelled_by(label.id);
+    let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+    if !field.has_focus() && !entered {
+        field.request_focus();
+    }
+    ui.horizontal(|ui| {
+        let ready = !text.trim().is_empty();
+        let pressed = ui.add_enabled(ready, egui::Button::new(verb)).clicked();
+        if ready && (pressed || entered) {
+            *outcome = chosen(PathBuf::from(text.trim()));
+        }
+        if ui.button("Cancel").clicked() {
+            *outcome = Outcome::Closed;
+        }
+    });
+}
+
+fn shortcuts(ui: &mut Ui) {
+    egui::Grid::new("shortcuts").striped(true).show(ui, |ui| {
+        for (shortcut, _, words) in SHORTCUTS {
+            ui.monospace(ui.ctx().format_shortcut(&shortcut));
+            ui.label(words);
+            ui.end_row();
+        }
+        for (keys, words) in [
+            ("Tab", "From control to control"),
+            ("Ctrl or Shift + click", "Lay a spectrum of the library over"),
+            ("Drag a spike", "Move it, change its weight"),
+            ("Double click in the plot", "Add a spike"),
+            ("Ctrl + wheel, right drag", "Zoom the plot"),
+        ] {
+            ui.monospace(keys);
+            ui.label(words);
+            ui.end_row();
+        }
+    });
+}
+
+fn about(ui: &mut Ui, reading: &mut Option<usize>) {
+    ui.label(format!(
+        "Version {}. It opens light spectra and shows what they are made of: a smooth part and a \
+         few spikes, the composite model of Sun, Fracchia and Drew (2000).",
+        env!("CARGO_PKG_VERSION")
+    ));
+    ui.add_space(4.0);
+    let all: &[Licence] = licences::all();
+    ui.horizontal_wrapped(|ui| {
+        if ui
+            .selectable_label(reading.is_none(), "What is under which licence")
+            .clicked()
+        {
+            *reading = None;
+        }
+        for (index, licence) in all.iter().enumerate() {
+            if ui
+                .selectable_label(*reading == Some(index), licence.id)
+                .on_hover_text(licence.title)
+                .clicked()
+            {
+                *reading = Some(index);
+            }
+        }
+    });
+    let overview;
+    let text = match reading.and_then(|i| all.get(i)) {
+        Some(licence) => licence.text,
+        None => {
+            overview = licences::overview(Library::bundled());
+            &overview
+        }
+    };
+    egui::ScrollArea::vertical()
+        .max_height(380.0)
+        .show(ui, |ui| {
+            ui.small(printable(text));
+        });
+}
+
+/// Tabs and form feeds as spaces: fonts have no glyph for them.
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| match c {
+            '\n' => '\n',
+            c if c.is_control() => ' ',
+            c => c,
+        })
+        .collect()
+}

@@ -1,0 +1,100 @@
+//! The system's file dialogs, behind a seam that tests can fill.
+//!
+//! A dialog may be missing, may be cancelled, or may hang for ever; so it runs on a thread of its
+//! own, its absence is told apart from a cancel by what the dialog library logs, and there is
+//! always a second way in: a path that is typed, a file that is dropped, a command-line argument.
+
+use std::{
+    path::PathBuf,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+/// What the window asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Ask {
+    /// One or more files to open.
+    Open,
+    /// A place for a new file.
+    Save {
+        /// The name offered.
+        suggested: String,
+        /// The extension of what is written.
+        extension: &'static str,
+    },
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Picked {
+    /// At least one path.
+    Paths(Vec<PathBuf>),
+    /// The person changed their mind.
+    Cancelled,
+    /// This system shows no dialog.
+    NoDialog,
+}
+
+/// Shows a dialog and waits for it; called on a thread of its own.
+pub type Picker = Arc<dyn Fn(&Ask) -> Picked + Send + Sync>;
+
+/// Set when the dialog library logged an error.
+static DIALOG_FAILED: AtomicBool = AtomicBool::new(false);
+
+/// The desktop's own dialogs.
+pub fn system_picker() -> Picker {
+    Arc::new(|ask| {
+        DIALOG_FAILED.store(false, Ordering::SeqCst);
+        let dialog = rfd::FileDialog::new();
+        let paths = match ask {
+            Ask::Open => dialog
+                .set_title("Open spectra")
+                .pick_files()
+                .unwrap_or_default(),
+            Ask::Save {
+                suggested,
+                extension,
+            } => dialog
+                .set_title("Save")
+                .set_file_name(suggested)
+                .add_filter(*extension, &[*extension])
+                .save_file()
+                .into_iter()
+                .collect(),
+        };
+        match paths {
+            paths if !paths.is_empty() => Picked::Paths(paths),
+            _ if DIALOG_FAILED.load(Ordering::SeqCst) => Picked::NoDialog,
+            _ => Picked::Cancelled,
+        }
+    })
+}
+
+/// What the status line says when there is no dialog.
+pub const NO_DIALOG: &str = "This system shows no file dialog (xdg-desktop-portal-gtk or zenity \
+    would). Type the path instead, or drop the file on the window.";
+
+struct DialogWatch;
+
+impl log::Log for DialogWatch {
+    fn enabled(&self, metadata: &log::Metadata<'_>) -> bool {
+        metadata.level() == log::Level::Error
+    }
+
+    fn log(&self, record: &log::Record<'_>) {
+        if record.level() == log::Level::Error && record.target().starts_with("rfd") {
+            DIALOG_FAILED.store(true, Ordering::SeqCst);
+        }
+    }
+
+    fn flush(&self) {}
+}
+
+/// Listens to the dialog library's log; call once at start. A second logger is left in place.
+pub fn watch_dialogs() {
+    if log::set_logger(&DialogWatch).is_ok() {
+        log::set_max_level(log::LevelFilter::Error);
+    }
+}

@@ -1,0 +1,440 @@
+//! The library: shelves of spectra, each with a swatch, a name and a small curve.
+
+use std::{collections::HashMap, sync::Arc};
+
+use eframe::egui;
+use egui::{Align2, Color32, FontId, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
+
+use super::{
+    swatch,
+    theme::{Theme, ink},
+};
+use crate::{
+    app::{App, Command, Entry, workspace::Preferences},
+    color::{
+        Adaptation, Observer, Swatch, Xyz,
+        xyz::{xyz_from_light, xyz_from_reflectance},
+    },
+    io::preset::Shelf,
+    spectrum::{Kind, Outside},
+};
+
+/// What the library remembers between frames.
+#[derive(Default)]
+pub struct LibraryView {
+    /// What is searched for.
+    pub search: String,
+    /// The own entry being renamed, with the text so far.
+    renaming: Option<(String, String)>,
+    art: HashMap<String, Art>,
+}
+
+/// A row's swatch and curve, made once.
+struct Art {
+    colour: Color32,
+    /// Heights 0-1 over 380-780 nm.
+    curve: Vec<f32>,
+}
+
+/// Points of a row's small curve.
+const CURVE_POINTS: usize = 36;
+
+/// One line of the list.
+enum Row {
+    Heading {
+        title: &'static str,
+        count: usize,
+        folded: bool,
+    },
+    Item(Arc<Entry>),
+}
+
+/// What a row asked for.
+enum Wish {
+    Command(Command),
+    Fold(&'static str),
+}
+
+/// Headings that start folded: there are hundreds of reflectances.
+pub const FOLDED_AT_FIRST: [&str; 3] = ["Reflectances", "Filters and glasses", "Observers"];
+
+const OWN: &str = "My files";
+
+impl LibraryView {
+    /// Draws the library.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        app: &App,
+        preferences: &mut Preferences,
+        theme: Theme,
+        commands: &mut Vec<Command>,
+    ) {
+        let label = ui.label(egui::RichText::new("Library").heading());
+        ui.add(
+            egui::TextEdit::singleline(&mut self.search)
+                .hint_text("Search spectra")
+                .desired_width(f32::INFINITY),
+        )
+        .labelled_by(label.id)
+        .on_hover_text("Shows only spectra whose name or group holds these words.");
+        let rows = self.rows(app, preferences);
+        if rows.is_empty() {
+            ui.add_space(8.0);
+            ui.weak("Nothing is called that.");
+            return;
+        }
+        let height = (22.0 * theme.scale).round();
+        let mut wish = None;
+        egui::ScrollArea::vertical()
+            .auto_shrink(false)
+            .show_rows(ui, height - ui.spacing().item_spacing.y, rows.len(), |ui, range| {
+                for row in &rows[range] {
+                    let size = vec2(ui.available_width(), height - ui.spacing().item_spacing.y);
+                    match row {
+                        Row::Heading {
+                            title,
+                            count,
+                            folded,
+                        } => {
+                            if heading(ui, size, title, *count, *folded) {
+                                wish = Some(Wish::Fold(title));
+                            }
+                        }
+                        Row::Item(entry) => {
+                            if let Some(command) = self.item(ui, size, entry, app, theme) {
+                                wish = Some(Wish::Command(command));
+                            }
+                        }
+                    }
+                }
+            });
+        match wish {
+            Some(Wish::Command(command)) => commands.push(command),
+            Some(Wish::Fold(title)) => {
+                let folded = &mut preferences.folded;
+                match folded.iter().position(|f| f == title) {
+                    Some(index) => drop(folded.remove(index)),
+                    None => folded.push(title.to_owned()),
+                }
+            }
+            None => {}
+        }
+    }
+
+    fn rows(&self, app: &App, preferences: &Preferences) -> Vec<Row> {
+        let wanted: Vec<String> = self
+            .search
+            .split_whitespace()
+            .map(str::to_lowercase)
+            .collect();
+        let matches = |entry: &Entry| {
+            let text = format!("{} {}", entry.key, entry.name()).to_lowercase();
+            wanted.iter().all(|word| text.contains(word))
+        };
+        let mut rows = Vec::new();
+        let mut shelf = |title: &'static str, entries: Vec<Arc<Entry>>| {
+            if entries.is_empty() {
+                return;
+            }
+            // A search opens every shelf that holds a match.
+            let folded = wanted.is_empty() && preferences.folded.iter().any(|f| f == title);
+            rows.push(Row::Heading {
+                title,
+                count: entries.len(),
+                folded,
+            });
+            if !folded {
+                rows.extend(entries.into_iter().map(Row::Item));
+            }
+        };
+        let own = app.document().own.iter();
+        shelf(OWN, own.filter(|e| matches(e)).cloned().collect());
+        for place in Shelf::ALL {
+            let on_shelf = app.bundled().iter().filter(|e| e.shelf == Some(place));
+            shelf(
+                place.heading(),
+                on_shelf.filter(|e| matches(e)).cloned().collect(),
+            );
+        }
+        rows
+    }
+
+    fn item(
+        &mut self,
+        ui: &mut Ui,
+        size: Vec2,
+        entry: &Arc<Entry>,
+        app: &App,
+        theme: Theme,
+    ) -> Option<Command> {
+        let document = app.document();
+        let is_light = document.light.key == entry.key;
+        let is_factor = document.factor.as_ref().is_some_and(|f| f.key == entry.key);
+        let selected = is_light || is_factor;
+        let overlaid = document.overlays.iter().any(|o| o.key == entry.key);
+        if let Some((key, text)) = &mut self.renaming
+            && *key == entry.key
+        {
+            let edit = ui.add_sized(size, egui::TextEdit::singleline(text));
+            let id = edit.id;
+            edit.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "New name"));
+            if edit.lost_focus() {
+                let (key, name) = self.renaming.take()?;
+                let name = name.trim().to_owned();
+                let refused = name.is_empty() || ui.input(|i| i.key_pressed(egui::Key::Escape));
+                return (!refused).then_some(Command::Rename { key, name });
+            }
+            ui.memory_mut(|m| m.request_focus(id));
+            return None;
+        }
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        response.widget_info(|| {
+            egui::WidgetInfo::selected(egui::Role::Button, true, selected, entry.name())
+        });
+        let visuals = ui.visuals();
+        if selected {
+            ui.painter()
+                .rect_filled(rect, 3.0, visuals.selection.bg_fill);
+        } else if response.hovered() || response.has_focus() {
+            ui.painter()
+                .rect_filled(rect, 3.0, visuals.widgets.hovered.bg_fill);
+        }
+        let art = self
+            .art
+            .entry(format!("{}|{}", entry.key, entry.kind()))
+            .or_insert_with(|| Art::of(entry));
+        let side = rect.height() - 7.0;
+        let field = Rect::from_min_size(
+            pos2(rect.left() + 4.0, rect.center().y - side / 2.0),
+            Vec2::splat(side),
+        );
+        ui.painter().rect_filled(field, 2.0, art.colour);
+        let curve_width = (0.24 * rect.width()).clamp(30.0, 64.0);
+        let curve = Rect::from_min_max(
+            pos2(rect.right() - curve_width - 4.0, rect.top() + 3.0),
+            pos2(rect.right() - 4.0, rect.bottom() - 3.0),
+        );
+        let text_colour = if selected {
+            visuals.selection.stroke.color
+        } else {
+            visuals.text_color()
+        };
+        draw_curve(ui, curve, &art.curve, theme, text_colour);
+        let mut name_right = curve.left() - 4.0;
+        if overlaid {
+            let mark = pos2(name_right - 5.0, rect.center().y);
+            ui.painter()
+                .circle_stroke(mark, 4.0, Stroke::new(2.0, ink(theme.inks.overlays[0])));
+            name_right -= 14.0;
+        }
+        let name_rect = Rect::from_min_max(
+            pos2(field.right() + 6.0, rect.top()),
+            pos2(name_right, rect.bottom()),
+        );
+        let font = egui::TextStyle::Body.resolve(ui.style());
+        let name = elided(ui, entry.name(), &font, name_rect.width());
+        ui.painter().with_clip_rect(name_rect.intersect(ui.clip_rect())).text(
+            pos2(name_rect.left(), rect.center().y),
+            Align2::LEFT_CENTER,
+            name,
+            font,
+            text_colour,
+        );
+        let add = ui.input(|i| i.modifiers.command || i.modifiers.shift);
+        let mut command = None;
+        if response.clicked() {
+            command = Some(if add {
+                Command::ToggleOverlay(entry.clone())
+            } else {
+                Command::Show(entry.clone())
+            });
+        }
+        response.context_menu(|ui| {
+            if let Some(chosen) = self.menu(ui, entry, overlaid) {
+                command = Some(chosen);
+            }
+        });
+        response.on_hover_ui(|ui| describe(ui, entry));
+        command
+    }
+
+    fn menu(&mut self, ui: &mut Ui, entry: &Arc<Entry>, overlaid: bool) -> Option<Command> {
+        let mut command = None;
+        if ui.button("Show").clicked() {
+            command = Some(Command::Show(entry.clone()));
+            ui.close();
+        }
+        let words = if overlaid {
+            "Take from the overlays"
+        } else {
+            "Add to the overlays"
+        };
+        if ui.button(words).clicked() {
+            command = Some(Command::ToggleOverlay(entry.clone()));
+            ui.close();
+        }
+        if entry.shelf.is_some() {
+            return command;
+        }
+        ui.separator();
+        if ui.button("Rename").clicked() {
+            self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
+            ui.close();
+        }
+        for kind in [Kind::Light, Kind::Reflectance, Kind::Transmittance] {
+            if kind != entry.kind() && ui.button(format!("This is a {kind}")).clicked() {
+                command = Some(Command::SetKind {
+                    key: entry.key.clone(),
+                    kind,
+                });
+                ui.close();
+            }
+        }
+        if ui.button("Remove").clicked() {
+            command = Some(Command::Remove {
+                key: entry.key.clone(),
+            });
+            ui.close();
+        }
+        command
+    }
+}
+
+impl Art {
+    fn of(entry: &Entry) -> Self {
+        let samples = &entry.spectrum.samples;
+        let outside = entry.kind().outside();
+        let values: Vec<f64> = (0..CURVE_POINTS)
+            .map(|i| samples.at(380.0 + 400.0 * i as f64 / (CURVE_POINTS - 1) as f64, outside))
+            .collect();
+        let top = values.iter().copied().fold(0.0, f64::max);
+        let top = if entry.kind().is_factor() {
+            top.max(1.0)
+        } else {
+            top
+        };
+        let swatch = match entry.kind() {
+            Kind::Light => xyz_from_light(samples, Outside::Zero, Observer::Cie1931)
+                .map(Swatch::of_light),
+            Kind::Reflectance | Kind::Transmittance => {
+                let light = crate::app::library::Library::bundled()
+                    .find("cie_illuminants/CIE D65")
+                    .ok()
+                    .and_then(|p| p.spectrum());
+                light.and_then(|light| {
+                    let white: Xyz =
+                        xyz_from_light(&light.samples, Outside::Zero, Observer::Cie1931)?;
+                    let xyz = xyz_from_reflectance(samples, &light.samples, Observer::Cie1931)?;
+                    Some(Swatch::of_patch(xyz, white, Adaptation::None))
+                })
+            }
+            Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => None,
+        };
+        Self {
+            colour: swatch.map_or(Color32::from_gray(110), |s| swatch::colour(s.rgb8)),
+            curve: values
+                .iter()
+                .map(|v| if top > 0.0 { (v / top).clamp(0.0, 1.0) as f32 } else { 0.0 })
+                .collect(),
+        }
+    }
+}
+
+fn heading(ui: &mut Ui, size: Vec2, title: &str, count: usize, folded: bool) -> bool {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| {
+        egui::WidgetInfo::selected(egui::Role::Button, true, !folded, title)
+    });
+    let visuals = ui.style().interact(&response);
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let middle = rect.center().y;
+    ui.painter().text(
+        pos2(rect.left() + 3.0, middle),
+        Align2::LEFT_CENTER,
+        if folded { "▸" } else { "▾" },
+        font.clone(),
+        visuals.fg_stroke.color,
+    );
+    ui.painter().text(
+        pos2(rect.left() + 17.0, middle),
+        Align2::LEFT_CENTER,
+        title,
+        font,
+        ui.visuals().strong_text_color(),
+    );
+    ui.painter().text(
+        pos2(rect.right() - 4.0, middle),
+        Align2::RIGHT_CENTER,
+        count.to_string(),
+        egui::TextStyle::Small.resolve(ui.style()),
+        ui.visuals().weak_text_color(),
+    );
+    response.clicked()
+}
+
+fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], theme: Theme, colour: Color32) {
+    let step = rect.width() / (heights.len().max(2) - 1) as f32;
+    let points: Vec<_> = heights
+        .iter()
+        .enumerate()
+        .map(|(i, h)| {
+            pos2(
+                rect.left() + i as f32 * step,
+                rect.bottom() - h * rect.height(),
+            )
+        })
+        .collect();
+    let stroke = Stroke::new(if theme.scale > 1.0 { 1.6 } else { 1.0 }, colour.gamma_multiply(0.75));
+    ui.painter().add(Shape::line(points, stroke));
+}
+
+/// A name cut to a width, with an ellipsis.
+fn elided(ui: &Ui, text: &str, font: &FontId, width: f32) -> String {
+    let measure = |text: String| {
+        ui.painter()
+            .layout_no_wrap(text, font.clone(), Color32::WHITE)
+            .size()
+            .x
+    };
+    if measure(text.to_owned()) <= width {
+        return text.to_owned();
+    }
+    let letters: Vec<char> = text.chars().collect();
+    let (mut fits, mut too_many) = (0, letters.len());
+    while too_many - fits > 1 {
+        let middle = usize::midpoint(fits, too_many);
+        let cut: String = letters[..middle].iter().chain(['…'].iter()).collect();
+        if measure(cut) <= width {
+            fits = middle;
+        } else {
+            too_many = middle;
+        }
+    }
+    letters[..fits].iter().chain(['…'].iter()).collect()
+}
+
+fn describe(ui: &mut Ui, entry: &Entry) {
+    let spectrum = &entry.spectrum;
+    ui.set_max_width(380.0);
+    ui.strong(entry.name());
+    ui.label(format!(
+        "{}, {} points, {} to {} nm{}",
+        spectrum.kind,
+        spectrum.samples.len(),
+        spectrum.samples.first_nm(),
+        spectrum.samples.last_nm(),
+        if spectrum.unit.is_empty() {
+            String::new()
+        } else {
+            format!(", {}", spectrum.unit)
+        }
+    ));
+    if !spectrum.source.is_empty() {
+        ui.weak(&spectrum.source);
+    }
+    if !entry.licence.is_empty() {
+        ui.weak(format!("Licence: {}", entry.licence));
+    }
+    ui.weak("Click to show it. Ctrl or Shift and click to lay it over.");
+}

@@ -1,0 +1,24 @@
+//! What the program looks like: egui, egui_plot and rfd only here, one view a file.
+//!
+//! A view reads [`App`](crate::app::App) and pushes [`Command`](crate::app::Command)s; the window
+//! applies them before it draws what depends on them, so every frame shows its own input.
+
+pub mod colour_view;
+pub mod dialogs;
+pub mod files;
+pub mod keys;
+pub mod library_view;
+pub mod model_view;
+pub mod painter;
+pub mod patches_view;
+pub mod picture;
+pub mod saver;
+pub mod shell;
+pub mod spectrum_view;
+pub mod spikes_view;
+pub mod swatch;
+pub mod theme;
+pub mod top_view;
+pub mod window;
+
+pub use window::Window;

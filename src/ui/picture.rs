@@ -1,0 +1,63 @@
+//! Pictures of the window and of the plot, without display or GPU.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::ColorImage;
+
+use super::{
+    Window,
+    files::Picked,
+    painter::{encode_png, picture_with},
+    spectrum_view::SpectrumView,
+    theme::{self, Theme},
+};
+use crate::app::{App, plot_svg, workspace::Preferences};
+
+/// Frames until layout, fonts and automatic axes are settled.
+const PASSES: usize = 4;
+
+/// Least and largest side of a picture, points.
+const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
+
+fn sides(size: [u32; 2]) -> egui::Vec2 {
+    let [width, height] = size.map(|s| s.clamp(*SIDES.start(), *SIDES.end()) as f32);
+    egui::vec2(width, height)
+}
+
+/// The real window over a program, drawn at a size in points and one pixel each.
+pub fn window_image(app: &App, preferences: &Preferences, size: [u32; 2]) -> ColorImage {
+    let context = egui::Context::default();
+    let preferences = Preferences {
+        // The size asked for is the picture's: a zoom would change it.
+        zoom: 1.0,
+        ..preferences.clone()
+    };
+    let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
+    let mut window = Window::new(app.clone(), preferences, no_files, None);
+    picture_with(&context, sides(size), 1.0, PASSES, |ui| window.show(ui))
+}
+
+/// [`window_image`] as a PNG file.
+pub fn window_png(app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8> {
+    encode_png(&window_image(app, preferences, size))
+}
+
+/// The spectrum plot alone as a PNG file.
+pub fn plot_png(app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
+    let context = egui::Context::default();
+    let preferences = Preferences {
+        dark: theme == plot_svg::Theme::Dark,
+        ..Preferences::default()
+    };
+    theme::install_fonts(&context);
+    theme::apply(&context, &preferences);
+    let mut view = SpectrumView::default();
+    let looks = Theme::of(&preferences);
+    let image = picture_with(&context, sides(size), 1.0, PASSES, |ui| {
+        egui::CentralPanel::default_margins().show(ui, |ui| {
+            view.show(ui, app, looks);
+        });
+    });
+    encode_png(&image)
+}

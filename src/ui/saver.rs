@@ -1,0 +1,68 @@
+//! Keeps the workspace on disk, on a thread of its own: the window never waits for it.
+
+use std::{
+    path::PathBuf,
+    sync::mpsc::{Receiver, Sender, channel},
+    thread::JoinHandle,
+};
+
+use crate::app::{
+    Document,
+    workspace::{self, Preferences},
+};
+
+/// Writes the newest workspace it was given; what came in between is skipped.
+pub struct Saver {
+    sender: Option<Sender<(Document, Preferences)>>,
+    troubles: Receiver<String>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Saver {
+    /// A saver for one file.
+    pub fn new(path: PathBuf) -> Self {
+        let (sender, jobs) = channel::<(Document, Preferences)>();
+        let (trouble, troubles) = channel();
+        let thread = std::thread::spawn(move || {
+            while let Ok(mut job) = jobs.recv() {
+                while let Ok(newer) = jobs.try_recv() {
+                    job = newer;
+                }
+                let (document, preferences) = job;
+                let text = workspace::to_json(&document, Some(&preferences));
+                if let Err(why) = workspace::save(&path, &text) {
+                    // The window may be gone already; then nobody is left to be told.
+                    let _ = trouble.send(why);
+                }
+            }
+        });
+        Self {
+            sender: Some(sender),
+            troubles,
+            thread: Some(thread),
+        }
+    }
+
+    /// Hands over what is to be kept.
+    pub fn keep(&self, document: &Document, preferences: &Preferences) {
+        if let Some(sender) = &self.sender {
+            // Fails only when the thread is gone, which it is only when the program ends.
+            let _ = sender.send((document.clone(), preferences.clone()));
+        }
+    }
+
+    /// What went wrong since the last call.
+    pub fn trouble(&self) -> Option<String> {
+        self.troubles.try_iter().last()
+    }
+}
+
+impl Drop for Saver {
+    /// Waits until the last workspace is on disk.
+    fn drop(&mut self) {
+        self.sender = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}

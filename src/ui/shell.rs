@@ -1,0 +1,183 @@
+//! The system's frame around the window: start, save, close, and clear words when there is none.
+
+use std::{path::PathBuf, time::Instant};
+
+use eframe::egui;
+
+use super::{
+    Window,
+    files::{system_picker, watch_dialogs},
+    saver::Saver,
+    theme::waker,
+};
+use crate::app::{
+    App, Command, Entry,
+    state::Tone,
+    workspace::{self, Preferences},
+};
+
+/// Why there is no window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoWindow {
+    /// No display to open a window on.
+    NoDisplay(String),
+    /// A display, but nothing to draw with.
+    NoGraphics(String),
+    /// The program itself failed.
+    Failed(String),
+}
+
+impl std::fmt::Display for NoWindow {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NoDisplay(why) => write!(f, "no usable display ({why})"),
+            Self::NoGraphics(why) => write!(f, "no usable graphics driver ({why})"),
+            Self::Failed(why) => write!(f, "the window failed ({why})"),
+        }
+    }
+}
+
+/// What the window starts with.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// Files to open.
+    pub files: Vec<PathBuf>,
+    /// Shipped spectra to show.
+    pub presets: Vec<std::sync::Arc<Entry>>,
+    /// Where the workspace is kept; `None` keeps none.
+    pub workspace: Option<PathBuf>,
+    /// Close by itself after this many frames (a smoke test), telling when the first was drawn.
+    pub frames: Option<u32>,
+    /// When the process started.
+    pub started: Option<Instant>,
+}
+
+/// The size of a first window, points.
+const FIRST_SIZE: [f32; 2] = [1280.0, 800.0];
+/// The smallest window that still makes sense, points.
+const LEAST_SIZE: [f32; 2] = [900.0, 560.0];
+
+/// Program and preferences as they were left, or as they are at a first start.
+pub fn restore(path: Option<&std::path::Path>) -> (App, Preferences) {
+    let fresh = || (App::new(), Window::first_preferences());
+    match path.map(workspace::load) {
+        Some(Ok(Some(restored))) => Window::restored(restored),
+        Some(Ok(None)) | None => fresh(),
+        Some(Err(why)) => {
+            let (mut app, preferences) = fresh();
+            app.say(Tone::Problem, why);
+            (app, preferences)
+        }
+    }
+}
+
+/// Opens the window and stays until it is closed.
+///
+/// # Errors
+/// [`NoWindow`] in plain words; never a panic, whatever the display libraries do.
+pub fn run(start: Start) -> Result<(), NoWindow> {
+    watch_dialogs();
+    // The window library panics when a display library is missing; the message would be raw.
+    let hook = std::panic::take_hook();
+    std::panic::set_hook(Box::new(|_| {}));
+    let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| open(start)));
+    std::panic::set_hook(hook);
+    match outcome {
+        Ok(Ok(())) => Ok(()),
+        Ok(Err(eframe::Error::WinitEventLoop(e))) => Err(NoWindow::NoDisplay(last_part(&e))),
+        Ok(Err(eframe::Error::AppCreation(e))) => Err(NoWindow::Failed(last_part(&e))),
+        Ok(Err(e)) => Err(NoWindow::NoGraphics(last_part(&e))),
+        Err(panic) => {
+            let text = panic
+                .downcast_ref::<String>()
+                .cloned()
+                .or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned()))
+                .unwrap_or_default();
+            let is_missing_library = text.contains("xkbcommon") || text.contains("Library");
+            Err(if is_missing_library {
+                NoWindow::NoDisplay(format!("a display library is missing: {}", one_line(&text)))
+            } else {
+                NoWindow::Failed(one_line(&text))
+            })
+        }
+    }
+}
+
+fn open(start: Start) -> eframe::Result {
+    let (app, preferences) = restore(start.workspace.as_deref());
+    let size = preferences.window.unwrap_or(FIRST_SIZE);
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_app_id("spectral-explorer")
+            .with_title("Spectral Explorer")
+            .with_inner_size(size)
+            .with_min_inner_size(LEAST_SIZE)
+            .with_drag_and_drop(true),
+        renderer: eframe::Renderer::Glow,
+        // Colours are shown as computed.
+        dithering: false,
+        ..Default::default()
+    };
+    eframe::run_native(
+        "Spectral Explorer",
+        options,
+        Box::new(move |creation| {
+            let saver = start.workspace.clone().map(Saver::new);
+            let mut window = Window::new(app, preferences, system_picker(), saver);
+            for entry in start.presets {
+                window.app.apply(Command::Show(entry));
+            }
+            window.open_files(start.files, waker(&creation.egui_ctx));
+            Ok(Box::new(Shell {
+                window,
+                frames_left: start.frames,
+                started: start.started,
+            }))
+        }),
+    )
+}
+
+struct Shell {
+    window: Window,
+    frames_left: Option<u32>,
+    started: Option<Instant>,
+}
+
+impl eframe::App for Shell {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        self.window.show(ui);
+        let context = ui.ctx();
+        let size = context.input(|i| i.viewport().inner_rect).map(|r| r.size());
+        if let Some(size) = size {
+            // The viewport tells points of the present zoom; the builder wants points at zoom 1.
+            let zoom = context.zoom_factor();
+            self.window.preferences.window = Some([size.x * zoom, size.y * zoom]);
+        }
+        if let Some(left) = &mut self.frames_left {
+            if let Some(started) = self.started.take() {
+                // A smoke test wants to know how long the first frame took.
+                println!("first frame after {:.3} s", started.elapsed().as_secs_f64());
+            }
+            *left = left.saturating_sub(1);
+            if *left == 0 {
+                context.send_viewport_cmd(egui::ViewportCommand::Close);
+            }
+            context.request_repaint();
+        }
+    }
+
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.window.keep_now();
+    }
+}
+
+/// The last part of a chain of error messages: what went wrong, without paths of a build machine.
+fn last_part(error: &dyn std::fmt::Display) -> String {
+    let text = error.to_string();
+    one_line(text.rsplit(": ").next().unwrap_or_default())
+}
+
+fn one_line(text: &str) -> String {
+    let line = text.lines().next().unwrap_or_default().trim();
+    line.chars().take(160).collect()
+}

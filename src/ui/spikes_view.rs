@@ -1,0 +1,130 @@
+//! The spikes as a table: place, weight, share, name; each can be changed, locked, deleted.
+
+use eframe::egui;
+use egui::{DragValue, Ui};
+
+use super::theme::Theme;
+use crate::app::{App, spike_hand::SpikeAct, ticks};
+
+/// Draws the table; an act is pushed for the window to carry out.
+pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
+    let derived = app.derived();
+    let factor = app.scale_factor();
+    let spikes = &derived.parts.spikes;
+    if spikes.is_empty() {
+        ui.add_space(6.0);
+        ui.weak(if app.document().settings.spikes {
+            "No spikes. Lower the threshold, or double-click in the plot to set one."
+        } else {
+            "Spikes are switched off."
+        });
+        return;
+    }
+    let band = derived.band;
+    let unit = app.unit();
+    egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+        egui::Grid::new("spikes")
+            .num_columns(7)
+            .striped(true)
+            .spacing([14.0 * theme.scale, 2.0])
+            .show(ui, |ui| {
+                ui.weak("place");
+                ui.weak("weight").on_hover_text(format!(
+                    "Radiant power of the line, in {} x nm.",
+                    if unit.is_empty() { "the file's unit" } else { &unit }
+                ));
+                ui.weak("share")
+                    .on_hover_text("Of the total power in the range, percent.");
+                ui.weak("width")
+                    .on_hover_text("Full width at half maximum of the line it stands for, nm.");
+                ui.weak("line")
+                    .on_hover_text("Named only where it is safe; otherwise the nearest line.");
+                ui.weak("");
+                ui.end_row();
+                for (index, spike) in spikes.iter().enumerate() {
+                    let (mut at_nm, mut weight) =
+                        (spike.spike.at_nm, spike.spike.weight * factor);
+                    let place = ui.add(
+                        DragValue::new(&mut at_nm)
+                            .speed(0.1)
+                            .range(band.min_nm()..=band.max_nm())
+                            .fixed_decimals(2)
+                            .suffix(" nm"),
+                    );
+                    let size = weight.abs().max(f64::MIN_POSITIVE);
+                    let power = ui.add(
+                        DragValue::new(&mut weight)
+                            .speed(0.01 * size)
+                            .custom_formatter(|v, _| ticks::short(v)),
+                    );
+                    for (response, what) in [(&place, "place"), (&power, "weight")] {
+                        let name = format!("Spike {} {what}", index + 1);
+                        response.widget_info(|| {
+                            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, &name)
+                        });
+                    }
+                    if place.changed() || power.changed() {
+                        acts.push(SpikeAct::Set {
+                            index,
+                            at_nm,
+                            weight: weight / factor,
+                        });
+                    }
+                    let share = 100.0 * spike.spike.weight / derived.parts.power;
+                    ui.monospace(format!("{share:.2} %"));
+                    ui.monospace(
+                        spike
+                            .width_nm
+                            .map_or_else(|| "–".to_owned(), |w| format!("{w:.1} nm")),
+                    );
+                    let name = app.spike_names().get(index);
+                    let line = ui.label(
+                        name.and_then(|n| n.safe.as_deref().or(n.near.as_deref()))
+                            .unwrap_or("–"),
+                    );
+                    if spike.peaks > 1 {
+                        line.on_hover_text(format!(
+                            "{} peaks that no valley parts make one spike. Moving the threshold \
+                             can part or join them, and so add one.",
+                            spike.peaks
+                        ));
+                    }
+                    ui.horizontal(|ui| {
+                        let mut locked = spike.hand.is_some();
+                        let lock = ui
+                            .checkbox(&mut locked, "lock")
+                            .on_hover_text("Keeps the spike whatever the threshold says.");
+                        if lock.changed() {
+                            acts.push(if locked {
+                                SpikeAct::Lock { index }
+                            } else {
+                                SpikeAct::Unlock { index }
+                            });
+                        }
+                        if ui
+                            .small_button("delete")
+                            .on_hover_text("Gives its energy back to the smooth part.")
+                            .clicked()
+                        {
+                            acts.push(SpikeAct::Delete { index });
+                        }
+                    });
+                    ui.end_row();
+                }
+            });
+    });
+}
+
+/// The row above the table.
+pub fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
+    let edits = app.document().subject_edits();
+    ui.weak("Drag a spike in the plot, or change its numbers here; double-click adds one.");
+    if !edits.is_empty()
+        && ui
+            .button("Forget hand edits")
+            .on_hover_text("Back to what the detector finds.")
+            .clicked()
+    {
+        acts.push(SpikeAct::Reset);
+    }
+}

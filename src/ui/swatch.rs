@@ -1,0 +1,69 @@
+//! Colour fields: one colour, or two side by side, with a name for screen readers.
+
+use eframe::egui;
+use egui::{Color32, CornerRadius, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, pos2};
+
+use crate::color::{Srgb, Swatch};
+
+/// A colour as egui has it: no colour management, sRGB values as they are.
+pub fn colour(Srgb([r, g, b]): Srgb) -> Color32 {
+    Color32::from_rgb(r, g, b)
+}
+
+/// Two colours in one field, left and right, with no line between: what differs is seen.
+pub fn split(ui: &mut Ui, size: Vec2, left: &Swatch, right: &Swatch, name: &str) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
+    paint_split(ui, rect, colour(left.rgb8), colour(right.rgb8));
+    if response.hovered() || response.has_focus() {
+        outline(ui, rect, ui.visuals().widgets.active.bg_stroke);
+    }
+    for (swatch, x) in [(left, rect.left() + 9.0), (right, rect.right() - 9.0)] {
+        if !swatch.in_gamut {
+            out_of_gamut_mark(ui, pos2(x, rect.top() + 8.0));
+        }
+    }
+    response
+}
+
+/// Fills a rectangle with two colours.
+pub fn paint_split(ui: &Ui, rect: Rect, left: Color32, right: Color32) {
+    let middle = rect.center().x.round();
+    let painter = ui.painter();
+    let (l, r) = rect.split_left_right_at_x(middle);
+    let corner = 3;
+    let left_corners = CornerRadius {
+        nw: corner,
+        sw: corner,
+        ..CornerRadius::ZERO
+    };
+    let right_corners = CornerRadius {
+        ne: corner,
+        se: corner,
+        ..CornerRadius::ZERO
+    };
+    painter.rect_filled(l, left_corners, left);
+    painter.rect_filled(r, right_corners, right);
+}
+
+/// Draws a line around a field.
+pub fn outline(ui: &Ui, rect: Rect, stroke: Stroke) {
+    ui.painter()
+        .rect_stroke(rect, CornerRadius::same(3), stroke, StrokeKind::Outside);
+}
+
+/// A small triangle: this colour is not the one on screen.
+pub fn out_of_gamut_mark(ui: &Ui, centre: egui::Pos2) {
+    let r = 5.0;
+    let corners = vec![
+        centre + Vec2::new(0.0, -r),
+        centre + Vec2::new(r, r * 0.8),
+        centre + Vec2::new(-r, r * 0.8),
+    ];
+    ui.painter().add(egui::Shape::convex_polygon(
+        corners,
+        Color32::BLACK,
+        Stroke::new(1.2, Color32::WHITE),
+    ));
+}

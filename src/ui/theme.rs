@@ -1,0 +1,194 @@
+//! Neutral surroundings for colour: greys without a tint, one accent, two themes, a projector size.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{
+    Color32, Context, CornerRadius, FontFamily, FontId, Stroke, TextStyle, Vec2,
+    epaint::text::{FontInsert, FontPriority, InsertFontFamily},
+};
+
+use crate::app::{chart::Inks, plot_svg, workspace::Preferences};
+
+/// How much larger type and how much thicker lines are in projector mode.
+const PROJECTOR_TYPE: f32 = 1.3;
+const PROJECTOR_LINES: f32 = 1.8;
+
+/// The looks that views ask for beside egui's own style.
+#[derive(Clone, Copy, Debug)]
+pub struct Theme {
+    /// Dark surroundings.
+    pub dark: bool,
+    /// Line colours.
+    pub inks: Inks,
+    /// Thickness of curves, points.
+    pub line: f32,
+    /// Ground of plots.
+    pub ground: Color32,
+    /// Text that explains, not shouts.
+    pub faint: Color32,
+    /// The mark of something that needs attention (never by colour alone).
+    pub warning: Color32,
+    /// Multiplier of fixed sizes in projector mode.
+    pub scale: f32,
+}
+
+impl Theme {
+    /// The theme of the preferences.
+    pub fn of(preferences: &Preferences) -> Self {
+        let dark = preferences.dark;
+        let file_theme = if dark {
+            plot_svg::Theme::Dark
+        } else {
+            plot_svg::Theme::Light
+        };
+        Self {
+            dark,
+            inks: Inks::of(file_theme),
+            line: if preferences.projector {
+                1.6 * PROJECTOR_LINES
+            } else {
+                1.6
+            },
+            ground: grey(if dark { 20 } else { 250 }),
+            faint: grey(if dark { 150 } else { 95 }),
+            warning: if dark {
+                Color32::from_rgb(240, 190, 90)
+            } else {
+                Color32::from_rgb(140, 80, 0)
+            },
+            scale: if preferences.projector {
+                PROJECTOR_TYPE
+            } else {
+                1.0
+            },
+        }
+    }
+}
+
+/// A neutral grey.
+pub const fn grey(level: u8) -> Color32 {
+    Color32::from_rgb(level, level, level)
+}
+
+/// An ink as an egui colour.
+pub fn ink([r, g, b]: [u8; 3]) -> Color32 {
+    Color32::from_rgb(r, g, b)
+}
+
+/// Fonts that have every sign the program writes; call once per context.
+pub fn install_fonts(context: &Context) {
+    // egui's own font lacks primes, subscripts and arrows; DejaVu stands behind it.
+    let family = |family| InsertFontFamily {
+        family,
+        priority: FontPriority::Lowest,
+    };
+    context.add_font(FontInsert::new(
+        "DejaVu Sans",
+        egui::FontData::from_static(include_bytes!("fonts/DejaVuSans.ttf")),
+        vec![
+            family(FontFamily::Proportional),
+            family(FontFamily::Monospace),
+        ],
+    ));
+}
+
+/// Sets colours and sizes for the preferences.
+pub fn apply(context: &Context, preferences: &Preferences) {
+    let theme = Theme::of(preferences);
+    context.set_theme(if theme.dark {
+        egui::Theme::Dark
+    } else {
+        egui::Theme::Light
+    });
+    context.all_styles_mut(|style| {
+        let size = |points: f32| points * theme.scale;
+        style.text_styles = [
+            (TextStyle::Small, FontId::proportional(size(11.0))),
+            (TextStyle::Body, FontId::proportional(size(13.0))),
+            (TextStyle::Button, FontId::proportional(size(13.0))),
+            (TextStyle::Heading, FontId::proportional(size(15.5))),
+            (TextStyle::Monospace, FontId::monospace(size(12.0))),
+        ]
+        .into();
+        style.spacing.item_spacing = Vec2::new(6.0, 4.0);
+        style.spacing.button_padding = Vec2::new(7.0, 2.0);
+        style.spacing.interact_size.y = size(20.0);
+        style.spacing.slider_width = size(128.0);
+        style.spacing.combo_width = size(96.0);
+        style.interaction.tooltip_delay = 0.35;
+        colours(&mut style.visuals, theme.dark);
+    });
+}
+
+/// Greys of both themes, from the ground up.
+fn colours(visuals: &mut egui::Visuals, dark: bool) {
+    *visuals = if dark {
+        egui::Visuals::dark()
+    } else {
+        egui::Visuals::light()
+    };
+    // (panel, plot ground, faint stripe, text, strong text, control, hovered, active, outline)
+    let [panel, ground, faint, text, strong, control, hovered, active, outline] = if dark {
+        [32, 20, 38, 205, 245, 54, 68, 82, 62]
+    } else {
+        [238, 252, 230, 45, 10, 222, 208, 194, 200]
+    };
+    visuals.panel_fill = grey(panel);
+    visuals.window_fill = grey(panel);
+    visuals.extreme_bg_color = grey(ground);
+    visuals.faint_bg_color = grey(faint);
+    visuals.window_stroke = Stroke::new(1.0, grey(outline));
+    let accent = if dark {
+        Color32::from_rgb(38, 92, 128)
+    } else {
+        Color32::from_rgb(170, 208, 232)
+    };
+    visuals.selection.bg_fill = accent;
+    visuals.selection.stroke = Stroke::new(1.0, grey(strong));
+    visuals.slider_trailing_fill = true;
+    visuals.hyperlink_color = if dark {
+        Color32::from_rgb(120, 190, 235)
+    } else {
+        Color32::from_rgb(0, 90, 150)
+    };
+    let radius = CornerRadius::same(3);
+    let widgets = &mut visuals.widgets;
+    for (state, fill, words) in [
+        (&mut widgets.noninteractive, panel, text),
+        (&mut widgets.inactive, control, text),
+        (&mut widgets.hovered, hovered, strong),
+        (&mut widgets.active, active, strong),
+        (&mut widgets.open, hovered, strong),
+    ] {
+        state.bg_fill = grey(fill);
+        state.weak_bg_fill = grey(fill);
+        state.fg_stroke = Stroke::new(1.0, grey(words));
+        state.corner_radius = radius;
+        state.expansion = 0.0;
+    }
+    widgets.noninteractive.bg_stroke = Stroke::new(1.0, grey(outline));
+    widgets.inactive.bg_stroke = Stroke::NONE;
+    let focus = if dark {
+        Color32::from_rgb(110, 180, 225)
+    } else {
+        Color32::from_rgb(0, 100, 160)
+    };
+    widgets.hovered.bg_stroke = Stroke::new(1.0, grey(active));
+    widgets.active.bg_stroke = Stroke::new(1.0, focus);
+}
+
+/// A heading of a panel's section.
+pub fn section(ui: &mut egui::Ui, title: &str) {
+    ui.add_space(2.0);
+    ui.label(egui::RichText::new(title).heading());
+}
+
+/// A shared `Arc` of nothing much: keeps callers from naming the type.
+pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// What wakes the window from another thread.
+pub fn waker(context: &Context) -> Wake {
+    let context = context.clone();
+    Arc::new(move || context.request_repaint())
+}

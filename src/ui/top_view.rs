@@ -1,0 +1,183 @@
+//! The top bar: files in and out, undo, the scale switch, how the window looks.
+
+use eframe::egui;
+use egui::{ComboBox, Ui};
+
+use super::{keys::Act, theme::Theme};
+use crate::app::{App, Command, Scale, export::Export, workspace::Preferences};
+
+/// What the bar can ask for beside commands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// As a shortcut would.
+    Act(Act),
+    /// Open a recent file, by its place in the list.
+    Recent(usize),
+    /// Save something as text.
+    Save(Export),
+    /// Save the plot as PNG.
+    SavePlotPng,
+    /// Save the window as PNG.
+    SaveWindowPng,
+    /// Copy the composite's one-line form.
+    CopyLine,
+    /// About, with the licences.
+    About,
+}
+
+/// Draws the bar.
+pub fn show(
+    ui: &mut Ui,
+    app: &App,
+    preferences: &mut Preferences,
+    theme: Theme,
+    dialog_open: bool,
+    commands: &mut Vec<Command>,
+    wishes: &mut Vec<Wish>,
+) {
+    ui.horizontal(|ui| {
+        if ui
+            .add_enabled(!dialog_open, egui::Button::new("Open…"))
+            .on_hover_text("Open spectra or a project (Ctrl+O). Files can also be dropped here.")
+            .clicked()
+        {
+            wishes.push(Wish::Act(Act::Open));
+        }
+        ui.menu_button("Path", |ui| {
+            if ui.button("Type a path…").clicked() {
+                wishes.push(Wish::Act(Act::TypePath));
+                ui.close();
+            }
+            if !preferences.recent.is_empty() {
+                ui.separator();
+                ui.weak("Opened last");
+            }
+            for (index, path) in preferences.recent.iter().enumerate() {
+                let name = path.file_name().unwrap_or(path.as_os_str());
+                if ui
+                    .button(name.to_string_lossy())
+                    .on_hover_text(path.display().to_string())
+                    .clicked()
+                {
+                    wishes.push(Wish::Recent(index));
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .on_hover_text("Open by a typed path, or a recent file.");
+        ui.menu_button("Save", |ui| save_menu(ui, dialog_open, wishes))
+            .response
+            .on_hover_text("Save or copy spectrum, model, tables and pictures.");
+        ui.separator();
+        for (words, act, possible, key) in [
+            ("Undo", Act::Undo, app.can_undo(), "Ctrl+Z"),
+            ("Redo", Act::Redo, app.can_redo(), "Ctrl+Shift+Z"),
+        ] {
+            if ui
+                .add_enabled(possible, egui::Button::new(words))
+                .on_hover_text(key)
+                .clicked()
+            {
+                wishes.push(Wish::Act(act));
+            }
+        }
+        ui.separator();
+        scale_switch(ui, app, commands);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            looks(ui, preferences, wishes);
+        });
+    });
+    let _ = theme;
+}
+
+fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
+    ui.add_enabled_ui(!dialog_open, |ui| {
+        let mut wish = |ui: &mut Ui, words: &str, wish: Wish| {
+            if ui.button(words).clicked() {
+                wishes.push(wish);
+                ui.close();
+            }
+        };
+        for export in Export::ALL {
+            wish(ui, export.title(), Wish::Save(export));
+        }
+        wish(ui, "Plot (PNG)", Wish::SavePlotPng);
+        wish(ui, "Window (PNG)", Wish::SaveWindowPng);
+        ui.separator();
+        wish(ui, "Copy the composite in one line", Wish::CopyLine);
+        wish(
+            ui,
+            "Copy a picture of the window",
+            Wish::Act(Act::CopyPicture),
+        );
+    });
+}
+
+fn scale_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+    let document = app.document();
+    ui.label("Scale");
+    let combo = ComboBox::from_id_salt("scale")
+        .selected_text(document.scale.words())
+        .width(ui.spacing().combo_width)
+        .show_ui(ui, |ui| {
+            for scale in Scale::ALL {
+                if ui
+                    .selectable_label(document.scale == scale, scale.words())
+                    .on_hover_text(scale.meaning())
+                    .clicked()
+                {
+                    commands.push(Command::Scale(scale));
+                }
+            }
+        });
+    combo
+        .response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, "Scale"));
+    combo.response.on_hover_text(document.scale.meaning());
+}
+
+fn looks(ui: &mut Ui, preferences: &mut Preferences, wishes: &mut Vec<Wish>) {
+    ui.menu_button("Help", |ui| {
+        if ui.button("Shortcuts (F1)").clicked() {
+            wishes.push(Wish::Act(Act::Shortcuts));
+            ui.close();
+        }
+        if ui.button("About and licences").clicked() {
+            wishes.push(Wish::About);
+            ui.close();
+        }
+    });
+    let other = if preferences.dark { "Light" } else { "Dark" };
+    if ui
+        .button(other)
+        .on_hover_text("Dark or light surroundings (Ctrl+D).")
+        .clicked()
+    {
+        wishes.push(Wish::Act(Act::Theme));
+    }
+    if ui
+        .selectable_label(preferences.projector, "Projector")
+        .on_hover_text("Large type and thick lines, for a class (Ctrl+P).")
+        .clicked()
+    {
+        wishes.push(Wish::Act(Act::Projector));
+    }
+    for (words, name, act) in [
+        ("+", "Larger", Act::ZoomIn),
+        ("", "", Act::ZoomReset),
+        ("−", "Smaller", Act::ZoomOut),
+    ] {
+        let percent = format!("{:.0} %", 100.0 * preferences.zoom);
+        let (words, name) = if words.is_empty() {
+            (percent.as_str(), "Zoom 100 %")
+        } else {
+            (words, name)
+        };
+        let button = ui.button(words).on_hover_text(name);
+        button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
+        if button.clicked() {
+            wishes.push(Wish::Act(act));
+        }
+    }
+}
