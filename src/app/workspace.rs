@@ -58,11 +58,14 @@ impl Default for Preferences {
             recent: Vec::new(),
             window: None,
             curve: CurveQuantity::default(),
-            folded: Vec::new(),
+            folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
             spikes_below: false,
         }
     }
 }
+
+/// Shelves of the library that start folded: there are hundreds of reflectances.
+pub const FOLDED_AT_FIRST: [&str; 3] = ["Reflectances", "Filters and glasses", "Observers"];
 
 /// Smallest and largest zoom.
 pub const ZOOMS: [f32; 2] = [0.8, 2.5];

@@ -25,6 +25,24 @@ pub enum Input {
     Preset(Arc<Entry>),
 }
 
+impl Input {
+    /// The path of a file.
+    pub fn file(&self) -> Option<PathBuf> {
+        match self {
+            Self::File(path) => Some(path.clone()),
+            Self::Preset(_) => None,
+        }
+    }
+
+    /// A shipped spectrum.
+    pub fn preset(&self) -> Option<Arc<Entry>> {
+        match self {
+            Self::File(_) => None,
+            Self::Preset(entry) => Some(entry.clone()),
+        }
+    }
+}
+
 /// The words as files and presets.
 ///
 /// # Errors

@@ -55,9 +55,6 @@ enum Wish {
     Fold(&'static str),
 }
 
-/// Headings that start folded: there are hundreds of reflectances.
-pub const FOLDED_AT_FIRST: [&str; 3] = ["Reflectances", "Filters and glasses", "Observers"];
-
 const OWN: &str = "My files";
 
 impl LibraryView {

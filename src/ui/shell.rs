@@ -59,7 +59,7 @@ const LEAST_SIZE: [f32; 2] = [900.0, 560.0];
 
 /// Program and preferences as they were left, or as they are at a first start.
 pub fn restore(path: Option<&std::path::Path>) -> (App, Preferences) {
-    let fresh = || (App::new(), Window::first_preferences());
+    let fresh = || (App::new(), Preferences::default());
     match path.map(workspace::load) {
         Some(Ok(Some(restored))) => Window::restored(restored),
         Some(Ok(None)) | None => fresh(),

@@ -16,7 +16,7 @@ use super::{
     dialogs::{self, Dialog, Outcome},
     files::{Ask, NO_DIALOG, Picked, Picker},
     keys::{self, Act},
-    library_view::{FOLDED_AT_FIRST, LibraryView},
+    library_view::LibraryView,
     model_view, patches_view, picture,
     saver::Saver,
     spectrum_view::SpectrumView,
@@ -106,14 +106,6 @@ impl Window {
         }
     }
 
-    /// The preferences of a first start.
-    pub fn first_preferences() -> Preferences {
-        Preferences {
-            folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
-            ..Preferences::default()
-        }
-    }
-
     /// The program and preferences that a workspace brought back.
     pub fn restored(restored: Restored) -> (App, Preferences) {
         let mut app = App::with_document(restored.document);
@@ -122,9 +114,7 @@ impl Window {
         }
         (
             app,
-            restored
-                .preferences
-                .unwrap_or_else(Self::first_preferences),
+            restored.preferences.unwrap_or_default(),
         )
     }
 
