@@ -3,8 +3,8 @@
 use std::{io, path::PathBuf, process::ExitCode, time::Instant};
 
 use spectral_explorer::{
-    app::{App, plot_svg, workspace},
     app::workspace::Preferences,
+    app::{App, plot_svg, workspace},
     cli::{self, Input, Outcome, Pictures},
     ui::{picture, shell},
 };

@@ -185,6 +185,22 @@ fn fine_data_keep_their_area_in_every_nm() {
 }
 
 #[test]
+fn fine_data_are_averaged_over_what_their_table_covers() {
+    // From 380.2 to 450.1 nm: the first and the last nm are covered in part only.
+    let sampled = Sampled::even(380.2, 0.1, vec![2.0; 700]).expect("a rising grid");
+    let grid = sampled.on_band(BAND, Outside::Zero);
+    for (nm, found) in BAND.grid().zip(grid) {
+        let expected = if (381.0..=450.0).contains(&nm) {
+            2.0
+        } else {
+            0.0
+        };
+        // Ten trapezoids of 0.1 nm.
+        assert_abs_diff_eq!(found, expected, epsilon = 1e-12);
+    }
+}
+
+#[test]
 fn a_table_of_half_and_whole_nm_is_averaged_only_where_it_is_fine() {
     // ASTM G173 steps by 0.5 nm up to 400 nm and by 1 nm beyond.
     let sun = &shipped("solar_astm_g173/ASTM G173-03 direct+circumsolar AM1.5D").samples;

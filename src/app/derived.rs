@@ -237,6 +237,14 @@ impl Derived {
                 100.0 * self.colour.missing_luminance
             ));
         }
+        if let Some(colour) = self.colour.exact
+            && !colour.swatch.in_gamut
+        {
+            warnings.push(format!(
+                "The colour is outside sRGB: {}.",
+                colour.swatch.mapping.words()
+            ));
+        }
         if let Some(errors) = self.errors
             && errors.lowest < -WORTH_SAYING
         {

@@ -2,13 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{
-    chart::spectrum_chart,
-    derived::PatchPair,
-    plot_svg::Theme,
-    state::App,
-    workspace,
-};
+use super::{chart::spectrum_chart, derived::PatchPair, plot_svg::Theme, state::App, workspace};
 use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,

@@ -52,6 +52,8 @@ struct Place<'a> {
     at_nm: f64,
     label: String,
     relative: f64,
+    /// Two lines seen as one.
+    blend: bool,
 }
 
 /// Names for spikes, in their order.
@@ -90,8 +92,10 @@ pub fn name_spikes(
                     witnessed || spike.weight > ALONE * power
                 })
                 .min_by(|a, b| {
-                    let distance = |p: &Place<'_>| (p.at_nm - spike.at_nm).abs();
-                    distance(a).total_cmp(&distance(b))
+                    // A spike within reach of a blended pair stands for the pair.
+                    let rank = |p: &Place<'_>| (!p.blend, (p.at_nm - spike.at_nm).abs());
+                    let (a, b) = (rank(a), rank(b));
+                    a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
                 })
                 .map(|p| format!("{} {}", p.element, p.label));
             LineName {
@@ -130,6 +134,7 @@ fn places(lines: &[ElementLine]) -> Vec<Place<'_>> {
                 at_nm: line.at_nm,
                 label: format!("{:.1}", line.at_nm),
                 relative: line.strength / strongest,
+                blend: false,
             });
         }
         for pair in of_element.windows(2) {
@@ -144,6 +149,7 @@ fn places(lines: &[ElementLine]) -> Vec<Place<'_>> {
                     at_nm: (a.at_nm * a.strength + b.at_nm * b.strength) / sum,
                     label: format!("{:.0}/{:.0}", a.at_nm, b.at_nm),
                     relative: a.strength.max(b.strength) / strongest,
+                    blend: true,
                 });
             }
         }
@@ -205,7 +211,7 @@ mod tests {
     #[test]
     fn a_lamp_of_one_line_needs_no_witness() {
         let names = name_spikes(&spikes(&[589.1]), 1.0, 1.5, &table());
-        assert_eq!(names[0].safe.as_deref(), Some("Na 589.0"));
+        assert_eq!(names[0].safe.as_deref(), Some("Na 589/590"));
     }
 
     #[test]

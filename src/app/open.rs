@@ -62,6 +62,10 @@ pub fn load_bytes(name: &str, bytes: &[u8]) -> Loaded {
 
 fn project_at(path: &Path) -> Option<Loaded> {
     use std::io::Read;
+    // Looking into a pipe would eat its beginning.
+    if !path.is_file() {
+        return None;
+    }
     let mut head = [0; 512];
     let mut file = std::fs::File::open(path).ok()?;
     let count = file.read(&mut head).ok()?;
@@ -209,7 +213,8 @@ impl Loader {
 /// One line that says what was found and what was expected.
 pub fn resolve(input: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<Entry, String> {
     let path = Path::new(input);
-    let mut entry = if path.is_file() {
+    // Not `is_file`: a pipe is a fine input too.
+    let mut entry = if path.exists() && !path.is_dir() {
         from_file(path, pick)?
     } else {
         from_library(input, path, pick)?
@@ -251,10 +256,9 @@ fn from_file(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
     let count = spectra.len();
     let mut spectrum = spectra.swap_remove(index);
     if count > 1 {
-        spectrum.notes.push(format!(
-            "Spectrum {} of {count} in the file.",
-            index + 1
-        ));
+        spectrum
+            .notes
+            .push(format!("Spectrum {} of {count} in the file.", index + 1));
     }
     Ok(Entry::own(1, spectrum))
 }
@@ -296,8 +300,8 @@ fn from_library(input: &str, path: &Path, pick: Option<&str>) -> Result<Entry, S
         Body::Lines(_) => Err(format!(
             "{input}: found a list of lines, expected a spectrum"
         )),
-        Body::Spectrum(_) | Body::Composite(_) => {
-            Entry::of_preset(preset).ok_or_else(|| format!("{input}: found numbers that are no spectrum, expected a spectrum"))
-        }
+        Body::Spectrum(_) | Body::Composite(_) => Entry::of_preset(preset).ok_or_else(|| {
+            format!("{input}: found numbers that are no spectrum, expected a spectrum")
+        }),
     }
 }

@@ -180,7 +180,8 @@ pub fn text(app: &App) -> String {
             100.0 * e.relative_rms,
             100.0 * e.relative_rms_10nm,
             100.0 * e.max_abs,
-            100.0 * e.energy,
+            // Adding zero turns -0 into 0.
+            (1e5 * e.energy).round() / 1e3 + 0.0,
             100.0 * e.lowest
         )),
         None => line("Error     none to speak of: the spectrum is zero".to_owned()),

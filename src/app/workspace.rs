@@ -252,11 +252,7 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
         light,
         factor: stored.factor.as_deref().and_then(&mut find),
         subject: stored.subject,
-        overlays: stored
-            .overlays
-            .iter()
-            .filter_map(|key| find(key))
-            .collect(),
+        overlays: stored.overlays.iter().filter_map(|key| find(key)).collect(),
         next_own: stored.next_own.max(own.len() as u64 + 1),
         own: own.clone(),
         settings: stored.settings.clamped(),

@@ -60,7 +60,8 @@ pub fn detect(
         let height = residue.iter().copied().fold(0.0, f64::max);
         let energy: f64 = residue.iter().sum();
         let width_nm = energy / (GAUSSIAN_AREA * height);
-        if height <= 0.0 || width_nm > max_width_nm {
+        let is_line = height > 0.0 && width_nm <= max_width_nm;
+        if !is_line {
             continue;
         }
         let moment: f64 = residue

@@ -18,7 +18,7 @@ use super::{
 pub enum Sampling {
     /// The paper's points: as many as there are numbers, 2N+1 independent ones.
     Paper,
-    /// 3N+1 points (Fourier): orders up to N exact.
+    /// 3N+1 points (Fourier; the next odd count where that is even): orders up to N exact.
     #[serde(rename = "3n")]
     ThreeN,
     /// 4N+1 points (Fourier): every order of one product exact.
@@ -56,7 +56,8 @@ impl Sampling {
         let order = numbers / 2;
         match self {
             Self::Paper => Some(numbers),
-            Self::ThreeN => Some(3 * order + 1),
+            // An even count would lose the sine of its highest order: the next odd one.
+            Self::ThreeN => Some((3 * order + 1) | 1),
             Self::FourN => Some(4 * order + 1),
             Self::Double => Some(2 * numbers),
             Self::Exact => None,

@@ -428,18 +428,20 @@ fn weigh(band: Band, values: &[f64], members: &[Peak], limits: (usize, usize)) -
         .zip(&baseline)
         .map(|(v, b)| (v - b).max(0.0))
         .collect();
-    let (mut energy, mut moment, mut top) = (0.0, 0.0, 0.0_f64);
+    // Heights as shares of the highest: no sum overflows, and nothing tiny is lost.
+    let top = residue.iter().copied().fold(0.0, f64::max);
+    let (mut area, mut moment) = (0.0, 0.0);
     for (i, r) in residue.iter().enumerate() {
-        let share = band.weight(first + i) * r;
-        energy += share;
+        let share = band.weight(first + i) * (r / top);
+        area += share;
         moment += share * band.nm(first + i);
-        top = top.max(*r);
     }
     (top > 0.0).then(|| Line {
         first,
-        energy,
-        at_nm: moment / energy,
-        width_nm: energy / (GAUSSIAN_AREA * top),
+        energy: area * top,
+        // Rounding must not carry a line at the end of the range out of it.
+        at_nm: (moment / area).clamp(band.nm(first), band.nm(last)),
+        width_nm: area / GAUSSIAN_AREA,
         residue,
     })
 }

@@ -14,14 +14,18 @@ use crate::{
 
 /// Draws the panel.
 pub fn show(ui: &mut Ui, app: &App, theme: Theme) {
-    section(ui, "Colour and error");
+    if app.document().is_about_light() {
+        section(ui, "Colour and error");
+    } else {
+        section(ui, &format!("Colour under {}", app.document().light.name()));
+    }
     let colour = &app.derived().colour;
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
         ui.weak("No visible light in this range: there is no colour to show.");
         errors(ui, app);
         return;
     };
-    let size = vec2(ui.available_width(), 36.0 * theme.scale);
+    let size = vec2(ui.available_width(), 32.0 * theme.scale);
     swatch::split(
         ui,
         size,
@@ -46,9 +50,12 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme) {
         hex(ui, "measured", &exact.swatch);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             hex(ui, "model", &model.swatch);
+            ui.with_layout(
+                egui::Layout::centered_and_justified(egui::Direction::LeftToRight),
+                |ui| differences(ui, app),
+            );
         });
     });
-    differences(ui, app);
     numbers(ui, app, exact, model, colour.full);
     errors(ui, app);
     warnings(ui, app, theme);
@@ -65,10 +72,6 @@ fn hex(ui: &mut Ui, whose: &str, swatch: &Swatch) {
     if button.clicked() {
         ui.ctx().copy_text(text);
     }
-    if !swatch.in_gamut {
-        ui.weak("out of sRGB")
-            .on_hover_text(capitalised(swatch.mapping.words()));
-    }
 }
 
 fn differences(ui: &mut Ui, app: &App) {
@@ -76,17 +79,11 @@ fn differences(ui: &mut Ui, app: &App) {
     let (Some(delta_e), Some(delta_uv)) = (colour.delta_e_2000, colour.delta_uv) else {
         return;
     };
-    ui.horizontal(|ui| {
-        ui.label("ΔE₀₀");
-        ui.label(RichText::new(format!("{delta_e:.3}")).strong().size(
-            egui::TextStyle::Heading.resolve(ui.style()).size,
-        ))
-        .on_hover_text("CIEDE2000 between measured and model; the white is the measured light.");
-        ui.add_space(10.0);
-        ui.label("Δu′v′");
-        ui.label(RichText::new(format!("{delta_uv:.5}")).strong())
-            .on_hover_text("Distance in the CIE 1976 chromaticity diagram.");
-    });
+    let text = format!("ΔE₀₀ {delta_e:.3}   Δu′v′ {delta_uv:.5}");
+    ui.label(RichText::new(text).strong()).on_hover_text(
+        "CIEDE2000 between measured and model (the white is the measured light), and their \
+         distance in the CIE 1976 chromaticity diagram.",
+    );
 }
 
 fn numbers(ui: &mut Ui, app: &App, exact: Colour, model: Colour, full: Option<Colour>) {
@@ -110,7 +107,9 @@ fn numbers(ui: &mut Ui, app: &App, exact: Colour, model: Colour, full: Option<Co
                 ui.end_row();
             };
             let tristimulus = |what: &str| {
-                format!("Tristimulus value {what} ({observer}); 100 is the Y of the measured light.")
+                format!(
+                    "Tristimulus value {what} ({observer}); 100 is the Y of the measured light."
+                )
             };
             row("X", tristimulus("X"), &|c| format!("{:.3}", c.xyz.x));
             row("Y", tristimulus("Y"), &|c| format!("{:.3}", c.xyz.y));

@@ -105,7 +105,10 @@ fn shortcuts(ui: &mut Ui) {
         }
         for (keys, words) in [
             ("Tab", "From control to control"),
-            ("Ctrl or Shift + click", "Lay a spectrum of the library over"),
+            (
+                "Ctrl or Shift + click",
+                "Lay a spectrum of the library over",
+            ),
             ("Drag a spike", "Move it, change its weight"),
             ("Double click in the plot", "Add a spike"),
             ("Ctrl + wheel, right drag", "Zoom the plot"),

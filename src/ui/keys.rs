@@ -50,25 +50,89 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
 pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 19] = [
-    (KeyboardShortcut::new(CTRL_SHIFT, Key::Z), Act::Redo, "Do again"),
-    (KeyboardShortcut::new(CTRL_SHIFT, Key::O), Act::TypePath, "Open a file by typing its path"),
-    (KeyboardShortcut::new(CTRL_SHIFT, Key::C), Act::CopyPicture, "Copy a picture of the window"),
+    (
+        KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
+        Act::Redo,
+        "Do again",
+    ),
+    (
+        KeyboardShortcut::new(CTRL_SHIFT, Key::O),
+        Act::TypePath,
+        "Open a file by typing its path",
+    ),
+    (
+        KeyboardShortcut::new(CTRL_SHIFT, Key::C),
+        Act::CopyPicture,
+        "Copy a picture of the window",
+    ),
     (KeyboardShortcut::new(CTRL, Key::Z), Act::Undo, "Undo"),
     (KeyboardShortcut::new(CTRL, Key::Y), Act::Redo, "Do again"),
     (KeyboardShortcut::new(CTRL, Key::O), Act::Open, "Open files"),
-    (KeyboardShortcut::new(CTRL, Key::S), Act::SaveProject, "Save the project"),
-    (KeyboardShortcut::new(CTRL, Key::F), Act::Search, "Search the library"),
-    (KeyboardShortcut::new(CTRL, Key::Plus), Act::ZoomIn, "Larger"),
-    (KeyboardShortcut::new(CTRL, Key::Minus), Act::ZoomOut, "Smaller"),
-    (KeyboardShortcut::new(CTRL, Key::Num0), Act::ZoomReset, "Zoom 100 %"),
-    (KeyboardShortcut::new(CTRL, Key::D), Act::Theme, "Dark or light"),
-    (KeyboardShortcut::new(CTRL, Key::P), Act::Projector, "Projector mode"),
-    (KeyboardShortcut::new(Modifiers::NONE, Key::Home), Act::ResetView, "The whole range into view"),
-    (KeyboardShortcut::new(Modifiers::NONE, Key::F1), Act::Shortcuts, "This list"),
-    (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft), Act::OrderDown, "Order N less one"),
-    (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowRight), Act::OrderUp, "Order N plus one"),
-    (KeyboardShortcut::new(Modifiers::NONE, Key::PageDown), Act::ThresholdDown, "Lower spike threshold"),
-    (KeyboardShortcut::new(Modifiers::NONE, Key::PageUp), Act::ThresholdUp, "Higher spike threshold"),
+    (
+        KeyboardShortcut::new(CTRL, Key::S),
+        Act::SaveProject,
+        "Save the project",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::F),
+        Act::Search,
+        "Search the library",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Plus),
+        Act::ZoomIn,
+        "Larger",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Minus),
+        Act::ZoomOut,
+        "Smaller",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num0),
+        Act::ZoomReset,
+        "Zoom 100 %",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::D),
+        Act::Theme,
+        "Dark or light",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::P),
+        Act::Projector,
+        "Projector mode",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::Home),
+        Act::ResetView,
+        "The whole range into view",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::F1),
+        Act::Shortcuts,
+        "This list",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft),
+        Act::OrderDown,
+        "Order N less one",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::ArrowRight),
+        Act::OrderUp,
+        "Order N plus one",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::PageDown),
+        Act::ThresholdDown,
+        "Lower spike threshold",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::PageUp),
+        Act::ThresholdUp,
+        "Higher spike threshold",
+    ),
 ];
 
 /// The acts of this frame's keys. Plain keys belong to whatever has the keyboard's focus.

@@ -83,9 +83,11 @@ impl LibraryView {
         }
         let height = (22.0 * theme.scale).round();
         let mut wish = None;
-        egui::ScrollArea::vertical()
-            .auto_shrink(false)
-            .show_rows(ui, height - ui.spacing().item_spacing.y, rows.len(), |ui, range| {
+        egui::ScrollArea::vertical().auto_shrink(false).show_rows(
+            ui,
+            height - ui.spacing().item_spacing.y,
+            rows.len(),
+            |ui, range| {
                 for row in &rows[range] {
                     let size = vec2(ui.available_width(), height - ui.spacing().item_spacing.y);
                     match row {
@@ -105,7 +107,8 @@ impl LibraryView {
                         }
                     }
                 }
-            });
+            },
+        );
         match wish {
             Some(Wish::Command(command)) => commands.push(command),
             Some(Wish::Fold(title)) => {
@@ -169,7 +172,8 @@ impl LibraryView {
         let is_light = document.light.key == entry.key;
         let is_factor = document.factor.as_ref().is_some_and(|f| f.key == entry.key);
         let selected = is_light || is_factor;
-        let overlaid = document.overlays.iter().any(|o| o.key == entry.key);
+        let overlay = document.overlays.iter().position(|o| o.key == entry.key);
+        let overlaid = overlay.is_some();
         if let Some((key, text)) = &mut self.renaming
             && *key == entry.key
         {
@@ -187,7 +191,7 @@ impl LibraryView {
         }
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         response.widget_info(|| {
-            egui::WidgetInfo::selected(egui::Role::Button, true, selected, entry.name())
+            egui::WidgetInfo::selected(egui::Role::Button, true, selected, row_name(entry))
         });
         let visuals = ui.visuals();
         if selected {
@@ -219,10 +223,11 @@ impl LibraryView {
         };
         draw_curve(ui, curve, &art.curve, theme, text_colour);
         let mut name_right = curve.left() - 4.0;
-        if overlaid {
+        if let Some(overlay) = overlay {
             let mark = pos2(name_right - 5.0, rect.center().y);
-            ui.painter()
-                .circle_stroke(mark, 4.0, Stroke::new(2.0, ink(theme.inks.overlays[0])));
+            let inks = theme.inks.overlays;
+            let stroke = Stroke::new(2.0, ink(inks[overlay % inks.len()]));
+            ui.painter().circle_stroke(mark, 4.0, stroke);
             name_right -= 14.0;
         }
         let name_rect = Rect::from_min_max(
@@ -230,14 +235,16 @@ impl LibraryView {
             pos2(name_right, rect.bottom()),
         );
         let font = egui::TextStyle::Body.resolve(ui.style());
-        let name = elided(ui, entry.name(), &font, name_rect.width());
-        ui.painter().with_clip_rect(name_rect.intersect(ui.clip_rect())).text(
-            pos2(name_rect.left(), rect.center().y),
-            Align2::LEFT_CENTER,
-            name,
-            font,
-            text_colour,
-        );
+        let name = elided(ui, &row_name(entry), &font, name_rect.width());
+        ui.painter()
+            .with_clip_rect(name_rect.intersect(ui.clip_rect()))
+            .text(
+                pos2(name_rect.left(), rect.center().y),
+                Align2::LEFT_CENTER,
+                name,
+                font,
+                text_colour,
+            );
         let add = ui.input(|i| i.modifiers.command || i.modifiers.shift);
         let mut command = None;
         if response.clicked() {
@@ -303,7 +310,12 @@ impl Art {
         let samples = &entry.spectrum.samples;
         let outside = entry.kind().outside();
         let values: Vec<f64> = (0..CURVE_POINTS)
-            .map(|i| samples.at(380.0 + 400.0 * i as f64 / (CURVE_POINTS - 1) as f64, outside))
+            .map(|i| {
+                samples.at(
+                    380.0 + 400.0 * i as f64 / (CURVE_POINTS - 1) as f64,
+                    outside,
+                )
+            })
             .collect();
         let top = values.iter().copied().fold(0.0, f64::max);
         let top = if entry.kind().is_factor() {
@@ -312,8 +324,9 @@ impl Art {
             top
         };
         let swatch = match entry.kind() {
-            Kind::Light => xyz_from_light(samples, Outside::Zero, Observer::Cie1931)
-                .map(Swatch::of_light),
+            Kind::Light => {
+                xyz_from_light(samples, Outside::Zero, Observer::Cie1931).map(Swatch::of_light)
+            }
             Kind::Reflectance | Kind::Transmittance => {
                 let light = crate::app::library::Library::bundled()
                     .find("cie_illuminants/CIE D65")
@@ -332,17 +345,34 @@ impl Art {
             colour: swatch.map_or(Color32::from_gray(110), |s| swatch::colour(s.rgb8)),
             curve: values
                 .iter()
-                .map(|v| if top > 0.0 { (v / top).clamp(0.0, 1.0) as f32 } else { 0.0 })
+                .map(|v| {
+                    if top > 0.0 {
+                        (v / top).clamp(0.0, 1.0) as f32
+                    } else {
+                        0.0
+                    }
+                })
                 .collect(),
         }
     }
 }
 
+/// The name in the list: the CIE's 5 nm tables have the names of its 1 nm tables.
+fn row_name(entry: &Entry) -> String {
+    let is_coarse = entry
+        .key
+        .split_once('/')
+        .is_some_and(|(group, _)| group.ends_with("_5nm") && group.starts_with("cie_"));
+    if is_coarse {
+        format!("{}, 5 nm", entry.name())
+    } else {
+        entry.name().to_owned()
+    }
+}
+
 fn heading(ui: &mut Ui, size: Vec2, title: &str, count: usize, folded: bool) -> bool {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response.widget_info(|| {
-        egui::WidgetInfo::selected(egui::Role::Button, true, !folded, title)
-    });
+    response.widget_info(|| egui::WidgetInfo::selected(egui::Role::Button, true, !folded, title));
     let visuals = ui.style().interact(&response);
     let font = egui::TextStyle::Body.resolve(ui.style());
     let middle = rect.center().y;
@@ -382,7 +412,10 @@ fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], theme: Theme, colour: Color3
             )
         })
         .collect();
-    let stroke = Stroke::new(if theme.scale > 1.0 { 1.6 } else { 1.0 }, colour.gamma_multiply(0.75));
+    let stroke = Stroke::new(
+        if theme.scale > 1.0 { 1.6 } else { 1.0 },
+        colour.gamma_multiply(0.75),
+    );
     ui.painter().add(Shape::line(points, stroke));
 }
 

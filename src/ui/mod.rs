@@ -3,6 +3,7 @@
 //! A view reads [`App`](crate::app::App) and pushes [`Command`](crate::app::Command)s; the window
 //! applies them before it draws what depends on them, so every frame shows its own input.
 
+pub mod axes;
 pub mod colour_view;
 pub mod dialogs;
 pub mod files;

@@ -4,7 +4,10 @@ use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 use egui_plot::{HLine, Line, Plot, PlotPoints, Points, VLine};
 
-use super::theme::{Theme, ink, section};
+use super::{
+    axes,
+    theme::{Theme, ink, section},
+};
 use crate::{
     app::{
         App, Command, Settings, Subject,
@@ -55,6 +58,7 @@ pub fn controls(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command
             spike_rows(ui, &mut settings);
             range_row(ui, &mut settings);
             observer_row(ui, &mut settings);
+            products_row(ui, &mut settings);
         });
     if settings != before {
         commands.push(Command::Edit(settings));
@@ -84,9 +88,7 @@ pub fn curve(
         ));
     })
     .response
-    .on_hover_text(
-        "An order N takes 2N + 1 numbers; a spike takes two, its place and its weight.",
-    );
+    .on_hover_text("An order N takes 2N + 1 numbers; a spike takes two, its place and its weight.");
     quantity_row(ui, app, preferences);
     plot(ui, app, preferences.curve, theme, commands);
 }
@@ -96,16 +98,18 @@ fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     let Some(factor) = &document.factor else {
         return;
     };
-    ui.horizontal(|ui| {
-        for (subject, name) in [
+    ui.columns(2, |columns| {
+        for (ui, (subject, name)) in columns.iter_mut().zip([
             (Subject::Light, document.light.name()),
             (Subject::Factor, factor.name()),
-        ] {
+        ]) {
             let chosen = document.is_about_light() == (subject == Subject::Light);
-            let button = egui::Button::selectable(chosen, name).truncate();
-            let width = (ui.available_width() / 2.0).max(60.0);
+            let size = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+            let button = egui::Button::selectable(chosen, name)
+                .truncate()
+                .min_size(size);
             if ui
-                .add_sized([width - 4.0, ui.spacing().interact_size.y], button)
+                .add(button)
                 .on_hover_text("What the model is of: the light, or the selected reflectance.")
                 .clicked()
             {
@@ -309,8 +313,26 @@ fn named(response: &egui::Response, role: egui::Role, name: &str) {
     response.widget_info(|| egui::WidgetInfo::labeled(role, true, name));
 }
 
-/// How products with reflectances are formed: a choice that the patches panel shows too.
-pub fn sampling_words(sampling: Sampling) -> (&'static str, &'static str) {
+fn products_row(ui: &mut Ui, settings: &mut Settings) {
+    ui.label("Products");
+    let (words, meaning) = sampling_words(settings.sampling);
+    let combo = egui::ComboBox::from_id_salt("sampling")
+        .selected_text(words)
+        .width(ui.spacing().combo_width + 34.0)
+        .show_ui(ui, |ui| {
+            for sampling in Sampling::ALL {
+                let (words, meaning) = sampling_words(sampling);
+                ui.selectable_value(&mut settings.sampling, sampling, words)
+                    .on_hover_text(meaning);
+            }
+        });
+    named(&combo.response, egui::Role::ComboBox, "Products by");
+    combo.response.on_hover_text(meaning);
+    ui.end_row();
+}
+
+/// How products of light and reflectance are formed, in words.
+fn sampling_words(sampling: Sampling) -> (&'static str, &'static str) {
     match sampling {
         Sampling::Paper => (
             "paper's points",
@@ -370,10 +392,7 @@ const QUANTITIES: [CurveQuantity; 5] = [
 
 /// The chosen quantity where it exists: a reflectance has no patches.
 fn shown(app: &App, chosen: CurveQuantity) -> CurveQuantity {
-    let of_patches = matches!(
-        chosen,
-        CurveQuantity::Patches | CurveQuantity::PatchesWorst
-    );
+    let of_patches = matches!(chosen, CurveQuantity::Patches | CurveQuantity::PatchesWorst);
     if of_patches && app.derived().patches.is_none() {
         CurveQuantity::Own
     } else {
@@ -397,7 +416,11 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
                     }
                 }
             });
-        named(&combo.response, egui::Role::ComboBox, "What the curve shows");
+        named(
+            &combo.response,
+            egui::Role::ComboBox,
+            "What the curve shows",
+        );
         combo.response.on_hover_text(quantity_words(now).1);
     });
 }
@@ -408,13 +431,7 @@ const FLOOR: f64 = 1e-4;
 /// A just noticeable colour difference, about; the line drawn for orientation.
 const NOTICEABLE: f64 = 1.0;
 
-fn plot(
-    ui: &mut Ui,
-    app: &App,
-    chosen: CurveQuantity,
-    theme: Theme,
-    commands: &mut Vec<Command>,
-) {
+fn plot(ui: &mut Ui, app: &App, chosen: CurveQuantity, theme: Theme, commands: &mut Vec<Command>) {
     let quantity = shown(app, chosen);
     let derived = app.derived();
     let order = derived.model.smooth.order();
@@ -442,7 +459,10 @@ fn plot(
     let is_colour = !matches!(quantity, CurveQuantity::Rms | CurveQuantity::RmsBlurred);
     let highest = points.last().map_or(1.0, |p| p[0]);
     let lowest_log = points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
-    let highest_log = points.iter().map(|p| p[1]).fold(f64::NEG_INFINITY, f64::max);
+    let highest_log = points
+        .iter()
+        .map(|p| p[1])
+        .fold(f64::NEG_INFINITY, f64::max);
     let words = move |log: f64| {
         if is_colour {
             ticks::short(10_f64.powf(log))
@@ -453,7 +473,7 @@ fn plot(
     let now = points.iter().find(|p| p[0] as usize == order).copied();
     let line = theme.line;
     let inks = theme.inks;
-    let response = Plot::new("error against order")
+    let plot = Plot::new("error against order")
         .height(height)
         .allow_drag(false)
         .allow_zoom(false)
@@ -466,12 +486,11 @@ fn plot(
         .include_x(highest)
         .include_y((lowest_log - 0.1).floor().max(FLOOR.log10()))
         .include_y(highest_log.ceil())
-        .y_axis_min_width(40.0 * theme.scale)
-        .x_axis_formatter(|mark, _| format!("{}", mark.value))
-        .y_axis_formatter(move |mark, _| words(mark.value))
-        .y_grid_spacer(decades)
-        .label_formatter(|_| None)
-        .show(ui, |plot| {
+        .x_grid_spacer(axes::marks(8))
+        .y_grid_spacer(axes::decades(3))
+        .label_formatter(|_| None);
+    let response =
+        axes::dress(plot, theme, 34.0 * theme.scale, ticks::short, words).show(ui, |plot| {
             if is_colour {
                 plot.hline(
                     HLine::new("", NOTICEABLE.log10())
@@ -479,11 +498,7 @@ fn plot(
                         .width(1.0),
                 );
             }
-            plot.vline(
-                VLine::new("", order as f64)
-                    .color(theme.faint)
-                    .width(1.0),
-            );
+            plot.vline(VLine::new("", order as f64).color(theme.faint).width(1.0));
             plot.line(
                 Line::new("error", PlotPoints::from(points.clone()))
                     .color(ink(inks.smooth))
@@ -531,15 +546,4 @@ fn plot(
             words(point[1])
         ));
     }
-}
-
-/// Grid lines of a logarithmic axis whose values are decimal logarithms.
-fn decades(input: egui_plot::GridInput) -> Vec<egui_plot::GridMark> {
-    let (low, high) = input.bounds;
-    (low.floor() as i64..=high.ceil() as i64)
-        .map(|decade| egui_plot::GridMark {
-            value: decade as f64,
-            step_size: 1.0,
-        })
-        .collect()
 }

@@ -3,21 +3,18 @@
 use eframe::egui;
 use egui::{Align2, Ui, vec2};
 
-use super::{model_view::sampling_words, swatch, theme::Theme};
-use crate::{
-    app::{App, Command, Settings, View, derived::PatchComparison, library::Library},
-    spectrum::Sampling,
-};
+use super::{swatch, theme::Theme};
+use crate::app::{App, Command, View, derived::PatchComparison, library::Library};
 
 /// Most patches in one row: the ColorChecker makes two rows.
 const PER_ROW: usize = 12;
 
-/// The row above the patches: the set, its errors, how products are formed.
+/// The row above the patches: the set and its errors.
 pub fn head(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     let document = app.document();
     let combo = egui::ComboBox::from_id_salt("patch set")
         .selected_text(set_title(&document.patch_set))
-        .width(150.0)
+        .width(128.0)
         .show_ui(ui, |ui| {
             for group in Library::bundled().groups() {
                 if group.items.iter().any(|p| p.kind.is_factor())
@@ -33,7 +30,9 @@ pub fn head(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     combo
         .response
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, "Patch set"));
-    combo.response.on_hover_text("Whose reflectances the light falls on.");
+    combo
+        .response
+        .on_hover_text("Whose reflectances the light falls on.");
     if let Some(patches) = &app.derived().patches {
         ui.label("mean ΔE₀₀");
         ui.strong(format!("{:.3}", patches.mean));
@@ -45,52 +44,20 @@ pub fn head(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
                 .map_or_else(String::new, |p| p.name.clone()),
         );
     }
-    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let mut adapt = document.view.adapt_patches;
-        if ui
-            .checkbox(&mut adapt, "Adapt")
-            .on_hover_text(
-                "Shows the patches as an eye adapted to the light sees them (Bradford). It changes \
-                 the colours on screen, not the errors.",
-            )
-            .changed()
-        {
-            commands.push(Command::View(View {
-                adapt_patches: adapt,
-                ..document.view
-            }));
-        }
-        sampling(ui, app, commands);
-    });
-}
-
-/// The choice of how products are formed.
-fn sampling(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
-    let settings = app.document().settings;
-    let (words, meaning) = sampling_words(settings.sampling);
-    let combo = egui::ComboBox::from_id_salt("sampling")
-        .selected_text(words)
-        .width(118.0)
-        .show_ui(ui, |ui| {
-            for sampling in Sampling::ALL {
-                let (words, meaning) = sampling_words(sampling);
-                if ui
-                    .selectable_label(settings.sampling == sampling, words)
-                    .on_hover_text(meaning)
-                    .clicked()
-                {
-                    commands.push(Command::Edit(Settings {
-                        sampling,
-                        ..settings
-                    }));
-                }
-            }
-        });
-    combo
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, "Products by"));
-    combo.response.on_hover_text(meaning);
-    ui.weak("Products");
+    let mut adapt = document.view.adapt_patches;
+    if ui
+        .checkbox(&mut adapt, "Adapt")
+        .on_hover_text(
+            "Shows the patches as an eye adapted to the light sees them (Bradford). It changes \
+             the colours on screen, not the errors.",
+        )
+        .changed()
+    {
+        commands.push(Command::View(View {
+            adapt_patches: adapt,
+            ..document.view
+        }));
+    }
 }
 
 /// The patches themselves.
@@ -131,8 +98,7 @@ fn grid(
                 let index = row * PER_ROW + column;
                 ui.allocate_ui(vec2(width, height + text_height), |ui| {
                     ui.vertical(|ui| {
-                        let name =
-                            format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
+                        let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
                         let response = swatch::split(
                             ui,
                             vec2(width, height),
@@ -156,10 +122,8 @@ fn grid(
                             patch.exact_swatch.hex(),
                             patch.model_swatch.hex(),
                         ));
-                        let (rect, _) = ui.allocate_exact_size(
-                            vec2(width, text_height),
-                            egui::Sense::hover(),
-                        );
+                        let (rect, _) =
+                            ui.allocate_exact_size(vec2(width, text_height), egui::Sense::hover());
                         let worst = index == comparison.worst;
                         ui.painter().text(
                             rect.center(),
@@ -188,7 +152,11 @@ fn delta_words(delta: f64, worst: bool) -> String {
     } else {
         format!("{delta:.1}")
     };
-    if worst { format!("▲{number}") } else { number }
+    if worst {
+        format!("▲{number}")
+    } else {
+        number
+    }
 }
 
 /// A patch set's short title for the menu.

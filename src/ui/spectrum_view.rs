@@ -4,7 +4,10 @@ use eframe::egui;
 use egui::{Align2, Color32, ColorImage, Id, Pos2, Rect, TextureHandle, Ui, pos2, vec2};
 use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, Points, VLine};
 
-use super::theme::{Theme, grey, ink};
+use super::{
+    axes,
+    theme::{Theme, grey, ink},
+};
 use crate::{
     app::{App, Command, Entry, View, line_names::nearest_line, spike_hand::SpikeAct, ticks},
     color::{Srgb, srgb_from_wavelength_over},
@@ -31,6 +34,9 @@ struct Drag {
 }
 
 type StripKey = (u32, u32, bool);
+
+/// Room for the numbers of the vertical axes, points; both plots have the same.
+const Y_WIDTH: f32 = 46.0;
 
 /// How near the pointer must come to a spike's tip, points.
 const GRAB: f32 = 10.0;
@@ -71,13 +77,21 @@ impl Axis {
 
     /// The value of the spectrum at a height.
     fn value(self, height: f64) -> f64 {
-        let value = if self.log { 10_f64.powf(height) } else { height };
+        let value = if self.log {
+            10_f64.powf(height)
+        } else {
+            height
+        };
         value / self.factor
     }
 
     /// The number written at a height.
     fn words(self, height: f64) -> String {
-        ticks::short(if self.log { 10_f64.powf(height) } else { height })
+        ticks::short(if self.log {
+            10_f64.powf(height)
+        } else {
+            height
+        })
     }
 }
 
@@ -95,10 +109,7 @@ impl SpectrumView {
         let read_out = head(ui, app, theme);
         self.layers(ui, app, theme, &mut wishes);
 
-        let top = derived
-            .measured
-            .iter()
-            .fold(0.0_f64, |m, v| m.max(v.abs()));
+        let top = derived.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let axis = Axis {
             factor: app.scale_factor(),
             log: view.log_axis,
@@ -124,7 +135,15 @@ impl SpectrumView {
             }
         }
         if view.residual {
-            residual(ui, app, theme, axis.factor, residual_height, link, self.reset);
+            residual(
+                ui,
+                app,
+                theme,
+                axis.factor,
+                residual_height,
+                link,
+                self.reset,
+            );
         }
         self.reset = false;
         wishes
@@ -138,27 +157,88 @@ impl SpectrumView {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
             let inks = theme.inks;
-            layer(ui, &mut view.measured, "measured", Some(inks.measured), "The spectrum as measured.");
-            layer(ui, &mut view.smooth, "smooth", Some(inks.smooth), "The smooth part: the short series.");
-            layer(ui, &mut view.spikes, "spikes", Some(inks.spikes),
+            layer(
+                ui,
+                &mut view.measured,
+                "measured",
+                Some(inks.measured),
+                "The spectrum as measured.",
+            );
+            layer(
+                ui,
+                &mut view.smooth,
+                "smooth",
+                Some(inks.smooth),
+                "The smooth part: the short series.",
+            );
+            layer(
+                ui,
+                &mut view.spikes,
+                "spikes",
+                Some(inks.spikes),
                 "The spikes as stems. A stem's height above the smooth part is weight / (1.0645 x \
-                 widest line), the peak of a Gaussian of that width and weight.");
-            layer(ui, &mut view.model, "model", Some(inks.spikes),
-                "Smooth part and spikes together, each spike split over its two neighbouring nm.");
-            layer(ui, &mut view.residual, "residual", Some(inks.residual), "Model minus measured, below.");
-            layer(ui, &mut view.strip, "colours", None, "The colour of each wavelength under the axis.");
+                 widest line), the peak of a Gaussian of that width and weight.",
+            );
+            layer(
+                ui,
+                &mut view.model,
+                "model",
+                Some(inks.spikes),
+                "Smooth part and spikes together, each spike split over its two neighbouring nm.",
+            );
+            layer(
+                ui,
+                &mut view.residual,
+                "residual",
+                Some(inks.residual),
+                "Model minus measured, below.",
+            );
+            layer(
+                ui,
+                &mut view.strip,
+                "colours",
+                None,
+                "The colour of each wavelength under the axis.",
+            );
             if !document.overlays.is_empty() {
-                layer(ui, &mut view.overlays, "overlays", Some(inks.overlays[0]),
-                    "The spectra laid over for comparison.");
-                if ui.small_button("clear").on_hover_text("Takes all overlays away.").clicked() {
+                layer(
+                    ui,
+                    &mut view.overlays,
+                    "overlays",
+                    Some(inks.overlays[0]),
+                    "The spectra laid over for comparison. One of another kind (a reflectance over a \
+                     light) is drawn to the same height.",
+                );
+                for (i, overlay) in document.overlays.iter().enumerate().take(MOST_NAMES) {
+                    let colour = ink(inks.overlays[i % inks.overlays.len()]);
+                    let name = shortened(overlay.name());
+                    ui.label(egui::RichText::new(name).small().color(colour));
+                }
+                if document.overlays.len() > MOST_NAMES {
+                    let more = document.overlays.len() - MOST_NAMES;
+                    ui.small(format!("and {more} more"));
+                }
+                if ui
+                    .small_button("clear")
+                    .on_hover_text("Takes all overlays away.")
+                    .clicked()
+                {
                     wishes.commands.push(Command::ClearOverlays);
                 }
             }
-            layer(ui, &mut view.log_axis, "log", None, "Logarithmic vertical axis.");
+            layer(
+                ui,
+                &mut view.log_axis,
+                "log",
+                None,
+                "Logarithmic vertical axis.",
+            );
             if ui
                 .small_button("whole range")
-                .on_hover_text("Brings the whole range back into view (Home). Drag to move, Ctrl and \
-                    wheel to zoom, right drag for a box.")
+                .on_hover_text(
+                    "Brings the whole range back into view (Home). Drag to move, Ctrl and \
+                    wheel to zoom, right drag for a box.",
+                )
                 .clicked()
             {
                 self.reset = true;
@@ -197,6 +277,7 @@ impl SpectrumView {
             band.max_nm() as u32,
         );
         let unit = app.unit();
+        let plot_width = ui.available_width();
         let mut plot = Plot::new(id)
             .height(height)
             .link_axis(link, [true, false])
@@ -208,13 +289,21 @@ impl SpectrumView {
             .default_x_bounds(band.min_nm(), band.max_nm())
             .auto_bounds([false, self.drag.is_none()])
             .set_margin_fraction(vec2(0.0, 0.08))
-            .y_axis_min_width(56.0 * theme.scale)
-            .x_axis_formatter(|mark, _| format!("{} nm", ticks::short(mark.value)))
-            .y_axis_formatter(move |mark, _| axis.words(mark.value))
+            .x_grid_spacer(axes::marks((plot_width / (75.0 * theme.scale)) as usize))
             .label_formatter(|_| None);
-        if !axis.log {
-            plot = plot.include_y(0.0);
-        }
+        let y_marks = (height / (44.0 * theme.scale)) as usize;
+        plot = if axis.log {
+            plot.y_grid_spacer(axes::decades(y_marks))
+        } else {
+            plot.include_y(0.0).y_grid_spacer(axes::marks(y_marks))
+        };
+        plot = axes::dress(
+            plot,
+            theme,
+            Y_WIDTH * theme.scale,
+            |nm| format!("{} nm", ticks::short(nm)),
+            move |height| axis.words(height),
+        );
         if self.reset {
             plot = plot.reset();
         }
@@ -249,7 +338,11 @@ impl SpectrumView {
                 }
             }
             if view.measured {
-                plot.line(line("measured", curve(&derived.measured), ink(theme.inks.measured)));
+                plot.line(line(
+                    "measured",
+                    curve(&derived.measured),
+                    ink(theme.inks.measured),
+                ));
             }
             if let Some(product) = app.product() {
                 let colour = ink(theme.inks.product);
@@ -266,14 +359,22 @@ impl SpectrumView {
             }
             if view.model {
                 plot.line(
-                    line("model", curve(&derived.model_values()), ink(theme.inks.spikes))
-                        .width(theme.line * 0.8),
+                    line(
+                        "model",
+                        curve(&derived.model_values()),
+                        ink(theme.inks.spikes),
+                    )
+                    .width(theme.line * 0.8),
                 );
             }
             if view.smooth {
                 plot.line(
-                    line("smooth part", curve(&derived.smooth), ink(theme.inks.smooth))
-                        .width(theme.line * 1.3),
+                    line(
+                        "smooth part",
+                        curve(&derived.smooth),
+                        ink(theme.inks.smooth),
+                    )
+                    .width(theme.line * 1.3),
                 );
             }
             if view.spikes {
@@ -301,7 +402,11 @@ impl SpectrumView {
                     document.subject_entry().name(),
                     derived.numbers(),
                     derived.model.spikes.len(),
-                    if unit.is_empty() { String::new() } else { format!(", {unit}") }
+                    if unit.is_empty() {
+                        String::new()
+                    } else {
+                        format!(", {unit}")
+                    }
                 ),
             )
         });
@@ -417,7 +522,6 @@ impl SpectrumView {
         let texture = match &self.strip {
             Some((made_for, texture)) if *made_for == key => texture.clone(),
             _ => {
-                let Color32 { .. } = theme.ground;
                 let [r, g, b, _] = theme.ground.to_array();
                 let pixels: Vec<Color32> = band
                     .grid()
@@ -427,9 +531,9 @@ impl SpectrumView {
                     })
                     .collect();
                 let image = ColorImage::new([pixels.len(), 1], pixels);
-                let texture =
-                    ui.ctx()
-                        .load_texture("strip", image, egui::TextureOptions::LINEAR);
+                let texture = ui
+                    .ctx()
+                    .load_texture("strip", image, egui::TextureOptions::LINEAR);
                 self.strip = Some((key, texture.clone()));
                 texture
             }
@@ -445,7 +549,10 @@ impl SpectrumView {
         let half = 0.5 / band.points() as f32;
         painter.image(
             texture.id(),
-            Rect::from_min_max(pos2(left, area.top() + 2.0), pos2(right, area.bottom() - 2.0)),
+            Rect::from_min_max(
+                pos2(left, area.top() + 2.0),
+                pos2(right, area.bottom() - 2.0),
+            ),
             Rect::from_min_max(pos2(half, 0.0), pos2(1.0 - half, 1.0)),
             Color32::WHITE,
         );
@@ -474,7 +581,11 @@ fn head(ui: &mut Ui, app: &App, _theme: Theme) -> Rect {
         ui.label(egui::RichText::new(subject.name()).heading());
         let unit = app.unit();
         let words = [
-            if unit.is_empty() { "no unit stated".to_owned() } else { unit },
+            if unit.is_empty() {
+                "no unit stated".to_owned()
+            } else {
+                unit
+            },
             document.scale.words().to_owned(),
         ];
         ui.weak(words.join(", "));
@@ -504,6 +615,18 @@ fn layer(ui: &mut Ui, on: &mut bool, name: &str, colour: Option<[u8; 3]>, meanin
     if response.clicked() {
         *on = !*on;
     }
+}
+
+/// Overlays named beside their switch.
+const MOST_NAMES: usize = 4;
+
+/// A name of at most a few letters.
+fn shortened(name: &str) -> String {
+    const MOST: usize = 14;
+    if name.chars().count() <= MOST {
+        return name.to_owned();
+    }
+    name.chars().take(MOST - 1).chain(['…']).collect()
 }
 
 /// Foot and tip of each stem in the spectrum's own numbers.
@@ -565,7 +688,19 @@ fn tips(app: &App, axis: Axis) -> Vec<Option<[f64; 2]>> {
 
 fn overlay_points(overlay: &Entry, app: &App, axis: Axis) -> Vec<[f64; 2]> {
     let spectrum = &overlay.spectrum;
-    let factor = app.document().scale.factor(spectrum).unwrap_or(1.0);
+    let document = app.document();
+    let factor = if overlay.kind() == document.subject_entry().kind() {
+        document.scale.factor(spectrum).unwrap_or(1.0)
+    } else {
+        // Watts and fractions have no common axis: another kind is drawn to the same height.
+        let top = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        let own = top(spectrum.samples.values());
+        if own > 0.0 {
+            app.scale_factor() * top(&app.derived().measured) / own
+        } else {
+            1.0
+        }
+    };
     let own = Axis { factor, ..axis };
     let samples = &spectrum.samples;
     samples
@@ -641,9 +776,7 @@ fn hover(
     if !derived.band.contains(nm) {
         return;
     }
-    let value = |values: &[f64]| {
-        ticks::short(axis.factor * derived.band.interpolate(values, nm))
-    };
+    let value = |values: &[f64]| ticks::short(axis.factor * derived.band.interpolate(values, nm));
     let mut text = format!(
         "{nm:.1} nm   measured {}   model {}",
         value(&derived.measured),
@@ -661,22 +794,22 @@ fn hover(
     let corner = pos2(room.right() - galley.size().x - 4.0, room.top());
     let field = Rect::from_min_size(corner - vec2(20.0, -1.0), vec2(14.0, galley.size().y - 2.0));
     let painter = ui.painter();
-    let ground = Rect::from_min_max(field.min - vec2(8.0, 2.0), room.right_top() + vec2(0.0, galley.size().y + 2.0));
+    let ground = Rect::from_min_max(
+        field.min - vec2(8.0, 2.0),
+        room.right_top() + vec2(0.0, galley.size().y + 2.0),
+    );
     painter.rect_filled(ground, 3.0, ui.visuals().panel_fill);
     painter.rect_filled(field, 2.0, Color32::from_rgb(r, g, b));
-    painter.rect_stroke(field, 2.0, egui::Stroke::new(1.0, grey(128)), egui::StrokeKind::Outside);
+    painter.rect_stroke(
+        field,
+        2.0,
+        egui::Stroke::new(1.0, grey(128)),
+        egui::StrokeKind::Outside,
+    );
     painter.galley(corner, galley, ui.visuals().strong_text_color());
 }
 
-fn residual(
-    ui: &mut Ui,
-    app: &App,
-    theme: Theme,
-    factor: f64,
-    height: f32,
-    link: Id,
-    reset: bool,
-) {
+fn residual(ui: &mut Ui, app: &App, theme: Theme, factor: f64, height: f32, link: Id, reset: bool) {
     let derived = app.derived();
     let band = derived.band;
     let points: Vec<[f64; 2]> = band
@@ -685,21 +818,28 @@ fn residual(
         .map(|(nm, v)| [nm, v * factor])
         .collect();
     let key = &app.document().subject_entry().key;
+    let columns = (ui.available_width() / (75.0 * theme.scale)) as usize;
     let mut plot = Plot::new(("residual", key, app.document().scale))
         .height(height)
+        .x_grid_spacer(axes::marks(columns))
         .link_axis(link, [true, false])
         .link_cursor(link, [true, false])
         .allow_scroll(false)
         .allow_double_click_reset(false)
         .show_crosshair(false)
-        .show_axes([false, true])
         .default_x_bounds(band.min_nm(), band.max_nm())
         .auto_bounds([false, true])
         .include_y(0.0)
         .set_margin_fraction(vec2(0.0, 0.12))
-        .y_axis_min_width(56.0 * theme.scale)
-        .y_axis_formatter(|mark, _| ticks::short(mark.value))
+        .y_grid_spacer(axes::marks((height / (36.0 * theme.scale)) as usize))
         .label_formatter(|_| None);
+    plot = axes::dress(
+        plot,
+        theme,
+        Y_WIDTH * theme.scale,
+        |_| String::new(),
+        ticks::short,
+    );
     if reset {
         plot = plot.reset();
     }

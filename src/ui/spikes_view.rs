@@ -31,7 +31,11 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                 ui.weak("place");
                 ui.weak("weight").on_hover_text(format!(
                     "Radiant power of the line, in {} x nm.",
-                    if unit.is_empty() { "the file's unit" } else { &unit }
+                    if unit.is_empty() {
+                        "the file's unit"
+                    } else {
+                        &unit
+                    }
                 ));
                 ui.weak("share")
                     .on_hover_text("Of the total power in the range, percent.");
@@ -42,8 +46,7 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                 ui.weak("");
                 ui.end_row();
                 for (index, spike) in spikes.iter().enumerate() {
-                    let (mut at_nm, mut weight) =
-                        (spike.spike.at_nm, spike.spike.weight * factor);
+                    let (mut at_nm, mut weight) = (spike.spike.at_nm, spike.spike.weight * factor);
                     let place = ui.add(
                         DragValue::new(&mut at_nm)
                             .speed(0.1)

@@ -13,8 +13,7 @@ pub fn colour(Srgb([r, g, b]): Srgb) -> Color32 {
 /// Two colours in one field, left and right, with no line between: what differs is seen.
 pub fn split(ui: &mut Ui, size: Vec2, left: &Swatch, right: &Swatch, name: &str) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
     paint_split(ui, rect, colour(left.rgb8), colour(right.rgb8));
     if response.hovered() || response.has_focus() {
         outline(ui, rect, ui.visuals().widgets.active.bg_stroke);

@@ -129,7 +129,17 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
         egui::Visuals::light()
     };
     // (panel, plot ground, faint stripe, text, strong text, control, hovered, active, outline)
-    let [panel, ground, faint, text, strong, control, hovered, active, outline] = if dark {
+    let [
+        panel,
+        ground,
+        faint,
+        text,
+        strong,
+        control,
+        hovered,
+        active,
+        outline,
+    ] = if dark {
         [32, 20, 38, 205, 245, 54, 68, 82, 62]
     } else {
         [238, 252, 230, 45, 10, 222, 208, 194, 200]

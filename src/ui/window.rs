@@ -51,6 +51,9 @@ struct Waiting {
     saving: Option<Saving>,
 }
 
+/// The right panel's width: its tables fit, so that it does not jump with its content.
+const RIGHT_WIDTH: f32 = 384.0;
+
 /// A change is kept on disk this long after it was made, seconds.
 const KEEP_AFTER: f64 = 0.7;
 
@@ -76,6 +79,8 @@ pub struct Window {
     /// Revision and preferences on disk, and when something newer was first seen.
     kept: (u64, Preferences),
     changed_at: Option<f64>,
+    /// Leaves out what changes from run to run (the time taken), for pictures in tests.
+    pub quiet: bool,
     styled_for: Option<Preferences>,
     fonts_installed: bool,
     focus_search: bool,
@@ -100,6 +105,7 @@ impl Window {
             saving: None,
             saver,
             changed_at: None,
+            quiet: false,
             styled_for: None,
             fonts_installed: false,
             focus_search: false,
@@ -112,10 +118,7 @@ impl Window {
         for loss in restored.losses {
             app.say(Tone::Problem, loss);
         }
-        (
-            app,
-            restored.preferences.unwrap_or_default(),
-        )
+        (app, restored.preferences.unwrap_or_default())
     }
 
     /// Opens files as if they had been chosen in the dialog.
@@ -163,19 +166,14 @@ impl Window {
             .exact_size(status_height)
             .show(ui, |ui| self.status(ui, theme));
         Panel::left("library")
-            .default_size(224.0 * theme.scale)
+            .default_size(224.0)
             .size_range(150.0..=460.0)
             .show(ui, |ui| {
                 if std::mem::take(&mut self.focus_search) {
                     ui.memory_mut(|m| m.move_focus(egui::FocusDirection::Next));
                 }
-                self.library.show(
-                    ui,
-                    &self.app,
-                    &mut self.preferences,
-                    theme,
-                    &mut commands,
-                );
+                self.library
+                    .show(ui, &self.app, &mut self.preferences, theme, &mut commands);
             });
         for wish in wishes {
             self.fulfil(wish, &context);
@@ -183,8 +181,8 @@ impl Window {
         self.apply(&mut commands);
 
         Panel::right("model")
-            .default_size(318.0 * theme.scale)
-            .size_range(260.0..=560.0)
+            .default_size(RIGHT_WIDTH * theme.scale)
+            .size_range(RIGHT_WIDTH * theme.scale..=760.0)
             .show(ui, |ui| {
                 egui::ScrollArea::vertical()
                     .auto_shrink(false)
@@ -294,7 +292,8 @@ impl Window {
             }
             Loaded::Project { path, restored } => {
                 let losses = restored.losses.clone();
-                self.app.apply(Command::Replace(Box::new(restored.document)));
+                self.app
+                    .apply(Command::Replace(Box::new(restored.document)));
                 self.app.say(Tone::Info, "Project opened.");
                 for loss in losses {
                     self.app.say(Tone::Problem, loss);
@@ -379,7 +378,8 @@ impl Window {
                     [size.x as u32, size.y as u32],
                 );
                 context.copy_image(image);
-                self.app.say(Tone::Info, "A picture of the window was copied.");
+                self.app
+                    .say(Tone::Info, "A picture of the window was copied.");
             }
         }
     }
@@ -403,7 +403,8 @@ impl Window {
                 match Export::CompositeLine.text(&self.app, theme) {
                     Ok(text) => {
                         context.copy_text(text.trim_end().to_owned());
-                        self.app.say(Tone::Info, "The composite was copied in one line.");
+                        self.app
+                            .say(Tone::Info, "The composite was copied in one line.");
                     }
                     Err(why) => self.app.say(Tone::Problem, why),
                 }
@@ -498,8 +499,8 @@ impl Window {
                     [size.x as u32, size.y as u32],
                 )),
             };
-            let written = bytes
-                .and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
+            let written =
+                bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
             let message = match written {
                 Ok(()) => (
                     Tone::Info,
@@ -536,7 +537,7 @@ impl Window {
     fn below(&mut self, ui: &mut Ui, theme: Theme) {
         let mut commands = Vec::new();
         let mut acts: Vec<SpikeAct> = Vec::new();
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let spikes = self.app.derived().parts.spikes.len();
             let below = &mut self.preferences.spikes_below;
             if ui
@@ -575,9 +576,12 @@ impl Window {
     fn status(&mut self, ui: &mut Ui, theme: Theme) {
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let ms = 1e3 * self.app.took().as_secs_f64();
-                ui.weak(format!("recomputed in {ms:.2} ms"))
-                    .on_hover_text("Time for fit, errors, colours, patches and the order curve.");
+                if !self.quiet {
+                    let ms = 1e3 * self.app.took().as_secs_f64();
+                    ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
+                        "Time for fit, errors, colours, patches and the order curve.",
+                    );
+                }
                 if self.loader.pending() > 0 {
                     ui.spinner();
                     ui.label(format!("reading {} files", self.loader.pending()));
