@@ -359,7 +359,9 @@ fn no_file_knows_on_whose_computer_it_was_written() {
             .map(|f| root.join(f)),
     );
     let folders = private_folders();
-    let here = root.display().to_string();
+    // A copy that lies at `/src` or the like proves nothing: such words stand in many texts.
+    let here = (root.components().count() > 2).then(|| root.display().to_string());
+    let is_here = |text: &str| here.as_ref().is_some_and(|here| text.contains(here));
     let (mut read, mut wrong) = (0, Vec::new());
     for path in files {
         // Fonts and pictures are no text; what is missing holds nothing.
@@ -368,7 +370,7 @@ fn no_file_knows_on_whose_computer_it_was_written() {
         };
         read += 1;
         let found = private_path(&text, &folders)
-            .or_else(|| text.contains(&here).then_some("the folder of this copy"));
+            .or_else(|| is_here(&text).then_some("the folder of this copy"));
         if let Some(found) = found {
             let name = path.strip_prefix(&root).unwrap_or(&path);
             wrong.push(format!("{}: {found}", name.display()));

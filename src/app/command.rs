@@ -33,6 +33,8 @@ pub enum Command {
     Patch(Option<usize>),
     /// The scale switch.
     Scale(Scale),
+    /// What the weights of the paper's lamps are multiplied by, nm.
+    WeightFactor(f64),
     /// What the plot shows.
     View(View),
     /// Takes spectra in as the user's own and shows the first.
@@ -69,7 +71,9 @@ impl Command {
     /// a frame.
     pub fn continues(&self, before: &Self) -> bool {
         match (self, before) {
-            (Self::Edit(_), Self::Edit(_)) | (Self::EditSpikes(_), Self::EditSpikes(_)) => true,
+            (Self::Edit(_), Self::Edit(_))
+            | (Self::EditSpikes(_), Self::EditSpikes(_))
+            | (Self::WeightFactor(_), Self::WeightFactor(_)) => true,
             (Self::Rename { key: a, .. }, Self::Rename { key: b, .. }) => a == b,
             _ => false,
         }

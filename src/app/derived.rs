@@ -119,6 +119,8 @@ pub struct Question<'a> {
     pub full: Option<(Xyz, Xyz)>,
     /// Y of the light over 360-830, not scaled.
     pub full_luminance: f64,
+    /// First and last wavelength of the subject's table, nm.
+    pub table_nm: [f64; 2],
     /// The knobs.
     pub settings: Settings,
     /// The hand edits of the subject's spikes.
@@ -194,7 +196,7 @@ impl Derived {
             parts: fitted.parts,
             warnings: Vec::new(),
         };
-        derived.warnings = derived.warnings_for(settings);
+        derived.warnings = derived.warnings_for(question);
         derived
     }
 
@@ -210,7 +212,20 @@ impl Derived {
         values
     }
 
-    fn warnings_for(&self, settings: Settings) -> Vec<String> {
+    /// The parts of 380-780 nm that the range does not reach: "380-400 and 700-780".
+    fn missing_visible(&self) -> Option<String> {
+        let (min, max) = (self.band.min_nm(), self.band.max_nm());
+        let (first, last) = (Band::VISIBLE.min_nm(), Band::VISIBLE.max_nm());
+        let below = (min > first).then(|| format!("{first}-{}", min.min(last)));
+        let above = (max < last).then(|| format!("{}-{last}", max.max(first)));
+        match (below, above) {
+            (Some(below), Some(above)) => Some(format!("{below} and {above}")),
+            (below, above) => below.or(above),
+        }
+    }
+
+    fn warnings_for(&self, question: Question<'_>) -> Vec<String> {
+        let settings = question.settings;
         let mut warnings = Vec::new();
         if self.errors.is_none() {
             warnings.push("The spectrum is zero over the whole range.".to_owned());
@@ -231,10 +246,26 @@ impl Derived {
             ),
             Some(Exactness::Exact { .. }) | None => {}
         }
-        if self.colour.missing_luminance > WORTH_SAYING {
+        if let Some(missing) = self.missing_visible() {
+            let share = 100.0 * self.colour.missing_luminance;
+            warnings.push(if share > 100.0 * WORTH_SAYING {
+                format!(
+                    "The range leaves out {missing} nm of the visible, {share:.1} % of the \
+                     light's luminance."
+                )
+            } else {
+                format!("The range leaves out {missing} nm of the visible.")
+            });
+        }
+        let [first_nm, last_nm] = question.table_nm;
+        if first_nm > self.band.min_nm() || last_nm < self.band.max_nm() {
+            let outside = if question.is_light {
+                "it is zero"
+            } else {
+                "its end values are held"
+            };
             warnings.push(format!(
-                "The range leaves out {:.1} % of the light's luminance.",
-                100.0 * self.colour.missing_luminance
+                "The table covers {first_nm}-{last_nm} nm; outside {outside}."
             ));
         }
         if let Some(colour) = self.colour.exact

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use serde::{Deserialize, Serialize};
 
-use super::{entry::Entry, scale::Scale, settings::Settings};
+use super::{entry::Entry, library::Library, scale::Scale, settings::Settings};
 use crate::spectrum::SpikeEdits;
 
 /// Which of the two selected spectra the model is of.
@@ -89,9 +89,17 @@ pub struct Document {
     pub patch: Option<usize>,
     /// The scale switch.
     pub scale: Scale,
+    /// What the weights of the paper's Table 4 are multiplied by to become unit x nm, nm.
+    pub weight_factor: f64,
     /// What the plot shows.
     pub view: View,
 }
+
+/// The best reading of Table 4's weights: contributions to the mean over the paper's 300 nm.
+pub const PAPER_WEIGHT_FACTOR: f64 = 300.0;
+
+/// Factors that may be asked for, nm.
+pub const WEIGHT_FACTORS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
 
 impl Document {
     /// A fresh document about a light.
@@ -108,6 +116,7 @@ impl Document {
             patch_set: FIRST_PATCH_SET.to_owned(),
             patch: None,
             scale: Scale::default(),
+            weight_factor: PAPER_WEIGHT_FACTOR,
             view: View::default(),
         }
     }
@@ -123,6 +132,21 @@ impl Document {
     /// Whether the subject is the light.
     pub fn is_about_light(&self) -> bool {
         self.subject == Subject::Light || self.factor.is_none()
+    }
+
+    /// Gives the paper's lamps in the document the weight factor in force.
+    pub fn weigh_the_papers_lamps(&mut self) {
+        let factor = self.weight_factor;
+        let all = self.overlays.iter_mut().chain([&mut self.light]);
+        for entry in all.filter(|e| e.is_of_the_paper()) {
+            let weighed = Library::bundled()
+                .find(&entry.key)
+                .ok()
+                .and_then(|preset| Entry::of_preset_weighing(preset, Some(factor)));
+            if let Some(weighed) = weighed.filter(|w| *w != **entry) {
+                *entry = Arc::new(weighed);
+            }
+        }
     }
 
     /// The hand edits of the subject's spikes.

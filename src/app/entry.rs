@@ -26,21 +26,31 @@ pub struct Entry {
 impl Entry {
     /// A shipped spectrum; `None` for lists of lines, which are not spectra.
     pub fn of_preset(preset: &Preset) -> Option<Self> {
+        Self::of_preset_weighing(preset, None)
+    }
+
+    /// A shipped spectrum, the weights of a composite's spikes multiplied by `factor` instead of
+    /// the file's own factor; other presets have no such weights.
+    pub fn of_preset_weighing(preset: &Preset, factor: Option<f64>) -> Option<Self> {
         let spectrum = match &preset.body {
             Body::Spectrum(spectrum) => spectrum.clone(),
-            Body::Composite(composite) => NamedSpectrum {
-                name: preset.name.clone(),
-                kind: preset.kind,
-                unit: preset.unit.clone(),
-                scale: 1.0,
-                samples: sampled_from_composite(&composite_from_preset(composite)?)?,
-                notes: {
-                    let mut notes = preset.notes.clone();
-                    notes.push(SAMPLED_NOTE.to_owned());
-                    notes
-                },
-                source: preset.source.clone(),
-            },
+            Body::Composite(printed) => {
+                let mut composite = printed.clone();
+                composite.weight_factor = factor.unwrap_or(printed.weight_factor);
+                NamedSpectrum {
+                    name: preset.name.clone(),
+                    kind: preset.kind,
+                    unit: preset.unit.clone(),
+                    scale: 1.0,
+                    samples: sampled_from_composite(&composite_from_preset(&composite)?)?,
+                    notes: {
+                        let mut notes = preset.notes.clone();
+                        notes.push(SAMPLED_NOTE.to_owned());
+                        notes
+                    },
+                    source: preset.source.clone(),
+                }
+            }
             Body::Lines(_) => return None,
         };
         Some(Self {
@@ -49,6 +59,11 @@ impl Entry {
             spectrum,
             licence: preset.licence.words.clone(),
         })
+    }
+
+    /// Whether it is one of the paper's lamps, whose spikes' weights wait for a factor.
+    pub fn is_of_the_paper(&self) -> bool {
+        self.shelf == Some(Shelf::Paper)
     }
 
     /// The user's own spectrum number `number`.

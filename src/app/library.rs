@@ -265,6 +265,10 @@ impl Library {
             exact
         };
         match found[..] {
+            // People leave out the CIE: D65 is "CIE D65".
+            [] if !lower.starts_with("cie ") => self
+                .find(&format!("CIE {asked}"))
+                .map_err(|_| self.not_found(asked, &lower)),
             [] => Err(self.not_found(asked, &lower)),
             [preset] if matches!(preset.body, Body::Lines(_)) => {
                 Err(FindError::Lines { name: asked.into() })

@@ -8,7 +8,7 @@ use std::{
 use super::{
     command::Command,
     derived::{Derived, Question},
-    document::{Document, FIRST_LIGHT, Subject},
+    document::{Document, FIRST_LIGHT, Subject, WEIGHT_FACTORS},
     entry::{Entry, bundled_entries},
     history::History,
     library::Library,
@@ -240,7 +240,10 @@ impl App {
             Command::Undo => return self.step(History::undo, "Nothing to undo."),
             Command::Redo => return self.step(History::redo, "Nothing to do again."),
             Command::Edit(settings) => self.document.settings = settings.clamped(),
-            Command::Show(entry) => self.show(entry),
+            Command::Show(entry) => {
+                self.show(entry);
+                self.document.weigh_the_papers_lamps();
+            }
             Command::ToggleOverlay(entry) => {
                 let overlays = &mut self.document.overlays;
                 match overlays.iter().position(|o| o.key == entry.key) {
@@ -264,6 +267,13 @@ impl App {
             }
             Command::Patch(patch) => self.document.patch = patch,
             Command::Scale(scale) => self.document.scale = scale,
+            Command::WeightFactor(factor) => {
+                if factor.is_finite() {
+                    let (least, most) = (*WEIGHT_FACTORS.start(), *WEIGHT_FACTORS.end());
+                    self.document.weight_factor = factor.clamp(least, most);
+                    self.document.weigh_the_papers_lamps();
+                }
+            }
             Command::View(view) => self.document.view = view,
             Command::Adopt(spectra) => self.adopt(spectra),
             Command::Rename { key, name } => {
@@ -544,6 +554,10 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
             light: &light,
             full,
             full_luminance: white.y,
+            table_nm: [
+                subject.spectrum.samples.first_nm(),
+                subject.spectrum.samples.last_nm(),
+            ],
             settings,
             edits: &edits,
             adaptation: if document.view.adapt_patches {

@@ -12,7 +12,7 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use super::{
-    document::{Document, FIRST_LIGHT, Subject, View},
+    document::{Document, FIRST_LIGHT, PAPER_WEIGHT_FACTOR, Subject, View, WEIGHT_FACTORS},
     entry::{Entry, bundled_entries},
     scale::Scale,
     settings::Settings,
@@ -154,6 +154,8 @@ struct Stored {
     patch: Option<usize>,
     #[serde(default)]
     scale: Scale,
+    #[serde(default = "paper_weight_factor")]
+    weight_factor: f64,
     #[serde(default)]
     view: View,
     #[serde(default)]
@@ -185,6 +187,7 @@ pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String
         patch_set,
         patch,
         scale,
+        weight_factor,
         view,
     } = document;
     let stored = Stored {
@@ -202,6 +205,7 @@ pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String
         patch_set: patch_set.clone(),
         patch: *patch,
         scale: *scale,
+        weight_factor: *weight_factor,
         view: *view,
         preferences: preferences.cloned(),
     };
@@ -248,7 +252,7 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
     let light = find(&stored.light)
         .or_else(|| find(FIRST_LIGHT))
         .ok_or("no light to show")?;
-    let document = Document {
+    let mut document = Document {
         light,
         factor: stored.factor.as_deref().and_then(&mut find),
         subject: stored.subject,
@@ -260,13 +264,21 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
         patch_set: stored.patch_set,
         patch: stored.patch,
         scale: stored.scale,
+        weight_factor: stored
+            .weight_factor
+            .clamp(*WEIGHT_FACTORS.start(), *WEIGHT_FACTORS.end()),
         view: stored.view,
     };
+    document.weigh_the_papers_lamps();
     Ok(Restored {
         document,
         preferences: stored.preferences.map(Preferences::clamped),
         losses,
     })
+}
+
+fn paper_weight_factor() -> f64 {
+    PAPER_WEIGHT_FACTOR
 }
 
 impl OwnSpectrum {

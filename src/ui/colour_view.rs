@@ -61,6 +61,9 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme) {
     warnings(ui, app, theme);
 }
 
+/// Least height of a row of numbers, points: denser than rows of controls.
+const ROW: f32 = 16.0;
+
 fn hex(ui: &mut Ui, whose: &str, swatch: &Swatch) {
     let text = swatch.hex();
     let button = ui
@@ -90,6 +93,7 @@ fn numbers(ui: &mut Ui, app: &App, exact: Colour, model: Colour, full: Option<Co
     let observer = app.document().settings.observer.title();
     egui::Grid::new("colour numbers")
         .num_columns(4)
+        .min_row_height(ROW)
         .spacing([10.0, 2.0])
         .show(ui, |ui| {
             ui.weak("");
@@ -153,6 +157,7 @@ fn errors(ui: &mut Ui, app: &App) {
     let percent = |share: f64| format!("{:.2} %", 100.0 * share);
     egui::Grid::new("errors")
         .num_columns(4)
+        .min_row_height(ROW)
         .spacing([10.0, 2.0])
         .show(ui, |ui| {
             let cell = |ui: &mut Ui, name: &str, hint: &str, value: String| {

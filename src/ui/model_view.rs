@@ -11,6 +11,7 @@ use super::{
 use crate::{
     app::{
         App, Command, Settings, Subject,
+        document::WEIGHT_FACTORS,
         settings::{Detector, GRADIENTS_PERCENT, ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
         ticks,
         workspace::{CurveQuantity, Preferences},
@@ -59,6 +60,7 @@ pub fn controls(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command
             range_row(ui, &mut settings);
             observer_row(ui, &mut settings);
             products_row(ui, &mut settings);
+            weight_factor_row(ui, app, commands);
         });
     if settings != before {
         commands.push(Command::Edit(settings));
@@ -328,6 +330,33 @@ fn products_row(ui: &mut Ui, settings: &mut Settings) {
         });
     named(&combo.response, egui::Role::ComboBox, "Products by");
     combo.response.on_hover_text(meaning);
+    ui.end_row();
+}
+
+/// The paper's lamps only: how the weights of its Table 4 are read.
+fn weight_factor_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+    let document = app.document();
+    if !document.light.is_of_the_paper() {
+        return;
+    }
+    let label = ui.label("Weight factor");
+    let mut factor = document.weight_factor;
+    let changed = ui
+        .add(
+            egui::DragValue::new(&mut factor)
+                .speed(1.0)
+                .range(WEIGHT_FACTORS)
+                .suffix(" nm"),
+        )
+        .labelled_by(label.id)
+        .on_hover_text(
+            "The weights of the paper's Table 4 times this are unit x nm. 300 nm reads them as \
+             contributions to the mean over the range; the paper does not say.",
+        )
+        .changed();
+    if changed {
+        commands.push(Command::WeightFactor(factor));
+    }
     ui.end_row();
 }
 

@@ -132,6 +132,7 @@ fn open(start: Start) -> eframe::Result {
                 window,
                 frames_left: start.frames,
                 started: start.started,
+                first_shown: false,
             }))
         }),
     )
@@ -141,10 +142,22 @@ struct Shell {
     window: Window,
     frames_left: Option<u32>,
     started: Option<Instant>,
+    first_shown: bool,
 }
 
 impl eframe::App for Shell {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        if self.frames_left.is_some()
+            && self.first_shown
+            && let Some(started) = self.started.take()
+        {
+            // The second frame begins when the first one is on screen: a smoke test wants to know.
+            println!(
+                "first frame shown after {:.3} s",
+                started.elapsed().as_secs_f64()
+            );
+        }
+        self.first_shown = true;
         self.window.show(ui);
         let context = ui.ctx();
         let size = context.input(|i| i.viewport().inner_rect).map(|r| r.size());
@@ -154,10 +167,6 @@ impl eframe::App for Shell {
             self.window.preferences.window = Some([size.x * zoom, size.y * zoom]);
         }
         if let Some(left) = &mut self.frames_left {
-            if let Some(started) = self.started.take() {
-                // A smoke test wants to know how long the first frame took.
-                println!("first frame after {:.3} s", started.elapsed().as_secs_f64());
-            }
             *left = left.saturating_sub(1);
             if *left == 0 {
                 context.send_viewport_cmd(egui::ViewportCommand::Close);

@@ -19,8 +19,8 @@ pub enum Wish {
     SavePlotPng,
     /// Save the window as PNG.
     SaveWindowPng,
-    /// Copy the composite's one-line form.
-    CopyLine,
+    /// Copy something as text.
+    Copy(Export),
     /// About, with the licences.
     About,
 }
@@ -105,7 +105,16 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
         wish(ui, "Plot (PNG)", Wish::SavePlotPng);
         wish(ui, "Window (PNG)", Wish::SaveWindowPng);
         ui.separator();
-        wish(ui, "Copy the composite in one line", Wish::CopyLine);
+        for export in [
+            Export::CompositeLine,
+            Export::Csv,
+            Export::PatchesCsv,
+            Export::SpikesCsv,
+            Export::CurveCsv,
+        ] {
+            let words = format!("Copy: {}", export.title());
+            wish(ui, &words, Wish::Copy(export));
+        }
         wish(
             ui,
             "Copy a picture of the window",

@@ -398,13 +398,13 @@ impl Window {
             Wish::Save(export) => self.save(Saving::Text(export), context),
             Wish::SavePlotPng => self.save(Saving::PlotPng, context),
             Wish::SaveWindowPng => self.save(Saving::WindowPng, context),
-            Wish::CopyLine => {
+            Wish::Copy(export) => {
                 let theme = plot_svg::Theme::Light;
-                match Export::CompositeLine.text(&self.app, theme) {
+                match export.text(&self.app, theme) {
                     Ok(text) => {
                         context.copy_text(text.trim_end().to_owned());
                         self.app
-                            .say(Tone::Info, "The composite was copied in one line.");
+                            .say(Tone::Info, format!("Copied: {}.", export.title()));
                     }
                     Err(why) => self.app.say(Tone::Problem, why),
                 }
