@@ -1,8 +1,8 @@
 //! Which element a spike may be named after.
 //!
 //! A wrong name is worse than none. A spike gets an element's name only when the element is one
-//! that lamps are made of, the spike stands within reach of a strong line of it, and another of
-//! its strong lines is there too, or the spike is nearly all of the light. Any other line near by
+//! that lamps are made of, the spike stands within reach of a principal line of it, and another of
+//! its lines is there too, or the spike is nearly all of the light. Any other line near by
 //! is only told on hover.
 
 use crate::spectrum::Spike;
@@ -27,19 +27,32 @@ pub struct LineName {
     pub near: Option<String>,
 }
 
-/// Elements that ordinary lamps show.
-const LAMP_ELEMENTS: [&str; 5] = ["Hg", "Na", "H", "He", "Cd"];
+/// Elements that ordinary lamps show, with the lines (nm, air) by which their discharge is known.
+///
+/// Only these may be printed beside a spike. The table's strengths cannot choose them: NIST's are
+/// qualitative, and its mercury lines at 708 and 709 nm, as strong there as 577 nm, would give the
+/// name to europium's phosphor line at 709 nm.
+const PRINCIPAL: [(&str, &[f64]); 5] = [
+    ("Hg", &[404.656, 435.833, 546.075, 576.961, 579.067]),
+    ("Na", &[588.995, 589.592]),
+    ("H", &[410.173, 434.047, 486.135, 656.279]),
+    (
+        "He",
+        &[388.865, 447.148, 501.568, 587.562, 667.815, 706.519],
+    ),
+    ("Cd", &[467.815, 479.991, 508.582, 643.847]),
+];
+/// A tabulated line is a principal one when it stands this near, nm.
+const SAME_LINE_NM: f64 = 0.05;
 /// A spike may be this far from the line it is named after on data of 1-2 nm.
 const REACH_FINE_NM: f64 = 1.0;
 /// The same on 5 nm data, where a line's centroid is drawn to the samples.
 const REACH_COARSE_NM: f64 = 3.0;
 /// Data is coarse from this step on.
 const COARSE_STEP_NM: f64 = 4.0;
-/// Share of the element's strongest line that makes a line strong enough to name a spike.
-const STRONG: f64 = 0.05;
 /// Share that makes a line worth looking for as a witness.
 const WITNESS: f64 = 0.005;
-/// Two strong lines of one element closer than this arrive as one spike between them.
+/// Two principal lines of one element closer than this arrive as one spike between them.
 const BLEND_NM: f64 = 4.0;
 /// Share of the light's power above which a spike needs no witness: a one-line lamp.
 const ALONE: f64 = 0.5;
@@ -51,7 +64,10 @@ struct Place<'a> {
     element: &'a str,
     at_nm: f64,
     label: String,
+    /// Strength as a share of the element's strongest.
     relative: f64,
+    /// One of the lines that may be printed.
+    principal: bool,
     /// Two lines seen as one.
     blend: bool,
 }
@@ -78,7 +94,7 @@ pub fn name_spikes(
         .map(|(index, spike)| {
             let safe = places
                 .iter()
-                .filter(|p| p.relative >= STRONG && hit(p, spike))
+                .filter(|p| p.principal && hit(p, spike))
                 .filter(|p| {
                     let witnessed = spikes.iter().enumerate().any(|(other, s)| {
                         other != index
@@ -122,7 +138,12 @@ fn near(spike: &Spike, lines: &[ElementLine]) -> Option<String> {
 
 fn places(lines: &[ElementLine]) -> Vec<Place<'_>> {
     let mut places = Vec::new();
-    for element in LAMP_ELEMENTS {
+    for (element, principal) in PRINCIPAL {
+        let is_principal = |line: &ElementLine| {
+            principal
+                .iter()
+                .any(|nm| (nm - line.at_nm).abs() <= SAME_LINE_NM)
+        };
         let of_element: Vec<&ElementLine> = lines.iter().filter(|l| l.element == element).collect();
         let strongest = of_element.iter().fold(0.0_f64, |m, l| m.max(l.strength));
         if strongest <= 0.0 {
@@ -134,21 +155,23 @@ fn places(lines: &[ElementLine]) -> Vec<Place<'_>> {
                 at_nm: line.at_nm,
                 label: format!("{:.1}", line.at_nm),
                 relative: line.strength / strongest,
+                principal: is_principal(line),
                 blend: false,
             });
         }
         for pair in of_element.windows(2) {
             let (a, b) = (pair[0], pair[1]);
-            let both_strong = a.strength.min(b.strength) >= STRONG * strongest;
+            let both_principal = is_principal(a) && is_principal(b);
             // A pair of very unequal lines stays where the stronger one is.
             let alike = a.strength.min(b.strength) >= 0.3 * a.strength.max(b.strength);
-            if b.at_nm - a.at_nm < BLEND_NM && both_strong && alike {
+            if b.at_nm - a.at_nm < BLEND_NM && both_principal && alike {
                 let sum = a.strength + b.strength;
                 places.push(Place {
                     element,
                     at_nm: (a.at_nm * a.strength + b.at_nm * b.strength) / sum,
                     label: format!("{:.0}/{:.0}", a.at_nm, b.at_nm),
                     relative: a.strength.max(b.strength) / strongest,
+                    principal: true,
                     blend: true,
                 });
             }
@@ -206,6 +229,20 @@ mod tests {
         assert_eq!(names[0].safe, None);
         assert_eq!(names[0].near.as_deref(), Some("near Hg 435.8"));
         assert_eq!(names[1].near.as_deref(), Some("near Xe 611.2"));
+    }
+
+    #[test]
+    fn a_phosphor_line_is_not_taken_for_a_strong_red_line_of_the_table() {
+        let mut lines = table();
+        lines.push(ElementLine {
+            element: "Hg".to_owned(),
+            at_nm: 709.186,
+            strength: 12000.0,
+        });
+        let names = name_spikes(&spikes(&[404.7, 435.8, 709.6]), 1.0, 100.0, &lines);
+        assert_eq!(names[0].safe.as_deref(), Some("Hg 404.7"));
+        assert_eq!(names[2].safe, None);
+        assert_eq!(names[2].near.as_deref(), Some("near Hg 709.2"));
     }
 
     #[test]

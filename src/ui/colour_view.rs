@@ -195,7 +195,8 @@ fn errors(ui: &mut Ui, app: &App) {
                 ui,
                 "energy",
                 "Power of the model over that of the spectrum, less one.",
-                format!("{:+.3} %", 100.0 * errors.energy),
+                // Adding zero turns -0 into 0.
+                format!("{:+.3} %", (1e5 * errors.energy).round() / 1e3 + 0.0),
             );
             ui.end_row();
         });

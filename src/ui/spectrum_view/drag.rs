@@ -1,0 +1,147 @@
+//! Dragging spikes: a press near a tip takes hold of it, moving it sets place and weight.
+
+use eframe::egui;
+use egui::{Pos2, Ui};
+use egui_plot::{PlotPoint, PlotTransform};
+
+use super::{Wishes, axis::Axis};
+use crate::{
+    app::{App, spike_hand::SpikeAct},
+    spectrum::Spike,
+};
+
+/// How near the pointer must come to a spike's tip, points.
+const GRAB: f32 = 10.0;
+/// How far the pointer must move before a press becomes a drag, points.
+const DEAD_ZONE: f32 = 3.0;
+
+/// What the pointer holds.
+#[derive(Default)]
+pub(super) struct Dragging {
+    held: Option<Drag>,
+}
+
+/// A spike under the pointer's button.
+#[derive(Clone, Copy, Debug)]
+struct Drag {
+    index: usize,
+    /// Its place among the hand edits once it was moved.
+    hand: Option<usize>,
+    start: Pos2,
+}
+
+impl Dragging {
+    /// Whether a spike is held.
+    pub fn is_on(&self) -> bool {
+        self.held.is_some()
+    }
+
+    /// The spike whose tip is under the pointer.
+    pub fn nearest(
+        transform: Option<PlotTransform>,
+        pointer: Option<Pos2>,
+        tips: &[Option<[f64; 2]>],
+    ) -> Option<usize> {
+        let (pointer, transform) = (pointer?, transform?);
+        if !transform.frame().contains(pointer) {
+            return None;
+        }
+        tips.iter()
+            .enumerate()
+            .filter_map(|(i, tip)| {
+                let [x, y] = (*tip)?;
+                let at = transform.position_from_point(&PlotPoint::new(x, y));
+                Some((at.distance(pointer), i))
+            })
+            .filter(|(distance, _)| *distance <= GRAB)
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, i)| i)
+    }
+
+    /// Takes hold, moves, lets go; a double click beside all tips adds a spike.
+    pub fn interact(
+        &mut self,
+        ui: &Ui,
+        app: &App,
+        axis: Axis,
+        transform: PlotTransform,
+        response: &egui::Response,
+        near: Option<usize>,
+        wishes: &mut Wishes,
+    ) {
+        let (pointer, pressed, released) = ui.input(|i| {
+            (
+                i.pointer.interact_pos(),
+                i.pointer.primary_pressed(),
+                i.pointer.primary_released(),
+            )
+        });
+        let inside = response.contains_pointer();
+        if near.is_some() && inside {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
+        }
+        let derived = app.derived();
+        let base_at = |nm: f64| derived.band.interpolate(&derived.smooth, nm);
+        if let (Some(index), Some(start), true) = (near, pointer, pressed && inside) {
+            let hand = derived.parts.spikes.get(index).and_then(|s| s.hand);
+            self.held = Some(Drag { index, hand, start });
+        }
+        if let (Some(drag), Some(pointer)) = (self.held, pointer)
+            && (drag.start.distance(pointer) > DEAD_ZONE || drag.hand_moved(app))
+        {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
+            let at = transform.value_from_position(pointer);
+            let at_nm = at.x.clamp(derived.band.min_nm(), derived.band.max_nm());
+            let height = axis.value(at.y) - base_at(at_nm);
+            let width = app.document().settings.max_width_nm;
+            let weight = Spike::weight_from_stem(height, width);
+            let hands = app.document().subject_edits().hand.len();
+            let hand = drag.hand.unwrap_or(hands);
+            let index = derived
+                .parts
+                .spikes
+                .iter()
+                .position(|s| s.hand == Some(hand))
+                .unwrap_or(drag.index);
+            wishes.acts.push(SpikeAct::Set {
+                index,
+                at_nm,
+                weight,
+            });
+            self.held = Some(Drag {
+                hand: Some(hand),
+                ..drag
+            });
+        }
+        if released && self.held.take().is_some() {
+            wishes.gesture_ended = true;
+        }
+        if response.double_clicked()
+            && near.is_none()
+            && let Some(pointer) = pointer
+        {
+            let at = transform.value_from_position(pointer);
+            let height = axis.value(at.y) - base_at(at.x);
+            if derived.band.contains(at.x) {
+                wishes.acts.push(SpikeAct::Add {
+                    at_nm: at.x,
+                    weight: Spike::weight_from_stem(height, app.document().settings.max_width_nm),
+                });
+            }
+        }
+    }
+}
+
+impl Drag {
+    /// Whether the spike was moved already: then every further move counts.
+    fn hand_moved(self, app: &App) -> bool {
+        self.hand
+            .is_some_and(|h| h < app.document().subject_edits().hand.len())
+            && app
+                .derived()
+                .parts
+                .spikes
+                .get(self.index)
+                .is_none_or(|s| s.hand != self.hand)
+    }
+}

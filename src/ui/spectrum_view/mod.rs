@@ -1,0 +1,331 @@
+//! The spectrum: measured, model, smooth part, spikes that can be dragged, residual below.
+
+use eframe::egui;
+use egui::{Id, Rect, Ui, vec2};
+use egui_plot::{Line, LineStyle, Plot, PlotPoints, PlotTransform, VLine};
+
+use super::{
+    axes,
+    theme::{Theme, ink},
+};
+use crate::app::{App, Command, Entry, spike_hand::SpikeAct, ticks};
+
+mod axis;
+mod drag;
+mod layers;
+mod read_out;
+mod residual;
+mod stems;
+mod strip;
+
+use axis::Axis;
+use drag::Dragging;
+use layers::layers;
+use read_out::hover;
+use residual::residual;
+use stems::{draw_stems, labels, stem_tips, tips};
+use strip::Strip;
+
+/// What the plot remembers between frames.
+#[derive(Default)]
+pub struct SpectrumView {
+    /// From screen to plot and back, as of the last frame; tests aim with it.
+    pub transform: Option<PlotTransform>,
+    dragging: Dragging,
+    reset: bool,
+    strip: Strip,
+}
+
+/// Room for the numbers of the vertical axes, points; both plots have the same.
+const Y_WIDTH: f32 = 46.0;
+
+/// A logarithmic axis shows this much below the largest value.
+const LOG_FLOOR: f64 = 1e-5;
+
+/// What one frame asked for.
+#[derive(Default)]
+pub struct Wishes {
+    /// Changes of the document.
+    pub commands: Vec<Command>,
+    /// Acts on the spikes.
+    pub acts: Vec<SpikeAct>,
+    /// The pointer was let go after a drag.
+    pub gesture_ended: bool,
+}
+
+impl SpectrumView {
+    /// Brings the whole range back into view.
+    pub fn reset(&mut self) {
+        self.reset = true;
+    }
+
+    /// Draws header, plot, colour strip and residual into all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme) -> Wishes {
+        let mut wishes = Wishes::default();
+        let derived = app.derived();
+        let view = app.document().view;
+        let read_out = head(ui, app, theme);
+        self.reset |= layers(ui, app, theme, &mut wishes);
+
+        let top = derived.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let axis = Axis {
+            factor: app.scale_factor(),
+            log: view.log_axis,
+            floor: LOG_FLOOR * top * app.scale_factor(),
+        };
+        let room = ui.available_height();
+        let strip_height = if view.strip { 16.0 * theme.scale } else { 0.0 };
+        let residual_height = if view.residual {
+            (0.24 * room).clamp(60.0, 150.0)
+        } else {
+            0.0
+        };
+        let height = (room - strip_height - residual_height - 8.0).max(80.0);
+        let link = Id::unique("spectrum plots");
+        let plot_rect = self.main_plot(ui, app, theme, axis, height, link, &mut wishes);
+        if let Some(transform) = self.transform {
+            hover(ui, app, theme, axis, &transform, plot_rect, read_out);
+            if view.spikes {
+                labels(ui, app, theme, axis, &transform);
+            }
+            if view.strip {
+                self.strip.show(ui, app, theme, &transform, strip_height);
+            }
+        }
+        if view.residual {
+            residual(
+                ui,
+                app,
+                theme,
+                axis.factor,
+                residual_height,
+                link,
+                self.reset,
+            );
+        }
+        self.reset = false;
+        wishes
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "one plot, called once")]
+    fn main_plot(
+        &mut self,
+        ui: &mut Ui,
+        app: &App,
+        theme: Theme,
+        axis: Axis,
+        height: f32,
+        link: Id,
+        wishes: &mut Wishes,
+    ) -> Rect {
+        let derived = app.derived();
+        let document = app.document();
+        let (band, view) = (derived.band, document.view);
+        let tips = tips(app, axis);
+        let pointer = ui.input(|i| i.pointer.interact_pos());
+        let near = Dragging::nearest(self.transform, pointer, &tips).filter(|_| view.spikes);
+        let busy = self.dragging.is_on() || near.is_some();
+        let subject = &document.subject_entry().key;
+        let id = (
+            "spectrum",
+            subject,
+            document.scale,
+            view.log_axis,
+            band.min_nm() as u32,
+            band.max_nm() as u32,
+        );
+        let unit = app.unit();
+        let plot_width = ui.available_width();
+        let mut plot = Plot::new(id)
+            .height(height)
+            .link_axis(link, [true, false])
+            .link_cursor(link, [true, false])
+            .allow_drag(!busy)
+            .allow_scroll(false)
+            .allow_double_click_reset(false)
+            .show_crosshair(false)
+            .default_x_bounds(band.min_nm(), band.max_nm())
+            .auto_bounds([false, !self.dragging.is_on()])
+            .set_margin_fraction(vec2(0.0, 0.08))
+            .x_grid_spacer(axes::marks((plot_width / (75.0 * theme.scale)) as usize))
+            .label_formatter(|_| None);
+        let y_marks = (height / (44.0 * theme.scale)) as usize;
+        plot = if axis.log {
+            plot.y_grid_spacer(axes::decades(y_marks))
+        } else {
+            plot.include_y(0.0).y_grid_spacer(axes::marks(y_marks))
+        };
+        plot = axes::dress(
+            plot,
+            theme,
+            Y_WIDTH * theme.scale,
+            |nm| format!("{} nm", ticks::short(nm)),
+            move |height| axis.words(height),
+        );
+        if self.reset {
+            plot = plot.reset();
+        }
+        let dragging = self.dragging.is_on();
+        let response = plot.show(ui, |plot| {
+            if dragging {
+                plot.set_auto_bounds([false, false]);
+            }
+            let curve = |values: &[f64]| -> Vec<[f64; 2]> {
+                band.grid()
+                    .zip(values)
+                    .filter_map(|(nm, v)| Some([nm, axis.place(*v)?]))
+                    .collect()
+            };
+            let line = |name: &str, points: Vec<[f64; 2]>, colour| {
+                Line::new(name, PlotPoints::from(points))
+                    .color(colour)
+                    .width(theme.line)
+                    .allow_hover(false)
+            };
+            if view.overlays {
+                for (i, overlay) in document.overlays.iter().enumerate() {
+                    let inks = theme.inks.overlays;
+                    let style = if i < inks.len() {
+                        LineStyle::Solid
+                    } else {
+                        LineStyle::dashed_dense()
+                    };
+                    let points = overlay_points(overlay, app, axis);
+                    let colour = ink(inks[i % inks.len()]);
+                    plot.line(line(overlay.name(), points, colour).style(style));
+                }
+            }
+            if view.measured {
+                plot.line(line(
+                    "measured",
+                    curve(&derived.measured),
+                    ink(theme.inks.measured),
+                ));
+            }
+            if let Some(product) = app.product() {
+                let colour = ink(theme.inks.product);
+                plot.line(line("product", curve(&product.exact), colour));
+                plot.line(
+                    line("product by the model", curve(&product.smooth), colour)
+                        .style(LineStyle::dashed_dense()),
+                );
+                let settings = document.settings;
+                let tips = stem_tips(&product.spikes, settings.max_width_nm, |nm| {
+                    band.interpolate(&product.smooth, nm)
+                });
+                draw_stems(plot, &tips, axis, theme, colour, 2.5);
+            }
+            if view.model {
+                plot.line(
+                    line(
+                        "model",
+                        curve(&derived.model_values()),
+                        ink(theme.inks.spikes),
+                    )
+                    .width(theme.line * 0.8),
+                );
+            }
+            if view.smooth {
+                plot.line(
+                    line(
+                        "smooth part",
+                        curve(&derived.smooth),
+                        ink(theme.inks.smooth),
+                    )
+                    .width(theme.line * 1.3),
+                );
+            }
+            if view.spikes {
+                let tips = stem_tips(
+                    &derived.model.spikes,
+                    document.settings.max_width_nm,
+                    |nm| band.interpolate(&derived.smooth, nm),
+                );
+                draw_stems(plot, &tips, axis, theme, ink(theme.inks.spikes), 4.0);
+            }
+            if let Some(at) = plot.pointer_coordinate()
+                && plot.response().hovered()
+            {
+                plot.vline(VLine::new("", at.x).color(theme.faint).width(0.6));
+            }
+        });
+        self.transform = Some(response.transform);
+        let rect = *response.transform.frame();
+        response.response.widget_info(|| {
+            egui::WidgetInfo::labeled(
+                egui::Role::Image,
+                true,
+                format!(
+                    "Spectrum of {}: {} numbers, {} spikes{}",
+                    document.subject_entry().name(),
+                    derived.numbers(),
+                    derived.model.spikes.len(),
+                    if unit.is_empty() {
+                        String::new()
+                    } else {
+                        format!(", {unit}")
+                    }
+                ),
+            )
+        });
+        self.dragging.interact(
+            ui,
+            app,
+            axis,
+            response.transform,
+            &response.response,
+            near,
+            wishes,
+        );
+        rect
+    }
+}
+
+/// Name, unit and grid of the subject; returns where the read-out may be written.
+fn head(ui: &mut Ui, app: &App, _theme: Theme) -> Rect {
+    let document = app.document();
+    let subject = document.subject_entry();
+    ui.horizontal(|ui| {
+        ui.label(egui::RichText::new(subject.name()).heading());
+        let unit = app.unit();
+        let words = [
+            if unit.is_empty() {
+                "no unit stated".to_owned()
+            } else {
+                unit
+            },
+            document.scale.words().to_owned(),
+        ];
+        ui.weak(words.join(", "));
+        if let Some(product) = app.product() {
+            ui.label(format!("through {}", product.name));
+        }
+        ui.available_rect_before_wrap()
+    })
+    .inner
+}
+
+fn overlay_points(overlay: &Entry, app: &App, axis: Axis) -> Vec<[f64; 2]> {
+    let spectrum = &overlay.spectrum;
+    let document = app.document();
+    let factor = if overlay.kind() == document.subject_entry().kind() {
+        document.scale.factor(spectrum).unwrap_or(1.0)
+    } else {
+        // Watts and fractions have no common axis: another kind is drawn to the same height.
+        let top = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        let own = top(spectrum.samples.values());
+        if own > 0.0 {
+            app.scale_factor() * top(&app.derived().measured) / own
+        } else {
+            1.0
+        }
+    };
+    let own = Axis { factor, ..axis };
+    let samples = &spectrum.samples;
+    samples
+        .nm()
+        .iter()
+        .zip(samples.values())
+        .filter_map(|(nm, v)| Some([*nm, own.place(*v)?]))
+        .collect()
+}

@@ -1,0 +1,68 @@
+//! The values under the pointer.
+
+use eframe::egui;
+use egui::{Color32, Rect, Ui, pos2, vec2};
+use egui_plot::PlotTransform;
+
+use super::{
+    super::theme::{Theme, grey},
+    axis::Axis,
+};
+use crate::{
+    app::{App, line_names::nearest_line, ticks},
+    color::{Srgb, srgb_from_wavelength_over},
+};
+
+/// The values under the pointer, written into the header's free room.
+pub(super) fn hover(
+    ui: &Ui,
+    app: &App,
+    theme: Theme,
+    axis: Axis,
+    transform: &PlotTransform,
+    plot: Rect,
+    room: Rect,
+) {
+    let Some(pointer) = ui.input(|i| i.pointer.hover_pos()) else {
+        return;
+    };
+    if !plot.contains(pointer) {
+        return;
+    }
+    let derived = app.derived();
+    let nm = transform.value_from_position(pointer).x;
+    if !derived.band.contains(nm) {
+        return;
+    }
+    let value = |values: &[f64]| ticks::short(axis.factor * derived.band.interpolate(values, nm));
+    let mut text = format!(
+        "{nm:.1} nm   measured {}   model {}",
+        value(&derived.measured),
+        value(&derived.model_values()),
+    );
+    if let Some(line) = nearest_line(nm, app.element_lines()) {
+        text.push_str(&format!("   near {line}"));
+    }
+    let [r, g, b, _] = theme.ground.to_array();
+    let Srgb([r, g, b]) = srgb_from_wavelength_over(nm, Srgb([r, g, b]));
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text, font, ui.visuals().strong_text_color());
+    let corner = pos2(room.right() - galley.size().x - 4.0, room.top());
+    let field = Rect::from_min_size(corner - vec2(20.0, -1.0), vec2(14.0, galley.size().y - 2.0));
+    let painter = ui.painter();
+    let ground = Rect::from_min_max(
+        field.min - vec2(8.0, 2.0),
+        room.right_top() + vec2(0.0, galley.size().y + 2.0),
+    );
+    painter.rect_filled(ground, 3.0, ui.visuals().panel_fill);
+    painter.rect_filled(field, 2.0, Color32::from_rgb(r, g, b));
+    painter.rect_stroke(
+        field,
+        2.0,
+        egui::Stroke::new(1.0, grey(128)),
+        egui::StrokeKind::Outside,
+    );
+    painter.galley(corner, galley, ui.visuals().strong_text_color());
+}
