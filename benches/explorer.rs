@@ -4,9 +4,10 @@
 //! cargo bench --bench explorer
 //! ```
 //!
-//! Everything runs on one thread. The target stands in the group's name; the plain way, written
-//! at the end of this file without tables of products, prefixes or running sums, gives the same
-//! numbers (checked before anything is measured) and says what the program's way is worth.
+//! Everything runs on one thread. The target stands in the group's name. The plain way of a
+//! slider move and of the error curve, written at the end of this file without prepared products,
+//! prefixes or running sums, gives the same numbers (checked before anything is measured). Spike
+//! detection stands beside the paper's detector and a frame beside a bare plot of its curves.
 //!
 //! ```text
 //! a slider move          fit at N = 7, reconstruction, XYZ, 24 patches exact and model, CIEDE2000
@@ -22,7 +23,7 @@ use criterion::{Bencher, Criterion, Throughput, criterion_group, criterion_main}
 use eframe::egui;
 use spectral_explorer::{
     app::{
-        App, Command, Document, Settings,
+        App, Command, Settings,
         derived::Derived,
         document::FIRST_LIGHT,
         state::derive,
@@ -45,7 +46,7 @@ use spectral_explorer::{
 const BAND: Band = Band::VISIBLE;
 const ORDER: usize = 7;
 
-/// The lamps that spikes are looked for in: three phosphors, and discharge with sharp lines.
+/// The lamps that spikes are looked for in: triphosphor, plain fluorescent and bare discharge.
 const LAMPS: [&str; 3] = [
     FIRST_LIGHT,
     "cie_fluorescent_1nm/FL2",

@@ -163,7 +163,7 @@ fn numbers_shown(app: &App) -> Vec<(&'static str, f64)> {
     }
     all.extend(d.colour.delta_e_2000.map(|v| ("own delta E", v)));
     all.extend(d.colour.delta_uv.map(|v| ("delta uv", v)));
-    for patches in &d.patches {
+    if let Some(patches) = &d.patches {
         all.extend([("patches mean", patches.mean), ("patches max", patches.max)]);
         all.extend(patches.items.iter().map(|p| ("patch", p.delta_e_2000)));
     }
@@ -375,6 +375,7 @@ fn variant(command: &Command) -> &'static str {
         Command::PatchSet(_) => "patch set",
         Command::Patch(_) => "patch",
         Command::Scale(_) => "scale",
+        Command::WeightFactor(_) => "weight factor",
         Command::View(_) => "view",
         Command::Adopt(_) => "adopt",
         Command::Rename { .. } => "rename",
@@ -405,6 +406,7 @@ fn session(app: &App) -> Vec<Command> {
                 at_nm: 500.5,
                 weight: 3.25,
                 line_nm: None,
+                window_nm: None,
             }],
             deleted_nm: vec![611.0],
         }),
@@ -412,6 +414,7 @@ fn session(app: &App) -> Vec<Command> {
         Command::Patch(Some(3)),
         Command::PatchSet("cri_tcs".to_owned()),
         Command::Scale(Scale::HundredLux),
+        Command::WeightFactor(150.0),
         Command::View(View {
             log_axis: true,
             ..view
@@ -435,7 +438,7 @@ fn every_command_is_undone_and_done_again_exactly() {
     let mut app = App::new();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 15, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 16, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);
@@ -785,6 +788,37 @@ fn a_reflectance_and_a_dark_light_have_no_scale() {
     }
 }
 
+#[test]
+fn the_papers_lamps_follow_the_factor_of_their_weights() {
+    let mut app = App::new();
+    app.apply(Command::ToggleOverlay(preset(&app, "paper/Sodium")));
+    app.apply(Command::Show(preset(&app, "paper/Mercury")));
+    let mut at = |factor: f64| {
+        app.apply(Command::WeightFactor(factor));
+        assert_eq!(app.document().weight_factor, factor);
+        let overlay = app.document().overlays[0].on_band(Band::PAPER);
+        (app.derived().measured.clone(), overlay)
+    };
+    let [low, middle, high] = [100.0, 200.0, 300.0].map(&mut at);
+    for (low, middle, high) in [(low.0, middle.0, high.0), (low.1, middle.1, high.1)] {
+        assert_ne!(low, high);
+        for ((l, m), h) in low.iter().zip(&middle).zip(&high) {
+            // The light is the smooth part and the factor times the lines: linear but for rounding.
+            assert_abs_diff_eq!(h - l, 2.0 * (m - l), epsilon = 1e-9);
+        }
+    }
+    // A lamp that is shown later has the factor in force, silly factors are moved or ignored.
+    app.apply(Command::WeightFactor(100.0));
+    let low = app.derived().measured.clone();
+    app.apply(Command::Show(preset(&app, FIRST_LIGHT)));
+    app.apply(Command::Show(preset(&app, "paper/Mercury")));
+    assert_eq!(app.derived().measured, low);
+    for (asked, got) in [(1e9, 1000.0), (f64::NAN, 1000.0), (-5.0, 1.0)] {
+        app.apply(Command::WeightFactor(asked));
+        assert_eq!(app.document().weight_factor, got, "asked for {asked}");
+    }
+}
+
 // ---------------------------------------------------------------------------------- hand spikes
 
 #[test]
@@ -865,11 +899,36 @@ fn a_locked_spike_survives_a_threshold_that_drops_all_others() {
     app.act_on_spikes(SpikeAct::Lock { index: weakest });
     edit(&mut app, |s| s.threshold_percent = 50.0);
     let left: Vec<_> = app.derived().model.spikes.clone();
-    eprintln!("power {} energy {} integral {}", app.derived().parts.power, energy(&app), app.derived().band.integral(&app.derived().measured));
     assert_eq!(left, [spike], "the lock keeps place and weight");
     app.act_on_spikes(SpikeAct::Unlock { index: 0 });
     assert_eq!(spikes(&app), 0);
     assert!(app.document().edits.is_empty(), "nothing is left behind");
+}
+
+#[test]
+fn a_locked_line_is_never_counted_twice_whatever_the_threshold() {
+    let mut wrong = Vec::new();
+    for index in 0..spikes(&App::new()) {
+        let mut app = App::new();
+        let whole = app.derived().band.integral(&app.derived().measured);
+        let spike = app.derived().parts.spikes[index].spike;
+        app.act_on_spikes(SpikeAct::Lock { index });
+        for threshold in [0.01, 0.5, 3.0, 50.0] {
+            edit(&mut app, |s| s.threshold_percent = threshold);
+            let locked = app.derived().parts.spikes.iter().find(|s| s.hand.is_some());
+            let locked = locked.expect("a locked spike stays");
+            assert_eq!(locked.spike, spike, "as it was locked");
+            // The line found again may weigh a little more or less, because its foot depends on
+            // which neighbours are lines too: 0.7 % of the light at most here. A line that is
+            // in two spikes, or in a spike and in the smooth part, has no width and adds up.
+            let off = energy(&app) / whole - 1.0;
+            if locked.width_nm.is_none() || off.abs() > 0.01 {
+                let at_nm = spike.at_nm;
+                wrong.push(format!("{at_nm:.1} nm at {threshold} %: energy {off:+.4}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("; "));
 }
 
 #[test]
@@ -1069,18 +1128,21 @@ fn what_is_removed_leaves_nothing_behind_and_undo_brings_it_back() {
 
 #[test]
 fn a_shipped_spectrum_cannot_be_renamed_or_turned_into_something_else() {
-    let mut app = App::new();
     let key = || FIRST_LIGHT.to_owned();
-    app.apply(Command::Rename {
-        key: key(),
-        name: "mine".to_owned(),
-    });
-    app.apply(Command::SetKind {
-        key: key(),
-        kind: Kind::Reflectance,
-    });
-    assert_eq!(app.document().light.name(), "FL11");
-    assert_eq!(app.document().light.kind(), Kind::Light);
+    for command in [
+        Command::Rename {
+            key: key(),
+            name: "mine".to_owned(),
+        },
+        Command::SetKind {
+            key: key(),
+            kind: Kind::Reflectance,
+        },
+    ] {
+        let mut app = App::new();
+        app.apply(command);
+        assert!(!app.can_undo(), "{:?}", app.document().light.name());
+    }
 }
 
 // ------------------------------------------------------------------------------------ workspace
@@ -1119,6 +1181,8 @@ fn full_document() -> Document {
         observer: Observer::ALL[1],
         sampling: Sampling::ThreeN,
     }));
+    app.apply(Command::ToggleOverlay(preset(&app, "paper/Sodium")));
+    app.apply(Command::WeightFactor(123.4));
     app.apply(Command::Scale(Scale::OneWatt));
     app.apply(Command::View(View {
         measured: false,
@@ -1786,7 +1850,11 @@ fn one_of_several_spectra_in_a_file_is_picked_by_name_or_number() {
 #[test]
 fn what_cannot_be_shown_is_refused_in_words() {
     let folder = tempfile::tempdir().expect("a folder");
-    let bad = file(&folder, "bad.csv", "nm,value\n400,1\n410,2\n420,1\n430,abc\n440,2\n450,2\n");
+    let bad = file(
+        &folder,
+        "bad.csv",
+        "nm,value\n400,1\n410,2\n420,1\n430,abc\n440,2\n450,2\n",
+    );
     let missing = folder.path().join("none.csv").display().to_string();
     for (input, words) in [
         (missing.as_str(), "none.csv: found no such file"),
@@ -1809,7 +1877,10 @@ fn what_cannot_be_shown_is_refused_in_words() {
         .find(|p| p.line_list().is_some());
     let id = lines.expect("a list of lines").id();
     let why = resolve(&id, None, None).expect_err("no spectrum");
-    assert!(is_one_line(&why) && why.contains("list of lines"), "{why}");
+    assert!(
+        is_one_line(&why) && why.contains("list of spectral lines"),
+        "{why}"
+    );
 }
 
 #[test]

@@ -665,15 +665,21 @@ fn take_apart(question: Question<'_>, band: Band) -> Decomposed {
     }
     match settings.detector {
         Detector::Energy => decompose(band, values, settings.spike_settings(), question.edits),
-        Detector::Gradient => decompose_by(band, question.edits, |wishes| {
-            gradient::detect(
-                band,
-                values,
-                settings.gradient_percent / 100.0,
-                settings.max_width_nm,
-                wishes,
-            )
-        }),
+        Detector::Gradient => decompose_by(
+            band,
+            values,
+            settings.max_width_nm,
+            question.edits,
+            |values, wishes| {
+                gradient::detect(
+                    band,
+                    values,
+                    settings.gradient_percent / 100.0,
+                    settings.max_width_nm,
+                    wishes,
+                )
+            },
+        ),
     }
 }
 

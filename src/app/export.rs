@@ -303,11 +303,10 @@ pub fn spikes_csv(app: &App) -> String {
     let mut out = table_head(app);
     out.push_str("at_nm,weight,share_of_power,width_nm,line,by_hand\n");
     for (spike, name) in derived.parts.spikes.iter().zip(app.spike_names()) {
-        let share = spike.spike.weight / derived.parts.power;
         out.push_str(&row(&[
             number(Some(spike.spike.at_nm)),
             number(Some(spike.spike.weight * factor)),
-            number(Some(share)),
+            number(derived.parts.share(spike.spike.weight)),
             number(spike.width_nm),
             words(name.safe.as_deref().unwrap_or_default()),
             spike.hand.is_some().to_string(),

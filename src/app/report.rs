@@ -79,7 +79,6 @@ pub fn json(app: &App) -> Value {
 
 fn model_json(app: &App, derived: &Derived) -> Value {
     let model = &derived.model;
-    let power = derived.parts.power;
     let coefficients = match model.smooth.basis {
         Basis::Fourier => {
             let (a, b) = model.smooth.a_b();
@@ -95,7 +94,7 @@ fn model_json(app: &App, derived: &Derived) -> Value {
             json!({
                 "at_nm": spike.at_nm,
                 "weight": spike.weight,
-                "share_of_power": (power > 0.0).then_some(spike.weight / power),
+                "share_of_power": derived.parts.share(spike.weight),
                 "line": name.safe,
             })
         })
@@ -121,6 +120,12 @@ fn colour_json(colour: Option<Colour>) -> Value {
         "cct": cct.and_then(Result::ok).map(|c| c.kelvin),
         "duv": cct.and_then(Result::ok).map(|c| c.duv),
         "no_cct_because": cct.and_then(Result::err).map(|why| why.to_string()),
+    })
+}
+
+fn share_words(share: Option<f64>) -> String {
+    share.map_or_else(String::new, |share| {
+        format!("{:6.2} % of the power", 100.0 * share)
     })
 }
 
@@ -164,10 +169,10 @@ pub fn text(app: &App) -> String {
     ));
     for (spike, name) in model.spikes.iter().zip(app.spike_names()) {
         line(format!(
-            "  spike   {:7.2} nm  {:>11}  {:6.2} % of the power  {}",
+            "  spike   {:7.2} nm  {:>11}  {}  {}",
             spike.at_nm,
             super::ticks::short(spike.weight),
-            100.0 * spike.weight / derived.parts.power,
+            share_words(derived.parts.share(spike.weight)),
             name.safe
                 .as_deref()
                 .or(name.near.as_deref())

@@ -96,6 +96,7 @@ pub fn after(act: SpikeAct, edits: &SpikeEdits, parts: &Decomposed) -> SpikeEdit
                     at_nm,
                     weight,
                     line_nm: Some(at_nm),
+                    window_nm: None,
                 });
             }
         }
@@ -112,5 +113,6 @@ fn locked(spike: &ModelSpike) -> HandSpike {
         at_nm: spike.spike.at_nm,
         weight: spike.spike.weight,
         line_nm: spike.width_nm.map(|_| spike.spike.at_nm),
+        window_nm: spike.window_nm,
     }
 }

@@ -397,7 +397,7 @@ impl App {
         let mut first = None;
         for spectrum in spectra {
             let entry = Arc::new(Entry::own(self.document.next_own, spectrum));
-            self.document.next_own += 1;
+            self.document.next_own = self.document.next_own.saturating_add(1);
             first.get_or_insert_with(|| entry.clone());
             self.document.own.push(entry);
         }
@@ -407,6 +407,9 @@ impl App {
     }
 
     fn change_own(&mut self, key: &str, change: impl Fn(&mut NamedSpectrum)) {
+        if !self.document.own.iter().any(|e| e.key == key) {
+            return;
+        }
         let changed = |entry: &Arc<Entry>| {
             let mut new = Entry::clone(entry);
             change(&mut new.spectrum);

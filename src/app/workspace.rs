@@ -257,7 +257,7 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
         factor: stored.factor.as_deref().and_then(&mut find),
         subject: stored.subject,
         overlays: stored.overlays.iter().filter_map(|key| find(key)).collect(),
-        next_own: stored.next_own.max(own.len() as u64 + 1),
+        next_own: next_own(stored.next_own, &own),
         own: own.clone(),
         settings: stored.settings.clamped(),
         edits: stored.edits,
@@ -276,6 +276,20 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
         losses,
     })
 }
+
+/// A number that no own spectrum has yet.
+fn next_own(stored: u64, own: &[Arc<Entry>]) -> u64 {
+    let highest = own
+        .iter()
+        .filter_map(|e| e.key.strip_prefix("own/")?.parse::<u64>().ok())
+        .filter(|n| *n < MOST_OWN)
+        .max()
+        .unwrap_or(0);
+    stored.min(MOST_OWN).max(highest + 1)
+}
+
+/// Far more spectra than anybody opens; a file that claims more counts from here.
+const MOST_OWN: u64 = 1 << 40;
 
 fn paper_weight_factor() -> f64 {
     PAPER_WEIGHT_FACTOR
@@ -351,6 +365,12 @@ pub fn load(path: &Path) -> Result<Option<Restored>, String> {
     let text = match std::fs::read_to_string(path) {
         Ok(text) => text,
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(_) if path.is_dir() => {
+            return Err(format!(
+                "The workspace {} is a folder: nothing is kept.",
+                path.display()
+            ));
+        }
         Err(e) => return Err(set_aside(path, &e.to_string())),
     };
     from_json(&text)

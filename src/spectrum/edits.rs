@@ -21,6 +21,9 @@ pub struct HandSpike {
     pub weight: f64,
     /// Where the line it stands for was found, nm; `None` for a spike set where no line is.
     pub line_nm: Option<f64>,
+    /// The window that line was taken from, nm; `None` when it is still to be looked for.
+    #[serde(default)]
+    pub window_nm: Option<[f64; 2]>,
 }
 
 /// All hand edits of one spectrum's spikes.
@@ -47,6 +50,8 @@ pub struct ModelSpike {
     pub spike: Spike,
     /// Full width at half maximum of the line it stands for, nm; `None` where no line is.
     pub width_nm: Option<f64>,
+    /// The window that line was taken from, nm.
+    pub window_nm: Option<[f64; 2]>,
     /// Local maxima that were joined into this spike.
     pub peaks: usize,
     /// Index into [`SpikeEdits::hand`] when it was set or locked by hand.
@@ -76,11 +81,18 @@ impl Decomposed {
                 .map(|found| ModelSpike {
                     spike: found.spike,
                     width_nm: Some(found.width_nm),
+                    window_nm: Some(found.window_nm),
                     peaks: found.peaks,
                     hand: None,
                 })
                 .collect(),
         }
+    }
+
+    /// A weight as a share of the total power; `None` in the dark.
+    pub fn share(&self, weight: f64) -> Option<f64> {
+        let share = weight / self.power;
+        (self.power > 0.0 && share.is_finite()).then_some(share)
     }
 
     /// Place and weight of all spikes.
@@ -96,54 +108,115 @@ pub fn decompose(
     settings: SpikeSettings,
     edits: &SpikeEdits,
 ) -> Decomposed {
-    decompose_by(band, edits, |wishes| {
-        spikes::detect_with(band, values, settings, wishes)
-    })
+    decompose_by(
+        band,
+        values,
+        settings.max_width_nm,
+        edits,
+        |values, wishes| spikes::detect_with(band, values, settings, wishes),
+    )
 }
 
 /// Takes a spectrum apart with any detector and a person's edits.
+///
+/// As long as the detector still finds every line that a hand-set spike stands for, that spike
+/// takes its line's place and nothing else changes. Once it does not (the threshold was moved),
+/// the hand-set lines are taken out first, each from its own window, and the detector looks at
+/// the rest: no energy is counted twice.
 pub fn decompose_by(
     band: Band,
+    values: &[f64],
+    max_width_nm: f64,
     edits: &SpikeEdits,
-    detect: impl Fn(Wishes<'_>) -> Decomposition,
+    detect: impl Fn(&[f64], Wishes<'_>) -> Decomposition,
 ) -> Decomposed {
-    let take: Vec<f64> = edits.hand.iter().filter_map(|h| h.line_nm).collect();
-    let mut parts = Decomposed::of(detect(Wishes {
-        take: &take,
-        leave: &edits.deleted_nm,
-    }));
-    for (index, hand) in edits.hand.iter().enumerate() {
-        if !band.contains(hand.at_nm) {
-            continue;
-        }
-        let spike = Spike {
-            at_nm: hand.at_nm,
-            weight: hand.weight,
-        };
-        let nearest = hand.line_nm.and_then(|nm| {
-            parts
-                .spikes
-                .iter_mut()
-                .filter(|s| s.hand.is_none())
-                .map(|s| ((s.spike.at_nm - nm).abs(), s))
-                .filter(|(distance, _)| *distance <= 3.0)
-                .min_by(|a, b| a.0.total_cmp(&b.0))
-        });
-        match nearest {
-            Some((_, line)) => {
-                line.spike = spike;
-                line.hand = Some(index);
-            }
-            None => parts.spikes.push(ModelSpike {
-                spike,
-                width_nm: None,
-                peaks: 0,
-                hand: Some(index),
-            }),
-        }
+    let leave = &edits.deleted_nm[..];
+    let found = Decomposed::of(detect(values, Wishes { leave, power: None }));
+    if edits.hand.is_empty() {
+        return found;
     }
+    let mut parts = match in_their_places(&found, &edits.hand) {
+        Some(parts) => parts,
+        None => {
+            let mut rest = values.to_vec();
+            let hand: Vec<ModelSpike> = edits
+                .hand
+                .iter()
+                .enumerate()
+                .map(|(index, hand)| taken(band, &mut rest, max_width_nm, index, hand))
+                .collect();
+            let wishes = Wishes {
+                leave,
+                power: Some(found.power),
+            };
+            let mut parts = Decomposed::of(detect(&rest, wishes));
+            parts.spikes.extend(hand);
+            parts
+        }
+    };
+    parts.spikes.retain(|s| band.contains(s.spike.at_nm));
     parts
         .spikes
         .sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
     parts
+}
+
+/// A line found this near to where a hand-set spike's line was is the same line, unchanged.
+const UNCHANGED_NM: f64 = 0.01;
+
+/// The hand-set spikes in the places of the very lines they stand for; `None` when one of those
+/// lines was not found as it was.
+fn in_their_places(found: &Decomposed, hand: &[HandSpike]) -> Option<Decomposed> {
+    let mut parts = found.clone();
+    for (index, hand) in hand.iter().enumerate() {
+        let spike = Spike {
+            at_nm: hand.at_nm,
+            weight: hand.weight,
+        };
+        let Some(line_nm) = hand.line_nm else {
+            parts.spikes.push(ModelSpike {
+                spike,
+                width_nm: None,
+                window_nm: None,
+                peaks: 0,
+                hand: Some(index),
+            });
+            continue;
+        };
+        let line = parts.spikes.iter_mut().find(|s| {
+            s.hand.is_none()
+                && (s.spike.at_nm - line_nm).abs() <= UNCHANGED_NM
+                && s.window_nm == hand.window_nm
+        })?;
+        line.spike = spike;
+        line.hand = Some(index);
+    }
+    Some(parts)
+}
+
+/// Takes the line that a hand-set spike stands for out of `rest`, if there is one.
+fn taken(
+    band: Band,
+    rest: &mut [f64],
+    max_width_nm: f64,
+    index: usize,
+    hand: &HandSpike,
+) -> ModelSpike {
+    let sign = if hand.weight < 0.0 { -1.0 } else { 1.0 };
+    let line = hand.line_nm.and_then(|line_nm| {
+        let window = hand
+            .window_nm
+            .or_else(|| spikes::window_near(band, rest, line_nm, max_width_nm))?;
+        spikes::take_window(band, rest, window, sign)
+    });
+    ModelSpike {
+        spike: Spike {
+            at_nm: hand.at_nm,
+            weight: hand.weight,
+        },
+        width_nm: line.map(|l| l.width_nm),
+        window_nm: line.map(|l| l.window_nm),
+        peaks: usize::from(line.is_some()),
+        hand: Some(index),
+    }
 }

@@ -24,8 +24,7 @@ const REACH_WIDTHS: f64 = 3.0;
 /// `gradient` is the least slope as a share of the largest value per nm; `max_width_nm` bounds
 /// the search and the full width at half maximum of what is accepted.
 ///
-/// Lines at the places of `wishes.leave` stay in the smooth part. `wishes.take` cannot ask for
-/// more than the slopes show.
+/// Lines at the places of `wishes.leave` stay in the smooth part.
 pub fn detect(
     band: Band,
     values: &[f64],
@@ -34,6 +33,9 @@ pub fn detect(
     wishes: Wishes<'_>,
 ) -> Decomposition {
     let mut parts = Decomposition::untouched(band, values);
+    if let Some(power) = wishes.power {
+        parts.power = power;
+    }
     let top = values.iter().copied().fold(0.0_f64, |m, v| m.max(v.abs()));
     let steep = gradient * top;
     if !(steep > 0.0 && steep.is_finite()) {

@@ -47,13 +47,14 @@ pub struct FoundSpike {
     pub window_nm: [f64; 2],
 }
 
-/// Wishes that come before the thresholds.
+/// What a person's edits ask of a detector.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wishes<'a> {
-    /// Places (nm) whose line is taken out however weak or wide it is.
-    pub take: &'a [f64],
     /// Places (nm) whose line stays in the smooth part.
     pub leave: &'a [f64],
+    /// The power that shares refer to, when lines were taken out beforehand; the values' own
+    /// otherwise.
+    pub power: Option<f64>,
 }
 
 /// A spectrum taken apart on its grid.
@@ -118,9 +119,7 @@ pub fn detect(band: Band, values: &[f64], settings: SpikeSettings) -> Decomposit
     detect_with(band, values, settings, Wishes::default())
 }
 
-/// The default detector with places that are taken out or left in whatever the thresholds say.
-///
-/// A place in `take` where no line stands is passed over: there is nothing to take.
+/// The default detector with places whose lines are left in whatever the thresholds say.
 pub fn detect_with(
     band: Band,
     values: &[f64],
@@ -128,6 +127,9 @@ pub fn detect_with(
     wishes: Wishes<'_>,
 ) -> Decomposition {
     let mut parts = Decomposition::untouched(band, values);
+    if let Some(power) = wishes.power {
+        parts.power = power;
+    }
     let power = parts.power;
     if !(power > 0.0 && power.is_finite()) {
         return parts;
@@ -137,11 +139,6 @@ pub fn detect_with(
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
         take_lines(band, &mut parts, settings, wishes, -1.0);
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
-    }
-    for place in wishes.take {
-        if !parts.spikes.iter().any(|s| s.covers(*place)) {
-            take_at(band, &mut parts, settings, *place);
-        }
     }
     parts
         .spikes
@@ -173,9 +170,8 @@ fn take_lines(
             let strong_and_narrow =
                 line.energy >= least_energy && line.width_nm <= WIDTH_TOLERANCE * width;
             let found = line.found(band, members.len(), sign);
-            let wished = wishes.take.iter().any(|nm| found.covers(*nm));
             let unwanted = wishes.leave.iter().any(|nm| found.covers(*nm));
-            if !wished && (unwanted || !strong_and_narrow) {
+            if unwanted || !strong_and_narrow {
                 continue;
             }
             line.take_from(&mut parts.smooth);
@@ -188,30 +184,46 @@ fn take_lines(
     }
 }
 
-/// Takes the line nearest to a place, whatever its strength.
-fn take_at(band: Band, parts: &mut Decomposition, settings: SpikeSettings, at_nm: f64) {
-    let smallest = f64::MIN_POSITIVE;
-    let widest = settings.max_width_nm.max(WIDEST_WISHED_NM);
-    let peaks = candidates(&parts.smooth, smallest, widest);
-    let groups = group(&parts.smooth, &peaks, settings.max_width_nm);
-    let borders = borders(&parts.smooth, &groups);
-    let nearest = groups
+/// The window of the single line nearest to a place (nm), whatever its strength; `None` when no
+/// local maximum stands near. Neighbours are not joined to it.
+pub fn window_near(band: Band, values: &[f64], at_nm: f64, max_width_nm: f64) -> Option<[f64; 2]> {
+    let widest = max_width_nm.max(WIDEST_WISHED_NM);
+    let lines: Vec<Vec<Peak>> = candidates(values, f64::MIN_POSITIVE, widest)
+        .into_iter()
+        .map(|peak| vec![peak])
+        .collect();
+    let distance = |peak: &Peak| (band.nm(peak.at) - at_nm).abs();
+    lines
         .iter()
-        .zip(borders)
-        .filter_map(|(members, limits)| {
-            let distance = members
-                .iter()
-                .map(|p| (band.nm(p.at) - at_nm).abs())
-                .fold(f64::INFINITY, f64::min);
-            (distance <= WISH_REACH_NM).then_some((distance, members, limits))
-        })
-        .min_by(|a, b| a.0.total_cmp(&b.0));
-    if let Some((_, members, limits)) = nearest
-        && let Some(line) = weigh(band, &parts.smooth, members, limits)
-    {
-        parts.spikes.push(line.found(band, members.len(), 1.0));
-        line.take_from(&mut parts.smooth);
+        .zip(borders(values, &lines))
+        .filter(|(line, _)| distance(&line[0]) <= WISH_REACH_NM)
+        .min_by(|a, b| distance(&a.0[0]).total_cmp(&distance(&b.0[0])))
+        .and_then(|(line, limits)| window_of(line, limits, values.len()))
+        .map(|(first, last)| [band.nm(first), band.nm(last)])
+}
+
+/// Takes what stands above the lower hull of a window out of values on a band's grid; `None`
+/// (and nothing taken) when nothing does. `sign` -1 takes what hangs below the upper hull.
+pub fn take_window(
+    band: Band,
+    values: &mut [f64],
+    window_nm: [f64; 2],
+    sign: f64,
+) -> Option<FoundSpike> {
+    let index = |nm: f64| (nm - band.min_nm()).round().clamp(0.0, band.steps() as f64) as usize;
+    let (first, last) = (index(window_nm[0]), index(window_nm[1]));
+    if last <= first {
+        return None;
     }
+    let mut upright: Vec<f64> = values.iter().map(|v| sign * v).collect();
+    let highest = (first..=last).max_by(|i, j| upright[*i].total_cmp(&upright[*j]))?;
+    let line = weigh_window(band, &upright, (first, last), (highest, highest))?;
+    let found = line.found(band, 1, sign);
+    line.take_from(&mut upright);
+    for (v, u) in values.iter_mut().zip(&upright) {
+        *v = sign * u;
+    }
+    Some(found)
 }
 
 /// A local maximum with its width at half prominence.
@@ -406,19 +418,35 @@ impl FoundSpike {
 }
 
 fn weigh(band: Band, values: &[f64], members: &[Peak], limits: (usize, usize)) -> Option<Line> {
+    let window = window_of(members, limits, values.len())?;
+    let (head, tail) = (members.first()?, members.last()?);
+    weigh_window(band, values, window, (head.at, tail.at))
+}
+
+/// First and last index of a group's window.
+fn window_of(members: &[Peak], limits: (usize, usize), points: usize) -> Option<(usize, usize)> {
     let (head, tail) = (members.first()?, members.last()?);
     // The widest member decides: a shoulder's own width says nothing about the line it sits on.
     let widest = members.iter().map(|p| p.width).fold(NARROWEST_NM, f64::max);
     let reach = WINDOW_WIDTHS * widest + WINDOW_MARGIN_NM;
     let first = ((head.at as f64 - reach).floor().max(0.0) as usize).max(limits.0);
-    let last = ((tail.at as f64 + reach).ceil() as usize).min(limits.1);
-    if last <= first {
-        return None;
-    }
+    let last = ((tail.at as f64 + reach).ceil() as usize)
+        .min(limits.1)
+        .min(points - 1);
+    (last > first).then_some((first, last))
+}
+
+/// What stands above the hull of a window; `ends` are its first and last maximum.
+fn weigh_window(
+    band: Band,
+    values: &[f64],
+    (first, last): (usize, usize),
+    ends: (usize, usize),
+) -> Option<Line> {
     let window = &values[first..=last];
-    let baseline = if head.at == 0 {
+    let baseline = if ends.0 == 0 {
         vec![window[window.len() - 1]; window.len()]
-    } else if tail.at == values.len() - 1 {
+    } else if ends.1 == values.len() - 1 {
         vec![window[0]; window.len()]
     } else {
         lower_hull(window)

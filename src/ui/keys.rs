@@ -138,11 +138,14 @@ pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 19] = [
 /// The acts of this frame's keys. Plain keys belong to whatever has the keyboard's focus.
 pub fn pressed(context: &Context) -> Vec<Act> {
     let focused = context.memory(|m| m.focused().is_some());
+    // A text field has an undo of its own.
+    let writing = context.text_edit_focused();
     let mut acts = Vec::new();
     context.input_mut(|input| {
         for (shortcut, act, _) in &SHORTCUTS {
             let is_plain = shortcut.modifiers.is_none() && shortcut.logical_key != Key::F1;
-            if is_plain && focused {
+            let is_history = matches!(act, Act::Undo | Act::Redo);
+            if (is_plain && focused) || (is_history && writing) {
                 continue;
             }
             if input.consume_shortcut(shortcut) {

@@ -8,7 +8,7 @@ use super::{
     Window,
     files::{system_picker, watch_dialogs},
     saver::Saver,
-    theme::waker,
+    theme::{self, waker},
 };
 use crate::app::{
     App, Command, Entry,
@@ -122,6 +122,8 @@ fn open(start: Start) -> eframe::Result {
         "Spectral Explorer",
         options,
         Box::new(move |creation| {
+            // Fonts take effect in the next frame: before the first one they are never missed.
+            theme::install_fonts(&creation.egui_ctx);
             let saver = start.workspace.clone().map(Saver::new);
             let mut window = Window::new(app, preferences, system_picker(), saver);
             for entry in start.presets {

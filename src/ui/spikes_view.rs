@@ -73,8 +73,10 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                             weight: weight / factor,
                         });
                     }
-                    let share = 100.0 * spike.spike.weight / derived.parts.power;
-                    ui.monospace(format!("{share:.2} %"));
+                    let share = derived.parts.share(spike.spike.weight);
+                    ui.monospace(
+                        share.map_or_else(|| "–".to_owned(), |s| format!("{:.2} %", 100.0 * s)),
+                    );
                     ui.monospace(
                         spike
                             .width_nm
@@ -97,6 +99,15 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                         let lock = ui
                             .checkbox(&mut locked, "lock")
                             .on_hover_text("Keeps the spike whatever the threshold says.");
+                        let number = index + 1;
+                        lock.widget_info(|| {
+                            egui::WidgetInfo::selected(
+                                egui::Role::CheckBox,
+                                true,
+                                locked,
+                                format!("Lock spike {number}"),
+                            )
+                        });
                         if lock.changed() {
                             acts.push(if locked {
                                 SpikeAct::Lock { index }
@@ -104,11 +115,17 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                                 SpikeAct::Unlock { index }
                             });
                         }
-                        if ui
+                        let delete = ui
                             .small_button("delete")
-                            .on_hover_text("Gives its energy back to the smooth part.")
-                            .clicked()
-                        {
+                            .on_hover_text("Gives its energy back to the smooth part.");
+                        delete.widget_info(|| {
+                            egui::WidgetInfo::labeled(
+                                egui::Role::Button,
+                                true,
+                                format!("Delete spike {number}"),
+                            )
+                        });
+                        if delete.clicked() {
                             acts.push(SpikeAct::Delete { index });
                         }
                     });
@@ -121,7 +138,7 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
 /// The row above the table.
 pub fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
     let edits = app.document().subject_edits();
-    ui.weak("Drag a spike in the plot, or change its numbers here; double-click adds one.");
+    ui.weak("Drag in the plot or edit here; double-click adds one.");
     if !edits.is_empty()
         && ui
             .button("Forget hand edits")

@@ -71,7 +71,8 @@ impl SpectrumView {
         let axis = Axis {
             factor: app.scale_factor(),
             log: view.log_axis,
-            floor: LOG_FLOOR * top * app.scale_factor(),
+            // Darkness has no logarithm either: the axis then starts at the smallest number.
+            floor: (LOG_FLOOR * top * app.scale_factor()).max(f64::MIN_POSITIVE),
         };
         let room = ui.available_height();
         let strip_height = if view.strip { 16.0 * theme.scale } else { 0.0 };

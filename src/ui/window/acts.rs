@@ -1,0 +1,121 @@
+//! What keys and the top bar ask for.
+
+use eframe::egui;
+use egui::Context;
+
+use super::{
+    super::{
+        dialogs::Dialog,
+        files::Ask,
+        keys::{self, Act},
+        picture,
+        theme::waker,
+        top_view::Wish,
+    },
+    Window,
+    filing::Saving,
+};
+use crate::app::{App, Command, Settings, export::Export, plot_svg, state::Tone, workspace::ZOOMS};
+
+impl Window {
+    pub(super) fn keys(&mut self, context: &Context) {
+        if self.dialog.is_some() {
+            return;
+        }
+        for act in keys::pressed(context) {
+            self.act(act, context);
+        }
+    }
+
+    pub(super) fn act(&mut self, act: Act, context: &Context) {
+        let settings = self.app.document().settings;
+        let edit = |app: &mut App, settings: Settings| {
+            app.apply(Command::Edit(settings));
+            app.end_gesture();
+        };
+        const FINER: f64 = 1.25;
+        match act {
+            Act::Open => self.ask(Ask::Open, None, context),
+            Act::TypePath => self.dialog = Some(Dialog::OpenPath(String::new())),
+            Act::SaveProject => self.save(Saving::Text(Export::Project), context),
+            Act::Undo => self.app.apply(Command::Undo),
+            Act::Redo => self.app.apply(Command::Redo),
+            Act::OrderDown => edit(
+                &mut self.app,
+                Settings {
+                    order: settings.order.saturating_sub(1),
+                    ..settings
+                },
+            ),
+            Act::OrderUp => edit(
+                &mut self.app,
+                Settings {
+                    order: settings.order + 1,
+                    ..settings
+                },
+            ),
+            Act::ThresholdDown => edit(
+                &mut self.app,
+                Settings {
+                    threshold_percent: settings.threshold_percent / FINER,
+                    ..settings
+                },
+            ),
+            Act::ThresholdUp => edit(
+                &mut self.app,
+                Settings {
+                    threshold_percent: settings.threshold_percent * FINER,
+                    ..settings
+                },
+            ),
+            Act::ResetView => self.spectrum.reset(),
+            Act::Theme => self.preferences.dark = !self.preferences.dark,
+            Act::Projector => self.preferences.projector = !self.preferences.projector,
+            Act::Search => self.focus_search = true,
+            Act::ZoomIn => self.zoom(self.preferences.zoom + 0.1),
+            Act::ZoomOut => self.zoom(self.preferences.zoom - 0.1),
+            Act::ZoomReset => self.zoom(1.0),
+            Act::Shortcuts => self.dialog = Some(Dialog::Shortcuts),
+            Act::CopyPicture => {
+                let size = context.content_rect().size();
+                let image = picture::window_image(
+                    &self.app,
+                    &self.preferences,
+                    [size.x as u32, size.y as u32],
+                );
+                context.copy_image(image);
+                self.app
+                    .say(Tone::Info, "A picture of the window was copied.");
+            }
+        }
+    }
+
+    pub(super) fn zoom(&mut self, zoom: f32) {
+        self.preferences.zoom = ((zoom * 10.0).round() / 10.0).clamp(ZOOMS[0], ZOOMS[1]);
+    }
+
+    pub(super) fn fulfil(&mut self, wish: Wish, context: &Context) {
+        match wish {
+            Wish::Act(act) => self.act(act, context),
+            Wish::Recent(index) => {
+                let path = self.preferences.recent.get(index).cloned();
+                self.open_files(path.into_iter().collect(), waker(context));
+            }
+            Wish::Save(export) => self.save(Saving::Text(export), context),
+            Wish::SavePlotPng => self.save(Saving::PlotPng, context),
+            Wish::SaveWindowPng => self.save(Saving::WindowPng, context),
+            Wish::Copy(export) => {
+                let theme = plot_svg::Theme::Light;
+                match export.text(&self.app, theme) {
+                    Ok(text) => {
+                        context.copy_text(text.trim_end().to_owned());
+                        self.app
+                            .say(Tone::Info, format!("Copied: {}.", export.title()));
+                    }
+                    Err(why) => self.app.say(Tone::Problem, why),
+                }
+            }
+            Wish::About => self.dialog = Some(Dialog::About(None)),
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Files in and out: what was dropped, chosen or typed, and what is saved, none of it in the way.
+
+use std::{path::PathBuf, sync::Arc};
+
+use eframe::egui;
+use egui::{Context, Ui};
+
+use super::{
+    super::{
+        dialogs::{self, Dialog, Outcome},
+        files::{Ask, NO_DIALOG, Picked},
+        picture,
+        saver::Saver,
+        theme::{Wake, waker},
+    },
+    Window,
+};
+use crate::{
+    app::{
+        Command,
+        export::{self, Export},
+        open::{Loaded, load_bytes},
+        plot_svg,
+        state::Tone,
+    },
+    io::atomic::save_atomically,
+};
+
+/// What is waiting for a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Saving {
+    Text(Export),
+    PlotPng,
+    WindowPng,
+}
+
+/// A file dialog that is open on another thread.
+pub(super) struct Waiting {
+    pub number: u64,
+    pub saving: Option<Saving>,
+}
+
+impl Window {
+    /// Opens files as if they had been chosen in the dialog.
+    pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
+        if !paths.is_empty() {
+            self.loader.open(paths, wake);
+        }
+    }
+
+    /// What came from outside: files read, dialogs answered, files dropped, words of threads.
+    pub(super) fn take_in(&mut self, ui: &Ui) {
+        for loaded in self.loader.finished() {
+            self.take(loaded);
+        }
+        let dropped = ui.input(|i| i.raw.dropped_files.clone());
+        let mut paths = Vec::new();
+        for file in dropped {
+            let path = file.path().to_owned();
+            if path.is_file() {
+                paths.push(path);
+                continue;
+            }
+            let name = path.file_name().map_or_else(
+                || "dropped file".to_owned(),
+                |name| name.to_string_lossy().into_owned(),
+            );
+            match file.bytes() {
+                Ok(bytes) => self.take(load_bytes(&name, &bytes)),
+                Err(why) => self.app.say(Tone::Problem, format!("{name}: {why}")),
+            }
+        }
+        self.open_files(paths, waker(ui.ctx()));
+        let answers: Vec<(u64, Picked)> = self.answers.1.try_iter().collect();
+        for (number, picked) in answers {
+            let Some(waiting) = self.waiting.take_if(|w| w.number == number) else {
+                continue;
+            };
+            self.picked(picked, waiting.saving, ui.ctx());
+        }
+        let said: Vec<(Tone, String)> = self.said.1.try_iter().collect();
+        for (tone, text) in said {
+            self.app.say(tone, text);
+        }
+        if let Some(why) = self.saver.as_ref().and_then(Saver::trouble) {
+            self.app.say(Tone::Problem, why);
+        }
+    }
+
+    pub(super) fn take(&mut self, loaded: Loaded) {
+        match loaded {
+            Loaded::Spectra { path, spectra, how } => {
+                if let Some(path) = path {
+                    self.preferences.remember_file(&path);
+                }
+                let first = spectra.first().map(|s| s.notes.clone()).unwrap_or_default();
+                let count = spectra.len();
+                self.app.apply(Command::Adopt(spectra));
+                let more = match count {
+                    1 => String::new(),
+                    _ => format!(" ({count} spectra, all in My files)"),
+                };
+                let odd = first.len().saturating_sub(1);
+                let odd = match odd {
+                    0 => String::new(),
+                    _ => " More in its tooltip.".to_owned(),
+                };
+                self.app.say(Tone::Info, format!("{how}{more}.{odd}"));
+            }
+            Loaded::Project { path, restored } => {
+                let losses = restored.losses.clone();
+                self.app
+                    .apply(Command::Replace(Box::new(restored.document)));
+                self.app.say(Tone::Info, "Project opened.");
+                for loss in losses {
+                    self.app.say(Tone::Problem, loss);
+                }
+                if let Some(path) = path {
+                    self.preferences.remember_file(&path);
+                }
+            }
+            Loaded::Refused(why) => self.app.say(Tone::Problem, why),
+        }
+    }
+
+    /// Asks for a path in the system's dialog, on a thread of its own.
+    pub(super) fn ask(&mut self, ask: Ask, saving: Option<Saving>, context: &Context) {
+        if self.waiting.is_some() {
+            return;
+        }
+        self.dialogs_shown += 1;
+        let number = self.dialogs_shown;
+        self.waiting = Some(Waiting { number, saving });
+        let (picker, answers, wake) = (
+            Arc::clone(&self.picker),
+            self.answers.0.clone(),
+            waker(context),
+        );
+        std::thread::spawn(move || {
+            let picked = picker(&ask);
+            // Nobody listens any more once the window is closed.
+            let _ = answers.send((number, picked));
+            wake();
+        });
+    }
+
+    pub(super) fn save(&mut self, saving: Saving, context: &Context) {
+        let suggested = self.suggested_name(saving);
+        let extension = match saving {
+            Saving::Text(export) => export.extension(),
+            Saving::PlotPng | Saving::WindowPng => "png",
+        };
+        self.ask(
+            Ask::Save {
+                suggested,
+                extension,
+            },
+            Some(saving),
+            context,
+        );
+    }
+
+    pub(super) fn suggested_name(&self, saving: Saving) -> String {
+        match saving {
+            Saving::Text(export) => export.suggested_name(&self.app),
+            Saving::PlotPng => format!("{}.png", export::file_stem(&self.app)),
+            Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
+        }
+    }
+
+    pub(super) fn picked(&mut self, picked: Picked, saving: Option<Saving>, context: &Context) {
+        match (picked, saving) {
+            (Picked::Paths(paths), None) => self.open_files(paths, waker(context)),
+            (Picked::Paths(paths), Some(saving)) => {
+                if let Some(path) = paths.into_iter().next() {
+                    self.write(saving, path, context);
+                }
+            }
+            (Picked::Cancelled, _) => self.app.say(Tone::Info, "No file chosen."),
+            (Picked::NoDialog, None) => {
+                self.app.say(Tone::Problem, NO_DIALOG);
+                self.dialog = Some(Dialog::OpenPath(String::new()));
+            }
+            (Picked::NoDialog, Some(saving)) => {
+                self.app.say(Tone::Problem, NO_DIALOG);
+                self.dialog = Some(Dialog::SavePath(self.suggested_name(saving)));
+                self.saving = Some(saving);
+            }
+        }
+    }
+
+    /// Writes on a thread of its own: a picture takes longer than a frame.
+    pub(super) fn write(&mut self, saving: Saving, path: PathBuf, context: &Context) {
+        let (app, preferences) = (self.app.clone(), self.preferences.clone());
+        let (said, wake) = (self.said.0.clone(), waker(context));
+        let size = context.content_rect().size();
+        std::thread::spawn(move || {
+            let theme = if preferences.dark {
+                plot_svg::Theme::Dark
+            } else {
+                plot_svg::Theme::Light
+            };
+            let bytes = match saving {
+                Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
+                Saving::PlotPng => Ok(picture::plot_png(&app, theme, [1200, 760])),
+                Saving::WindowPng => Ok(picture::window_png(
+                    &app,
+                    &preferences,
+                    [size.x as u32, size.y as u32],
+                )),
+            };
+            let written =
+                bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
+            let message = match written {
+                Ok(()) => (
+                    Tone::Info,
+                    format!(
+                        "Saved {} ({}).",
+                        path.display(),
+                        app.document().scale.words()
+                    ),
+                ),
+                Err(why) => (Tone::Problem, why),
+            };
+            // Nobody listens any more once the window is closed.
+            let _ = said.send(message);
+            wake();
+        });
+    }
+
+    pub(super) fn dialog(&mut self, context: &Context) {
+        let Some(dialog) = &mut self.dialog else {
+            return;
+        };
+        match dialogs::show(context, dialog) {
+            Outcome::Open => return,
+            Outcome::Closed => {}
+            Outcome::OpenPath(path) => self.open_files(vec![path], waker(context)),
+            Outcome::SavePath(path) => {
+                if let Some(saving) = self.saving.take() {
+                    self.write(saving, path, context);
+                }
+            }
+        }
+        self.dialog = None;
+    }
+}

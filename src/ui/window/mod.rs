@@ -1,0 +1,333 @@
+//! The window: panels in their places, controls first, then what depends on them.
+
+mod acts;
+mod filing;
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use eframe::egui;
+use egui::{Context, Panel, Ui};
+
+use super::{
+    colour_view,
+    dialogs::Dialog,
+    files::{Picked, Picker},
+    library_view::LibraryView,
+    model_view, patches_view, picture,
+    saver::Saver,
+    spectrum_view::SpectrumView,
+    spikes_view,
+    theme::{self, Theme},
+    top_view,
+};
+use crate::app::{
+    App, Command,
+    open::Loader,
+    spike_hand::SpikeAct,
+    state::Tone,
+    workspace::{Preferences, Restored},
+};
+use filing::{Saving, Waiting};
+
+/// The right panel's width: its tables fit, so that it does not jump with its content.
+const RIGHT_WIDTH: f32 = 384.0;
+
+/// A change is kept on disk this long after it was made, seconds.
+const KEEP_AFTER: f64 = 0.7;
+
+/// The program's window without the system's frame around it.
+pub struct Window {
+    /// The program.
+    pub app: App,
+    /// How the window looks.
+    pub preferences: Preferences,
+    /// Shows file dialogs; tests put their own here.
+    pub picker: Picker,
+    /// The plot and what is being dragged in it.
+    pub spectrum: SpectrumView,
+    library: LibraryView,
+    loader: Loader,
+    answers: (Sender<(u64, Picked)>, Receiver<(u64, Picked)>),
+    said: (Sender<(Tone, String)>, Receiver<(Tone, String)>),
+    waiting: Option<Waiting>,
+    dialogs_shown: u64,
+    dialog: Option<Dialog>,
+    saving: Option<Saving>,
+    saver: Option<Saver>,
+    /// Revision and preferences on disk, and when something newer was first seen.
+    kept: (u64, Preferences),
+    changed_at: Option<f64>,
+    /// Leaves out what changes from run to run (the time taken), for pictures in tests.
+    pub quiet: bool,
+    styled_for: Option<Preferences>,
+    fonts_installed: bool,
+    focus_search: bool,
+}
+
+impl Window {
+    /// A window over a program. `saver` keeps the workspace; without one nothing is written.
+    pub fn new(app: App, preferences: Preferences, picker: Picker, saver: Option<Saver>) -> Self {
+        Self {
+            kept: (app.revision(), preferences.clone()),
+            app,
+            preferences,
+            picker,
+            spectrum: SpectrumView::default(),
+            library: LibraryView::default(),
+            loader: Loader::default(),
+            answers: channel(),
+            said: channel(),
+            waiting: None,
+            dialogs_shown: 0,
+            dialog: None,
+            saving: None,
+            saver,
+            changed_at: None,
+            quiet: false,
+            styled_for: None,
+            fonts_installed: false,
+            focus_search: false,
+        }
+    }
+
+    /// The program and preferences that a workspace brought back.
+    pub fn restored(restored: Restored) -> (App, Preferences) {
+        let mut app = App::with_document(restored.document);
+        for loss in restored.losses {
+            app.say(Tone::Problem, loss);
+        }
+        (app, restored.preferences.unwrap_or_default())
+    }
+
+    /// Whether files are being read or a dialog is open.
+    pub fn is_busy(&self) -> bool {
+        self.loader.pending() > 0 || self.waiting.is_some()
+    }
+
+    /// The window's picture as it would be drawn at a size, without a display.
+    pub fn picture(&self, size: [u32; 2]) -> Vec<u8> {
+        picture::window_png(&self.app, &self.preferences, size)
+    }
+
+    /// One frame.
+    pub fn show(&mut self, ui: &mut Ui) {
+        let context = ui.ctx().clone();
+        self.dress(&context);
+        let theme = Theme::of(&self.preferences);
+        self.take_in(ui);
+        self.keys(&context);
+
+        let mut commands = Vec::new();
+        let mut wishes = Vec::new();
+        Panel::top("top").show(ui, |ui| {
+            ui.add_space(2.0);
+            top_view::show(
+                ui,
+                &self.app,
+                &mut self.preferences,
+                theme,
+                self.waiting.is_some(),
+                &mut commands,
+                &mut wishes,
+            );
+            ui.add_space(1.0);
+        });
+        let status_height = 22.0 * theme.scale;
+        Panel::bottom("status")
+            .exact_size(status_height)
+            .show(ui, |ui| self.status(ui, theme));
+        Panel::left("library")
+            .default_size(224.0)
+            .size_range(150.0..=460.0)
+            .show(ui, |ui| {
+                if std::mem::take(&mut self.focus_search) {
+                    ui.memory_mut(|m| m.move_focus(egui::FocusDirection::Next));
+                }
+                self.library
+                    .show(ui, &self.app, &mut self.preferences, theme, &mut commands);
+            });
+        for wish in wishes {
+            self.fulfil(wish, &context);
+        }
+        self.apply(&mut commands);
+
+        Panel::right("model")
+            .default_size(RIGHT_WIDTH * theme.scale)
+            .size_range(RIGHT_WIDTH * theme.scale..=760.0)
+            .show(ui, |ui| {
+                egui::ScrollArea::vertical()
+                    .auto_shrink(false)
+                    .show(ui, |ui| self.right_panel(ui, theme));
+            });
+        Panel::bottom("below")
+            .default_size(156.0 * theme.scale)
+            .size_range(90.0..=420.0)
+            .resizable(true)
+            .show(ui, |ui| self.below(ui, theme));
+        egui::CentralPanel::default_margins().show(ui, |ui| {
+            let wishes = self.spectrum.show(ui, &self.app, theme);
+            let mut commands = wishes.commands;
+            self.apply(&mut commands);
+            let before = self.app.revision();
+            for act in wishes.acts {
+                self.app.act_on_spikes(act);
+            }
+            if self.app.revision() != before {
+                // The plot was drawn before the drag moved the spike.
+                context.request_repaint();
+            }
+            if wishes.gesture_ended {
+                self.app.end_gesture();
+            }
+        });
+        self.dialog(&context);
+        // A number typed key by key is one gesture, as a drag is.
+        if !context.input(|i| i.pointer.any_down()) && !context.text_edit_focused() {
+            self.app.end_gesture();
+        }
+        self.keep(&context);
+    }
+
+    /// Fonts once, style whenever the looks change.
+    fn dress(&mut self, context: &Context) {
+        if !self.fonts_installed {
+            theme::install_fonts(context);
+            self.fonts_installed = true;
+        }
+        if self.styled_for.as_ref() != Some(&self.preferences) {
+            let zoom_changed = self
+                .styled_for
+                .as_ref()
+                .is_none_or(|p| p.zoom != self.preferences.zoom);
+            theme::apply(context, &self.preferences);
+            if zoom_changed {
+                context.set_zoom_factor(self.preferences.zoom);
+            }
+            self.styled_for = Some(self.preferences.clone());
+        }
+    }
+
+    fn apply(&mut self, commands: &mut Vec<Command>) {
+        for command in commands.drain(..) {
+            self.app.apply(command);
+        }
+    }
+
+    fn right_panel(&mut self, ui: &mut Ui, theme: Theme) {
+        let mut commands = Vec::new();
+        model_view::controls(ui, &self.app, theme, &mut commands);
+        self.apply(&mut commands);
+        model_view::curve(ui, &self.app, &mut self.preferences, theme, &mut commands);
+        let moved = !commands.is_empty();
+        self.apply(&mut commands);
+        if moved {
+            // The curve was drawn before its own click: show the new order at once.
+            ui.ctx().request_discard("the order curve was clicked");
+        }
+        ui.add_space(2.0);
+        ui.separator();
+        colour_view::show(ui, &self.app, theme);
+    }
+
+    fn below(&mut self, ui: &mut Ui, theme: Theme) {
+        let mut commands = Vec::new();
+        let mut acts: Vec<SpikeAct> = Vec::new();
+        ui.horizontal_wrapped(|ui| {
+            let spikes = self.app.derived().parts.spikes.len();
+            let below = &mut self.preferences.spikes_below;
+            if ui
+                .selectable_label(!*below, "Through reflectances")
+                .on_hover_text("Patches under the measured light and under the model.")
+                .clicked()
+            {
+                *below = false;
+            }
+            if ui
+                .selectable_label(*below, format!("Spikes ({spikes})"))
+                .on_hover_text("The spikes as a table to edit.")
+                .clicked()
+            {
+                *below = true;
+            }
+            ui.separator();
+            if self.preferences.spikes_below {
+                spikes_view::head(ui, &self.app, &mut acts);
+            } else {
+                patches_view::head(ui, &self.app, &mut commands);
+            }
+        });
+        self.apply(&mut commands);
+        if self.preferences.spikes_below {
+            spikes_view::table(ui, &self.app, theme, &mut acts);
+        } else {
+            patches_view::patches(ui, &self.app, theme, &mut commands);
+        }
+        self.apply(&mut commands);
+        for act in acts {
+            self.app.act_on_spikes(act);
+        }
+    }
+
+    fn status(&mut self, ui: &mut Ui, theme: Theme) {
+        ui.horizontal_centered(|ui| {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if !self.quiet {
+                    let ms = 1e3 * self.app.took().as_secs_f64();
+                    ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
+                        "Time for fit, errors, colours, patches and the order curve.",
+                    );
+                }
+                if self.loader.pending() > 0 {
+                    ui.spinner();
+                    ui.label(format!("reading {} files", self.loader.pending()));
+                }
+                if self.waiting.is_some() {
+                    if ui
+                        .small_button("stop waiting")
+                        .on_hover_text("Gives up on the file dialog; a late answer is ignored.")
+                        .clicked()
+                    {
+                        self.waiting = None;
+                    }
+                    ui.label("file dialog open");
+                }
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let Some(message) = self.app.message() else {
+                        ui.weak("Move N and the threshold; click a patch; drag a spike.");
+                        return;
+                    };
+                    if message.tone == Tone::Problem {
+                        ui.colored_label(theme.warning, "▲");
+                    }
+                    ui.add(egui::Label::new(&message.text).truncate());
+                });
+            });
+        });
+    }
+
+    /// Keeps the workspace on disk, a moment after it changed.
+    fn keep(&mut self, context: &Context) {
+        let now = context.input(|i| i.time);
+        let present = (self.app.revision(), self.preferences.clone());
+        if self.saver.is_none() || present == self.kept {
+            self.changed_at = None;
+            return;
+        }
+        let since = *self.changed_at.get_or_insert(now);
+        if now - since >= KEEP_AFTER {
+            self.keep_now();
+        } else {
+            let left = std::time::Duration::from_secs_f64(KEEP_AFTER - (now - since) + 0.01);
+            context.request_repaint_after(left);
+        }
+    }
+
+    /// Hands the workspace to the saver at once.
+    pub fn keep_now(&mut self) {
+        if let Some(saver) = &self.saver {
+            saver.keep(self.app.document(), &self.preferences);
+            self.kept = (self.app.revision(), self.preferences.clone());
+            self.changed_at = None;
+        }
+    }
+}
