@@ -590,7 +590,7 @@ fn what_is_neither_light_nor_reflectance_is_laid_over_and_said() {
     let observer = preset(&app, "observers/V(lambda) photopic");
     app.apply(Command::Show(observer.clone()));
     assert_eq!(app.document().light.key, FIRST_LIGHT);
-    assert_eq!(app.document().overlays, [observer.clone()]);
+    assert_eq!(app.document().overlays, std::slice::from_ref(&observer));
     let message = app.message().expect("a sentence").text.clone();
     assert!(message.contains("overlay"), "{message}");
     app.apply(Command::Show(observer));

@@ -709,7 +709,8 @@ fn the_spike_table_edits_locks_and_deletes() {
     assert_eq!(hand_spike(&ui), None);
     click(&mut ui, "Delete spike 1");
     assert_eq!(app(&ui).derived().model.spikes.len(), count - 1);
-    click(&mut ui, "Lock spike 1");
+    control(&ui, Role::CheckBox, "Lock spike 1").click();
+    ui.run();
     assert!(hand_spike(&ui).is_some());
 }
 

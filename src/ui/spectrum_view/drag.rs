@@ -2,7 +2,7 @@
 
 use eframe::egui;
 use egui::{Pos2, Ui};
-use egui_plot::{PlotPoint, PlotTransform};
+use egui_plot::{PlotPoint, PlotResponse, PlotTransform};
 
 use super::{Wishes, axis::Axis};
 use crate::{
@@ -64,11 +64,11 @@ impl Dragging {
         ui: &Ui,
         app: &App,
         axis: Axis,
-        transform: PlotTransform,
-        response: &egui::Response,
+        plot: &PlotResponse<()>,
         near: Option<usize>,
         wishes: &mut Wishes,
     ) {
+        let (transform, response) = (plot.transform, &plot.response);
         let (pointer, pressed, released) = ui.input(|i| {
             (
                 i.pointer.interact_pos(),

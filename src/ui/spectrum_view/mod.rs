@@ -269,15 +269,8 @@ impl SpectrumView {
                 ),
             )
         });
-        self.dragging.interact(
-            ui,
-            app,
-            axis,
-            response.transform,
-            &response.response,
-            near,
-            wishes,
-        );
+        self.dragging
+            .interact(ui, app, axis, &response, near, wishes);
         rect
     }
 }

@@ -29,6 +29,9 @@ use crate::app::{
 };
 use filing::{Saving, Waiting};
 
+/// Both ends of a queue that other threads write to.
+type Channel<T> = (Sender<T>, Receiver<T>);
+
 /// The right panel's width: its tables fit, so that it does not jump with its content.
 const RIGHT_WIDTH: f32 = 384.0;
 
@@ -47,8 +50,8 @@ pub struct Window {
     pub spectrum: SpectrumView,
     library: LibraryView,
     loader: Loader,
-    answers: (Sender<(u64, Picked)>, Receiver<(u64, Picked)>),
-    said: (Sender<(Tone, String)>, Receiver<(Tone, String)>),
+    answers: Channel<(u64, Picked)>,
+    said: Channel<(Tone, String)>,
     waiting: Option<Waiting>,
     dialogs_shown: u64,
     dialog: Option<Dialog>,
