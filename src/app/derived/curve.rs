@@ -1,0 +1,105 @@
+//! The errors at every order, from one projection.
+
+use super::{
+    Question,
+    fitted::{Fitted, is_positive},
+};
+use crate::{
+    app::tables::{CURVE_ORDER, Tables},
+    color::{ciede2000::delta_e_2000, lab::lab_from_xyz},
+    spectrum::{Basis, composite::add_spikes},
+};
+
+/// The errors at one order of the curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrderPoint {
+    /// Order N.
+    pub order: usize,
+    /// Numbers of the whole model, spikes included.
+    pub numbers: usize,
+    /// CIEDE2000 of the subject's own colour.
+    pub own: Option<f64>,
+    /// Mean CIEDE2000 of the patches.
+    pub patches_mean: Option<f64>,
+    /// Largest CIEDE2000 of the patches.
+    pub patches_max: Option<f64>,
+    /// Relative RMS on the 1 nm grid.
+    pub relative_rms: Option<f64>,
+    /// Relative RMS behind a 10 nm blur.
+    pub relative_rms_10nm: Option<f64>,
+}
+
+impl Fitted {
+    /// The whole curve; products with patches at 1 nm whatever the settings say.
+    pub(super) fn curve(&self, question: Question<'_>, tables: &Tables) -> Vec<OrderPoint> {
+        let band = tables.band();
+        let highest = CURVE_ORDER.min(Basis::highest_order(band));
+        let square = band.inner(question.measured, question.measured);
+        let blurred_measured = tables.blur.values(question.measured);
+        let blurred_square = band.inner(&blurred_measured, &blurred_measured);
+        // What is missing before any smooth part: spikes minus measured, plain and blurred.
+        let mut rest: Vec<f64> = question.measured.iter().map(|m| -m).collect();
+        add_spikes(band, &self.spikes, &mut rest);
+        let mut blurred_rest: Vec<f64> = blurred_measured.iter().map(|m| -m).collect();
+        tables.blur.add_spikes(&self.spikes, &mut blurred_rest);
+
+        let mut patch_work = self.patch_work(question, tables);
+        let exact_lab = lab_from_xyz(self.exact_xyz, self.white);
+        let has_colour = is_positive(self.white.y);
+        let (mut plain, mut blurred) = (Running::new(rest), Running::new(blurred_rest));
+        (0..=highest)
+            .map(|order| {
+                let (coefficients, _) = self.coefficients(order, tables);
+                let own = has_colour.then(|| {
+                    let xyz = self.model_xyz(tables, &coefficients);
+                    delta_e_2000(exact_lab, lab_from_xyz(xyz, self.white))
+                });
+                let patches = patch_work.as_mut().map(|w| w.errors(&coefficients, tables));
+                let share =
+                    |sum: f64, whole: f64| (whole > 0.0).then(|| (sum.max(0.0) / whole).sqrt());
+                let d = plain.with(&coefficients, |k| tables.basis.row(k));
+                let relative_rms = share(band.inner(d, d), square);
+                let d = blurred.with(&coefficients, |k| &tables.blurred[k]);
+                let relative_rms_10nm = share(band.inner(d, d), blurred_square);
+                OrderPoint {
+                    order,
+                    numbers: coefficients.len() + 2 * self.spikes.len(),
+                    own,
+                    patches_mean: patches.map(|p| p.0),
+                    patches_max: patches.map(|p| p.1),
+                    relative_rms,
+                    relative_rms_10nm,
+                }
+            })
+            .collect()
+    }
+}
+
+/// A sum of functions on the grid that follows its coefficients: only what changed is added.
+struct Running {
+    coefficients: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl Running {
+    fn new(values: Vec<f64>) -> Self {
+        Self {
+            coefficients: Vec::new(),
+            values,
+        }
+    }
+
+    fn with<'a>(&mut self, coefficients: &[f64], row: impl Fn(usize) -> &'a [f64]) -> &[f64] {
+        self.coefficients.resize(coefficients.len(), 0.0);
+        for (k, (now, wanted)) in self.coefficients.iter_mut().zip(coefficients).enumerate() {
+            let step = wanted - *now;
+            if step != 0.0 {
+                for (v, f) in self.values.iter_mut().zip(row(k)) {
+                    *v += step * f;
+                }
+                *now = *wanted;
+            }
+        }
+        &self.values
+    }
+}

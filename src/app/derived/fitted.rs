@@ -1,0 +1,130 @@
+//! The fit: a subject taken apart and projected once, from which every order is cut.
+
+use super::Question;
+use crate::{
+    app::{settings::Detector, tables::Tables},
+    color::Xyz,
+    spectrum::{
+        Band, Decomposed, Exactness, Spike,
+        basis::numbers_of_order,
+        edits::{decompose, decompose_by},
+        gradient,
+        spikes::absolute_power,
+    },
+};
+
+/// A subject taken apart and projected to the largest order: what every order is cut from.
+pub(super) struct Fitted {
+    pub parts: Decomposed,
+    pub spikes: Vec<Spike>,
+    /// Plain coefficients to the largest order.
+    pub projected: Vec<f64>,
+    /// XYZ that the smooth part must have for the subject's colour to be exact.
+    pub smooth_target: [f64; 3],
+    pub colour_exact: bool,
+    /// XYZ of the spikes alone.
+    pub spikes_xyz: Xyz,
+    /// XYZ of the subject, exact.
+    pub exact_xyz: Xyz,
+    /// XYZ of the light, exact: the white.
+    pub white: Xyz,
+}
+
+impl Fitted {
+    /// Takes the subject apart and projects what is left to the largest order.
+    pub(super) fn of(question: Question<'_>, tables: &Tables) -> Self {
+        let settings = question.settings;
+        let band = tables.band();
+        let parts = take_apart(question, band);
+        let spikes = parts.plain_spikes();
+        let projected = tables.basis.project(&parts.smooth, tables.basis.numbers());
+        let weights = &tables.viewing.weights;
+        let exact_xyz = integral(band, question.measured, weights);
+        let spikes_xyz = spikes_xyz(band, &spikes, weights);
+        let white = if question.is_light {
+            exact_xyz
+        } else {
+            // The weights are the light's already: a perfect reflector is their own integral.
+            Xyz::from_array(std::array::from_fn(|k| band.integral(&weights[k])))
+        };
+        Self {
+            smooth_target: (exact_xyz - spikes_xyz).to_array(),
+            parts,
+            spikes,
+            projected,
+            colour_exact: settings.colour_exact,
+            spikes_xyz,
+            exact_xyz,
+            white,
+        }
+    }
+
+    /// The coefficients of an order, made colour-exact where that was asked for.
+    pub(super) fn coefficients(&self, order: usize, tables: &Tables) -> (Vec<f64>, Exactness) {
+        let numbers = numbers_of_order(order).min(self.projected.len());
+        let mut coefficients = self.projected[..numbers].to_vec();
+        let exactness = if self.colour_exact {
+            tables
+                .colour
+                .make_exact(&mut coefficients, self.smooth_target)
+        } else {
+            Exactness::TooFewNumbers
+        };
+        (coefficients, exactness)
+    }
+
+    /// XYZ of the model by its coefficients (Eq. 7, corrected), not scaled.
+    pub(super) fn model_xyz(&self, tables: &Tables, coefficients: &[f64]) -> Xyz {
+        Xyz::from_array(tables.colour.of(coefficients)) + self.spikes_xyz
+    }
+}
+
+fn take_apart(question: Question<'_>, band: Band) -> Decomposed {
+    let (settings, values) = (question.settings, question.measured);
+    if !settings.spikes {
+        // Spikes set by hand are kept too: only their being used is switched off.
+        return Decomposed {
+            smooth: values.to_vec(),
+            spikes: Vec::new(),
+            power: absolute_power(band, values),
+        };
+    }
+    match settings.detector {
+        Detector::Energy => decompose(band, values, settings.spike_settings(), question.edits),
+        Detector::Gradient => decompose_by(
+            band,
+            values,
+            settings.max_width_nm,
+            question.edits,
+            |values, wishes| {
+                gradient::detect(
+                    band,
+                    values,
+                    settings.gradient_percent / 100.0,
+                    settings.max_width_nm,
+                    wishes,
+                )
+            },
+        ),
+    }
+}
+
+/// Integrals of values on the grid times three weights.
+pub(super) fn integral(band: Band, values: &[f64], weights: &[Vec<f64>; 3]) -> Xyz {
+    Xyz::from_array(std::array::from_fn(|k| band.inner(values, &weights[k])))
+}
+
+/// What spikes weigh of three weights on the grid, where they stand.
+pub(super) fn spikes_xyz(band: Band, spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
+    Xyz::from_array(std::array::from_fn(|k| {
+        spikes
+            .iter()
+            .map(|s| s.weight * band.interpolate(&weights[k], s.at_nm))
+            .sum()
+    }))
+}
+
+/// Whether a number is finite and above zero.
+pub(super) fn is_positive(value: f64) -> bool {
+    value > 0.0 && value.is_finite()
+}

@@ -1,0 +1,204 @@
+//! All that is shown about one spectrum, from the document in one pure step.
+
+mod colour;
+mod curve;
+mod fitted;
+mod patches;
+
+pub use colour::{Colour, ColourComparison};
+pub use curve::OrderPoint;
+pub use patches::{PatchComparison, PatchPair};
+
+use crate::{
+    color::{Adaptation, Xyz},
+    spectrum::{Band, Composite, Decomposed, Exactness, Series, SpikeEdits, composite::add_spikes},
+    study::error::{SpectrumErrors, spectrum_errors},
+};
+
+use super::{settings::Settings, tables::Tables};
+use fitted::Fitted;
+
+/// What a recomputation needs to know beside the shared tables.
+#[derive(Clone, Copy, Debug)]
+pub struct Question<'a> {
+    /// The subject on the band's grid.
+    pub measured: &'a [f64],
+    /// Whether the subject is a light (it has patches and a CCT) or a reflectance.
+    pub is_light: bool,
+    /// The light on the band's grid: the subject itself, or what a reflectance is seen under.
+    pub light: &'a [f64],
+    /// XYZ of the subject by 1 nm sums over 360-830, Y of the light at 100; CIE 1931 beside it.
+    pub full: Option<(Xyz, Xyz)>,
+    /// Y of the light over 360-830, not scaled.
+    pub full_luminance: f64,
+    /// First and last wavelength of the subject's table, nm.
+    pub table_nm: [f64; 2],
+    /// The knobs.
+    pub settings: Settings,
+    /// The hand edits of the subject's spikes.
+    pub edits: &'a SpikeEdits,
+    /// Bring patches to the screen's white.
+    pub adaptation: Adaptation,
+}
+
+/// Everything derived from one subject and one set of knobs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Derived {
+    /// The model's range.
+    pub band: Band,
+    /// The measured spectrum on the grid.
+    pub measured: Vec<f64>,
+    /// Smooth target, spikes, total power.
+    pub parts: Decomposed,
+    /// The model.
+    pub model: Composite,
+    /// The smooth series on the grid.
+    pub smooth: Vec<f64>,
+    /// Smooth plus spikes (split over their neighbouring nm) minus measured, on the grid.
+    pub residual: Vec<f64>,
+    /// How the colour-exact fit went; `None` when it was not asked for.
+    pub exactness: Option<Exactness>,
+    /// Errors of the spectrum; `None` for an all-zero one.
+    pub errors: Option<SpectrumErrors>,
+    /// The subject's colour.
+    pub colour: ColourComparison,
+    /// The patches under a light.
+    pub patches: Option<PatchComparison>,
+    /// Errors against order, from 0 on.
+    pub curve: Vec<OrderPoint>,
+    /// What must be said about this result, a sentence each.
+    pub warnings: Vec<String>,
+}
+
+impl Derived {
+    /// Answers the question: fit, errors, colours, patches and the whole order curve.
+    pub fn of(question: Question<'_>, tables: &Tables) -> Self {
+        let settings = question.settings;
+        let band = tables.band();
+        let fitted = Fitted::of(question, tables);
+        let order = settings.effective_order();
+        let (coefficients, exactness) = fitted.coefficients(order, tables);
+        let smooth = tables.basis.evaluate(&coefficients);
+        let mut residual: Vec<f64> = smooth
+            .iter()
+            .zip(question.measured)
+            .map(|(s, m)| s - m)
+            .collect();
+        add_spikes(band, &fitted.spikes, &mut residual);
+        let colour = fitted.colour(question, tables, &coefficients);
+        let patches = fitted.patches(question, tables, &coefficients);
+        let mut derived = Self {
+            band,
+            measured: question.measured.to_vec(),
+            errors: spectrum_errors(&tables.blur, question.measured, &smooth, &fitted.spikes),
+            model: Composite {
+                smooth: Series {
+                    band,
+                    basis: settings.basis,
+                    coefficients,
+                },
+                spikes: fitted.spikes.clone(),
+            },
+            smooth,
+            residual,
+            exactness: settings.colour_exact.then_some(exactness),
+            colour,
+            patches,
+            curve: fitted.curve(question, tables),
+            parts: fitted.parts,
+            warnings: Vec::new(),
+        };
+        derived.warnings = derived.warnings_for(question);
+        derived
+    }
+
+    /// Numbers that the model takes.
+    pub fn numbers(&self) -> usize {
+        self.model.numbers()
+    }
+
+    /// The model with each spike split linearly over its two neighbouring nm, on the grid.
+    pub fn model_values(&self) -> Vec<f64> {
+        let mut values = self.smooth.clone();
+        add_spikes(self.band, &self.model.spikes, &mut values);
+        values
+    }
+
+    /// The parts of 380-780 nm that the range does not reach: "380-400 and 700-780".
+    fn missing_visible(&self) -> Option<String> {
+        let (min, max) = (self.band.min_nm(), self.band.max_nm());
+        let (first, last) = (Band::VISIBLE.min_nm(), Band::VISIBLE.max_nm());
+        let below = (min > first).then(|| format!("{first}-{}", min.min(last)));
+        let above = (max < last).then(|| format!("{}-{last}", max.max(first)));
+        match (below, above) {
+            (Some(below), Some(above)) => Some(format!("{below} and {above}")),
+            (below, above) => below.or(above),
+        }
+    }
+
+    fn warnings_for(&self, question: Question<'_>) -> Vec<String> {
+        let settings = question.settings;
+        let mut warnings = Vec::new();
+        if self.errors.is_none() {
+            warnings.push("The spectrum is zero over the whole range.".to_owned());
+        } else if self.colour.exact.is_none() {
+            warnings.push("No visible light in this range: there is no colour.".to_owned());
+        }
+        if settings.order > settings.effective_order() {
+            warnings.push(format!(
+                "Order cut to {}: the range has one point per nm, which carries no more.",
+                settings.effective_order()
+            ));
+        }
+        match self.exactness {
+            Some(Exactness::TooFewNumbers) => warnings
+                .push("Colour-exact needs order 1 or more: plain least squares used.".to_owned()),
+            Some(Exactness::IllConditioned { .. }) => warnings.push(
+                "This range does not tell X, Y and Z apart: plain least squares used.".to_owned(),
+            ),
+            Some(Exactness::Exact { .. }) | None => {}
+        }
+        if let Some(missing) = self.missing_visible() {
+            let share = 100.0 * self.colour.missing_luminance;
+            warnings.push(if share > 100.0 * WORTH_SAYING {
+                format!(
+                    "The range leaves out {missing} nm of the visible, {share:.1} % of the \
+                     light's luminance."
+                )
+            } else {
+                format!("The range leaves out {missing} nm of the visible.")
+            });
+        }
+        let [first_nm, last_nm] = question.table_nm;
+        if first_nm > self.band.min_nm() || last_nm < self.band.max_nm() {
+            let outside = if question.is_light {
+                "it is zero"
+            } else {
+                "its end values are held"
+            };
+            warnings.push(format!(
+                "The table covers {first_nm}-{last_nm} nm; outside {outside}."
+            ));
+        }
+        if let Some(colour) = self.colour.exact
+            && !colour.swatch.in_gamut
+        {
+            warnings.push(format!(
+                "The colour is outside sRGB: {}.",
+                colour.swatch.mapping.words()
+            ));
+        }
+        if let Some(errors) = self.errors
+            && errors.lowest < -WORTH_SAYING
+        {
+            warnings.push(format!(
+                "The smooth part dips below zero, to {:.1} % of the peak.",
+                100.0 * errors.lowest
+            ));
+        }
+        warnings
+    }
+}
+
+/// Shares below this go without a word.
+const WORTH_SAYING: f64 = 0.001;

@@ -1,0 +1,220 @@
+//! The patches under the measured light and under the model.
+
+use super::{
+    Question,
+    fitted::{Fitted, is_positive, spikes_xyz},
+};
+use crate::{
+    app::tables::Tables,
+    color::{
+        Lab, Xyz,
+        ciede2000::delta_e_2000,
+        patches::{difference, labs_into},
+        srgb::Swatch,
+    },
+    spectrum::{SampleGrid, Series, Spike},
+};
+
+/// One patch under the exact light and under the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatchPair {
+    /// The patch's name.
+    pub name: String,
+    /// CIEDE2000 between the two.
+    pub delta_e_2000: f64,
+    /// Under the exact light, Y of the light at 100.
+    pub exact: Xyz,
+    /// Under the model.
+    pub model: Xyz,
+    /// What the screen shows of the first.
+    pub exact_swatch: Swatch,
+    /// What the screen shows of the second.
+    pub model_swatch: Swatch,
+}
+
+/// All patches.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatchComparison {
+    /// One after the other.
+    pub items: Vec<PatchPair>,
+    /// Mean CIEDE2000.
+    pub mean: f64,
+    /// Largest CIEDE2000.
+    pub max: f64,
+    /// Index of the worst patch.
+    pub worst: usize,
+}
+
+impl Fitted {
+    /// All patches, by products as the settings want them; `None` where there are none to see.
+    pub(super) fn patches(
+        &self,
+        question: Question<'_>,
+        tables: &Tables,
+        coefficients: &[f64],
+    ) -> Option<PatchComparison> {
+        let patches = tables.patches.as_ref()?;
+        if !is_positive(self.white.y) {
+            return None;
+        }
+        let scale = 100.0 / self.white.y;
+        let (mut exact, mut model) = (patches.set.buffer(), patches.set.buffer());
+        patches.set.xyz_into(question.measured, &mut exact);
+        match question.settings.sampling.points(coefficients.len()) {
+            None => {
+                patches.matrix.xyz_into(coefficients, &mut model);
+                for spike in &self.spikes {
+                    patches.set.add_line(spike.at_nm, spike.weight, &mut model);
+                }
+            }
+            Some(points) => {
+                self.resampled_patches(question, tables, coefficients, points, &mut model)
+            }
+        }
+        let (mut exact_labs, mut model_labs) = (
+            vec![Lab::new(0.0, 0.0, 0.0); exact.len()],
+            vec![Lab::new(0.0, 0.0, 0.0); exact.len()],
+        );
+        labs_into(&exact, self.white, &mut exact_labs);
+        labs_into(&model, self.white, &mut model_labs);
+        let white = self.white * scale;
+        let items: Vec<PatchPair> = patches
+            .set
+            .names()
+            .iter()
+            .enumerate()
+            .map(|(i, name)| {
+                let (e, m) = (
+                    Xyz::from_array(exact[i]) * scale,
+                    Xyz::from_array(model[i]) * scale,
+                );
+                PatchPair {
+                    name: name.clone(),
+                    delta_e_2000: delta_e_2000(exact_labs[i], model_labs[i]),
+                    exact: e,
+                    model: m,
+                    exact_swatch: Swatch::of_patch(e, white, question.adaptation),
+                    model_swatch: Swatch::of_patch(m, white, question.adaptation),
+                }
+            })
+            .collect();
+        let worst = (0..items.len())
+            .max_by(|a, b| items[*a].delta_e_2000.total_cmp(&items[*b].delta_e_2000))?;
+        Some(PatchComparison {
+            mean: items.iter().map(|p| p.delta_e_2000).sum::<f64>() / items.len() as f64,
+            max: items[worst].delta_e_2000,
+            worst,
+            items,
+        })
+    }
+
+    /// Patches by products on a few points, both factors modelled with the same count of numbers.
+    fn resampled_patches(
+        &self,
+        question: Question<'_>,
+        tables: &Tables,
+        coefficients: &[f64],
+        points: usize,
+        out: &mut [[f64; 3]],
+    ) {
+        let Some(patches) = tables.patches.as_ref() else {
+            return;
+        };
+        let grid = SampleGrid {
+            band: tables.band(),
+            basis: question.settings.basis,
+            points,
+        };
+        let series = |coefficients: &[f64]| Series {
+            band: grid.band,
+            basis: grid.basis,
+            coefficients: coefficients.to_vec(),
+        };
+        let to_xyz = grid.product_matrix(|k| function_xyz(tables, k));
+        let light = grid.sample(&series(coefficients));
+        for (xyz, reflectance) in out.iter_mut().zip(&patches.coefficients) {
+            let reflectance = series(&reflectance[..coefficients.len()]);
+            *xyz = [0.0; 3];
+            for ((s, r), row) in light.iter().zip(grid.sample(&reflectance)).zip(&to_xyz) {
+                for (x, m) in xyz.iter_mut().zip(row) {
+                    *x += s * r * m;
+                }
+            }
+            for spike in &self.spikes {
+                let weight = spike.weight * reflectance.at(spike.at_nm);
+                let line = spikes_xyz(
+                    grid.band,
+                    &[Spike { weight, ..*spike }],
+                    &tables.viewing.weights,
+                );
+                for (x, l) in xyz.iter_mut().zip(line.to_array()) {
+                    *x += l;
+                }
+            }
+        }
+    }
+
+    /// What the patches of many orders share.
+    pub(super) fn patch_work(&self, question: Question<'_>, tables: &Tables) -> Option<PatchWork> {
+        let patches = tables.patches.as_ref()?;
+        if !is_positive(self.white.y) {
+            return None;
+        }
+        let zero = Lab::new(0.0, 0.0, 0.0);
+        let mut exact = patches.set.buffer();
+        patches.set.xyz_into(question.measured, &mut exact);
+        let mut exact_labs = vec![zero; exact.len()];
+        labs_into(&exact, self.white, &mut exact_labs);
+        let mut lines = patches.set.buffer();
+        for spike in &self.spikes {
+            patches.set.add_line(spike.at_nm, spike.weight, &mut lines);
+        }
+        Some(PatchWork {
+            white: self.white,
+            labs: exact_labs.clone(),
+            exact_labs,
+            model: patches.set.buffer(),
+            lines,
+        })
+    }
+}
+
+/// Buffers for the patches of many orders.
+pub(super) struct PatchWork {
+    white: Xyz,
+    exact_labs: Vec<Lab>,
+    labs: Vec<Lab>,
+    model: Vec<[f64; 3]>,
+    /// What the spikes add to each patch, whatever the order.
+    lines: Vec<[f64; 3]>,
+}
+
+impl PatchWork {
+    /// Mean and largest CIEDE2000 with these coefficients, products at 1 nm.
+    pub(super) fn errors(&mut self, coefficients: &[f64], tables: &Tables) -> (f64, f64) {
+        let Some(patches) = tables.patches.as_ref() else {
+            return (0.0, 0.0);
+        };
+        patches.matrix.xyz_into(coefficients, &mut self.model);
+        let lines = self.lines.as_flattened();
+        for (m, l) in self.model.as_flattened_mut().iter_mut().zip(lines) {
+            *m += l;
+        }
+        labs_into(&self.model, self.white, &mut self.labs);
+        let found = difference(&self.exact_labs, &self.labs);
+        (found.mean, found.max)
+    }
+}
+
+/// Inner products of basis function `k` with the viewing's weights, beyond the table as well.
+fn function_xyz(tables: &Tables, k: usize) -> [f64; 3] {
+    if k < tables.basis.numbers() {
+        return tables.colour.row(k);
+    }
+    let band = tables.band();
+    let function: Vec<f64> = band
+        .grid()
+        .map(|nm| tables.basis.basis().function(k, band, nm))
+        .collect();
+    super::fitted::integral(band, &function, &tables.viewing.weights).to_array()
+}
