@@ -1,6 +1,7 @@
 //! The spectrum plot as a chart for files: the same curves that the window draws.
 
 use super::{
+    derived::OrderPoint,
     plot_svg::{self, Chart, Marks, Panel, Rgb, Series, Theme},
     state::App,
 };
@@ -164,6 +165,55 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
         }),
         notes: provenance(app),
         theme,
+    }
+}
+
+/// Errors below this are drawn at it: the axis is logarithmic.
+const SMALLEST_ERROR: f64 = 1e-4;
+
+/// The errors against the order as a chart: colour differences, and relative errors in percent.
+pub fn curve_chart(app: &App, theme: Theme) -> Chart {
+    let (document, derived) = (app.document(), app.derived());
+    let inks = Inks::of(theme);
+    let line = |name: &str, ink: Rgb, of: &dyn Fn(&OrderPoint) -> Option<f64>| {
+        let points = derived
+            .curve
+            .iter()
+            .filter_map(|p| Some([p.order as f64, of(p)?.max(SMALLEST_ERROR)]))
+            .collect();
+        Series::line(name, ink, points)
+    };
+    let percent = |share: Option<f64>| share.map(|s| 100.0 * s);
+    let series = [
+        line("own colour, dE00", inks.measured, &|p| p.own),
+        line("patches' mean, dE00", inks.smooth, &|p| p.patches_mean),
+        line("worst patch, dE00", inks.product, &|p| p.patches_max),
+        line("rms at 1 nm, %", inks.spikes, &|p| percent(p.relative_rms)),
+        line("rms behind 10 nm, %", inks.residual, &|p| {
+            percent(p.relative_rms_10nm)
+        }),
+    ];
+    Chart {
+        title: format!(
+            "{}: error against order ({}, {} spikes)",
+            document.subject_entry().name(),
+            derived.model.smooth.basis.word(),
+            derived.model.spikes.len()
+        ),
+        x_label: "Order N".to_owned(),
+        y_label: "Error (CIEDE2000, or percent)".to_owned(),
+        x_range: [
+            0.0,
+            derived.curve.last().map_or(1.0, |p| p.order.max(1) as f64),
+        ],
+        y_scale: plot_svg::Scale::Log10,
+        series: series
+            .into_iter()
+            .filter(|s| !s.marks.points().is_empty())
+            .collect(),
+        notes: provenance(app),
+        theme,
+        ..Chart::default()
     }
 }
 

@@ -2,7 +2,13 @@
 
 use std::fmt::Write as _;
 
-use super::{chart::spectrum_chart, derived::PatchPair, plot_svg::Theme, state::App, workspace};
+use super::{
+    chart::{curve_chart, spectrum_chart},
+    derived::PatchPair,
+    plot_svg::Theme,
+    state::App,
+    workspace,
+};
 use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,
@@ -34,13 +40,15 @@ pub enum Export {
     CurveCsv,
     /// The plot as SVG.
     PlotSvg,
+    /// The error against the order as SVG.
+    CurveSvg,
     /// Everything, to open again.
     Project,
 }
 
 impl Export {
     /// Everything that the menu offers to save as text, in its order.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::CompositeJson,
         Self::CompositeLine,
         Self::Csv,
@@ -51,6 +59,7 @@ impl Export {
         Self::SpikesCsv,
         Self::CurveCsv,
         Self::PlotSvg,
+        Self::CurveSvg,
         Self::Project,
     ];
 
@@ -67,6 +76,7 @@ impl Export {
             Self::SpikesCsv => "Spikes (CSV)",
             Self::CurveCsv => "Error against order (CSV)",
             Self::PlotSvg => "Plot (SVG)",
+            Self::CurveSvg => "Error against order (SVG)",
             Self::Project => "Project",
         }
     }
@@ -79,7 +89,7 @@ impl Export {
             Self::Csv | Self::PatchesCsv | Self::SpikesCsv | Self::CurveCsv => "csv",
             Self::Spd => "spd",
             Self::Spdx => "spdx",
-            Self::PlotSvg => "svg",
+            Self::PlotSvg | Self::CurveSvg => "svg",
         }
     }
 
@@ -92,7 +102,7 @@ impl Export {
             Self::Spdx | Self::SpectrumJson | Self::PlotSvg => "",
             Self::PatchesCsv => "-patches",
             Self::SpikesCsv => "-spikes",
-            Self::CurveCsv => "-error-against-order",
+            Self::CurveCsv | Self::CurveSvg => "-error-against-order",
             Self::Project => "-project",
         };
         format!("{}{part}.{}", file_stem(app), self.extension())
@@ -126,6 +136,7 @@ impl Export {
             Self::SpikesCsv => Ok(spikes_csv(app)),
             Self::CurveCsv => Ok(curve_csv(app)),
             Self::PlotSvg => Ok(spectrum_chart(app, theme).to_svg(1000, 640)),
+            Self::CurveSvg => Ok(curve_chart(app, theme).to_svg(1000, 560)),
             Self::Project => Ok(workspace::to_json(document, None)),
         }
     }
