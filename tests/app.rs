@@ -407,6 +407,7 @@ fn session(app: &App) -> Vec<Command> {
                 weight: 3.25,
                 line_nm: None,
                 window_nm: None,
+                is_dip: false,
             }],
             deleted_nm: vec![611.0],
         }),
@@ -1977,4 +1978,70 @@ fn only_so_many_messages_are_kept() {
     }
     assert_eq!(app.messages().len(), 200);
     assert_eq!(app.message().map(|m| m.text.as_str()), Some("message 499"));
+}
+
+/// An own light of these values from 380 nm on, 1 nm apart.
+fn own_light(values: Vec<f64>) -> App {
+    let spectrum = NamedSpectrum {
+        name: "odd".to_owned(),
+        kind: Kind::Light,
+        unit: String::new(),
+        scale: 1.0,
+        samples: Sampled::even(380.0, 1.0, values).expect("a table"),
+        notes: Vec::new(),
+        source: String::new(),
+    };
+    App::with_document(Document::about(Arc::new(Entry::own(1, spectrum))))
+}
+
+#[test]
+fn a_negative_light_has_no_colour() {
+    let app = own_light(vec![-1.0; 401]);
+    let colour = &app.derived().colour;
+    assert_eq!(
+        (colour.exact, colour.model, colour.delta_e_2000),
+        (None, None, None)
+    );
+}
+
+#[test]
+fn huge_and_tiny_numbers_have_the_errors_of_ordinary_ones() {
+    let shape = |factor: f64| -> Vec<f64> {
+        (0..401)
+            .map(|i| factor * (1.0 + (f64::from(i) / 40.0).sin().abs()))
+            .collect()
+    };
+    let ordinary = own_light(shape(1.0)).derived().errors.expect("an error");
+    for factor in [1e-250, 1e-120, 1e160, 1e290] {
+        let app = own_light(shape(factor));
+        let errors = app.derived().errors.expect("not zero");
+        // The same numbers in another unit: only rounding differs.
+        for (a, b) in [
+            (errors.relative_rms, ordinary.relative_rms),
+            (errors.relative_rms_10nm, ordinary.relative_rms_10nm),
+            (errors.max_abs, ordinary.max_abs),
+            (errors.lowest, ordinary.lowest),
+        ] {
+            assert!((a - b).abs() < 1e-9, "{factor}: {a} {b}");
+        }
+        let curve = &app.derived().curve;
+        assert!(
+            curve
+                .iter()
+                .all(|p| p.relative_rms.is_some_and(f64::is_finite))
+        );
+    }
+}
+
+#[test]
+fn overlays_of_the_papers_lamps_have_the_factor_in_force() {
+    let mut app = App::new();
+    app.apply(Command::WeightFactor(150.0));
+    let mercury = app.entry("paper/Mercury").expect("the paper's lamp");
+    app.apply(Command::ToggleOverlay(mercury.clone()));
+    let top = |entry: &Entry| {
+        let values = entry.spectrum.samples.values();
+        values.iter().copied().fold(0.0, f64::max)
+    };
+    assert!(top(&app.document().overlays[0]) < 0.6 * top(&mercury));
 }

@@ -9,10 +9,14 @@ mod lights;
 
 use std::{f64::consts::LN_2, sync::Arc};
 
+use approx::assert_abs_diff_eq;
 use common::{on_band, values};
 use proptest::prelude::*;
 use spectral_explorer::{
-    app::{App, Command, Settings, library::Library, settings::Detector, spike_hand::SpikeAct},
+    app::{
+        App, Command, Document, Entry, Settings, library::Library, settings::Detector,
+        spike_hand::SpikeAct,
+    },
     color::blackbody,
     io::preset::Shelf,
     spectrum::{
@@ -808,4 +812,90 @@ fn moving_or_weighing_a_spike_does_not_change_the_smooth_target() {
         );
         assert_eq!(after.model.spikes.len(), 4);
     }
+}
+
+/// A smooth ground with one line, as an own light.
+fn light_with(line: impl Fn(f64) -> f64) -> Arc<Entry> {
+    let values = (380..=780)
+        .map(|nm| 1.0 + line(f64::from(nm)))
+        .collect::<Vec<_>>();
+    let samples = Sampled::even(380.0, 1.0, values).expect("a table");
+    let spectrum = NamedSpectrum {
+        name: "one line".to_owned(),
+        kind: Kind::Light,
+        unit: String::new(),
+        scale: 1.0,
+        samples,
+        notes: Vec::new(),
+        source: String::new(),
+    };
+    Arc::new(Entry::own(1, spectrum))
+}
+
+fn bump(at_nm: f64, height: f64) -> impl Fn(f64) -> f64 {
+    move |nm| height * (-((nm - at_nm) / 1.5).powi(2)).exp()
+}
+
+fn energy(app: &App) -> f64 {
+    let derived = app.derived();
+    let spikes: f64 = derived.parts.spikes.iter().map(|s| s.spike.weight).sum();
+    derived.band.integral(&derived.parts.smooth) + spikes
+}
+
+#[test]
+fn a_locked_line_is_taken_out_by_its_own_sign_whatever_weight_it_was_given() {
+    let mut app = App::with_document(Document::about(light_with(bump(430.0, 20.0))));
+    let smooth = app.derived().parts.smooth.clone();
+    app.act_on_spikes(SpikeAct::Set {
+        index: 0,
+        at_nm: 430.0,
+        weight: -1.0,
+    });
+    assert_eq!(app.derived().parts.smooth, smooth);
+    with_threshold(&mut app, 50.0);
+    let after = &app.derived().parts;
+    assert_eq!(after.spikes.len(), 1);
+    // The same window's hull: nothing but rounding differs.
+    for (a, b) in after.smooth.iter().zip(&smooth) {
+        assert_abs_diff_eq!(*a, *b, epsilon = 1e-9);
+    }
+}
+
+#[test]
+fn an_absorption_line_added_by_hand_is_taken_out_of_the_smooth_part() {
+    let mut app = App::with_document(Document::about(light_with(bump(500.0, -0.8))));
+    assert!(app.derived().parts.spikes.is_empty(), "dips are off");
+    app.act_on_spikes(SpikeAct::Add {
+        at_nm: 500.0,
+        weight: -2.0,
+    });
+    let at = (500.0 - 380.0) as usize;
+    // The ground is 1; at the ends of its window, 5 nm off, 2e-5 of the dip is left.
+    assert_abs_diff_eq!(app.derived().parts.smooth[at], 1.0, epsilon = 1e-4);
+}
+
+#[test]
+fn a_range_that_leaves_a_locked_spike_out_loses_no_energy() {
+    let mut app = App::with_document(Document::about(light_with(bump(436.0, 20.0))));
+    app.act_on_spikes(SpikeAct::Lock { index: 0 });
+    let band = Band::new(437.0, 780.0).expect("a range");
+    app.apply(Command::Edit(Settings {
+        band,
+        ..app.document().settings
+    }));
+    let measured = band.integral(&app.derived().measured);
+    // Sums of 344 numbers of order 1 to 20.
+    assert_abs_diff_eq!(energy(&app), measured, epsilon = 1e-9);
+}
+
+#[test]
+fn deleting_a_spike_that_stood_on_no_line_keeps_no_line_away() {
+    let mut app = App::with_document(Document::about(light_with(bump(430.0, 20.0))));
+    app.act_on_spikes(SpikeAct::Add {
+        at_nm: 650.0,
+        weight: 5.0,
+    });
+    let added = app.derived().parts.spikes.len() - 1;
+    app.act_on_spikes(SpikeAct::Delete { index: added });
+    assert!(app.document().subject_edits().is_empty());
 }

@@ -121,6 +121,42 @@ impl Document {
         }
     }
 
+    /// Whether nothing was changed between two versions of a document. Spectra are compared by
+    /// where they are: a large file must not be read through at every move of a slider.
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        let same = |a: &[Arc<Entry>], b: &[Arc<Entry>]| {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(a, b))
+        };
+        let Self {
+            light,
+            factor,
+            subject,
+            overlays,
+            own,
+            next_own,
+            settings,
+            edits,
+            patch_set,
+            patch,
+            scale,
+            weight_factor,
+            view,
+        } = self;
+        Arc::ptr_eq(light, &other.light)
+            && same(factor.as_slice(), other.factor.as_slice())
+            && *subject == other.subject
+            && same(overlays, &other.overlays)
+            && same(own, &other.own)
+            && *next_own == other.next_own
+            && *settings == other.settings
+            && *edits == other.edits
+            && *patch_set == other.patch_set
+            && *patch == other.patch
+            && *scale == other.scale
+            && *weight_factor == other.weight_factor
+            && *view == other.view
+    }
+
     /// The spectrum that the model is of.
     pub fn subject_entry(&self) -> &Arc<Entry> {
         match (&self.subject, &self.factor) {

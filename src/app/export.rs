@@ -6,6 +6,7 @@ use super::{
     chart::{curve_chart, spectrum_chart},
     derived::PatchPair,
     plot_svg::Theme,
+    settings::Detector,
     state::App,
     workspace,
 };
@@ -185,12 +186,28 @@ pub fn provenance(app: &App) -> Provenance {
         source: document.subject_entry().spectrum.source.clone(),
         scale_words: document.scale.words().to_owned(),
         settings: format!(
-            "{} order {}, {} spikes (threshold {} %, width {} nm){}, {}-{} nm",
+            "{} order {}, {} spikes{}{}{}, {}-{} nm, {}",
             settings.basis.word(),
             settings.effective_order(),
             app.derived().model.spikes.len(),
-            settings.threshold_percent,
-            settings.max_width_nm,
+            match (settings.spikes, settings.detector) {
+                (false, _) => String::new(),
+                (true, Detector::Energy) => format!(
+                    " (threshold {} %, width {} nm{})",
+                    settings.threshold_percent,
+                    settings.max_width_nm,
+                    if settings.dips { ", dips too" } else { "" }
+                ),
+                (true, Detector::Gradient) => format!(
+                    " (by gradient, {} % per nm, width {} nm)",
+                    settings.gradient_percent, settings.max_width_nm
+                ),
+            },
+            if document.subject_edits().is_empty() {
+                ""
+            } else {
+                ", edited by hand"
+            },
             if settings.colour_exact {
                 ", colour-exact"
             } else {
@@ -198,6 +215,7 @@ pub fn provenance(app: &App) -> Provenance {
             },
             settings.band.min_nm(),
             settings.band.max_nm(),
+            settings.observer.title(),
         ),
     }
 }

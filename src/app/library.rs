@@ -808,7 +808,7 @@ mod tests {
         ];
         assert_eq!(spikes, printed);
         assert_eq!((hg.range_nm, hg.weight_factor), ([400.0, 700.0], 300.0));
-        // MODEL's reading: the lines carry 60 % of the lamp's power.
+        // The reading chosen: the lines carry 60 % of the lamp's power.
         let lines: f64 = hg.spikes_in_unit_nm().map(|(_, weight)| weight).sum();
         let smooth = hg.coefficients.a[0] / 2.0 * 300.0;
         let share = lines / (lines + smooth);

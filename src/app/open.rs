@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     io::{self, CompositeFile, Reading},
-    spectrum::{Kind, NamedSpectrum},
+    spectrum::{Kind, NamedSpectrum, Spike},
 };
 
 /// What a file turned out to be.
@@ -144,10 +144,22 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
         kind: Kind::Light,
         unit: file.unit,
         scale: 1.0,
-        notes: vec![format!(
-            "A composite of {} numbers, sampled at 1 nm.",
-            file.composite.numbers()
-        )],
+        notes: {
+            let composite = &file.composite;
+            let mut notes = vec![format!(
+                "A composite of {} numbers, sampled at 1 nm; the model on screen is fitted anew.",
+                composite.numbers()
+            )];
+            let band = composite.band();
+            let outside = |s: &&Spike| !band.contains(s.at_nm);
+            notes.extend(composite.spikes.iter().filter(outside).map(|s| {
+                format!(
+                    "The spike at {} nm is outside its range and left out.",
+                    s.at_nm
+                )
+            }));
+            notes
+        },
         source: file.source,
     })
 }

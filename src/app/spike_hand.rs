@@ -83,7 +83,9 @@ pub fn after(act: SpikeAct, edits: &SpikeEdits, parts: &Decomposed) -> SpikeEdit
                 match spike.hand {
                     Some(hand) if hand < edits.hand.len() => {
                         let removed = edits.hand.remove(hand);
-                        edits.deleted_nm.extend(removed.line_nm);
+                        // Where no line stands, nothing is to be kept from coming back.
+                        let line_nm = removed.line_nm.filter(|_| spike.width_nm.is_some());
+                        edits.deleted_nm.extend(line_nm);
                     }
                     _ => edits.deleted_nm.push(spike.spike.at_nm),
                 }
@@ -97,6 +99,7 @@ pub fn after(act: SpikeAct, edits: &SpikeEdits, parts: &Decomposed) -> SpikeEdit
                     weight,
                     line_nm: Some(at_nm),
                     window_nm: None,
+                    is_dip: weight < 0.0,
                 });
             }
         }
@@ -114,5 +117,6 @@ fn locked(spike: &ModelSpike) -> HandSpike {
         weight: spike.spike.weight,
         line_nm: spike.width_nm.map(|_| spike.spike.at_nm),
         window_nm: spike.window_nm,
+        is_dip: spike.spike.weight < 0.0,
     }
 }

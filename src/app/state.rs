@@ -19,7 +19,7 @@ use super::{
 use crate::{
     color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
     spectrum::{
-        Band, Basis, Composite, Kind, NamedSpectrum, Sampling, Series, Spike,
+        Band, Basis, Composite, Kind, NamedSpectrum, Sampled, Sampling, Series, Spike,
         product::{on_grid, resampled},
     },
 };
@@ -250,6 +250,7 @@ impl App {
                     Some(index) => drop(overlays.remove(index)),
                     None => overlays.push(entry),
                 }
+                self.document.weigh_the_papers_lamps();
             }
             Command::ClearOverlays => self.document.overlays.clear(),
             Command::About(subject) => self.document.subject = subject,
@@ -285,7 +286,7 @@ impl App {
             Command::Remove { key } => self.remove(&key),
             Command::Replace(document) => self.document = *document,
         }
-        if self.document == before {
+        if self.document.is_same_as(&before) {
             return;
         }
         let continues = self
@@ -474,13 +475,18 @@ impl App {
         let spectrum = &self.document.subject_entry().spectrum;
         self.names = name_spikes(
             &self.derived.model.spikes,
-            spectrum.samples.step_nm(),
+            mean_step_nm(&spectrum.samples),
             self.derived.parts.power,
             &self.lines,
         );
         self.took = start.elapsed();
         self.revision += 1;
     }
+}
+
+/// The table's mean step, nm: the median would have to sort a large table at every move.
+fn mean_step_nm(samples: &Sampled) -> f64 {
+    (samples.last_nm() - samples.first_nm()) / (samples.len() - 1) as f64
 }
 
 fn tables_for(document: &Document) -> TablesFor {

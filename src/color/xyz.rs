@@ -1,6 +1,6 @@
 //! Tristimulus values.
 //!
-//! Two ways lead to XYZ. Measured data go through CIE sums on whole nm, 360-830 (METRICS's
+//! Two ways lead to XYZ. Measured data go through CIE sums on whole nm, 360-830 (the
 //! "full" colour). Models go through [`xyz_from_integral`], which needs nothing but the ability
 //! to integrate against a weight, so that spikes are exact.
 

@@ -24,6 +24,9 @@ pub struct HandSpike {
     /// The window that line was taken from, nm; `None` when it is still to be looked for.
     #[serde(default)]
     pub window_nm: Option<[f64; 2]>,
+    /// Whether that line hangs down (absorption); the spike's own weight may be turned round.
+    #[serde(default)]
+    pub is_dip: bool,
 }
 
 /// All hand edits of one spectrum's spikes.
@@ -135,14 +138,17 @@ pub fn decompose_by(
     if edits.hand.is_empty() {
         return found;
     }
+    let all_inside = edits.hand.iter().all(|h| band.contains(h.at_nm));
     let mut parts = match in_their_places(&found, &edits.hand) {
-        Some(parts) => parts,
-        None => {
+        Some(parts) if all_inside => parts,
+        _ => {
             let mut rest = values.to_vec();
             let hand: Vec<ModelSpike> = edits
                 .hand
                 .iter()
                 .enumerate()
+                // A spike outside the range leaves its line alone: nothing would carry the energy.
+                .filter(|(_, hand)| band.contains(hand.at_nm))
                 .map(|(index, hand)| taken(band, &mut rest, max_width_nm, index, hand))
                 .collect();
             let wishes = Wishes {
@@ -154,7 +160,6 @@ pub fn decompose_by(
             parts
         }
     };
-    parts.spikes.retain(|s| band.contains(s.spike.at_nm));
     parts
         .spikes
         .sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
@@ -202,11 +207,11 @@ fn taken(
     index: usize,
     hand: &HandSpike,
 ) -> ModelSpike {
-    let sign = if hand.weight < 0.0 { -1.0 } else { 1.0 };
+    let sign = if hand.is_dip { -1.0 } else { 1.0 };
     let line = hand.line_nm.and_then(|line_nm| {
         let window = hand
             .window_nm
-            .or_else(|| spikes::window_near(band, rest, line_nm, max_width_nm))?;
+            .or_else(|| spikes::window_near(band, rest, line_nm, max_width_nm, sign))?;
         spikes::take_window(band, rest, window, sign)
     });
     ModelSpike {

@@ -79,7 +79,7 @@ pub fn chain(light: &Composite, factors: &[Series], points: usize) -> Resampled 
 }
 
 /// Points for a chain: twice the numbers, four times from the fifth factor on when there are few
-/// numbers (MODEL section 5).
+/// numbers: measured on chains of up to eight reflections.
 pub fn chain_points(numbers: usize, factors: usize) -> usize {
     if factors >= 5 && numbers <= 15 {
         4 * numbers

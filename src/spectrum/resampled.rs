@@ -165,7 +165,7 @@ impl SampleGrid {
         }
     }
 
-    /// Angle of one step of harmonic `k`, without going through nm.
+    /// Value of basis function `k` (`a0/2` counted whole) at sample `i`, without going through nm.
     fn basis_at_sample(self, k: usize, i: usize) -> f64 {
         let m = self.points as f64;
         match self.basis {

@@ -169,7 +169,7 @@ impl Sampled {
         }
     }
 
-    /// Linear interpolation onto whole nm `first_nm..=last_nm`, as METRICS's colorimetry wants it.
+    /// Linear interpolation onto whole nm `first_nm..=last_nm`, as full colorimetry of measured data wants it.
     pub fn linear_on(&self, first_nm: u32, last_nm: u32, outside: Outside) -> Vec<f64> {
         (first_nm..=last_nm)
             .map(|nm| self.at(f64::from(nm), outside))

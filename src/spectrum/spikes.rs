@@ -185,8 +185,16 @@ fn take_lines(
 }
 
 /// The window of the single line nearest to a place (nm), whatever its strength; `None` when no
-/// local maximum stands near. Neighbours are not joined to it.
-pub fn window_near(band: Band, values: &[f64], at_nm: f64, max_width_nm: f64) -> Option<[f64; 2]> {
+/// local maximum (with `sign` -1: no minimum) stands near. Neighbours are not joined to it.
+pub fn window_near(
+    band: Band,
+    values: &[f64],
+    at_nm: f64,
+    max_width_nm: f64,
+    sign: f64,
+) -> Option<[f64; 2]> {
+    let upright: Vec<f64> = values.iter().map(|v| sign * v).collect();
+    let values = &upright[..];
     let widest = max_width_nm.max(WIDEST_WISHED_NM);
     let lines: Vec<Vec<Peak>> = candidates(values, f64::MIN_POSITIVE, widest)
         .into_iter()

@@ -1,4 +1,4 @@
-//! How far a model is from the spectrum it stands for (MODEL section 10).
+//! How far a model is from the spectrum it stands for.
 //!
 //! With `m` the measured spectrum on the 1 nm grid and `d` the model (each spike split linearly
 //! over its two neighbouring nm) minus `m`:
@@ -107,12 +107,13 @@ pub fn spectrum_errors(
     spikes: &[Spike],
 ) -> Option<SpectrumErrors> {
     let band = blur.band;
-    let top = measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let unit = height(measured)?;
+    // Everything as a share of the largest value, so that no square overflows or vanishes.
+    let measured = &times(measured, unit);
+    let smooth = &times(smooth, unit);
+    let spikes = &spikes_times(spikes, unit);
     let square = band.inner(measured, measured);
-    if !(top > 0.0 && square > 0.0) {
-        return None;
-    }
-    let smooth_difference = difference(smooth, measured);
+    let smooth_difference: Vec<f64> = smooth.iter().zip(measured).map(|(s, m)| s - m).collect();
     let mut whole = smooth_difference.clone();
     add_spikes(band, spikes, &mut whole);
     let mut blurred = blur.values(&smooth_difference);
@@ -122,14 +123,32 @@ pub fn spectrum_errors(
     Some(SpectrumErrors {
         relative_rms: (band.inner(&whole, &whole) / square).sqrt(),
         relative_rms_10nm: (band.inner(&blurred, &blurred) / blurred_square).sqrt(),
-        max_abs: whole.iter().fold(0.0_f64, |m, v| m.max(v.abs())) / top,
+        max_abs: whole.iter().fold(0.0_f64, |m, v| m.max(v.abs())),
         energy: band.integral(&whole) / absolute_power(band, measured),
-        lowest: smooth.iter().copied().fold(f64::INFINITY, f64::min) / top,
+        lowest: smooth.iter().copied().fold(f64::INFINITY, f64::min),
     })
 }
 
-fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
+/// One over the largest absolute value; `None` for an all-zero spectrum.
+pub fn height(values: &[f64]) -> Option<f64> {
+    let top = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    Some(1.0 / top).filter(|unit| unit.is_finite())
+}
+
+/// Values times a factor.
+pub fn times(values: &[f64], factor: f64) -> Vec<f64> {
+    values.iter().map(|v| v * factor).collect()
+}
+
+/// Spikes with their weights times a factor.
+pub fn spikes_times(spikes: &[Spike], factor: f64) -> Vec<Spike> {
+    spikes
+        .iter()
+        .map(|s| Spike {
+            weight: s.weight * factor,
+            ..*s
+        })
+        .collect()
 }
 
 /// Median, 95th percentile and largest of a set of errors.

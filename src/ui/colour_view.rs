@@ -23,6 +23,7 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme) {
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
         ui.weak("No visible light in this range: there is no colour to show.");
         errors(ui, app);
+        warnings(ui, app, theme);
         return;
     };
     let size = vec2(ui.available_width(), 32.0 * theme.scale);

@@ -24,9 +24,12 @@ use crate::{
 pub struct LibraryView {
     /// What is searched for.
     pub search: String,
+    /// The search field is to get the keyboard in the next frame.
+    pub wants_search: bool,
     /// The own entry being renamed, with the text so far.
     renaming: Option<(String, String)>,
-    art: HashMap<String, Art>,
+    /// By key, with the entry it was made of: after an undo another file may have the key.
+    art: HashMap<String, (Arc<Entry>, Art)>,
 }
 
 /// A row's swatch and curve, made once.
@@ -68,13 +71,17 @@ impl LibraryView {
         commands: &mut Vec<Command>,
     ) {
         let label = ui.label(egui::RichText::new("Library").heading());
-        ui.add(
-            egui::TextEdit::singleline(&mut self.search)
-                .hint_text("Search spectra")
-                .desired_width(f32::INFINITY),
-        )
-        .labelled_by(label.id)
-        .on_hover_text("Shows only spectra whose name or group holds these words.");
+        let search = ui
+            .add(
+                egui::TextEdit::singleline(&mut self.search)
+                    .hint_text("Search spectra")
+                    .desired_width(f32::INFINITY),
+            )
+            .labelled_by(label.id)
+            .on_hover_text("Shows only spectra whose name or group holds these words (Ctrl+F).");
+        if std::mem::take(&mut self.wants_search) {
+            search.request_focus();
+        }
         let rows = self.rows(app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
@@ -201,10 +208,17 @@ impl LibraryView {
             ui.painter()
                 .rect_filled(rect, 3.0, visuals.widgets.hovered.bg_fill);
         }
-        let art = self
+        if !self
             .art
-            .entry(format!("{}|{}", entry.key, entry.kind()))
-            .or_insert_with(|| Art::of(entry));
+            .get(&entry.key)
+            .is_some_and(|(made_of, _)| Arc::ptr_eq(made_of, entry))
+        {
+            self.art
+                .insert(entry.key.clone(), (entry.clone(), Art::of(entry)));
+        }
+        let Some((_, art)) = self.art.get(&entry.key) else {
+            return None;
+        };
         let side = rect.height() - 7.0;
         let field = Rect::from_min_size(
             pos2(rect.left() + 4.0, rect.center().y - side / 2.0),

@@ -19,7 +19,7 @@ use crate::{
     color::Observer,
     spectrum::{
         Band, Basis, Sampling,
-        band::{MOST_STEPS, SHORTEST_NM},
+        band::{LONGEST_NM, MOST_STEPS, SHORTEST_NM},
     },
 };
 
@@ -45,7 +45,7 @@ pub mod names {
 }
 
 /// Draws the knobs; what changed is pushed as one command.
-pub fn controls(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
+pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     section(ui, "Model");
     subject_switch(ui, app, commands);
     let before = app.document().settings;
@@ -65,7 +65,6 @@ pub fn controls(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command
     if settings != before {
         commands.push(Command::Edit(settings));
     }
-    let _ = theme;
 }
 
 /// The count of numbers, and the curve; clicking it goes to that order.
@@ -196,7 +195,12 @@ fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
             combo
                 .response
                 .on_hover_text("How lines are told from the smooth part.");
-            ui.checkbox(&mut settings.dips, names::DIPS).on_hover_text(
+            ui.add_enabled(
+                settings.detector == Detector::Energy,
+                egui::Checkbox::new(&mut settings.dips, names::DIPS),
+            )
+            .on_disabled_hover_text("The gradient detector only looks for lines that stand up.")
+            .on_hover_text(
                 "Look for absorption lines as well; they become spikes of negative weight.",
             );
         });
@@ -257,20 +261,22 @@ fn range_row(ui: &mut Ui, settings: &mut Settings) {
     let label = ui.label("Range");
     ui.horizontal(|ui| {
         let (mut min, mut max) = (settings.band.min_nm(), settings.band.max_nm());
-        let (shortest, longest) = (f64::from(SHORTEST_NM), f64::from(MOST_STEPS));
-        let low_range = 0.0..=max - shortest;
+        let (shortest, most) = (f64::from(SHORTEST_NM), f64::from(MOST_STEPS));
+        let low_range = (max - most).max(0.0)..=max - shortest;
         let low = ui
             .add(edge(&mut min).range(low_range))
             .labelled_by(label.id)
             .on_hover_text("First wavelength of the model, whole nm.");
         named(&low, egui::Role::SpinButton, "Range from");
         ui.label("to");
-        let high_range = min + shortest..=longest;
+        let high_range = min + shortest..=(min + most).min(f64::from(LONGEST_NM));
         let high = ui
             .add(edge(&mut max).range(high_range))
             .on_hover_text("Last wavelength of the model, whole nm; at least 20 nm more.");
         named(&high, egui::Role::SpinButton, "Range to");
-        if let Ok(band) = Band::new(min.round(), max.round()) {
+        if (low.changed() || high.changed())
+            && let Ok(band) = Band::new(min.round(), max.round())
+        {
             settings.band = band;
         }
         if settings.band != Band::VISIBLE

@@ -126,10 +126,12 @@ fn open(start: Start) -> eframe::Result {
             theme::install_fonts(&creation.egui_ctx);
             let saver = start.workspace.clone().map(Saver::new);
             let mut window = Window::new(app, preferences, system_picker(), saver);
-            for entry in start.presets {
+            // What is named first is shown: it comes last, as on the command line.
+            for entry in start.presets.into_iter().rev() {
                 window.app.apply(Command::Show(entry));
             }
-            window.open_files(start.files, waker(&creation.egui_ctx));
+            let files = start.files.into_iter().rev().collect();
+            window.open_files(files, waker(&creation.egui_ctx));
             Ok(Box::new(Shell {
                 window,
                 frames_left: start.frames,
@@ -179,6 +181,7 @@ impl eframe::App for Shell {
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.window.keep_now();
+        self.window.finish_writing();
     }
 }
 

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{ComboBox, Ui};
 
-use super::{keys::Act, theme::Theme};
+use super::keys::Act;
 use crate::app::{App, Command, Scale, export::Export, workspace::Preferences};
 
 /// What the bar can ask for beside commands.
@@ -30,7 +30,6 @@ pub fn show(
     ui: &mut Ui,
     app: &App,
     preferences: &mut Preferences,
-    theme: Theme,
     dialog_open: bool,
     commands: &mut Vec<Command>,
     wishes: &mut Vec<Wish>,
@@ -88,7 +87,6 @@ pub fn show(
             looks(ui, preferences, wishes);
         });
     });
-    let _ = theme;
 }
 
 fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {

@@ -62,6 +62,21 @@ impl Fitted {
         let exact_1931 = integral(band, question.measured, weights_1931);
         let model_1931 = Xyz::from_array(tables.colour_1931.of(coefficients))
             + spikes_xyz(band, &self.spikes, weights_1931);
+        let missing_luminance = if question.full_luminance > 0.0 {
+            let seen = band.inner(
+                question.light,
+                &question.settings.observer.table().on_band(band)[1],
+            );
+            (1.0 - seen / question.full_luminance).max(0.0)
+        } else {
+            0.0
+        };
+        if !is_positive(self.white.y) {
+            return ColourComparison {
+                missing_luminance,
+                ..ColourComparison::default()
+            };
+        }
         let scale = 100.0 / self.white.y;
         let white = self.white * scale;
         let colour = |xyz: Xyz, xyz_1931: Xyz| Colour::of(xyz, xyz_1931, white, is_light);
@@ -82,15 +97,7 @@ impl Fitted {
             delta_e_2000: both
                 .map(|(e, m)| delta_e_2000(lab_from_xyz(e.xyz, white), lab_from_xyz(m.xyz, white))),
             delta_uv: both.map(|(e, m)| (e.uv[0] - m.uv[0]).hypot(e.uv[1] - m.uv[1])),
-            missing_luminance: if question.full_luminance > 0.0 {
-                let seen = band.inner(
-                    question.light,
-                    &question.settings.observer.table().on_band(band)[1],
-                );
-                (1.0 - seen / question.full_luminance).max(0.0)
-            } else {
-                0.0
-            },
+            missing_luminance,
         }
     }
 }

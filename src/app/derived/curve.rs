@@ -8,6 +8,7 @@ use crate::{
     app::tables::{CURVE_ORDER, Tables},
     color::{ciede2000::delta_e_2000, lab::lab_from_xyz},
     spectrum::{Basis, composite::add_spikes},
+    study::error::{height, spikes_times, times},
 };
 
 /// The errors at one order of the curve.
@@ -34,14 +35,18 @@ impl Fitted {
     pub(super) fn curve(&self, question: Question<'_>, tables: &Tables) -> Vec<OrderPoint> {
         let band = tables.band();
         let highest = CURVE_ORDER.min(Basis::highest_order(band));
-        let square = band.inner(question.measured, question.measured);
-        let blurred_measured = tables.blur.values(question.measured);
+        // Everything as a share of the largest value, so that no square overflows or vanishes.
+        let unit = height(question.measured).unwrap_or(0.0);
+        let measured = times(question.measured, unit);
+        let spikes = spikes_times(&self.spikes, unit);
+        let square = band.inner(&measured, &measured);
+        let blurred_measured = tables.blur.values(&measured);
         let blurred_square = band.inner(&blurred_measured, &blurred_measured);
         // What is missing before any smooth part: spikes minus measured, plain and blurred.
-        let mut rest: Vec<f64> = question.measured.iter().map(|m| -m).collect();
-        add_spikes(band, &self.spikes, &mut rest);
+        let mut rest: Vec<f64> = measured.iter().map(|m| -m).collect();
+        add_spikes(band, &spikes, &mut rest);
         let mut blurred_rest: Vec<f64> = blurred_measured.iter().map(|m| -m).collect();
-        tables.blur.add_spikes(&self.spikes, &mut blurred_rest);
+        tables.blur.add_spikes(&spikes, &mut blurred_rest);
 
         let mut patch_work = self.patch_work(question, tables);
         let exact_lab = lab_from_xyz(self.exact_xyz, self.white);
@@ -57,9 +62,10 @@ impl Fitted {
                 let patches = patch_work.as_mut().map(|w| w.errors(&coefficients, tables));
                 let share =
                     |sum: f64, whole: f64| (whole > 0.0).then(|| (sum.max(0.0) / whole).sqrt());
-                let d = plain.with(&coefficients, |k| tables.basis.row(k));
+                let scaled = times(&coefficients, unit);
+                let d = plain.with(&scaled, |k| tables.basis.row(k));
                 let relative_rms = share(band.inner(d, d), square);
-                let d = blurred.with(&coefficients, |k| &tables.blurred[k]);
+                let d = blurred.with(&scaled, |k| &tables.blurred[k]);
                 let relative_rms_10nm = share(band.inner(d, d), blurred_square);
                 OrderPoint {
                     order,

@@ -7,7 +7,7 @@ use super::{
     super::theme::{Theme, ink},
     Wishes,
 };
-use crate::app::{App, Command, View};
+use crate::app::{App, Command};
 
 /// Draws the switches; returns whether the whole range is to come back into view.
 pub(super) fn layers(ui: &mut Ui, app: &App, theme: Theme, wishes: &mut Wishes) -> bool {
@@ -106,7 +106,7 @@ pub(super) fn layers(ui: &mut Ui, app: &App, theme: Theme, wishes: &mut Wishes) 
         }
     });
     if view != before {
-        wishes.commands.push(Command::View(View { ..view }));
+        wishes.commands.push(Command::View(view));
     }
     reset
 }

@@ -64,7 +64,7 @@ impl SpectrumView {
         let mut wishes = Wishes::default();
         let derived = app.derived();
         let view = app.document().view;
-        let read_out = head(ui, app, theme);
+        let read_out = head(ui, app);
         self.reset |= layers(ui, app, theme, &mut wishes);
 
         let top = derived.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
@@ -274,7 +274,7 @@ impl SpectrumView {
 }
 
 /// Name, unit and grid of the subject; returns where the read-out may be written.
-fn head(ui: &mut Ui, app: &App, _theme: Theme) -> Rect {
+fn head(ui: &mut Ui, app: &App) -> Rect {
     let document = app.document();
     let subject = document.subject_entry();
     ui.horizontal(|ui| {

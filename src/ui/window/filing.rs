@@ -194,7 +194,8 @@ impl Window {
         let (app, preferences) = (self.app.clone(), self.preferences.clone());
         let (said, wake) = (self.said.0.clone(), waker(context));
         let size = context.content_rect().size();
-        std::thread::spawn(move || {
+        self.writing.retain(|thread| !thread.is_finished());
+        self.writing.push(std::thread::spawn(move || {
             let theme = if preferences.dark {
                 plot_svg::Theme::Dark
             } else {
@@ -225,7 +226,7 @@ impl Window {
             // Nobody listens any more once the window is closed.
             let _ = said.send(message);
             wake();
-        });
+        }));
     }
 
     pub(super) fn dialog(&mut self, context: &Context) {

@@ -29,6 +29,9 @@ use crate::app::{
 };
 use filing::{Saving, Waiting};
 
+/// Messages that the status line's tooltip tells.
+const MESSAGES_SHOWN: usize = 12;
+
 /// Both ends of a queue that other threads write to.
 type Channel<T> = (Sender<T>, Receiver<T>);
 
@@ -52,6 +55,8 @@ pub struct Window {
     loader: Loader,
     answers: Channel<(u64, Picked)>,
     said: Channel<(Tone, String)>,
+    /// Threads that are writing a file.
+    writing: Vec<std::thread::JoinHandle<()>>,
     waiting: Option<Waiting>,
     dialogs_shown: u64,
     dialog: Option<Dialog>,
@@ -64,7 +69,6 @@ pub struct Window {
     pub quiet: bool,
     styled_for: Option<Preferences>,
     fonts_installed: bool,
-    focus_search: bool,
 }
 
 impl Window {
@@ -80,6 +84,7 @@ impl Window {
             loader: Loader::default(),
             answers: channel(),
             said: channel(),
+            writing: Vec::new(),
             waiting: None,
             dialogs_shown: 0,
             dialog: None,
@@ -89,7 +94,6 @@ impl Window {
             quiet: false,
             styled_for: None,
             fonts_installed: false,
-            focus_search: false,
         }
     }
 
@@ -128,7 +132,6 @@ impl Window {
                 ui,
                 &self.app,
                 &mut self.preferences,
-                theme,
                 self.waiting.is_some(),
                 &mut commands,
                 &mut wishes,
@@ -143,9 +146,6 @@ impl Window {
             .default_size(224.0)
             .size_range(150.0..=460.0)
             .show(ui, |ui| {
-                if std::mem::take(&mut self.focus_search) {
-                    ui.memory_mut(|m| m.move_focus(egui::FocusDirection::Next));
-                }
                 self.library
                     .show(ui, &self.app, &mut self.preferences, theme, &mut commands);
             });
@@ -218,7 +218,7 @@ impl Window {
 
     fn right_panel(&mut self, ui: &mut Ui, theme: Theme) {
         let mut commands = Vec::new();
-        model_view::controls(ui, &self.app, theme, &mut commands);
+        model_view::controls(ui, &self.app, &mut commands);
         self.apply(&mut commands);
         model_view::curve(ui, &self.app, &mut self.preferences, theme, &mut commands);
         let moved = !commands.is_empty();
@@ -302,7 +302,14 @@ impl Window {
                     if message.tone == Tone::Problem {
                         ui.colored_label(theme.warning, "▲");
                     }
-                    ui.add(egui::Label::new(&message.text).truncate());
+                    ui.add(egui::Label::new(&message.text).truncate())
+                        .on_hover_ui(|ui| {
+                            let messages = self.app.messages();
+                            let last = messages.len().saturating_sub(MESSAGES_SHOWN);
+                            for message in &messages[last..] {
+                                ui.label(&message.text);
+                            }
+                        });
                 });
             });
         });
@@ -322,6 +329,14 @@ impl Window {
         } else {
             let left = std::time::Duration::from_secs_f64(KEEP_AFTER - (now - since) + 0.01);
             context.request_repaint_after(left);
+        }
+    }
+
+    /// Waits until every file that is being saved is on disk; called when the window closes.
+    pub fn finish_writing(&mut self) {
+        for thread in self.writing.drain(..) {
+            // A thread that failed has nothing left to wait for.
+            let _ = thread.join();
         }
     }
 
