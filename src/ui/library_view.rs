@@ -216,9 +216,7 @@ impl LibraryView {
             self.art
                 .insert(entry.key.clone(), (entry.clone(), Art::of(entry)));
         }
-        let Some((_, art)) = self.art.get(&entry.key) else {
-            return None;
-        };
+        let (_, art) = self.art.get(&entry.key)?;
         let side = rect.height() - 7.0;
         let field = Rect::from_min_size(
             pos2(rect.left() + 4.0, rect.center().y - side / 2.0),
