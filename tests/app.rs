@@ -1209,6 +1209,7 @@ fn full_preferences() -> Preferences {
         curve: CurveQuantity::RmsBlurred,
         folded: vec!["LED".to_owned()],
         spikes_below: true,
+        no_library: true,
     }
 }
 

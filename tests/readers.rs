@@ -388,3 +388,50 @@ proptest! {
         prop_assert_eq!(reading.spectra[0].samples.first_nm(), 380.5);
     }
 }
+
+/// What a file of our own says when it is refused.
+#[track_caller]
+fn refused(name: &str, text: &str) -> String {
+    match read_bytes(name, text.as_bytes()) {
+        Ok(reading) => panic!("{name} was read: {:?}", reading.notes),
+        Err(why) => why.to_string(),
+    }
+}
+
+#[test]
+fn a_word_in_a_table_of_whole_numbers_is_refused_and_not_read_by_turns() {
+    let mut text = String::from("nm,v\n");
+    for step in 0..=80 {
+        let nm = 380 + 5 * step;
+        let value = if nm == 500 { "abc" } else { "1" };
+        text.push_str(&format!("{nm},{value}\n"));
+    }
+    assert_eq!(
+        refused("mid.csv", &text),
+        "mid.csv, line 26: found \"abc\", expected a number in column 2"
+    );
+}
+
+#[test]
+fn watts_beside_nanometres_are_values() {
+    for text in ["nm,W\n380,1\n390,2\n400,3\n", "nm;W\n380;1\n390;2\n400;3\n"] {
+        let reading = read_bytes("lamp.csv", text.as_bytes()).expect("a table");
+        assert_eq!(reading.spectra[0].samples.values(), [1.0, 2.0, 3.0]);
+    }
+}
+
+#[test]
+fn a_percent_sign_beside_r_is_a_reflectance_in_percent() {
+    let text = "nm,R%\n380,10\n390,20\n400,78\n";
+    let reading = read_bytes("paint.csv", text.as_bytes()).expect("a table");
+    let spectrum = &reading.spectra[0];
+    assert_eq!(spectrum.kind, Kind::Reflectance);
+    // Hundredths of the file's numbers, to rounding.
+    assert!((spectrum.samples.values()[2] - 0.78).abs() < 1e-12);
+}
+
+#[test]
+fn text_that_speaks_of_the_xml_format_is_not_taken_for_it() {
+    let why = refused("about.json", "{\"note\": \"see IESTM2714\"}");
+    assert!(!why.contains("XML"), "{why}");
+}

@@ -149,8 +149,8 @@ pub fn text(app: &App) -> String {
         spectrum.name,
         spectrum.kind,
         spectrum.samples.len(),
-        spectrum.samples.first_nm(),
-        spectrum.samples.last_nm(),
+        super::ticks::short(spectrum.samples.first_nm()),
+        super::ticks::short(spectrum.samples.last_nm()),
         if spectrum.unit.is_empty() {
             String::new()
         } else {
@@ -158,12 +158,13 @@ pub fn text(app: &App) -> String {
         }
     ));
     line(format!(
-        "Model     {} order {} on {}-{} nm, {} spikes: {} numbers{}",
+        "Model     {} order {} on {}-{} nm, {} spike{}: {} numbers{}",
         model.smooth.basis.word(),
         model.smooth.order(),
         derived.band.min_nm(),
         derived.band.max_nm(),
         model.spikes.len(),
+        if model.spikes.len() == 1 { "" } else { "s" },
         model.numbers(),
         match derived.exactness {
             Some(Exactness::Exact { .. }) => ", colour-exact",

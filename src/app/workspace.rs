@@ -45,6 +45,8 @@ pub struct Preferences {
     pub curve: CurveQuantity,
     /// The shelves that are folded in the library.
     pub folded: Vec<String>,
+    /// The library is folded away.
+    pub no_library: bool,
     /// The bottom panel shows the spikes instead of the patches.
     pub spikes_below: bool,
 }
@@ -59,6 +61,7 @@ impl Default for Preferences {
             window: None,
             curve: CurveQuantity::default(),
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
+            no_library: false,
             spikes_below: false,
         }
     }

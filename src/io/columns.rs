@@ -42,6 +42,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let dialect = pick::dialect(text);
     let tables = match pick::tables(text, dialect) {
         Ok(tables) => tables,
+        // A table with a word in it is a table: read in another way it would be nonsense.
+        Err(bad @ NoTable::Bad(_)) => return Err(refusal(input, text, bad)),
         Err(no_table) => {
             if let Some(pairs) = alternating::find(text) {
                 return alternating::read(input, &pairs);

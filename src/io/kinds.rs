@@ -55,8 +55,14 @@ const WORDS: [(Kind, &[&str]); 6] = [
             "tabulated n",
         ],
     ),
-    (Kind::Reflectance, &["reflect", "%r", "albedo"]),
-    (Kind::Transmittance, &["transmit", "transmis", "%t"]),
+    (
+        Kind::Reflectance,
+        &["reflect", "%r", "r%", "r (%)", "r [%]", "albedo"],
+    ),
+    (
+        Kind::Transmittance,
+        &["transmit", "transmis", "%t", "t%", "t (%)", "t [%]"],
+    ),
     (
         Kind::Light,
         &[

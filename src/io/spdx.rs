@@ -42,7 +42,8 @@ pub const QUANTITIES: [(&str, Kind, &str); 12] = [
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
-    if head.contains("IESTM2714") || head.contains("iestm2714") {
+    let is_xml = head.trim_start().starts_with('<');
+    if is_xml && (head.contains("IESTM2714") || head.contains("iestm2714")) {
         Confidence::Certain
     } else if head.starts_with("<?xml") || input.has_extension("spdx") {
         Confidence::Likely

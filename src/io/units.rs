@@ -115,7 +115,7 @@ pub fn names_wavelength(title: &str) -> bool {
         .to_lowercase();
     if matches!(
         title.trim(),
-        "w" | "x" | "wl" | "nm" | "um" | "µm" | "w.length" | "λ" | "lam" | "cm-1" | "wn" | "ev"
+        "x" | "wl" | "nm" | "um" | "µm" | "w.length" | "λ" | "lam" | "cm-1" | "wn" | "ev"
     ) {
         return true;
     }

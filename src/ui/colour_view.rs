@@ -167,15 +167,17 @@ fn errors(ui: &mut Ui, app: &App) {
             };
             cell(
                 ui,
-                "rms 1 nm",
-                "Root mean square of model minus measured over that of the spectrum, 1 nm grid.",
-                percent(errors.relative_rms),
+                "rms 10 nm",
+                "Root mean square of model minus measured over that of the spectrum, both behind a \
+                 Gaussian blur of 10 nm full width at half maximum.",
+                percent(errors.relative_rms_10nm),
             );
             cell(
                 ui,
-                "10 nm",
-                "The same behind a Gaussian blur of 10 nm full width at half maximum.",
-                percent(errors.relative_rms_10nm),
+                "1 nm",
+                "The same on the 1 nm grid. A spike has no width: there it stands against a line \
+                 of several nm, so lamps with broad lines show large numbers.",
+                percent(errors.relative_rms),
             );
             ui.end_row();
             cell(

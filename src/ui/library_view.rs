@@ -431,29 +431,37 @@ fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], theme: Theme, colour: Color3
     ui.painter().add(Shape::line(points, stroke));
 }
 
-/// A name cut to a width, with an ellipsis.
+/// A name cut to a width, with an ellipsis in its middle: what tells names apart is often at the
+/// end.
 fn elided(ui: &Ui, text: &str, font: &FontId, width: f32) -> String {
-    let measure = |text: String| {
-        ui.painter()
-            .layout_no_wrap(text, font.clone(), Color32::WHITE)
-            .size()
-            .x
+    let fits = |text: &str| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE);
+        galley.size().x <= width
     };
-    if measure(text.to_owned()) <= width {
+    if fits(text) {
         return text.to_owned();
     }
     let letters: Vec<char> = text.chars().collect();
-    let (mut fits, mut too_many) = (0, letters.len());
-    while too_many - fits > 1 {
-        let middle = usize::midpoint(fits, too_many);
-        let cut: String = letters[..middle].iter().chain(['…'].iter()).collect();
-        if measure(cut) <= width {
-            fits = middle;
+    let cut = |kept: usize| -> String {
+        let (head, tail) = (kept.div_ceil(2), kept / 2);
+        letters[..head]
+            .iter()
+            .chain(['…'].iter())
+            .chain(&letters[letters.len() - tail..])
+            .collect()
+    };
+    let (mut good, mut too_many) = (0, letters.len());
+    while too_many - good > 1 {
+        let middle = usize::midpoint(good, too_many);
+        if fits(&cut(middle)) {
+            good = middle;
         } else {
             too_many = middle;
         }
     }
-    letters[..fits].iter().chain(['…'].iter()).collect()
+    cut(good)
 }
 
 fn describe(ui: &mut Ui, entry: &Entry) {

@@ -57,7 +57,7 @@ pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             order_row(ui, &mut settings);
             spike_rows(ui, &mut settings);
-            range_row(ui, &mut settings);
+            range_row(ui, app, &mut settings);
             observer_row(ui, &mut settings);
             products_row(ui, &mut settings);
             weight_factor_row(ui, app, commands);
@@ -257,7 +257,7 @@ fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     ui.end_row();
 }
 
-fn range_row(ui: &mut Ui, settings: &mut Settings) {
+fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) {
     let label = ui.label("Range");
     ui.horizontal(|ui| {
         let (mut min, mut max) = (settings.band.min_nm(), settings.band.max_nm());
@@ -287,6 +287,18 @@ fn range_row(ui: &mut Ui, settings: &mut Settings) {
         {
             settings.band = Band::VISIBLE;
         }
+        if let Some(table) = table_beyond(app, settings.band)
+            && ui
+                .small_button("table's")
+                .on_hover_text(format!(
+                    "The range of the spectrum's own table, {} to {} nm.",
+                    table.min_nm(),
+                    table.max_nm()
+                ))
+                .clicked()
+        {
+            settings.band = table;
+        }
     });
     ui.end_row();
 }
@@ -306,6 +318,17 @@ fn observer_row(ui: &mut Ui, settings: &mut Settings) {
         .response
         .on_hover_text("Whose colour-matching functions make X, Y and Z.");
     ui.end_row();
+}
+
+/// The range of the subject's table, when hardly any of it lies in the range of the model.
+fn table_beyond(app: &App, band: Band) -> Option<Band> {
+    let samples = &app.document().subject_entry().spectrum.samples;
+    let (first, last) = (samples.first_nm(), samples.last_nm());
+    let common = last.min(band.max_nm()) - first.max(band.min_nm());
+    if common > 0.25 * (last - first) {
+        return None;
+    }
+    Band::new(first.ceil(), last.floor()).ok()
 }
 
 /// A wavelength to drag or type, whole nm.

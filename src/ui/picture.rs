@@ -12,7 +12,7 @@ use super::{
     spectrum_view::SpectrumView,
     theme::{self, Theme},
 };
-use crate::app::{App, plot_svg, workspace::Preferences};
+use crate::app::{App, chart::provenance, plot_svg, workspace::Preferences};
 
 /// Frames until layout, fonts and automatic axes are settled.
 const PASSES: usize = 4;
@@ -53,9 +53,15 @@ pub fn plot_png(app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
     };
     theme::install_fonts(&context);
     theme::apply(&context, &preferences);
-    let mut view = SpectrumView::default();
+    let mut view = SpectrumView::bare();
+    let notes = provenance(app);
     let looks = Theme::of(&preferences);
     let image = picture_with(&context, sides(size), 1.0, PASSES, |ui| {
+        egui::Panel::bottom("notes").show(ui, |ui| {
+            for note in &notes {
+                ui.small(note);
+            }
+        });
         egui::CentralPanel::default_margins().show(ui, |ui| {
             view.show(ui, app, looks);
         });

@@ -36,6 +36,13 @@ pub fn show(
 ) {
     ui.horizontal(|ui| {
         if ui
+            .selectable_label(!preferences.no_library, "Library")
+            .on_hover_text("Shows or hides the library, to make room for the plot.")
+            .clicked()
+        {
+            preferences.no_library = !preferences.no_library;
+        }
+        if ui
             .add_enabled(!dialog_open, egui::Button::new("Open…"))
             .on_hover_text("Open spectra or a project (Ctrl+O). Files can also be dropped here.")
             .clicked()

@@ -34,7 +34,10 @@ impl Fitted {
     /// The whole curve; products with patches at 1 nm whatever the settings say.
     pub(super) fn curve(&self, question: Question<'_>, tables: &Tables) -> Vec<OrderPoint> {
         let band = tables.band();
-        let highest = CURVE_ORDER.min(Basis::highest_order(band));
+        // The curve always reaches the order in force.
+        let highest = CURVE_ORDER
+            .max(question.settings.effective_order())
+            .min(Basis::highest_order(band));
         // Everything as a share of the largest value, so that no square overflows or vanishes.
         let unit = height(question.measured).unwrap_or(0.0);
         let measured = times(question.measured, unit);

@@ -15,7 +15,7 @@ use crate::{
     study::error::{SpectrumErrors, spectrum_errors},
 };
 
-use super::{settings::Settings, tables::Tables};
+use super::{settings::Settings, tables::Tables, ticks::short};
 use fitted::Fitted;
 
 /// What a recomputation needs to know beside the shared tables.
@@ -142,7 +142,10 @@ impl Derived {
         if self.errors.is_none() {
             warnings.push("The spectrum is zero over the whole range.".to_owned());
         } else if self.colour.exact.is_none() {
-            warnings.push("No visible light in this range: there is no colour.".to_owned());
+            warnings.push(
+                "No visible light in this range (X, Y, Z are not positive): there is no colour."
+                    .to_owned(),
+            );
         }
         if settings.order > settings.effective_order() {
             warnings.push(format!(
@@ -169,6 +172,14 @@ impl Derived {
                 format!("The range leaves out {missing} nm of the visible.")
             });
         }
+        let top = question.measured.iter().copied().fold(0.0, f64::max);
+        if !question.is_light && top > LARGEST_FRACTION {
+            warnings.push(format!(
+                "Values reach {}: a reflectance is a fraction up to 1. Are they per cent, or a \
+                 light?",
+                short(top)
+            ));
+        }
         let [first_nm, last_nm] = question.table_nm;
         if first_nm > self.band.min_nm() || last_nm < self.band.max_nm() {
             let outside = if question.is_light {
@@ -177,7 +188,9 @@ impl Derived {
                 "its end values are held"
             };
             warnings.push(format!(
-                "The table covers {first_nm}-{last_nm} nm; outside {outside}."
+                "The table covers {}-{} nm; outside {outside}.",
+                short(first_nm),
+                short(last_nm)
             ));
         }
         if let Some(colour) = self.colour.exact
@@ -199,6 +212,9 @@ impl Derived {
         warnings
     }
 }
+
+/// Measured fractions above this are no fractions: bright fluorescent surfaces stay below.
+const LARGEST_FRACTION: f64 = 2.0;
 
 /// Shares below this go without a word.
 const WORTH_SAYING: f64 = 0.001;

@@ -8,7 +8,10 @@ use super::{
     axes,
     theme::{Theme, ink},
 };
-use crate::app::{App, Command, Entry, spike_hand::SpikeAct, ticks};
+use crate::{
+    app::{App, Command, Entry, spike_hand::SpikeAct, ticks},
+    spectrum::Band,
+};
 
 mod axis;
 mod drag;
@@ -31,13 +34,20 @@ use strip::Strip;
 pub struct SpectrumView {
     /// From screen to plot and back, as of the last frame; tests aim with it.
     pub transform: Option<PlotTransform>,
+    /// Leaves out the switches, for pictures.
+    bare: bool,
     dragging: Dragging,
     reset: bool,
+    /// The range shown last: another one comes into view by itself.
+    shown: Option<Band>,
     strip: Strip,
 }
 
 /// Room for the numbers of the vertical axes, points; both plots have the same.
 const Y_WIDTH: f32 = 46.0;
+
+/// Room to the right of the plot, points.
+const BEYOND: f32 = 16.0;
 
 /// A logarithmic axis shows this much below the largest value.
 const LOG_FLOOR: f64 = 1e-5;
@@ -54,6 +64,14 @@ pub struct Wishes {
 }
 
 impl SpectrumView {
+    /// A plot without switches, for pictures.
+    pub fn bare() -> Self {
+        Self {
+            bare: true,
+            ..Self::default()
+        }
+    }
+
     /// Brings the whole range back into view.
     pub fn reset(&mut self) {
         self.reset = true;
@@ -63,9 +81,14 @@ impl SpectrumView {
     pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme) -> Wishes {
         let mut wishes = Wishes::default();
         let derived = app.derived();
+        if self.shown.replace(derived.band) != Some(derived.band) {
+            self.reset = true;
+        }
         let view = app.document().view;
         let read_out = head(ui, app);
-        self.reset |= layers(ui, app, theme, &mut wishes);
+        if !self.bare {
+            self.reset |= layers(ui, app, theme, &mut wishes);
+        }
 
         let top = derived.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let axis = Axis {
@@ -74,6 +97,8 @@ impl SpectrumView {
             // Darkness has no logarithm either: the axis then starts at the smallest number.
             floor: (LOG_FLOOR * top * app.scale_factor()).max(f64::MIN_POSITIVE),
         };
+        // The last wavelength's number stands half beyond the plot.
+        ui.set_max_width(ui.available_width() - BEYOND * theme.scale);
         let room = ui.available_height();
         let strip_height = if view.strip { 16.0 * theme.scale } else { 0.0 };
         let residual_height = if view.residual {

@@ -30,6 +30,8 @@ pub(super) fn residual(
         .zip(&derived.residual)
         .map(|(nm, v)| [nm, v * factor])
         .collect();
+    let top = derived.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let least = 1e-6 * top * factor;
     let key = &app.document().subject_entry().key;
     let columns = (ui.available_width() / (75.0 * theme.scale)) as usize;
     let mut plot = Plot::new(("residual", key, app.document().scale))
@@ -42,7 +44,9 @@ pub(super) fn residual(
         .show_crosshair(false)
         .default_x_bounds(band.min_nm(), band.max_nm())
         .auto_bounds([false, true])
-        .include_y(0.0)
+        // Rounding is not worth an axis of its own.
+        .include_y(-least)
+        .include_y(least)
         .set_margin_fraction(vec2(0.0, 0.12))
         .y_grid_spacer(axes::marks((height / (36.0 * theme.scale)) as usize))
         .label_formatter(|_| None);

@@ -71,7 +71,10 @@ impl Window {
             Act::ResetView => self.spectrum.reset(),
             Act::Theme => self.preferences.dark = !self.preferences.dark,
             Act::Projector => self.preferences.projector = !self.preferences.projector,
-            Act::Search => self.library.wants_search = true,
+            Act::Search => {
+                self.preferences.no_library = false;
+                self.library.wants_search = true;
+            }
             Act::ZoomIn => self.zoom(self.preferences.zoom + 0.1),
             Act::ZoomOut => self.zoom(self.preferences.zoom - 0.1),
             Act::ZoomReset => self.zoom(1.0),

@@ -142,13 +142,15 @@ impl Window {
         Panel::bottom("status")
             .exact_size(status_height)
             .show(ui, |ui| self.status(ui, theme));
-        Panel::left("library")
-            .default_size(224.0)
-            .size_range(150.0..=460.0)
-            .show(ui, |ui| {
-                self.library
-                    .show(ui, &self.app, &mut self.preferences, theme, &mut commands);
-            });
+        if !self.preferences.no_library {
+            Panel::left("library")
+                .default_size(224.0)
+                .size_range(150.0..=460.0)
+                .show(ui, |ui| {
+                    self.library
+                        .show(ui, &self.app, &mut self.preferences, theme, &mut commands);
+                });
+        }
         for wish in wishes {
             self.fulfil(wish, &context);
         }
