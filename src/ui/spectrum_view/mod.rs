@@ -46,8 +46,13 @@ pub struct SpectrumView {
 /// Room for the numbers of the vertical axes, points; both plots have the same.
 const Y_WIDTH: f32 = 46.0;
 
-/// Room to the right of the plot, points.
-const BEYOND: f32 = 16.0;
+/// Room to the right of the plots, points: the last wavelength's number stands half beyond them.
+const BEYOND: f32 = 14.0;
+
+/// Width of the plots, points.
+fn width(ui: &Ui, theme: Theme) -> f32 {
+    (ui.available_width() - BEYOND * theme.scale).max(80.0)
+}
 
 /// A logarithmic axis shows this much below the largest value.
 const LOG_FLOOR: f64 = 1e-5;
@@ -97,8 +102,6 @@ impl SpectrumView {
             // Darkness has no logarithm either: the axis then starts at the smallest number.
             floor: (LOG_FLOOR * top * app.scale_factor()).max(f64::MIN_POSITIVE),
         };
-        // The last wavelength's number stands half beyond the plot.
-        ui.set_max_width(ui.available_width() - BEYOND * theme.scale);
         let room = ui.available_height();
         let strip_height = if view.strip { 16.0 * theme.scale } else { 0.0 };
         let residual_height = if view.residual {
@@ -161,9 +164,10 @@ impl SpectrumView {
             band.max_nm() as u32,
         );
         let unit = app.unit();
-        let plot_width = ui.available_width();
+        let plot_width = width(ui, theme);
         let mut plot = Plot::new(id)
             .height(height)
+            .width(plot_width)
             .link_axis(link, [true, false])
             .link_cursor(link, [true, false])
             .allow_drag(!busy)

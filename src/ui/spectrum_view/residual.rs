@@ -9,7 +9,7 @@ use super::{
         axes,
         theme::{Theme, ink},
     },
-    Y_WIDTH,
+    Y_WIDTH, width,
 };
 use crate::app::{App, ticks};
 
@@ -33,9 +33,11 @@ pub(super) fn residual(
     let top = derived.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let least = 1e-6 * top * factor;
     let key = &app.document().subject_entry().key;
-    let columns = (ui.available_width() / (75.0 * theme.scale)) as usize;
+    let plot_width = width(ui, theme);
+    let columns = (plot_width / (75.0 * theme.scale)) as usize;
     let mut plot = Plot::new(("residual", key, app.document().scale))
         .height(height)
+        .width(plot_width)
         .x_grid_spacer(axes::marks(columns))
         .link_axis(link, [true, false])
         .link_cursor(link, [true, false])
