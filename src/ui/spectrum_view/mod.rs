@@ -9,13 +9,14 @@ use super::{
     theme::{Theme, ink},
 };
 use crate::{
-    app::{App, Command, Entry, spike_hand::SpikeAct, ticks},
+    app::{App, Command, spike_hand::SpikeAct, ticks},
     spectrum::Band,
 };
 
 mod axis;
 mod drag;
 mod layers;
+mod overlays;
 mod read_out;
 mod residual;
 mod stems;
@@ -24,6 +25,7 @@ mod strip;
 use axis::Axis;
 use drag::Dragging;
 use layers::layers;
+use overlays::{overlay_names, overlay_points};
 use read_out::hover;
 use residual::residual;
 use stems::{draw_stems, labels, stem_tips, tips};
@@ -114,6 +116,9 @@ impl SpectrumView {
         let plot_rect = self.main_plot(ui, app, theme, axis, height, link, &mut wishes);
         if let Some(transform) = self.transform {
             hover(ui, app, theme, axis, &transform, plot_rect, read_out);
+            if view.overlays {
+                overlay_names(ui, app, theme, axis, &transform);
+            }
             if view.spikes {
                 labels(ui, app, theme, axis, &transform);
             }
@@ -324,29 +329,4 @@ fn head(ui: &mut Ui, app: &App) -> Rect {
         ui.available_rect_before_wrap()
     })
     .inner
-}
-
-fn overlay_points(overlay: &Entry, app: &App, axis: Axis) -> Vec<[f64; 2]> {
-    let spectrum = &overlay.spectrum;
-    let document = app.document();
-    let factor = if overlay.kind() == document.subject_entry().kind() {
-        document.scale.factor(spectrum).unwrap_or(1.0)
-    } else {
-        // Watts and fractions have no common axis: another kind is drawn to the same height.
-        let top = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
-        let own = top(spectrum.samples.values());
-        if own > 0.0 {
-            app.scale_factor() * top(&app.derived().measured) / own
-        } else {
-            1.0
-        }
-    };
-    let own = Axis { factor, ..axis };
-    let samples = &spectrum.samples;
-    samples
-        .nm()
-        .iter()
-        .zip(samples.values())
-        .filter_map(|(nm, v)| Some([*nm, own.place(*v)?]))
-        .collect()
 }
