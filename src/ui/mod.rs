@@ -5,6 +5,7 @@
 
 pub mod axes;
 pub mod colour_view;
+pub mod curve_view;
 pub mod dialogs;
 pub mod files;
 pub mod keys;

@@ -9,7 +9,7 @@ use eframe::egui;
 use egui::{Context, Panel, Ui};
 
 use super::{
-    colour_view,
+    colour_view, curve_view,
     dialogs::Dialog,
     files::{Picked, Picker},
     library_view::LibraryView,
@@ -222,7 +222,7 @@ impl Window {
         let mut commands = Vec::new();
         model_view::controls(ui, &self.app, &mut commands);
         self.apply(&mut commands);
-        model_view::curve(ui, &self.app, &mut self.preferences, theme, &mut commands);
+        curve_view::show(ui, &self.app, &mut self.preferences, theme, &mut commands);
         let moved = !commands.is_empty();
         self.apply(&mut commands);
         if moved {
