@@ -1370,3 +1370,25 @@ fn the_window_looks_as_it_did_with_a_reflectance() {
     app.apply(light(&app, "colorchecker_ohta/red"));
     picture("reflectance", app, Preferences::default(), [1280.0, 800.0]);
 }
+
+#[test]
+fn several_refused_files_are_counted_and_none_is_forgotten() {
+    let mut ui = fresh();
+    for name in ["first.csv", "second.csv"] {
+        let file = FakeFile(PathBuf::from(name), b"no numbers here".to_vec());
+        ui.input_mut().dropped_files.push(Arc::new(file));
+    }
+    ui.run();
+    let texts: Vec<&str> = app(&ui)
+        .messages()
+        .iter()
+        .map(|m| m.text.as_str())
+        .collect();
+    for name in ["first.csv", "second.csv"] {
+        assert!(texts.iter().any(|t| t.starts_with(name)), "{texts:?}");
+    }
+    assert_eq!(
+        texts.last(),
+        Some(&"2 files were refused; point here to read why.")
+    );
+}

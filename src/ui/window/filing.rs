@@ -70,6 +70,15 @@ impl Window {
                 Err(why) => self.app.say(Tone::Problem, format!("{name}: {why}")),
             }
         }
+        if self.loader.pending() == 0 {
+            let refused = std::mem::take(&mut self.refused);
+            if refused > 1 {
+                self.app.say(
+                    Tone::Problem,
+                    format!("{refused} files were refused; point here to read why."),
+                );
+            }
+        }
         self.open_files(paths, waker(ui.ctx()));
         let answers: Vec<(u64, Picked)> = self.answers.1.try_iter().collect();
         for (number, picked) in answers {
@@ -119,7 +128,10 @@ impl Window {
                     self.preferences.remember_file(&path);
                 }
             }
-            Loaded::Refused(why) => self.app.say(Tone::Problem, why),
+            Loaded::Refused(why) => {
+                self.refused += 1;
+                self.app.say(Tone::Problem, why);
+            }
         }
     }
 

@@ -53,6 +53,8 @@ pub struct Window {
     pub spectrum: SpectrumView,
     library: LibraryView,
     loader: Loader,
+    /// Files refused since the last batch was finished.
+    refused: usize,
     answers: Channel<(u64, Picked)>,
     said: Channel<(Tone, String)>,
     /// Threads that are writing a file.
@@ -82,6 +84,7 @@ impl Window {
             spectrum: SpectrumView::default(),
             library: LibraryView::default(),
             loader: Loader::default(),
+            refused: 0,
             answers: channel(),
             said: channel(),
             writing: Vec::new(),
