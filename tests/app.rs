@@ -683,7 +683,7 @@ fn a_selected_patch_gives_the_product_with_the_light() {
         assert_relative_eq!(weighed.weight, spike.weight * r, max_relative = 1e-12);
     }
     // Products on a few points model the reflectance too, so they differ, each in its own way.
-    let mut smooths = vec![product.smooth];
+    let mut smooths = vec![product.smooth.clone()];
     for sampling in [Sampling::Paper, Sampling::Double, Sampling::ThreeN] {
         edit(&mut app, |s| s.sampling = sampling);
         let product = app.product().expect("a patch is selected");
@@ -693,7 +693,7 @@ fn a_selected_patch_gives_the_product_with_the_light() {
             let apart = apart.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             assert!(apart > 1e-6, "{sampling:?} is like another");
         }
-        smooths.push(product.smooth);
+        smooths.push(product.smooth.clone());
     }
     app.apply(Command::Patch(None));
     assert_eq!(app.product(), None);
@@ -776,10 +776,10 @@ fn the_scale_switch_does_what_its_words_say() {
 fn a_reflectance_and_a_dark_light_have_no_scale() {
     let mut app = App::new();
     app.apply(Command::Show(preset(&app, RED)));
-    let unit = app.unit();
+    let unit = app.unit().to_owned();
     for scale in Scale::ALL {
         app.apply(Command::Scale(scale));
-        assert_eq!((app.scale_factor(), app.unit()), (1.0, unit.clone()));
+        assert_eq!((app.scale_factor(), app.unit()), (1.0, unit.as_str()));
     }
     let mut dark = app_with(all_zero());
     for scale in Scale::ALL {

@@ -480,7 +480,10 @@ fn a_click_on_a_patch_shows_its_product_and_a_second_hides_it() {
     let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
     click(&mut ui, &name);
     assert_eq!(app(&ui).document().patch, Some(4));
-    assert_eq!(app(&ui).product().map(|p| p.name), Some(patch.name.clone()));
+    assert_eq!(
+        app(&ui).product().map(|p| p.name.clone()),
+        Some(patch.name.clone())
+    );
     assert_written(&ui, &format!("through {}", patch.name));
     click(&mut ui, &name);
     assert_eq!(app(&ui).product(), None);

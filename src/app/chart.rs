@@ -143,7 +143,7 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
         y_label: if unit.is_empty() {
             "value".to_owned()
         } else {
-            unit
+            unit.to_owned()
         },
         x_range: [band.min_nm(), band.max_nm()],
         y_range: None,

@@ -225,7 +225,7 @@ fn scaled_subject(app: &App) -> NamedSpectrum {
     let spectrum = &app.document().subject_entry().spectrum;
     NamedSpectrum {
         samples: spectrum.samples.scaled(app.scale_factor()),
-        unit: app.unit(),
+        unit: app.unit().to_owned(),
         ..spectrum.clone()
     }
 }

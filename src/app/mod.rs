@@ -12,6 +12,7 @@ pub mod licences;
 pub mod line_names;
 pub mod open;
 pub mod plot_svg;
+pub mod product_view;
 pub mod report;
 pub mod scale;
 pub mod settings;

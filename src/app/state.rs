@@ -13,15 +13,13 @@ use super::{
     history::History,
     library::Library,
     line_names::{ElementLine, LineName, name_spikes},
+    product_view::ProductView,
     spike_hand::{self, SpikeAct},
     tables::{CURVE_ORDER, Tables, Viewing},
 };
 use crate::{
     color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
-    spectrum::{
-        Band, Basis, Composite, Kind, NamedSpectrum, Sampled, Sampling, Series, Spike,
-        product::{on_grid, resampled},
-    },
+    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled},
 };
 
 /// How weighty a message is.
@@ -40,23 +38,6 @@ pub struct Message {
     pub tone: Tone,
     /// One line.
     pub text: String,
-}
-
-/// The product of the light with one patch, exact and by the model.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ProductView {
-    /// The patch's name.
-    pub name: String,
-    /// The patch's reflectance on the grid.
-    pub reflectance: Vec<f64>,
-    /// Measured light times reflectance on the grid.
-    pub exact: Vec<f64>,
-    /// The model's product without its spikes, on the grid.
-    pub smooth: Vec<f64>,
-    /// The spikes, weighed by the reflectance where they stand.
-    pub spikes: Vec<Spike>,
-    /// How the product was formed.
-    pub sampling: Sampling,
 }
 
 /// What the shared tables were made for.
@@ -84,6 +65,9 @@ pub struct App {
     tables_for: TablesFor,
     derived: Arc<Derived>,
     names: Vec<LineName>,
+    product: Option<ProductView>,
+    scale_factor: f64,
+    unit: String,
     took: Duration,
     messages: Vec<Message>,
     revision: u64,
@@ -138,6 +122,9 @@ impl App {
             tables_for,
             derived,
             names: Vec::new(),
+            product: None,
+            scale_factor: 1.0,
+            unit: String::new(),
             took: Duration::ZERO,
             messages: Vec::new(),
             revision: 0,
@@ -307,50 +294,18 @@ impl App {
     }
 
     /// The product with the selected patch; `None` when there is none.
-    pub fn product(&self) -> Option<ProductView> {
-        let index = self.document.patch?;
-        let patches = self.tables.patches.as_ref()?;
-        let reflectance = patches.reflectances.get(index)?;
-        let derived = &self.derived;
-        let sampling = self.document.settings.sampling;
-        let (smooth, spikes) = match sampling {
-            Sampling::Exact => on_grid(&derived.model, reflectance),
-            _ => {
-                let numbers = derived.model.smooth.coefficients.len();
-                let factor = Series {
-                    coefficients: patches.coefficients[index][..numbers].to_vec(),
-                    ..derived.model.smooth.clone()
-                };
-                let Composite { smooth, spikes } = resampled(&derived.model, &factor, sampling);
-                (smooth.on_band(), spikes)
-            }
-        };
-        Some(ProductView {
-            name: patches.set.names().get(index)?.clone(),
-            reflectance: reflectance.clone(),
-            exact: derived
-                .measured
-                .iter()
-                .zip(reflectance)
-                .map(|(s, r)| s * r)
-                .collect(),
-            smooth,
-            spikes,
-            sampling,
-        })
+    pub fn product(&self) -> Option<&ProductView> {
+        self.product.as_ref()
     }
 
     /// Factor from the subject's own numbers to the scale in force.
     pub fn scale_factor(&self) -> f64 {
-        let subject = &self.document.subject_entry().spectrum;
-        self.document.scale.factor(subject).unwrap_or(1.0)
+        self.scale_factor
     }
 
     /// The unit of the values on screen.
-    pub fn unit(&self) -> String {
-        self.document
-            .scale
-            .unit(&self.document.subject_entry().spectrum)
+    pub fn unit(&self) -> &str {
+        &self.unit
     }
 
     fn step(
@@ -479,6 +434,14 @@ impl App {
             self.derived.parts.power,
             &self.lines,
         );
+        self.product = self.document.patch.and_then(|index| {
+            let patches = self.tables.patches.as_ref()?;
+            let sampling = self.document.settings.sampling;
+            ProductView::of(&self.derived, patches, index, sampling)
+        });
+        // Integrals over the whole table: once a change, not once a frame.
+        self.scale_factor = self.document.scale.factor(spectrum).unwrap_or(1.0);
+        self.unit = self.document.scale.unit(spectrum);
         self.took = start.elapsed();
         self.revision += 1;
     }

@@ -193,7 +193,11 @@ fn read_columns(
     }
     if values.is_empty() {
         return Err(input
-            .error("wavelengths and no values", A_TABLE)
+            .error(
+                "wavelengths and no values (empty cells, words such as NaN and numbers of 1e30 \
+                 and beyond count as missing)",
+                A_TABLE,
+            )
             .at_line(block.lines[0] as usize));
     }
     let says_nm = block.columns[rows.wavelength].nanometres > 0;

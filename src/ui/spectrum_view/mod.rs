@@ -316,11 +316,11 @@ fn head(ui: &mut Ui, app: &App) -> Rect {
         let unit = app.unit();
         let words = [
             if unit.is_empty() {
-                "no unit stated".to_owned()
+                "no unit stated"
             } else {
                 unit
             },
-            document.scale.words().to_owned(),
+            document.scale.words(),
         ];
         ui.weak(words.join(", "));
         if let Some(product) = app.product() {

@@ -1,0 +1,62 @@
+//! The product of the light with one patch, as measured and by the model.
+
+use super::{derived::Derived, tables::PatchTables};
+use crate::spectrum::{
+    Composite, Sampling, Series, Spike,
+    product::{on_grid, resampled},
+};
+
+/// The product of the light with one patch, exact and by the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProductView {
+    /// The patch's name.
+    pub name: String,
+    /// The patch's reflectance on the grid.
+    pub reflectance: Vec<f64>,
+    /// Measured light times reflectance on the grid.
+    pub exact: Vec<f64>,
+    /// The model's product without its spikes, on the grid.
+    pub smooth: Vec<f64>,
+    /// The spikes, weighed by the reflectance where they stand.
+    pub spikes: Vec<Spike>,
+    /// How the product was formed.
+    pub sampling: Sampling,
+}
+
+impl ProductView {
+    /// The product with patch `index`, formed as `sampling` says; `None` for a patch that is not
+    /// there.
+    pub fn of(
+        derived: &Derived,
+        patches: &PatchTables,
+        index: usize,
+        sampling: Sampling,
+    ) -> Option<Self> {
+        let reflectance = patches.reflectances.get(index)?;
+        let (smooth, spikes) = match sampling {
+            Sampling::Exact => on_grid(&derived.model, reflectance),
+            Sampling::Paper | Sampling::ThreeN | Sampling::FourN | Sampling::Double => {
+                let numbers = derived.model.smooth.coefficients.len();
+                let factor = Series {
+                    coefficients: patches.coefficients[index][..numbers].to_vec(),
+                    ..derived.model.smooth.clone()
+                };
+                let Composite { smooth, spikes } = resampled(&derived.model, &factor, sampling);
+                (smooth.on_band(), spikes)
+            }
+        };
+        Some(Self {
+            name: patches.set.names().get(index)?.clone(),
+            reflectance: reflectance.clone(),
+            exact: derived
+                .measured
+                .iter()
+                .zip(reflectance)
+                .map(|(s, r)| s * r)
+                .collect(),
+            smooth,
+            spikes,
+            sampling,
+        })
+    }
+}
