@@ -2,8 +2,12 @@
 //!
 //! The reference numbers are in `tests/data`, each file with its source and conventions.
 
-use std::{collections::BTreeMap, fs, path::PathBuf};
+#[path = "common/root.rs"]
+mod root;
 
+use std::{collections::BTreeMap, fs};
+
+use root::root;
 use serde::{Deserialize, de::DeserializeOwned};
 use spectral_explorer::{
     color::{
@@ -14,7 +18,7 @@ use spectral_explorer::{
 };
 
 fn read<T: DeserializeOwned>(path: &str) -> T {
-    let full = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path);
+    let full = root().join(path);
     let text = fs::read_to_string(&full).unwrap_or_else(|e| panic!("{path}: {e}"));
     serde_json::from_str(&text).unwrap_or_else(|e| panic!("{path}: {e}"))
 }

@@ -1,6 +1,10 @@
 //! The promise of the house: imports point one way, widgets stay in their rooms, and no file knows
 //! on whose computer it was written.
 
+#[path = "common/root.rs"]
+mod root;
+
+use root::root;
 use std::{
     collections::BTreeSet,
     fs,
@@ -28,10 +32,6 @@ const WIDGETS: [&str; 7] = [
     "emath",
     "winit",
 ];
-
-fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-}
 
 /// Every file below a folder; none when the folder is not there.
 fn files_below(folder: &Path) -> Vec<PathBuf> {

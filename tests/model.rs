@@ -3,11 +3,15 @@
 
 mod common;
 
-use std::{fs, path::PathBuf, sync::Arc};
+#[path = "common/root.rs"]
+mod root;
+
+use std::{fs, sync::Arc};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use common::{on_band, shipped};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use root::root;
 use serde::Deserialize;
 use spectral_explorer::{
     app::{
@@ -670,7 +674,7 @@ struct ReferenceModel(
 
 fn reference() -> Vec<ReferenceLamp> {
     let path = "tests/data/model_reference.json";
-    let text = fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path));
+    let text = fs::read_to_string(root().join(path));
     let text = text.unwrap_or_else(|e| panic!("{path}: {e}"));
     let reference: Reference =
         serde_json::from_str(&text).unwrap_or_else(|e| panic!("{path}: {e}"));

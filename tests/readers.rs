@@ -3,10 +3,14 @@
 //! The real files lie outside the project under licences of their own; where their folder is not
 //! there, these stories say so and pass.
 
+#[path = "common/root.rs"]
+mod root;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use proptest::prelude::*;
+use root::root;
 use serde_json::Value;
 use spectral_explorer::io::{Guessed, Reading, read_bytes, read_path};
 use spectral_explorer::spectrum::{Kind, NamedSpectrum};
@@ -97,7 +101,7 @@ const MUST_REFUSE: [(&str, &str); 20] = [
 ];
 
 fn folder() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/real_files");
+    let folder = root().join("../shared/data/real_files");
     if folder.is_dir() {
         Some(folder)
     } else {

@@ -1,15 +1,15 @@
 //! The README tells the truth: its picture, its commands, its map.
 
-use std::{collections::BTreeSet, fs, path::Path};
+#[path = "common/root.rs"]
+mod root;
 
+use std::{collections::BTreeSet, fs};
+
+use root::root;
 use spectral_explorer::{
     app::{App, workspace::Preferences},
     ui::picture,
 };
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 fn readme() -> String {
     fs::read_to_string(root().join("README.md")).expect("a README")

@@ -47,6 +47,26 @@ pub struct FoundSpike {
     pub window_nm: [f64; 2],
 }
 
+/// What a line takes out of a spectrum when it becomes a spike.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LineShape {
+    /// The spike that stands for it.
+    pub spike: Spike,
+    /// Index of the first grid point it takes something from.
+    pub first: usize,
+    /// What it takes from that grid point and those after it; negative for an absorption line.
+    pub residue: Vec<f64>,
+}
+
+impl LineShape {
+    /// Gives its energy back to the smooth part.
+    pub fn give_back_to(&self, smooth: &mut [f64]) {
+        for (v, r) in smooth[self.first..].iter_mut().zip(&self.residue) {
+            *v += r;
+        }
+    }
+}
+
 /// What a person's edits ask of a detector.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wishes<'a> {
@@ -126,6 +146,42 @@ pub fn detect_with(
     settings: SpikeSettings,
     wishes: Wishes<'_>,
 ) -> Decomposition {
+    detect_telling(band, values, settings, wishes, &mut |_, _| {})
+}
+
+/// The default detector with what each line takes out of the spectrum, the heaviest line first,
+/// so that some of the lines can be given back without looking again.
+pub fn detect_shapes(
+    band: Band,
+    values: &[f64],
+    settings: SpikeSettings,
+) -> (Decomposition, Vec<LineShape>) {
+    let mut shapes = Vec::new();
+    let parts = detect_telling(
+        band,
+        values,
+        settings,
+        Wishes::default(),
+        &mut |line, sign| {
+            shapes.push(LineShape {
+                spike: line.found(band, 1, sign).spike,
+                first: line.first,
+                residue: line.residue.iter().map(|r| sign * r).collect(),
+            });
+        },
+    );
+    shapes.sort_by(|a, b| b.spike.weight.abs().total_cmp(&a.spike.weight.abs()));
+    (parts, shapes)
+}
+
+/// The detector; `tell` hears of every line taken, with the sign of its weight.
+fn detect_telling(
+    band: Band,
+    values: &[f64],
+    settings: SpikeSettings,
+    wishes: Wishes<'_>,
+    tell: &mut dyn FnMut(&Line, f64),
+) -> Decomposition {
     let mut parts = Decomposition::untouched(band, values);
     if let Some(power) = wishes.power {
         parts.power = power;
@@ -134,10 +190,10 @@ pub fn detect_with(
     if !(power > 0.0 && power.is_finite()) {
         return parts;
     }
-    take_lines(band, &mut parts, settings, wishes, 1.0);
+    take_lines(band, &mut parts, settings, wishes, 1.0, tell);
     if settings.dips {
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
-        take_lines(band, &mut parts, settings, wishes, -1.0);
+        take_lines(band, &mut parts, settings, wishes, -1.0, tell);
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
     }
     parts
@@ -154,6 +210,7 @@ fn take_lines(
     settings: SpikeSettings,
     wishes: Wishes<'_>,
     sign: f64,
+    tell: &mut dyn FnMut(&Line, f64),
 ) {
     let width = settings.max_width_nm;
     let least_energy = settings.threshold * parts.power;
@@ -175,6 +232,7 @@ fn take_lines(
                 continue;
             }
             line.take_from(&mut parts.smooth);
+            tell(&line, sign);
             parts.spikes.push(found);
             found_one = true;
         }
