@@ -1,3 +1,17 @@
-//! Accuracy against numbers: how far a model is from what it stands for.
+//! Accuracy against numbers: what a model costs, what it is off by, and what to buy next.
 
+pub mod auction;
 pub mod error;
+pub mod judge;
+pub mod prepared;
+pub mod progress;
+pub mod sweep;
+pub mod way;
+
+pub use auction::{Auction, Goal};
+pub use error::Spread;
+pub use judge::{Judge, Measure, Verdict, Yardsticks};
+pub use prepared::{Kit, Prepared};
+pub use progress::Progress;
+pub use sweep::Sweep;
+pub use way::Way;

@@ -1,0 +1,501 @@
+//! What to buy with the next two numbers: one more order or one more spike.
+//!
+//! Both cost the same, so from order 0 on the auction buys whatever lowers the goal most for two
+//! numbers. One purchase alone is short-sighted (a line may only pay once the smooth part has
+//! another order), so every model is followed by all single purchases and the best one by all
+//! pairs; and at every price the plain models are bid too, all orders with none, one, two ... of
+//! the heaviest lines. What is sold at each price is the best model seen at that price or below:
+//! the path is the Pareto front of error against numbers, and never worse than the better of
+//! "with" and "without" spikes. Where the best model at a price does not contain the one before,
+//! something is given back; the step says what. The auction ends when nothing lowers the goal.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    judge::{Judge, Verdict},
+    prepared::Prepared,
+    progress::Progress,
+    sweep::{Examined, Subject},
+};
+use crate::spectrum::{Basis, Composite, Spike, basis::numbers_of_order};
+
+/// What is to be made small: a weighted mix of four errors, each over its value at order 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Goal {
+    /// Weight of the spectrum's own colour.
+    pub own: f64,
+    /// Weight of the patches' mean.
+    pub patches: f64,
+    /// Weight of the spectrum behind a 10 nm blur.
+    pub spectrum: f64,
+    /// Weight of the light behind narrow filters.
+    pub filters: f64,
+}
+
+impl Default for Goal {
+    fn default() -> Self {
+        Self::PATCHES
+    }
+}
+
+impl Goal {
+    const NOTHING: Self = Self {
+        own: 0.0,
+        patches: 0.0,
+        spectrum: 0.0,
+        filters: 0.0,
+    };
+    /// The spectrum's own colour.
+    pub const OWN: Self = Self {
+        own: 1.0,
+        ..Self::NOTHING
+    };
+    /// The patches' mean.
+    pub const PATCHES: Self = Self {
+        patches: 1.0,
+        ..Self::NOTHING
+    };
+    /// The spectrum behind a 10 nm blur.
+    pub const SPECTRUM: Self = Self {
+        spectrum: 1.0,
+        ..Self::NOTHING
+    };
+    /// The light behind narrow filters.
+    pub const FILTERS: Self = Self {
+        filters: 1.0,
+        ..Self::NOTHING
+    };
+
+    /// The four plain goals with the words used on the command line.
+    pub const PLAIN: [(&'static str, Self); 4] = [
+        ("own", Self::OWN),
+        ("patches", Self::PATCHES),
+        ("spectrum", Self::SPECTRUM),
+        ("filters", Self::FILTERS),
+    ];
+
+    /// Every weight finite and not negative; the patches' mean when nothing is wanted.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let within = |w: f64| {
+            if w.is_finite() {
+                w.clamp(0.0, 1e6)
+            } else {
+                0.0
+            }
+        };
+        let goal = Self {
+            own: within(self.own),
+            patches: within(self.patches),
+            spectrum: within(self.spectrum),
+            filters: within(self.filters),
+        };
+        if goal == Self::NOTHING {
+            Self::PATCHES
+        } else {
+            goal
+        }
+    }
+
+    /// The weights in the order of [`Goal::PLAIN`].
+    pub fn weights(self) -> [f64; 4] {
+        [self.own, self.patches, self.spectrum, self.filters]
+    }
+
+    /// The word of a plain goal, or the weights of a mixed one: `own 1, filters 2`.
+    pub fn words(self) -> String {
+        let wanted: Vec<(&str, f64)> = Self::PLAIN
+            .iter()
+            .zip(self.weights())
+            .filter(|(_, weight)| *weight > 0.0)
+            .map(|((word, _), weight)| (*word, weight))
+            .collect();
+        match wanted[..] {
+            [(word, _)] => word.to_owned(),
+            _ => wanted
+                .iter()
+                .map(|(word, weight)| format!("{word} {weight}"))
+                .collect::<Vec<_>>()
+                .join(", "),
+        }
+    }
+
+    /// The errors that the goal needs of a model, in the order of [`Goal::PLAIN`].
+    fn errors(self, judge: &Judge, smooth: &[f64], spikes: &[Spike]) -> [Option<f64>; 4] {
+        let wanted = |weight: f64, error: &dyn Fn() -> Option<f64>| {
+            if weight > 0.0 { error() } else { None }
+        };
+        [
+            wanted(self.own, &|| judge.own(smooth, spikes)),
+            wanted(self.patches, &|| judge.patches(smooth, spikes).map(|p| p.0)),
+            wanted(self.spectrum, &|| judge.relative_rms_10nm(smooth, spikes)),
+            wanted(self.filters, &|| judge.filters(smooth, spikes)),
+        ]
+    }
+}
+
+/// What is auctioned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Terms {
+    /// Functions of the smooth part.
+    pub basis: Basis,
+    /// Whether the subject's own colour is made exact.
+    pub colour_exact: bool,
+    /// What is to be made small.
+    pub goal: Goal,
+    /// Most numbers that may be spent.
+    pub numbers: usize,
+}
+
+/// Something that two numbers buy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Purchase {
+    /// The smooth part's next order.
+    Order(usize),
+    /// A line as a spike (weight over the spectrum's largest value).
+    Spike(Spike),
+}
+
+/// One step of the path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What was bought; nothing in the first step, which is order 0.
+    pub bought: Vec<Purchase>,
+    /// What was given back for it.
+    pub gave_back: Vec<Purchase>,
+    /// Numbers spent so far.
+    pub numbers: usize,
+    /// The goal: of a plain goal the error itself, of a mixed one the weighted mean of the errors,
+    /// each over its value at order 0.
+    pub error: f64,
+    /// Order of the smooth part.
+    pub order: usize,
+    /// The lines that are spikes, heaviest first, as indices into [`Auction::lines`].
+    pub lines: Vec<usize>,
+    /// Every figure of the model.
+    pub verdict: Verdict,
+}
+
+/// How an auction ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// The budget was spent, or less than two numbers were left.
+    Spent,
+    /// Nothing within the budget lowered the goal any more.
+    NothingHelps,
+}
+
+/// A plain model at a price, for comparison.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bid {
+    /// Numbers.
+    pub numbers: usize,
+    /// The goal.
+    pub error: f64,
+}
+
+/// The result of an auction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Auction {
+    /// The path, by rising numbers and falling error.
+    pub steps: Vec<Step>,
+    /// The lines on offer, heaviest first; weights over the spectrum's largest value.
+    pub lines: Vec<Spike>,
+    /// All lines as spikes, every order that the budget allows.
+    pub with: Vec<Bid>,
+    /// No spikes, every order that the budget allows.
+    pub without: Vec<Bid>,
+    /// How it ended.
+    pub ended: Ended,
+}
+
+impl Auction {
+    /// The model that was bought in the end.
+    pub fn last(&self) -> &Step {
+        &self.steps[self.steps.len() - 1]
+    }
+}
+
+/// Most lines on offer: the heaviest.
+const MOST_LINES: usize = 24;
+
+/// Models of each price whose single purchases are all tried.
+const FOLLOWED: usize = 8;
+
+/// Errors closer than this share of the one at order 0 are equal but for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Holds the auction; `None` for an all-zero spectrum, a goal that cannot be measured on it, or
+/// when it was cancelled.
+pub fn hold(subject: &Subject, terms: Terms, progress: &Progress) -> Option<Auction> {
+    let terms = Terms {
+        goal: terms.goal.clamped(),
+        numbers: terms.numbers.max(1),
+        ..terms
+    };
+    let examined = Examined::of(subject, terms.numbers)?;
+    hold_on(&examined, terms, progress)
+}
+
+/// [`hold`] on a subject that was examined already.
+pub fn hold_on(examined: &Examined, terms: Terms, progress: &Progress) -> Option<Auction> {
+    let shapes = &examined.shapes[..examined.shapes.len().min(MOST_LINES)];
+    let prepared = examined.prepared(terms.basis, shapes);
+    let mut room = Room::new(&examined.judge, &prepared, terms)?;
+    let highest = room.most_purchases();
+    progress.expect(highest + 1);
+    for count in 0..=highest {
+        if progress.is_cancelled() {
+            return None;
+        }
+        room.bid_plain(count);
+        room.follow(count);
+        progress.step();
+    }
+    Some(room.close(highest))
+}
+
+/// A model as a choice: the order and the lines.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Choice {
+    order: usize,
+    lines: Vec<usize>,
+}
+
+impl Choice {
+    fn with_order(&self) -> Self {
+        Self {
+            order: self.order + 1,
+            lines: self.lines.clone(),
+        }
+    }
+
+    fn with_line(&self, line: usize) -> Option<Self> {
+        let at = self.lines.binary_search(&line).err()?;
+        let mut lines = self.lines.clone();
+        lines.insert(at, line);
+        Some(Self {
+            order: self.order,
+            lines,
+        })
+    }
+
+    /// Everything that one purchase makes of it.
+    fn next(&self, lines: usize) -> Vec<Self> {
+        std::iter::once(self.with_order())
+            .chain((0..lines).filter_map(|line| self.with_line(line)))
+            .collect()
+    }
+
+    /// Purchases made.
+    fn count(&self) -> usize {
+        self.order + self.lines.len()
+    }
+}
+
+/// The saleroom: every model bid so far, by the number of purchases it takes.
+struct Room<'a> {
+    judge: &'a Judge,
+    prepared: &'a Prepared,
+    terms: Terms,
+    /// The errors at order 0, which a mixed goal divides by.
+    at_start: [Option<f64>; 4],
+    bids: Vec<BTreeMap<Choice, f64>>,
+    highest_order: usize,
+}
+
+impl<'a> Room<'a> {
+    fn new(judge: &'a Judge, prepared: &'a Prepared, terms: Terms) -> Option<Self> {
+        let band = judge.yardsticks().band();
+        let mut room = Self {
+            judge,
+            prepared,
+            terms,
+            at_start: [None; 4],
+            bids: Vec::new(),
+            highest_order: Basis::highest_order(band).min((terms.numbers - 1) / 2),
+        };
+        let (model, smooth) = room.model(&Choice {
+            order: 0,
+            lines: Vec::new(),
+        });
+        room.at_start = terms.goal.errors(judge, &smooth, &model.spikes);
+        // A goal none of whose parts can be measured (patches of a reflectance) is no goal.
+        room.at_start.iter().any(Option::is_some).then_some(room)
+    }
+
+    /// Purchases that the budget allows.
+    fn most_purchases(&self) -> usize {
+        (self.terms.numbers - 1) / 2
+    }
+
+    fn model(&self, choice: &Choice) -> (Composite, Vec<f64>) {
+        let numbers = numbers_of_order(choice.order);
+        let (model, _) = self
+            .prepared
+            .model(numbers, &choice.lines, self.terms.colour_exact);
+        let smooth = self.prepared.smooth(&model);
+        (model, smooth)
+    }
+
+    fn error(&self, choice: &Choice) -> f64 {
+        let (model, smooth) = self.model(choice);
+        let errors = self.terms.goal.errors(self.judge, &smooth, &model.spikes);
+        self.mixed(errors)
+    }
+
+    /// The goal from its errors.
+    fn mixed(&self, errors: [Option<f64>; 4]) -> f64 {
+        let weights = self.terms.goal.weights();
+        let wanted = weights.iter().filter(|w| **w > 0.0).count();
+        if wanted == 1 {
+            return errors.into_iter().flatten().next().unwrap_or(0.0);
+        }
+        let (mut sum, mut whole) = (0.0, 0.0);
+        for ((error, start), weight) in errors.iter().zip(self.at_start).zip(weights) {
+            if let (Some(error), Some(start)) = (error, start) {
+                whole += weight;
+                // What order 0 has right already stays right but for rounding.
+                sum += if start > 0.0 {
+                    weight * error / start
+                } else {
+                    0.0
+                };
+            }
+        }
+        if whole > 0.0 { sum / whole } else { 0.0 }
+    }
+
+    fn bid(&mut self, choice: Choice) {
+        let count = choice.count();
+        if count > self.most_purchases() || choice.order > self.highest_order {
+            return;
+        }
+        if self.bids.len() <= count {
+            self.bids.resize_with(count + 1, BTreeMap::new);
+        }
+        if !self.bids[count].contains_key(&choice) {
+            let error = self.error(&choice);
+            self.bids[count].insert(choice, error);
+        }
+    }
+
+    /// The plain models of a price: none, one, two ... of the heaviest lines.
+    fn bid_plain(&mut self, count: usize) {
+        for lines in 0..=count.min(self.prepared.lines()) {
+            self.bid(Choice {
+                order: count - lines,
+                lines: (0..lines).collect(),
+            });
+        }
+    }
+
+    /// Every single purchase after the best models of a price, and every pair after the best one.
+    fn follow(&mut self, count: usize) {
+        let lines = self.prepared.lines();
+        for (place, choice) in self.best_of(count, FOLLOWED).into_iter().enumerate() {
+            for next in choice.next(lines) {
+                if place == 0 {
+                    for second in next.next(lines) {
+                        self.bid(second);
+                    }
+                }
+                self.bid(next);
+            }
+        }
+    }
+
+    fn best_of(&self, count: usize, most: usize) -> Vec<Choice> {
+        let mut sorted: Vec<(&Choice, f64)> = self
+            .bids
+            .get(count)
+            .into_iter()
+            .flatten()
+            .map(|(choice, error)| (choice, *error))
+            .collect();
+        sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
+        sorted
+            .into_iter()
+            .take(most)
+            .map(|(choice, _)| choice.clone())
+            .collect()
+    }
+
+    /// Reads the path off the bids.
+    fn close(self, highest: usize) -> Auction {
+        let mut steps: Vec<Step> = Vec::new();
+        let mut best = f64::INFINITY;
+        let mut now = Choice {
+            order: 0,
+            lines: Vec::new(),
+        };
+        let start = self.bids[0].values().copied().next().unwrap_or(0.0);
+        for count in 0..=highest {
+            let Some(choice) = self.best_of(count, 1).into_iter().next() else {
+                continue;
+            };
+            let error = self.bids[count][&choice];
+            if error >= best - ROUNDING * start && count > 0 {
+                continue;
+            }
+            best = error;
+            steps.push(self.step(&now, &choice, error));
+            now = choice;
+        }
+        let spent = steps
+            .last()
+            .is_some_and(|s| s.numbers + 2 > self.terms.numbers);
+        let plain = |lines: usize| -> Vec<Bid> {
+            (0..=self.highest_order)
+                .filter_map(|order| {
+                    let choice = Choice {
+                        order,
+                        lines: (0..lines).collect(),
+                    };
+                    let error = self.bids.get(choice.count())?.get(&choice)?;
+                    Some(Bid {
+                        numbers: 1 + 2 * choice.count(),
+                        error: *error,
+                    })
+                })
+                .collect()
+        };
+        Auction {
+            with: plain(self.prepared.lines()),
+            without: plain(0),
+            lines: (0..self.prepared.lines())
+                .map(|i| self.prepared.spike(i))
+                .collect(),
+            steps,
+            ended: if spent {
+                Ended::Spent
+            } else {
+                Ended::NothingHelps
+            },
+        }
+    }
+
+    fn step(&self, before: &Choice, now: &Choice, error: f64) -> Step {
+        let only_in = |a: &Choice, b: &Choice| -> Vec<Purchase> {
+            let orders = (b.order + 1..=a.order).map(Purchase::Order);
+            let lines = a.lines.iter().filter(|line| !b.lines.contains(line));
+            lines
+                .map(|line| Purchase::Spike(self.prepared.spike(*line)))
+                .chain(orders)
+                .collect()
+        };
+        let (model, smooth) = self.model(now);
+        Step {
+            bought: only_in(now, before),
+            gave_back: only_in(before, now),
+            numbers: model.numbers(),
+            error,
+            order: now.order,
+            lines: now.lines.clone(),
+            verdict: self.judge.verdict(&smooth, &model.spikes),
+        }
+    }
+}

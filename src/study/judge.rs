@@ -1,0 +1,370 @@
+//! What every model of one spectrum is measured by: its own colour, the patches, narrow filters
+//! and the spectrum itself.
+//!
+//! **Behind narrow filters**: Gaussian band-passes of 10 nm full width centred at 420, 430 ... 670
+//! nm, the filter exact, both sides scaled so that the exact product has Y = 50 (by at most 50),
+//! mean CIEDE2000. The white of every difference is the exact light.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::error::{BLUR_NM, Blur, height};
+use crate::{
+    color::{
+        Lab, Observer, Xyz,
+        ciede2000::delta_e_2000,
+        lab::lab_from_xyz,
+        patches::{PatchSet, difference, labs_into},
+    },
+    spectrum::{Band, Spike, composite::add_spikes},
+};
+
+/// Full width of the narrow filters at half their maximum, nm.
+pub const FILTER_NM: f64 = 10.0;
+
+/// Y that the exact light behind a narrow filter is brought to.
+const FILTER_Y: f64 = 50.0;
+
+/// Most that light behind a narrow filter is brightened by, against Y = 100 for the light.
+const MOST_GAIN: f64 = 50.0;
+
+/// Centres of the narrow filters, nm.
+pub fn filter_centres() -> impl Iterator<Item = f64> {
+    (42..=67).map(|tens| f64::from(10 * tens))
+}
+
+/// What is shared by all spectra that are judged on one band for one observer.
+#[derive(Clone, Debug)]
+pub struct Yardsticks {
+    /// The 10 nm blur.
+    pub blur: Blur,
+    /// The patches, exact.
+    pub patches: PatchSet,
+    /// The narrow filters.
+    filters: PatchSet,
+    /// Colour-matching functions on the grid.
+    pub seen: [Vec<f64>; 3],
+}
+
+impl Yardsticks {
+    /// Yardsticks with these patches (exact, on the band's grid).
+    pub fn new(patches: PatchSet) -> Self {
+        let (band, observer): (Band, Observer) = (patches.band(), patches.observer());
+        let narrow = |centre_nm: f64| -> Vec<f64> {
+            let bell = |nm: f64| {
+                let x = (nm - centre_nm) / FILTER_NM;
+                (-4.0 * std::f64::consts::LN_2 * x * x).exp()
+            };
+            band.grid().map(bell).collect()
+        };
+        let inside = || filter_centres().filter(|nm| band.contains(*nm));
+        let filters: Vec<Vec<f64>> = inside().map(narrow).collect();
+        let names = inside().map(|nm| format!("{nm} nm")).collect();
+        Self {
+            blur: Blur::new(band, BLUR_NM),
+            filters: PatchSet::new(&filters, names, band, observer),
+            seen: observer.table().on_band(band),
+            patches,
+        }
+    }
+
+    /// The band of all of them.
+    pub fn band(&self) -> Band {
+        self.patches.band()
+    }
+}
+
+/// What one model is off by; a figure that does not exist is `None`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Verdict {
+    /// CIEDE2000 of the spectrum's own colour.
+    pub own: Option<f64>,
+    /// Mean CIEDE2000 of the patches.
+    pub patches_mean: Option<f64>,
+    /// Largest CIEDE2000 of the patches.
+    pub patches_worst: Option<f64>,
+    /// Mean CIEDE2000 behind narrow filters.
+    pub filters: Option<f64>,
+    /// Relative RMS on the 1 nm grid.
+    pub relative_rms: Option<f64>,
+    /// Relative RMS behind a 10 nm blur.
+    pub relative_rms_10nm: Option<f64>,
+    /// Lowest value of the smooth part over the largest measured one.
+    pub lowest: Option<f64>,
+}
+
+/// One figure of a [`Verdict`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measure {
+    /// CIEDE2000 of the spectrum's own colour.
+    Own,
+    /// Mean CIEDE2000 of the patches.
+    #[default]
+    Patches,
+    /// Largest CIEDE2000 of the patches.
+    PatchesWorst,
+    /// Mean CIEDE2000 behind narrow filters.
+    Filters,
+    /// Relative RMS at 1 nm.
+    Rms,
+    /// Relative RMS behind a 10 nm blur.
+    RmsBlurred,
+}
+
+impl Measure {
+    /// Every measure, in the order of menus.
+    pub const ALL: [Self; 6] = [
+        Self::Patches,
+        Self::PatchesWorst,
+        Self::Own,
+        Self::Filters,
+        Self::RmsBlurred,
+        Self::Rms,
+    ];
+
+    /// The figure of a verdict.
+    pub fn of(self, verdict: &Verdict) -> Option<f64> {
+        match self {
+            Self::Own => verdict.own,
+            Self::Patches => verdict.patches_mean,
+            Self::PatchesWorst => verdict.patches_worst,
+            Self::Filters => verdict.filters,
+            Self::Rms => verdict.relative_rms,
+            Self::RmsBlurred => verdict.relative_rms_10nm,
+        }
+    }
+
+    /// In words for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Own => "own colour",
+            Self::Patches => "patches, mean",
+            Self::PatchesWorst => "worst patch",
+            Self::Filters => "behind narrow filters",
+            Self::Rms => "rms at 1 nm",
+            Self::RmsBlurred => "rms behind 10 nm",
+        }
+    }
+
+    /// Whether it counts CIEDE2000; otherwise it is a share of the spectrum.
+    pub fn is_colour(self) -> bool {
+        !matches!(self, Self::Rms | Self::RmsBlurred)
+    }
+}
+
+/// Values over their largest, so that no square overflows or vanishes; `None` when all are zero.
+pub fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
+    let unit = height(values)?;
+    Some(values.iter().map(|v| v * unit).collect())
+}
+
+/// The exact side of every comparison for one spectrum.
+#[derive(Clone, Debug)]
+pub struct Judge {
+    yardsticks: Arc<Yardsticks>,
+    measured: Vec<f64>,
+    /// What weighs the spectrum to X, Y, Z.
+    seen: [Vec<f64>; 3],
+    white: Xyz,
+    own: Option<Lab>,
+    /// Labs of the patches; `None` when there are none to see.
+    patches: Option<Vec<Lab>>,
+    /// Labs behind the filters and the gain of each.
+    filters: Option<(Vec<Lab>, Vec<f64>)>,
+    square: f64,
+    blurred: Vec<f64>,
+    blurred_square: f64,
+    top: f64,
+}
+
+const BLACK: Lab = Lab::new(0.0, 0.0, 0.0);
+
+impl Judge {
+    /// The judge of a light, given on the band's grid at an ordinary scale ([`scaled_to_one`]).
+    pub fn of_light(yardsticks: &Arc<Yardsticks>, measured: &[f64]) -> Self {
+        let mut judge = Self::of(yardsticks, measured, yardsticks.seen.clone(), None);
+        if judge.own.is_none() {
+            return judge;
+        }
+        judge.patches = Some(judge.labs_of(&yardsticks.patches, measured, &[]));
+        let filters = &yardsticks.filters;
+        let mut exact = filters.buffer();
+        filters.xyz_into(measured, &mut exact);
+        let gains: Vec<f64> = exact
+            .iter()
+            .map(|xyz| (FILTER_Y * judge.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN))
+            .collect();
+        let labs = judge.filtered(&mut exact, &gains);
+        judge.filters = Some((labs, gains));
+        judge
+    }
+
+    /// The judge of a reflectance or transmittance under a light, both on the band's grid: no
+    /// patches, no filters.
+    pub fn of_factor(yardsticks: &Arc<Yardsticks>, measured: &[f64], light: &[f64]) -> Self {
+        let seen = seen_under(&yardsticks.seen, light);
+        let band = yardsticks.band();
+        let white = Xyz::from_array(std::array::from_fn(|k| band.integral(&seen[k])));
+        Self::of(yardsticks, measured, seen, Some(white))
+    }
+
+    fn of(
+        yardsticks: &Arc<Yardsticks>,
+        measured: &[f64],
+        seen: [Vec<f64>; 3],
+        white: Option<Xyz>,
+    ) -> Self {
+        let band = yardsticks.band();
+        let blurred = yardsticks.blur.values(measured);
+        let exact = Xyz::from_array(std::array::from_fn(|k| band.inner(measured, &seen[k])));
+        let white = white.unwrap_or(exact);
+        let has_colour = white.y > 0.0 && white.is_finite() && exact.is_finite();
+        Self {
+            white,
+            own: has_colour.then(|| lab_from_xyz(exact, white)),
+            patches: None,
+            filters: None,
+            square: band.inner(measured, measured),
+            blurred_square: band.inner(&blurred, &blurred),
+            blurred,
+            top: measured.iter().fold(0.0, |m: f64, v| m.max(v.abs())),
+            measured: measured.to_vec(),
+            seen,
+            yardsticks: yardsticks.clone(),
+        }
+    }
+
+    /// The measured values.
+    pub fn measured(&self) -> &[f64] {
+        &self.measured
+    }
+
+    /// What weighs the spectrum to X, Y, Z on the grid: the colour-matching functions, for a
+    /// reflectance times the light.
+    pub fn seen(&self) -> &[Vec<f64>; 3] {
+        &self.seen
+    }
+
+    /// The shared yardsticks.
+    pub fn yardsticks(&self) -> &Arc<Yardsticks> {
+        &self.yardsticks
+    }
+
+    /// Every figure of a model: its smooth part on the grid and its spikes.
+    pub fn verdict(&self, smooth: &[f64], spikes: &[Spike]) -> Verdict {
+        self.verdict_through(smooth, spikes, &self.yardsticks.patches)
+    }
+
+    /// Every figure, the patches' reflectances approximated too: `patches` are the same patches
+    /// as a representation has them.
+    pub fn verdict_through(&self, smooth: &[f64], spikes: &[Spike], patches: &PatchSet) -> Verdict {
+        let (patches_mean, patches_worst) = self.patches_with(smooth, spikes, patches).unzip();
+        Verdict {
+            own: self.own(smooth, spikes),
+            patches_mean,
+            patches_worst,
+            filters: self.filters(smooth, spikes),
+            relative_rms: self.relative_rms(smooth, spikes),
+            relative_rms_10nm: self.relative_rms_10nm(smooth, spikes),
+            lowest: (self.top > 0.0)
+                .then(|| smooth.iter().copied().fold(f64::INFINITY, f64::min) / self.top),
+        }
+    }
+
+    /// CIEDE2000 of the model's own colour.
+    pub fn own(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let exact = self.own?;
+        let band = self.yardsticks.band();
+        let xyz = Xyz::from_array(std::array::from_fn(|k| {
+            let lines: f64 = spikes
+                .iter()
+                .map(|s| s.weight * band.interpolate(&self.seen[k], s.at_nm))
+                .sum();
+            band.inner(smooth, &self.seen[k]) + lines
+        }));
+        Some(delta_e_2000(exact, lab_from_xyz(xyz, self.white)))
+    }
+
+    /// Mean and largest CIEDE2000 of the exact patches under the model.
+    pub fn patches(&self, smooth: &[f64], spikes: &[Spike]) -> Option<(f64, f64)> {
+        self.patches_with(smooth, spikes, &self.yardsticks.patches)
+    }
+
+    fn patches_with(
+        &self,
+        smooth: &[f64],
+        spikes: &[Spike],
+        patches: &PatchSet,
+    ) -> Option<(f64, f64)> {
+        let exact = self.patches.as_ref().filter(|p| !p.is_empty())?;
+        let found = difference(exact, &self.labs_of(patches, smooth, spikes));
+        Some((found.mean, found.max))
+    }
+
+    /// Labs of any patches under a model, against this light as the white.
+    pub fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Spike]) -> Vec<Lab> {
+        let mut xyz = patches.buffer();
+        patches.xyz_into(smooth, &mut xyz);
+        for spike in spikes {
+            patches.add_line(spike.at_nm, spike.weight, &mut xyz);
+        }
+        let mut labs = vec![BLACK; xyz.len()];
+        labs_into(&xyz, self.white, &mut labs);
+        labs
+    }
+
+    /// Mean CIEDE2000 behind the narrow filters.
+    pub fn filters(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let (exact, gains) = self.filters.as_ref().filter(|f| !f.0.is_empty())?;
+        let filters = &self.yardsticks.filters;
+        let mut xyz = filters.buffer();
+        filters.xyz_into(smooth, &mut xyz);
+        for spike in spikes {
+            filters.add_line(spike.at_nm, spike.weight, &mut xyz);
+        }
+        Some(difference(exact, &self.filtered(&mut xyz, gains)).mean)
+    }
+
+    fn filtered(&self, xyz: &mut [[f64; 3]], gains: &[f64]) -> Vec<Lab> {
+        for (xyz, gain) in xyz.iter_mut().zip(gains) {
+            xyz.iter_mut().for_each(|v| *v *= gain);
+        }
+        let mut labs = vec![BLACK; xyz.len()];
+        labs_into(xyz, self.white, &mut labs);
+        labs
+    }
+
+    /// Root mean square of the difference over that of the spectrum, on the 1 nm grid.
+    pub fn relative_rms(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let band = self.yardsticks.band();
+        let mut rest: Vec<f64> = smooth
+            .iter()
+            .zip(&self.measured)
+            .map(|(s, m)| s - m)
+            .collect();
+        add_spikes(band, spikes, &mut rest);
+        share(band.inner(&rest, &rest), self.square)
+    }
+
+    /// The same behind a 10 nm blur, spikes blurred analytically.
+    pub fn relative_rms_10nm(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let band = self.yardsticks.band();
+        let mut rest = self.yardsticks.blur.values(smooth);
+        for (r, m) in rest.iter_mut().zip(&self.blurred) {
+            *r -= m;
+        }
+        self.yardsticks.blur.add_spikes(spikes, &mut rest);
+        share(band.inner(&rest, &rest), self.blurred_square)
+    }
+}
+
+/// Weights for a reflectance: the colour-matching functions times the light it is seen under.
+pub fn seen_under(seen: &[Vec<f64>; 3], light: &[f64]) -> [Vec<f64>; 3] {
+    std::array::from_fn(|k| seen[k].iter().zip(light).map(|(w, s)| w * s).collect())
+}
+
+fn share(square: f64, whole: f64) -> Option<f64> {
+    Some((square / whole).sqrt()).filter(|share| whole > 0.0 && share.is_finite())
+}

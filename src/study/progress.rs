@@ -1,0 +1,65 @@
+//! How far a long computation is, and whether anybody still wants it.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Shared between the thread that computes and the one that watches.
+///
+/// The counts are for a progress bar only, so no ordering between them is needed.
+#[derive(Debug, Default)]
+pub struct Progress {
+    done: AtomicUsize,
+    total: AtomicUsize,
+    cancelled: AtomicBool,
+}
+
+impl Progress {
+    /// Says how many steps there will be.
+    pub fn expect(&self, total: usize) {
+        self.total.store(total, Ordering::Relaxed);
+    }
+
+    /// One step is done.
+    pub fn step(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// Share of the steps done, 0-1; 0 before their number is known.
+    pub fn share(&self) -> f32 {
+        let total = self.total.load(Ordering::Relaxed);
+        let done = self.done.load(Ordering::Relaxed);
+        if total == 0 {
+            0.0
+        } else {
+            (done as f32 / total as f32).min(1.0)
+        }
+    }
+
+    /// Asks the computation to stop at its next step.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was asked to stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_share_goes_from_nothing_to_all() {
+        let progress = Progress::default();
+        assert_eq!(progress.share(), 0.0);
+        progress.expect(4);
+        progress.step();
+        assert_eq!(progress.share(), 0.25);
+        (0..9).for_each(|_| progress.step());
+        assert_eq!(progress.share(), 1.0);
+        assert!(!progress.is_cancelled());
+        progress.cancel();
+        assert!(progress.is_cancelled());
+    }
+}

@@ -1,0 +1,255 @@
+//! Error against numbers, every order of all eight ways, and what the threshold changes.
+
+use std::sync::Arc;
+
+use super::{
+    judge::{Judge, Measure, Verdict, Yardsticks, scaled_to_one},
+    prepared::{Kit, Prepared},
+    progress::Progress,
+    way::Way,
+};
+use crate::spectrum::{
+    Basis, Spike, SpikeSettings,
+    basis::numbers_of_order,
+    spikes::{LineShape, detect_shapes},
+};
+
+/// The subject of a study on the band of its yardsticks.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// What it is judged by.
+    pub yardsticks: Arc<Yardsticks>,
+    /// The spectrum on the band's grid.
+    pub values: Vec<f64>,
+    /// The light on the grid when the subject is a reflectance; `None` when it is a light.
+    pub under: Option<Vec<f64>>,
+    /// How lines are looked for.
+    pub spikes: SpikeSettings,
+}
+
+/// A subject scaled, judged and taken apart: what all studies of it begin with.
+#[derive(Clone, Debug)]
+pub struct Examined {
+    /// The judge of the scaled spectrum.
+    pub judge: Judge,
+    /// What each line takes out, heaviest first; the same scale.
+    pub shapes: Vec<LineShape>,
+    /// Kits of both bases, in the order of [`Basis::ALL`].
+    pub kits: [Kit; 2],
+}
+
+impl Examined {
+    /// Looks at a subject with up to `numbers` smooth numbers; `None` for an all-zero spectrum.
+    pub fn of(subject: &Subject, numbers: usize) -> Option<Self> {
+        let yardsticks = &subject.yardsticks;
+        let band = yardsticks.band();
+        let values = scaled_to_one(&subject.values)?;
+        let judge = match &subject.under {
+            None => Judge::of_light(yardsticks, &values),
+            Some(light) => {
+                let light = scaled_to_one(light).unwrap_or_else(|| light.clone());
+                Judge::of_factor(yardsticks, &values, &light)
+            }
+        };
+        let (_, shapes) = detect_shapes(band, &values, subject.spikes);
+        let kits = Basis::ALL.map(|basis| Kit::new(band, basis, numbers, judge.seen()));
+        Some(Self {
+            judge,
+            shapes,
+            kits,
+        })
+    }
+
+    /// The kit of a basis.
+    pub fn kit(&self, basis: Basis) -> &Kit {
+        &self.kits[Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)]
+    }
+
+    /// The spectrum in terms of a basis, with these lines.
+    pub fn prepared(&self, basis: Basis, shapes: &[LineShape]) -> Prepared {
+        let kit = self.kit(basis);
+        Prepared::new(kit, self.judge.measured(), shapes, self.judge.seen())
+    }
+
+    fn verdict(&self, prepared: &Prepared, order: usize, lines: &[usize], exact: bool) -> Verdict {
+        let (model, _) = prepared.model(numbers_of_order(order), lines, exact);
+        self.judge.verdict(&prepared.smooth(&model), &model.spikes)
+    }
+}
+
+/// One model of the sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepPoint {
+    /// How it is fitted.
+    pub way: Way,
+    /// Order N.
+    pub order: usize,
+    /// Spikes it has.
+    pub spikes: usize,
+    /// Numbers it takes, `2N + 1 + 2M`.
+    pub numbers: usize,
+    /// What it is off by.
+    pub verdict: Verdict,
+}
+
+/// What the threshold changes, with one basis and fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ThresholdMap {
+    /// Thresholds, percent of the power, rising.
+    pub thresholds_percent: Vec<f64>,
+    /// Spikes found at each threshold.
+    pub spikes: Vec<usize>,
+    /// Highest order; the orders are 0 to this.
+    pub highest_order: usize,
+    /// What each model is off by: all orders of the first threshold, then of the next.
+    pub verdicts: Vec<Verdict>,
+}
+
+impl ThresholdMap {
+    /// The verdict at a threshold's index and an order.
+    pub fn at(&self, threshold: usize, order: usize) -> &Verdict {
+        &self.verdicts[threshold * (self.highest_order + 1) + order]
+    }
+}
+
+/// Error against numbers for one spectrum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    /// All orders of the first way, then of the next.
+    pub points: Vec<SweepPoint>,
+    /// The threshold's effect.
+    pub map: ThresholdMap,
+    /// Spikes at the threshold in force, heaviest first; weights over the spectrum's largest value.
+    pub spikes: Vec<Spike>,
+}
+
+/// Thresholds of the map: the slider's 0.1 to 5 %, even steps of its logarithm.
+pub const MAP_THRESHOLDS: usize = 25;
+
+impl Sweep {
+    /// Sweeps a subject to `highest_order`, with the map for one basis and fit.
+    ///
+    /// `None` when the spectrum is all zero or the study was cancelled.
+    pub fn of(
+        subject: &Subject,
+        highest_order: usize,
+        basis: Basis,
+        colour_exact: bool,
+        progress: &Progress,
+    ) -> Option<Self> {
+        let band = subject.yardsticks.band();
+        let highest_order = highest_order.min(Basis::highest_order(band));
+        progress.expect(Way::ALL.len() + MAP_THRESHOLDS);
+        let examined = Examined::of(subject, numbers_of_order(highest_order))?;
+        let mut points = Vec::with_capacity(Way::ALL.len() * (highest_order + 1));
+        for way in Way::ALL {
+            let shapes = if way.spikes {
+                &examined.shapes[..]
+            } else {
+                &[]
+            };
+            let prepared = examined.prepared(way.basis, shapes);
+            let lines: Vec<usize> = (0..shapes.len()).collect();
+            for order in 0..=highest_order {
+                if progress.is_cancelled() {
+                    return None;
+                }
+                points.push(SweepPoint {
+                    way,
+                    order,
+                    spikes: lines.len(),
+                    numbers: numbers_of_order(order) + 2 * lines.len(),
+                    verdict: examined.verdict(&prepared, order, &lines, way.colour_exact),
+                });
+            }
+            progress.step();
+        }
+        let map = threshold_map(
+            subject,
+            &examined,
+            highest_order,
+            basis,
+            colour_exact,
+            progress,
+        )?;
+        Some(Self {
+            points,
+            map,
+            spikes: examined.shapes.iter().map(|s| s.spike).collect(),
+        })
+    }
+
+    /// The points of one way, by rising order.
+    pub fn of_way(&self, way: Way) -> impl Iterator<Item = &SweepPoint> {
+        self.points.iter().filter(move |p| p.way == way)
+    }
+
+    /// The Pareto front: by rising numbers, every point that is better than all cheaper ones.
+    pub fn front(&self, measure: Measure) -> Vec<&SweepPoint> {
+        let mut by_cost: Vec<(&SweepPoint, f64)> = self
+            .points
+            .iter()
+            .filter_map(|p| Some((p, measure.of(&p.verdict)?)))
+            .collect();
+        by_cost.sort_by(|a, b| a.0.numbers.cmp(&b.0.numbers).then(a.1.total_cmp(&b.1)));
+        let mut best = f64::INFINITY;
+        by_cost.retain(|(_, error)| {
+            let better = *error < best;
+            best = best.min(*error);
+            better
+        });
+        by_cost.into_iter().map(|(point, _)| point).collect()
+    }
+}
+
+fn threshold_map(
+    subject: &Subject,
+    examined: &Examined,
+    highest_order: usize,
+    basis: Basis,
+    colour_exact: bool,
+    progress: &Progress,
+) -> Option<ThresholdMap> {
+    let (lowest, highest) = (0.1_f64, 5.0_f64);
+    let step = (highest / lowest).powf(1.0 / (MAP_THRESHOLDS - 1) as f64);
+    let thresholds_percent: Vec<f64> = (0..MAP_THRESHOLDS)
+        .map(|i| lowest * step.powi(i as i32))
+        .collect();
+    let mut verdicts: Vec<Verdict> = Vec::new();
+    let mut spikes = Vec::new();
+    let mut before: Option<Vec<LineShape>> = None;
+    for threshold in &thresholds_percent {
+        let settings = SpikeSettings {
+            threshold: threshold / 100.0,
+            ..subject.spikes
+        };
+        let (_, shapes) = detect_shapes(
+            subject.yardsticks.band(),
+            examined.judge.measured(),
+            settings,
+        );
+        spikes.push(shapes.len());
+        if before.as_ref() == Some(&shapes) {
+            // The same lines give the same row.
+            let row = verdicts.len() - (highest_order + 1);
+            verdicts.extend_from_within(row..);
+        } else {
+            let prepared = examined.prepared(basis, &shapes);
+            let lines: Vec<usize> = (0..shapes.len()).collect();
+            for order in 0..=highest_order {
+                if progress.is_cancelled() {
+                    return None;
+                }
+                verdicts.push(examined.verdict(&prepared, order, &lines, colour_exact));
+            }
+        }
+        before = Some(shapes);
+        progress.step();
+    }
+    Some(ThresholdMap {
+        thresholds_percent,
+        spikes,
+        highest_order,
+        verdicts,
+    })
+}
