@@ -5,7 +5,9 @@ pub mod error;
 pub mod judge;
 pub mod prepared;
 pub mod progress;
+pub mod race;
 pub mod sweep;
+pub mod training;
 pub mod way;
 
 pub use auction::{Auction, Goal};
@@ -13,5 +15,6 @@ pub use error::Spread;
 pub use judge::{Judge, Measure, Verdict, Yardsticks};
 pub use prepared::{Kit, Prepared};
 pub use progress::Progress;
+pub use race::Race;
 pub use sweep::Sweep;
 pub use way::Way;
