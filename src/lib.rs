@@ -18,6 +18,7 @@ pub mod app;
 pub mod cli;
 pub mod color;
 pub mod io;
+pub mod rivals;
 pub mod spectrum;
 pub mod study;
 pub mod ui;

@@ -78,10 +78,28 @@ fn prints() {
             for (word, goal) in Goal::PLAIN {
                 for lamp in ["FL2", "CIE D65"] {
                     let a = auction(lamp, basis, exact, goal, 41);
-                    println!("== {lamp} {} exact {exact} {word}: {:?}", basis.word(), a.ended);
+                    println!(
+                        "== {lamp} {} exact {exact} {word}: {:?}",
+                        basis.word(),
+                        a.ended
+                    );
                     for s in &a.steps {
-                        let w = |p: &Vec<Purchase>| p.iter().map(|p| match p { Purchase::Order(n) => format!("N{n}"), Purchase::Spike(s) => format!("{:.1}", s.at_nm)}).collect::<Vec<_>>().join("+");
-                        println!("  P {:2} {:.5}  +[{}] -[{}]", s.numbers, s.error, w(&s.bought), w(&s.gave_back));
+                        let w = |p: &Vec<Purchase>| {
+                            p.iter()
+                                .map(|p| match p {
+                                    Purchase::Order(n) => format!("N{n}"),
+                                    Purchase::Spike(s) => format!("{:.1}", s.at_nm),
+                                })
+                                .collect::<Vec<_>>()
+                                .join("+")
+                        };
+                        println!(
+                            "  P {:2} {:.5}  +[{}] -[{}]",
+                            s.numbers,
+                            s.error,
+                            w(&s.bought),
+                            w(&s.gave_back)
+                        );
                     }
                 }
             }

@@ -18,6 +18,7 @@ pub mod scale;
 pub mod settings;
 pub mod spike_hand;
 pub mod state;
+pub mod studies;
 pub mod tables;
 pub mod ticks;
 pub mod workspace;

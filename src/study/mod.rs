@@ -2,12 +2,14 @@
 
 pub mod auction;
 pub mod error;
+pub mod harmonics;
 pub mod judge;
 pub mod prepared;
 pub mod progress;
 pub mod race;
 pub mod sweep;
 pub mod training;
+pub mod truth;
 pub mod way;
 
 pub use auction::{Auction, Goal};

@@ -157,7 +157,7 @@ pub struct Race {
     /// By light, then count, then racer.
     runs: Vec<Run>,
     /// By count, then racer.
-    costs: Vec<Cost>,
+    costs: Vec<Option<Cost>>,
 }
 
 /// One line of the result.
@@ -183,8 +183,8 @@ pub struct Row {
     pub relative_rms_10nm: Option<Spread>,
     /// Share of the lights that dip below -0.1 % of their peak.
     pub negative_lobes: f64,
-    /// What it costs.
-    pub cost: Cost,
+    /// What it costs; nothing of its own for [`Racer::Chosen`].
+    pub cost: Option<Cost>,
 }
 
 /// A dip below zero that counts, as a share of the peak.
@@ -197,8 +197,8 @@ impl Race {
     }
 
     /// What a racer costs at a count, by their places.
-    pub fn cost(&self, budget: usize, racer: usize) -> &Cost {
-        &self.costs[budget * self.racers.len() + racer]
+    pub fn cost(&self, budget: usize, racer: usize) -> Option<Cost> {
+        self.costs[budget * self.racers.len() + racer]
     }
 
     /// The classes in the order of their first light.
@@ -243,7 +243,7 @@ impl Race {
             relative_rms: of(Measure::Rms),
             relative_rms_10nm: of(Measure::RmsBlurred),
             negative_lobes: dips as f64 / runs.len().max(1) as f64,
-            cost: *self.cost(budget, racer),
+            cost: self.cost(budget, racer),
         }
     }
 
@@ -277,7 +277,7 @@ impl Race {
 struct Runner {
     judge: Judge,
     check: Vec<Lab>,
-    principal: Arc<PrincipalBasis>,
+    name: String,
     /// In the order of [`Basis::ALL`].
     prepared: [Prepared; 2],
 }
@@ -400,7 +400,7 @@ impl<'a> Stable<'a> {
             let (_, shapes) = detect_shapes(band, &values, course.spikes);
             runners.push(Runner {
                 check: judge.labs_of(&check, &values, &[]),
-                principal: course.lights.basis_for(&lamp.name, &values).clone(),
+                name: lamp.name.clone(),
                 prepared: std::array::from_fn(|i| {
                     Prepared::new(&kits[i], &values, &shapes, &yardsticks.seen)
                 }),
@@ -497,9 +497,13 @@ impl<'a> Stable<'a> {
 
     fn rival(&self, family: Family, runner: &Runner, numbers: usize) -> Rival {
         let values = runner.judge.measured();
-        let bounds = Bounds::Light;
+        let lights = &self.course.lights;
+        let basis = match family {
+            Family::Principal => lights.basis_for(&runner.name, values, numbers),
+            _ => &self.course.reflectances,
+        };
         self.workshop
-            .fit(family, values, numbers, bounds, &runner.principal)
+            .fit(family, values, numbers, Bounds::Light, basis)
     }
 
     fn rival_reflectance(&self, family: Family, values: &[f64], numbers: usize) -> Rival {
@@ -528,12 +532,12 @@ impl<'a> Stable<'a> {
     }
 
     /// Times one product and one evaluation of the first light and the first patch.
-    fn cost(&self, racer: Racer, numbers: usize) -> Cost {
+    fn cost(&self, racer: Racer, numbers: usize) -> Option<Cost> {
         let runner = &self.runners[0];
         let flat = vec![0.5; runner.judge.measured().len()];
         let reflectance = self.course.patches.first().unwrap_or(&flat);
         match racer {
-            Racer::Chosen => Cost::default(),
+            Racer::Chosen => None,
             Racer::Composite(way) => {
                 let prepared = &runner.prepared[place(way.basis)];
                 let lines: Vec<usize> = if way.spikes {
@@ -548,14 +552,14 @@ impl<'a> Stable<'a> {
                 let product = || {
                     black_box(chain(black_box(&model), black_box(&factor), points));
                 };
-                Cost {
+                Some(Cost {
                     bytes: model.numbers() * size_of::<f64>(),
                     points: points + model.spikes.len(),
                     ns_per_product: nanoseconds(product),
                     ns_per_evaluation: nanoseconds(|| {
                         black_box(model.smooth.at(black_box(546.1)));
                     }),
-                }
+                })
             }
             Racer::Rival(family) => {
                 let light = self.rival(family, runner, numbers);
@@ -565,14 +569,14 @@ impl<'a> Stable<'a> {
                     let both: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a * b).collect();
                     black_box(both);
                 };
-                Cost {
+                Some(Cost {
                     bytes: light.bytes(),
                     points: light.points().len(),
                     ns_per_product: nanoseconds(product),
                     ns_per_evaluation: nanoseconds(|| {
                         black_box(light.at(black_box(546.1)));
                     }),
-                }
+                })
             }
         }
     }

@@ -4,6 +4,10 @@
 //! other four. Tables of the same name, and tables that are all but proportional, are dealt into
 //! one fold, so that a lamp's 5 nm table does not teach its 1 nm table. A spectrum that is in no
 //! fold is fitted with the components of all.
+//!
+//! Components of smooth lights say nothing of line lamps, and those of all together suit nobody.
+//! So every class has tables of its own beside the common ones, and a spectrum is fitted with
+//! those that catch most of it: the rival at its best. Neither tables nor choice are counted.
 
 use std::sync::Arc;
 
@@ -20,25 +24,49 @@ const SAME: f64 = 0.9995;
 pub struct Training {
     band: Band,
     members: Vec<Member>,
+    /// For every class, and for all together, the tables of that class.
+    schools: Vec<School>,
+}
+
+/// What was learned from some of the spectra.
+#[derive(Clone, Debug)]
+struct School {
     /// One basis a fold, trained on the other folds.
     without: Vec<Arc<PrincipalBasis>>,
     all: Arc<PrincipalBasis>,
 }
 
+/// A spectrum that teaches.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Teacher {
+    /// Its name.
+    pub name: String,
+    /// Its class.
+    pub class: String,
+    /// Its values on the band's grid.
+    pub values: Vec<f64>,
+}
+
 #[derive(Clone, Debug)]
 struct Member {
     name: String,
+    class: String,
     unit: Vec<f64>,
     fold: usize,
 }
 
 impl Training {
-    /// Deals named spectra (values on the band's grid) into folds and trains up to `most`
-    /// components for each; all-zero spectra are left out.
-    pub fn new(band: Band, spectra: &[(String, Vec<f64>)], most: usize) -> Self {
+    /// Deals spectra into folds and trains up to `most` components for each; all-zero spectra
+    /// are left out.
+    pub fn new(band: Band, spectra: &[Teacher], most: usize) -> Self {
         let mut members: Vec<Member> = Vec::new();
         let mut next_fold = 0;
-        for (name, values) in spectra {
+        for Teacher {
+            name,
+            class,
+            values,
+        } in spectra
+        {
             let Some(unit) = normalised(band, values) else {
                 continue;
             };
@@ -48,22 +76,35 @@ impl Training {
             });
             members.push(Member {
                 name: name.clone(),
+                class: class.clone(),
                 unit,
                 fold,
             });
         }
-        let trained = |leave: Option<usize>| {
-            let taught: Vec<Vec<f64>> = members
-                .iter()
-                .filter(|m| Some(m.fold) != leave)
-                .map(|m| m.unit.clone())
-                .collect();
-            Arc::new(PrincipalBasis::train(band, &taught, most))
+        let school = |class: Option<&str>| {
+            let trained = |leave: Option<usize>| {
+                let taught: Vec<Vec<f64>> = members
+                    .iter()
+                    .filter(|m| Some(m.fold) != leave && class.is_none_or(|c| c == m.class))
+                    .map(|m| m.unit.clone())
+                    .collect();
+                Arc::new(PrincipalBasis::train(band, &taught, most))
+            };
+            School {
+                without: (0..FOLDS).map(|fold| trained(Some(fold))).collect(),
+                all: trained(None),
+            }
         };
+        let mut classes: Vec<&str> = members.iter().map(|m| m.class.as_str()).collect();
+        classes.sort_unstable();
+        classes.dedup();
+        let mut schools = vec![school(None)];
+        if classes.len() > 1 {
+            schools.extend(classes.into_iter().map(|class| school(Some(class))));
+        }
         Self {
             band,
-            without: (0..FOLDS).map(|fold| trained(Some(fold))).collect(),
-            all: trained(None),
+            schools,
             members,
         }
     }
@@ -73,11 +114,23 @@ impl Training {
         self.members.len()
     }
 
-    /// The components for a spectrum, trained without it and its likes.
-    pub fn basis_for(&self, name: &str, values: &[f64]) -> &Arc<PrincipalBasis> {
-        normalised(self.band, values)
-            .and_then(|unit| fold_of(self.band, &self.members, name, &unit))
-            .map_or(&self.all, |fold| &self.without[fold])
+    /// The `numbers` components that catch most of a spectrum, trained without it and its likes.
+    pub fn basis_for(&self, name: &str, values: &[f64], numbers: usize) -> &Arc<PrincipalBasis> {
+        let Some(unit) = normalised(self.band, values) else {
+            return &self.schools[0].all;
+        };
+        let fold = fold_of(self.band, &self.members, name, &unit);
+        let tables = self
+            .schools
+            .iter()
+            .map(|school| fold.map_or(&school.all, |fold| &school.without[fold]));
+        let caught = |basis: &PrincipalBasis| -> f64 {
+            let rows = basis.rows().iter().take(numbers);
+            rows.map(|row| self.band.inner(row, &unit).powi(2)).sum()
+        };
+        tables
+            .max_by(|a, b| caught(a).total_cmp(&caught(b)))
+            .unwrap_or(&self.schools[0].all)
     }
 }
 
@@ -104,7 +157,7 @@ mod tests {
 
     const BAND: Band = Band::VISIBLE;
 
-    fn bells() -> Vec<(String, Vec<f64>)> {
+    fn bells() -> Vec<Teacher> {
         (0..20)
             .map(|i| {
                 let at = 400.0 + 18.0 * f64::from(i);
@@ -112,7 +165,11 @@ mod tests {
                     .grid()
                     .map(|nm| (-((nm - at) / 25.0).powi(2)).exp())
                     .collect();
-                (format!("bell {i}"), values)
+                Teacher {
+                    name: format!("bell {i}"),
+                    class: "bells".to_owned(),
+                    values,
+                }
             })
             .collect()
     }
@@ -131,21 +188,55 @@ mod tests {
     fn no_spectrum_teaches_itself_its_double_or_its_namesake() {
         let mut spectra = bells();
         let training = Training::new(BAND, &spectra, 41);
-        let (name, values) = spectra[7].clone();
-        let basis = training.basis_for(&name, &values);
+        let Teacher {
+            name,
+            class,
+            values,
+        } = spectra[7].clone();
+        let basis = training.basis_for(&name, &values, 41);
         assert!(error(basis, &values) > 1e-6, "it was left out");
-        assert!(error(&training.all, &values) < 1e-9, "all have seen it");
+        assert!(
+            error(&training.schools[0].all, &values) < 1e-9,
+            "all have seen it"
+        );
         let double: Vec<f64> = values.iter().map(|v| 3.0 * v).collect();
-        assert!(Arc::ptr_eq(basis, training.basis_for("a file", &double)));
         assert!(Arc::ptr_eq(
             basis,
-            training.basis_for("Bell 7", &spectra[3].1)
+            training.basis_for("a file", &double, 41)
+        ));
+        assert!(Arc::ptr_eq(
+            basis,
+            training.basis_for("Bell 7", &spectra[3].values, 41)
         ));
         // The double joins the fold of the first.
-        spectra.push(("double".to_owned(), double.clone()));
+        spectra.push(Teacher {
+            name: "double".to_owned(),
+            class,
+            values: double,
+        });
         let again = Training::new(BAND, &spectra, 41);
         assert_eq!(again.spectra(), 21);
-        assert!(error(again.basis_for(&name, &values), &values) > 1e-6);
+        assert!(error(again.basis_for(&name, &values, 41), &values) > 1e-6);
+    }
+
+    #[test]
+    fn a_spectrum_is_taught_by_the_class_that_knows_it_best() {
+        let mut spectra = bells();
+        spectra.extend((0..20).map(|i| {
+            Teacher {
+                name: format!("wave {i}"),
+                class: "waves".to_owned(),
+                values: BAND
+                    .grid()
+                    .map(|nm| 1.0 + ((nm - 380.0) * f64::from(i) / 130.0).cos())
+                    .collect(),
+            }
+        }));
+        let training = Training::new(BAND, &spectra, 41);
+        let wave: Vec<f64> = BAND.grid().map(|nm| 2.0 + (nm / 100.0).cos()).collect();
+        let chosen = training.basis_for("unheard of", &wave, 6);
+        let waves = &training.schools[2].all;
+        assert!(Arc::ptr_eq(chosen, waves));
     }
 
     #[test]
@@ -153,13 +244,13 @@ mod tests {
         let training = Training::new(BAND, &bells(), 41);
         let ramp: Vec<f64> = BAND.grid().collect();
         assert!(Arc::ptr_eq(
-            &training.all,
-            training.basis_for("ramp", &ramp)
+            &training.schools[0].all,
+            training.basis_for("ramp", &ramp, 41)
         ));
         let dark = vec![0.0; BAND.points()];
         assert!(Arc::ptr_eq(
-            &training.all,
-            training.basis_for("dark", &dark)
+            &training.schools[0].all,
+            training.basis_for("dark", &dark, 41)
         ));
     }
 }

@@ -1,0 +1,82 @@
+//! What a study is about: the part of a document that its result depends on.
+
+use std::sync::Arc;
+
+use crate::{
+    app::{document::Document, entry::Entry, library::Library},
+    color::{Observer, patches::PatchSet},
+    spectrum::{Band, SpikeSettings},
+    study::{Yardsticks, sweep::Subject},
+};
+
+/// A spectrum that is the same only as itself: comparing all numbers of a large file at every
+/// frame would cost more than the frame.
+#[derive(Clone, Debug)]
+pub struct Same(pub Arc<Entry>);
+
+impl PartialEq for Same {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// The subject of a study and what it is judged by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct About {
+    /// The spectrum.
+    pub subject: Same,
+    /// The light it is seen under; `None` when it is a light itself.
+    pub under: Option<Same>,
+    /// The model's range.
+    pub band: Band,
+    /// Whose colour-matching functions.
+    pub observer: Observer,
+    /// The group whose reflectances are the patches.
+    pub patch_set: String,
+    /// How lines are looked for.
+    pub spikes: SpikeSettings,
+}
+
+impl About {
+    /// What a document's studies are about.
+    pub fn of(document: &Document) -> Self {
+        let settings = document.settings;
+        Self {
+            subject: Same(document.subject_entry().clone()),
+            under: (!document.is_about_light()).then(|| Same(document.light.clone())),
+            band: settings.band,
+            observer: settings.observer,
+            patch_set: document.patch_set.clone(),
+            spikes: settings.spike_settings(),
+        }
+    }
+
+    /// The subject on the grid with its yardsticks.
+    pub fn subject(&self) -> Subject {
+        Subject {
+            yardsticks: yardsticks(&self.patch_set, self.band, self.observer),
+            values: self.subject.0.on_band(self.band),
+            under: self.under.as_ref().map(|light| light.0.on_band(self.band)),
+            spikes: self.spikes,
+        }
+    }
+}
+
+/// Names and reflectances of a shipped group on a band's grid.
+pub fn reflectances(group: &str, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
+    let items = Library::bundled().group(group).map(|g| &g.items[..]);
+    items
+        .unwrap_or_default()
+        .iter()
+        .filter_map(|p| p.spectrum())
+        .filter(|s| s.kind.is_factor())
+        .map(|s| (s.name.clone(), s.samples.on_band(band, s.kind.outside())))
+        .unzip()
+}
+
+/// Yardsticks with a shipped group as the patches.
+pub fn yardsticks(group: &str, band: Band, observer: Observer) -> Arc<Yardsticks> {
+    let (names, reflectances) = reflectances(group, band);
+    let patches = PatchSet::new(&reflectances, names, band, observer);
+    Arc::new(Yardsticks::new(patches))
+}

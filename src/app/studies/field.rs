@@ -1,0 +1,184 @@
+//! Who and what a race is run on.
+
+use std::sync::Arc;
+
+use super::about::{Same, reflectances, yardsticks};
+use crate::{
+    app::{
+        document::Document,
+        library::{Library, Preset},
+    },
+    color::Observer,
+    io::preset::Shelf,
+    rivals::PrincipalBasis,
+    spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
+    study::{
+        judge::scaled_to_one,
+        race::{Course, Lamp},
+        training::{Teacher, Training},
+    },
+};
+
+/// The group that judges what was chosen on the patches.
+pub const CHECK_SET: &str = "tm30_ces99_5nm";
+
+/// The lights that race.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Field {
+    /// One light.
+    One(Same),
+    /// Every shipped light.
+    Shipped,
+    /// The shipped lights of one heading.
+    Shelf(Shelf),
+    /// The shipped lights of one file.
+    Group(String),
+    /// Any lights, such as the user's own.
+    These(Vec<Same>),
+}
+
+/// What a race is about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RaceAsk {
+    /// The lights.
+    pub field: Field,
+    /// The model's range.
+    pub band: Band,
+    /// Whose colour-matching functions.
+    pub observer: Observer,
+    /// The group whose reflectances choose.
+    pub patch_set: String,
+    /// How lines are looked for.
+    pub spikes: SpikeSettings,
+    /// Counts of numbers, rising.
+    pub budgets: Vec<usize>,
+}
+
+impl RaceAsk {
+    /// A race of these lights under a document's settings.
+    pub fn of(document: &Document, field: Field, budgets: Vec<usize>) -> Self {
+        let settings = document.settings;
+        Self {
+            field,
+            band: settings.band,
+            observer: settings.observer,
+            patch_set: document.patch_set.clone(),
+            spikes: settings.spike_settings(),
+            budgets,
+        }
+    }
+
+    /// The lights on the grid.
+    pub fn lamps(&self) -> Vec<Lamp> {
+        let band = self.band;
+        let lamp = |spectrum: &NamedSpectrum, class: &str| Lamp {
+            name: spectrum.name.clone(),
+            class: class.to_owned(),
+            values: spectrum.samples.on_band(band, spectrum.kind.outside()),
+        };
+        let shipped = |wanted: &dyn Fn(&Preset) -> bool| -> Vec<Lamp> {
+            shipped_lights()
+                .filter(|(preset, _)| wanted(preset))
+                .map(|(preset, spectrum)| lamp(spectrum, class_of(preset)))
+                .collect()
+        };
+        match &self.field {
+            Field::Shipped => shipped(&|_| true),
+            Field::Shelf(shelf) => shipped(&|preset| preset.shelf == *shelf),
+            Field::Group(group) => shipped(&|preset| preset.group == *group),
+            Field::One(entry) => vec![lamp(&entry.0.spectrum, ONE)],
+            Field::These(entries) => entries
+                .iter()
+                .map(|entry| lamp(&entry.0.spectrum, OWN))
+                .collect(),
+        }
+    }
+
+    /// Everything else that the race is run on.
+    pub fn course(&self) -> Course {
+        let band = self.band;
+        let most = self.budgets.iter().copied().max().unwrap_or(1);
+        let (_, patches) = reflectances(&self.patch_set, band);
+        let (_, check) = reflectances(CHECK_SET, band);
+        let lights: Vec<Teacher> = shipped_lights()
+            .map(|(preset, s)| Teacher {
+                name: s.name.clone(),
+                class: class_of(preset).to_owned(),
+                values: s.samples.on_band(band, s.kind.outside()),
+            })
+            .collect();
+        Course {
+            yardsticks: yardsticks(&self.patch_set, band, self.observer),
+            lights: Arc::new(Training::new(band, &lights, most)),
+            reflectances: Arc::new(taught_reflectances(
+                band,
+                &[&self.patch_set, CHECK_SET],
+                &[&patches, &check],
+                most,
+            )),
+            patches,
+            check,
+            spikes: self.spikes,
+            budgets: self.budgets.clone(),
+        }
+    }
+}
+
+/// The class of a light that races alone.
+pub const ONE: &str = "this light";
+
+/// The class of lights that are not shipped.
+pub const OWN: &str = "own";
+
+/// Every shipped table of a light.
+fn shipped_lights() -> impl Iterator<Item = (&'static Preset, &'static NamedSpectrum)> {
+    Library::bundled()
+        .presets()
+        .filter_map(|preset| Some((preset, preset.spectrum()?)))
+        .filter(|(_, spectrum)| spectrum.kind == Kind::Light)
+}
+
+/// The class a shipped light is counted in: smooth, LED, fluorescent or discharge.
+fn class_of(preset: &Preset) -> &'static str {
+    match preset.shelf {
+        Shelf::Standard | Shelf::Sun => "smooth",
+        Shelf::Led => "LED",
+        Shelf::Fluorescent => "fluorescent",
+        Shelf::Discharge => "discharge",
+        Shelf::Paper | Shelf::Lines | Shelf::Reflectances | Shelf::Filters | Shelf::Observers => {
+            "other"
+        }
+    }
+}
+
+/// Reflectances whose normalised inner product exceeds this are the same surface.
+const SAME: f64 = 0.9999;
+
+/// Components of all shipped reflectances but those that judge, and none that is all but one of
+/// them.
+fn taught_reflectances(
+    band: Band,
+    groups: &[&str],
+    judges: &[&Vec<Vec<f64>>],
+    most: usize,
+) -> PrincipalBasis {
+    let unit = |values: &[f64]| -> Option<Vec<f64>> {
+        let scaled = scaled_to_one(values)?;
+        let norm = band.inner(&scaled, &scaled).sqrt();
+        Some(scaled.iter().map(|v| v / norm).collect())
+    };
+    let judging: Vec<Vec<f64>> = judges
+        .iter()
+        .flat_map(|set| set.iter())
+        .filter_map(|r| unit(r))
+        .collect();
+    let taught: Vec<Vec<f64>> = Library::bundled()
+        .presets()
+        .filter(|preset| !groups.contains(&preset.group.as_str()))
+        .filter_map(|preset| preset.spectrum())
+        .filter(|spectrum| spectrum.kind == Kind::Reflectance)
+        .filter_map(|s| unit(&s.samples.on_band(band, s.kind.outside())))
+        .filter(|r| !judging.iter().any(|judge| band.inner(judge, r) > SAME))
+        .collect();
+    PrincipalBasis::train(band, &taught, most)
+}

@@ -1,0 +1,258 @@
+//! A long computation on a thread of its own, keyed by what was asked.
+
+use std::{sync::Arc, thread::JoinHandle};
+
+use crate::study::Progress;
+
+/// Called from the worker's thread when there is something new to draw.
+pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// Where a computation stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// Nothing was asked yet.
+    Idle,
+    /// Under way: the share that is done, 0-1.
+    Running(f32),
+    /// The result is what was asked last.
+    Done,
+    /// The last one was cancelled; an older result may be there.
+    Cancelled,
+    /// There is no answer to what was asked last.
+    Impossible,
+}
+
+/// One kind of computation: the last good result stays while the next is computed.
+pub struct Job<K, T> {
+    asked: Option<K>,
+    running: Option<Running<K, T>>,
+    result: Option<(K, Arc<T>)>,
+    stage: Stage,
+}
+
+struct Running<K, T> {
+    key: K,
+    progress: Arc<Progress>,
+    thread: JoinHandle<Option<T>>,
+}
+
+impl<K, T> Default for Job<K, T> {
+    fn default() -> Self {
+        Self {
+            asked: None,
+            running: None,
+            result: None,
+            stage: Stage::Idle,
+        }
+    }
+}
+
+impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
+    /// Asks for a result; does nothing when it was asked already. What is still computed for
+    /// another key is told to stop, and the new computation starts once it has.
+    pub fn ask<F>(&mut self, key: &K, wake: &Wake, work: impl FnOnce() -> F)
+    where
+        F: FnOnce(&Progress) -> Option<T> + Send + 'static,
+    {
+        self.take_in();
+        if let Some(running) = &self.running {
+            if running.key != *key {
+                running.progress.cancel();
+            }
+            return;
+        }
+        if self.asked.as_ref() == Some(key) {
+            return;
+        }
+        self.asked = Some(key.clone());
+        if self.result.as_ref().is_some_and(|(known, _)| known == key) {
+            self.stage = Stage::Done;
+            return;
+        }
+        self.stage = Stage::Running(0.0);
+        let progress = Arc::new(Progress::default());
+        let (work, watched, wake) = (work(), progress.clone(), wake.clone());
+        let thread = std::thread::spawn(move || {
+            let found = work(&watched);
+            wake();
+            found
+        });
+        self.running = Some(Running {
+            key: key.clone(),
+            progress,
+            thread,
+        });
+    }
+
+    /// Takes in what is finished.
+    pub fn take_in(&mut self) {
+        if self
+            .running
+            .as_ref()
+            .is_some_and(|r| r.thread.is_finished())
+        {
+            self.join();
+        } else if let Some(running) = &self.running {
+            self.stage = Stage::Running(running.progress.share());
+        }
+    }
+
+    /// Waits for what is being computed.
+    pub fn finish(&mut self) {
+        self.join();
+    }
+
+    fn join(&mut self) {
+        let Some(running) = self.running.take() else {
+            return;
+        };
+        let cancelled = running.progress.is_cancelled();
+        // A computation that panicked has no answer; the panic itself was printed.
+        match running.thread.join().ok().flatten() {
+            Some(found) => {
+                self.result = Some((running.key, Arc::new(found)));
+                self.stage = Stage::Done;
+            }
+            None if cancelled => self.stage = Stage::Cancelled,
+            None => self.stage = Stage::Impossible,
+        }
+    }
+
+    /// Stops the computation; the last good result stays.
+    pub fn cancel(&mut self) {
+        if let Some(running) = &self.running {
+            running.progress.cancel();
+        }
+    }
+
+    /// Asks again for what was cancelled.
+    pub fn retry(&mut self) {
+        if self.running.is_none() {
+            self.asked = None;
+        }
+    }
+
+    /// The last good result.
+    pub fn result(&self) -> Option<&Arc<T>> {
+        self.result.as_ref().map(|(_, result)| result)
+    }
+
+    /// The last good result with what it answers.
+    pub fn answer(&self) -> Option<(&K, &Arc<T>)> {
+        self.result.as_ref().map(|(key, result)| (key, result))
+    }
+
+    /// The result for a key, if it is the last good one.
+    pub fn result_for(&self, key: &K) -> Option<&Arc<T>> {
+        self.answer()
+            .filter(|(known, _)| *known == key)
+            .map(|(_, result)| result)
+    }
+
+    /// Where the computation stands.
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    /// Whether something is being computed.
+    pub fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+}
+
+impl<K, T> Drop for Job<K, T> {
+    /// Tells the worker to stop; it ends on its own.
+    fn drop(&mut self) {
+        if let Some(running) = &self.running {
+            running.progress.cancel();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{
+        sync::atomic::{AtomicUsize, Ordering},
+        sync::mpsc::channel,
+    };
+
+    use super::*;
+
+    fn asleep() -> Wake {
+        Arc::new(|| {})
+    }
+
+    #[test]
+    fn a_question_is_answered_once_however_often_it_is_asked() {
+        let (mut job, count) = (Job::default(), Arc::new(AtomicUsize::new(0)));
+        for _ in 0..3 {
+            let count = count.clone();
+            job.ask(&7, &asleep(), || {
+                move |_: &Progress| {
+                    count.fetch_add(1, Ordering::SeqCst);
+                    Some(49)
+                }
+            });
+            job.finish();
+        }
+        assert_eq!(count.load(Ordering::SeqCst), 1);
+        assert_eq!(job.result_for(&7).map(|r| **r), Some(49));
+        assert_eq!(job.stage(), Stage::Done);
+    }
+
+    #[test]
+    fn the_old_result_stays_while_the_next_is_computed_and_when_it_is_cancelled() {
+        let mut job = Job::default();
+        job.ask(&1, &asleep(), || |_: &Progress| Some("one"));
+        job.finish();
+        let (go, wait) = channel::<()>();
+        job.ask(&2, &asleep(), || {
+            move |progress: &Progress| {
+                let _ = wait.recv();
+                (!progress.is_cancelled()).then_some("two")
+            }
+        });
+        assert!(job.is_running());
+        assert_eq!(job.result().map(|r| **r), Some("one"));
+        assert_eq!(job.result_for(&2), None);
+        job.cancel();
+        go.send(()).expect("the worker waits");
+        job.finish();
+        assert_eq!(job.stage(), Stage::Cancelled);
+        assert_eq!(job.result().map(|r| **r), Some("one"));
+        // The same question is not asked again by itself.
+        job.ask(&2, &asleep(), || |_: &Progress| Some("two"));
+        assert!(!job.is_running());
+        job.retry();
+        job.ask(&2, &asleep(), || |_: &Progress| Some("two"));
+        job.finish();
+        assert_eq!(job.result_for(&2).map(|r| **r), Some("two"));
+    }
+
+    #[test]
+    fn another_question_stops_the_one_before() {
+        let mut job: Job<u8, u8> = Job::default();
+        let (go, wait) = channel::<()>();
+        job.ask(&1, &asleep(), || {
+            move |progress: &Progress| {
+                let _ = wait.recv();
+                (!progress.is_cancelled()).then_some(1)
+            }
+        });
+        job.ask(&2, &asleep(), || |_: &Progress| Some(2));
+        go.send(()).expect("the worker waits");
+        job.finish();
+        assert_eq!(job.result(), None);
+        job.ask(&2, &asleep(), || |_: &Progress| Some(2));
+        job.finish();
+        assert_eq!(job.result_for(&2).map(|r| **r), Some(2));
+    }
+
+    #[test]
+    fn no_answer_is_an_answer() {
+        let mut job: Job<u8, u8> = Job::default();
+        job.ask(&1, &asleep(), || |_: &Progress| None);
+        job.finish();
+        assert_eq!(job.stage(), Stage::Impossible);
+    }
+}

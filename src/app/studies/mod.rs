@@ -1,0 +1,134 @@
+//! Long computations about the document: sweep, auction and race, each a job with progress,
+//! cancel, and a result that stays while the next is computed.
+
+pub mod about;
+pub mod field;
+pub mod job;
+
+pub use about::{About, Same};
+pub use field::{Field, RaceAsk};
+pub use job::{Job, Stage, Wake};
+
+use super::{document::Document, tables::CURVE_ORDER};
+use crate::{
+    spectrum::Basis,
+    study::{
+        Auction, Progress, Race, Sweep,
+        auction::{self, Terms},
+        race,
+    },
+};
+
+/// What a sweep is about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepAsk {
+    /// The spectrum and its yardsticks.
+    pub about: About,
+    /// Basis of the threshold map.
+    pub basis: Basis,
+    /// Fit of the threshold map.
+    pub colour_exact: bool,
+    /// Highest order.
+    pub highest_order: usize,
+}
+
+impl SweepAsk {
+    /// The sweep of a document: to the order curve's end, or to the order in force beyond it.
+    pub fn of(document: &Document) -> Self {
+        let settings = document.settings;
+        Self {
+            about: About::of(document),
+            basis: settings.basis,
+            colour_exact: settings.colour_exact,
+            highest_order: CURVE_ORDER.max(settings.effective_order()),
+        }
+    }
+
+    /// The answer; `None` when there is none or it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Sweep> {
+        Sweep::of(
+            &self.about.subject(),
+            self.highest_order,
+            self.basis,
+            self.colour_exact,
+            progress,
+        )
+    }
+}
+
+/// What an auction is about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AuctionAsk {
+    /// The spectrum and its yardsticks.
+    pub about: About,
+    /// Basis, fit, goal and budget.
+    pub terms: Terms,
+}
+
+impl AuctionAsk {
+    /// The answer; `None` when there is none or it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Auction> {
+        auction::hold(&self.about.subject(), self.terms, progress)
+    }
+}
+
+impl RaceAsk {
+    /// The answer; `None` when no light shines or it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Race> {
+        race::run(&self.course(), &self.lamps(), progress)
+    }
+}
+
+/// All jobs of a window.
+#[derive(Default)]
+pub struct Studies {
+    /// Error against numbers.
+    pub sweep: Job<SweepAsk, Sweep>,
+    /// The auction's page.
+    pub auction: Job<AuctionAsk, Auction>,
+    /// "Spend P numbers for me" of the main page.
+    pub spend: Job<AuctionAsk, Auction>,
+    /// The race.
+    pub race: Job<RaceAsk, Race>,
+}
+
+impl Studies {
+    /// Takes in what is finished.
+    pub fn take_in(&mut self) {
+        let Self {
+            sweep,
+            auction,
+            spend,
+            race,
+        } = self;
+        sweep.take_in();
+        auction.take_in();
+        spend.take_in();
+        race.take_in();
+    }
+
+    /// Whether anything is being computed.
+    pub fn is_running(&self) -> bool {
+        let Self {
+            sweep,
+            auction,
+            spend,
+            race,
+        } = self;
+        sweep.is_running() || auction.is_running() || spend.is_running() || race.is_running()
+    }
+
+    /// Waits for everything.
+    pub fn finish(&mut self) {
+        let Self {
+            sweep,
+            auction,
+            spend,
+            race,
+        } = self;
+        sweep.finish();
+        auction.finish();
+        spend.finish();
+        race.finish();
+    }
+}

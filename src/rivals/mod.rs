@@ -1,0 +1,488 @@
+//! The representations that the composite model is raced against, at an equal count of numbers.
+//!
+//! ```text
+//! samples    equally spaced points, straight lines between them
+//! bins       averages over equal boxes
+//! legendre   least-squares polynomial
+//! principal  projection on the principal components of a training set (needs its table)
+//! moments    trigonometric moments, maximum-entropy reconstruction
+//! wavelet    the largest coefficients of a CDF 9/7 transform, place and value each
+//! ```
+//!
+//! Each is fitted to values on the 1 nm grid of a [`Band`] and is asked the same few things:
+//! `at` a wavelength, `on_band`, `integrate` with a weight, and its `points`, where a product of
+//! two spectra is one multiplication a point.
+
+mod bins;
+mod bounded_moments;
+#[cfg(test)]
+mod example_spectra;
+mod legendre;
+mod levinson;
+mod moments;
+mod principal;
+mod samples;
+mod wavelet;
+mod workshop;
+
+pub use bins::Bins;
+pub use legendre::Legendre;
+pub use moments::Moments;
+pub use principal::{Principal, PrincipalBasis};
+pub use samples::Samples;
+pub use wavelet::Wavelet;
+pub use workshop::Workshop;
+
+use crate::spectrum::{Band, Kind};
+
+/// Which representation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Family {
+    /// Equally spaced samples, straight lines between them.
+    Samples,
+    /// Averages over equal boxes.
+    Bins,
+    /// Least-squares polynomial.
+    Legendre,
+    /// Projection on the principal components of a training set.
+    Principal,
+    /// Trigonometric moments, read by maximum entropy.
+    Moments,
+    /// The largest wavelet coefficients.
+    Wavelet,
+}
+
+impl Family {
+    /// Every family, in the order in which tables list them.
+    pub const ALL: [Self; 6] = [
+        Self::Samples,
+        Self::Bins,
+        Self::Legendre,
+        Self::Principal,
+        Self::Moments,
+        Self::Wavelet,
+    ];
+
+    /// The word used in files and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Samples => "samples",
+            Self::Bins => "bins",
+            Self::Legendre => "legendre",
+            Self::Principal => "principal",
+            Self::Moments => "moments",
+            Self::Wavelet => "wavelet",
+        }
+    }
+
+    /// The family of that word.
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|family| family.word() == word)
+    }
+
+    /// The name that people read.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Samples => "Point samples, linear",
+            Self::Bins => "Box bins",
+            Self::Legendre => "Legendre polynomial",
+            Self::Principal => "Principal components",
+            Self::Moments => "Maximum-entropy moments",
+            Self::Wavelet => "Wavelet, largest coefficients",
+        }
+    }
+
+    /// Whether a fit with fewer numbers is a prefix of one with more (the paper's criterion 5,
+    /// flexibility: one fit, truncated at will).
+    pub fn is_prefix(self) -> bool {
+        match self {
+            Self::Samples | Self::Bins => false,
+            Self::Legendre | Self::Principal | Self::Moments | Self::Wavelet => true,
+        }
+    }
+
+    /// Whether the numbers mean nothing without a table that is not counted among them.
+    pub fn needs_table(self) -> bool {
+        self == Self::Principal
+    }
+
+    /// Fewest numbers that a fit takes.
+    pub fn least_numbers(self) -> usize {
+        match self {
+            Self::Samples | Self::Bins | Self::Legendre | Self::Principal | Self::Moments => 1,
+            // One coefficient: its place and its value.
+            Self::Wavelet => 2,
+        }
+    }
+}
+
+/// What the values of a spectrum cannot exceed; only the moments use it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Bounds {
+    /// Bounded by 0 only.
+    Light,
+    /// Bounded by 0 and 1: a reflectance or a transmittance.
+    Reflectance,
+}
+
+impl From<Kind> for Bounds {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Reflectance | Kind::Transmittance => Self::Reflectance,
+            Kind::Light | Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => {
+                Self::Light
+            }
+        }
+    }
+}
+
+/// The few verbs that every representation has.
+pub trait Representation {
+    /// The band that was fitted.
+    fn band(&self) -> Band;
+
+    /// The stored numbers, in order; values are in the spectrum's own unit.
+    fn stored(&self) -> Vec<f64>;
+
+    /// Value at a wavelength inside the band.
+    fn inside(&self, at_nm: f64) -> f64;
+
+    /// Values on the band's 1 nm grid.
+    fn on_band(&self) -> Vec<f64>;
+
+    /// Where [`Representation::points`] stand, nm, rising.
+    fn places_nm(&self) -> Vec<f64>;
+
+    /// Values where a product of two spectra is formed, from the stored numbers.
+    fn points(&self) -> Vec<f64>;
+}
+
+/// One fitted representation.
+#[derive(Clone, Debug)]
+pub enum Rival {
+    /// Equally spaced samples, straight lines between them.
+    Samples(Samples),
+    /// Averages over equal boxes.
+    Bins(Bins),
+    /// Least-squares polynomial.
+    Legendre(Legendre),
+    /// Projection on the principal components of a training set.
+    Principal(Principal),
+    /// Trigonometric moments, read by maximum entropy.
+    Moments(Moments),
+    /// The largest wavelet coefficients.
+    Wavelet(Wavelet),
+}
+
+impl Rival {
+    /// Which representation it is.
+    pub fn family(&self) -> Family {
+        match self {
+            Self::Samples(_) => Family::Samples,
+            Self::Bins(_) => Family::Bins,
+            Self::Legendre(_) => Family::Legendre,
+            Self::Principal(_) => Family::Principal,
+            Self::Moments(_) => Family::Moments,
+            Self::Wavelet(_) => Family::Wavelet,
+        }
+    }
+
+    /// The band that was fitted.
+    pub fn band(&self) -> Band {
+        self.representation().band()
+    }
+
+    /// The stored numbers, in order (wavelet: place, value, place, value, ...).
+    pub fn stored(&self) -> Vec<f64> {
+        self.representation().stored()
+    }
+
+    /// How many numbers it takes; two for each wavelet coefficient kept.
+    pub fn numbers(&self) -> usize {
+        self.stored().len()
+    }
+
+    /// What the numbers take in memory: 8 bytes each, but 2 for a wavelet's place.
+    ///
+    /// Not counted are the band, tables shared by all fits (principal components), and what is
+    /// only worked out from the numbers once (the polynomial of the moments).
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Wavelet(wavelet) => wavelet.kept().len() * (size_of::<u16>() + size_of::<f64>()),
+            _ => self.numbers() * size_of::<f64>(),
+        }
+    }
+
+    /// Value at a wavelength; zero outside the band.
+    pub fn at(&self, at_nm: f64) -> f64 {
+        if self.band().contains(at_nm) {
+            self.representation().inside(at_nm)
+        } else {
+            0.0
+        }
+    }
+
+    /// Values on the band's 1 nm grid.
+    ///
+    /// They are [`Rival::at`] the grid points, except for bins, which give the average over the
+    /// nm around each grid point so that no energy is lost on the grid.
+    pub fn on_band(&self) -> Vec<f64> {
+        self.representation().on_band()
+    }
+
+    /// Integral of the spectrum times a weight over the band by the 1 nm trapezoid rule, in
+    /// value x nm.
+    pub fn integrate(&self, weight: impl Fn(f64) -> f64) -> f64 {
+        let band = self.band();
+        self.on_band()
+            .iter()
+            .enumerate()
+            .map(|(i, v)| band.weight(i) * v * weight(band.nm(i)))
+            .sum()
+    }
+
+    /// Values where this representation multiplies two spectra, from its stored numbers.
+    ///
+    /// Samples and bins multiply themselves, polynomial and moments on the midpoints of twice as
+    /// many intervals as they have numbers, principal components and wavelets on the 1 nm grid.
+    pub fn points(&self) -> Vec<f64> {
+        self.representation().points()
+    }
+
+    /// Where the [`Rival::points`] stand, nm; for bins the middle of each box.
+    pub fn places_nm(&self) -> Vec<f64> {
+        self.representation().places_nm()
+    }
+
+    fn representation(&self) -> &dyn Representation {
+        match self {
+            Self::Samples(samples) => samples,
+            Self::Bins(bins) => bins,
+            Self::Legendre(legendre) => legendre,
+            Self::Principal(principal) => principal,
+            Self::Moments(moments) => moments,
+            Self::Wavelet(wavelet) => wavelet,
+        }
+    }
+}
+
+/// Middles of `count` equal intervals of a band, nm.
+fn midpoints_nm(band: Band, count: usize) -> Vec<f64> {
+    let step_nm = band.length_nm() / count as f64;
+    (0..count)
+        .map(|i| band.min_nm() + (i as f64 + 0.5) * step_nm)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use example_spectra::{fluorescent, leaf, thermal};
+
+    /// A basis of a few thermal and line spectra, enough rows for the counts used here.
+    fn trained(band: Band) -> Arc<PrincipalBasis> {
+        let spectra: Vec<Vec<f64>> = (0..40)
+            .map(|i| {
+                let line = fluorescent(band).into_iter().enumerate();
+                line.map(|(k, v)| v + (0.003 * f64::from(i) * k as f64).sin())
+                    .collect()
+            })
+            .collect();
+        Arc::new(PrincipalBasis::train(band, &spectra, 31))
+    }
+
+    fn every_rival(band: Band, values: &[f64], numbers: usize, bounds: Bounds) -> Vec<Rival> {
+        let (workshop, basis) = (Workshop::new(band, numbers), trained(band));
+        Family::ALL
+            .into_iter()
+            .map(|family| workshop.fit(family, values, numbers, bounds, &basis))
+            .collect()
+    }
+
+    #[test]
+    fn a_family_is_found_by_its_word() {
+        for family in Family::ALL {
+            assert_eq!(Family::from_word(family.word()), Some(family));
+        }
+        assert_eq!(Family::from_word("fourier"), None);
+    }
+
+    #[test]
+    fn what_is_fitted_says_which_family_and_band_it_is() {
+        let values = thermal(Band::PAPER, 5000.0);
+        let rivals = every_rival(Band::PAPER, &values, 11, Bounds::Light);
+        for (rival, family) in rivals.iter().zip(Family::ALL) {
+            assert_eq!(rival.family(), family);
+            assert_eq!(rival.band(), Band::PAPER);
+        }
+    }
+
+    #[test]
+    fn a_fit_takes_the_numbers_it_was_given() {
+        let values = fluorescent(Band::VISIBLE);
+        for rival in every_rival(Band::VISIBLE, &values, 11, Bounds::Light) {
+            let (numbers, bytes) = match rival.family() {
+                Family::Wavelet => (10, 50),
+                _ => (11, 88),
+            };
+            assert_eq!((rival.numbers(), rival.bytes()), (numbers, bytes));
+        }
+    }
+
+    #[test]
+    fn a_count_that_cannot_be_had_is_brought_to_the_nearest_that_can() {
+        let values = fluorescent(Band::VISIBLE);
+        for rival in every_rival(Band::VISIBLE, &values, 0, Bounds::Light) {
+            assert_eq!(rival.numbers(), rival.family().least_numbers());
+        }
+        for rival in every_rival(Band::VISIBLE, &values, 5000, Bounds::Light) {
+            assert!(rival.numbers() <= 2 * Band::VISIBLE.points());
+        }
+    }
+
+    #[test]
+    fn fewer_numbers_are_a_prefix_of_more_exactly_where_a_family_says_so() {
+        let band = Band::VISIBLE;
+        let (workshop, basis) = (Workshop::new(band, 31), trained(band));
+        let values = fluorescent(band);
+        for family in Family::ALL {
+            let fit = |numbers| workshop.fit(family, &values, numbers, Bounds::Light, &basis);
+            let most = fit(31).stored();
+            let prefix = (2..31).all(|numbers| {
+                let fewer = fit(numbers).stored();
+                most[..fewer.len()] == fewer
+            });
+            assert_eq!(prefix, family.is_prefix(), "{}", family.word());
+        }
+    }
+
+    #[test]
+    fn a_family_needs_a_table_exactly_when_another_table_changes_what_is_stored() {
+        let band = Band::VISIBLE;
+        let workshop = Workshop::new(band, 11);
+        let other = Arc::new(PrincipalBasis::train(band, &[leaf(band)], 11));
+        let values = fluorescent(band);
+        for family in Family::ALL {
+            let stored = |basis| {
+                let rival = workshop.fit(family, &values, 11, Bounds::Light, basis);
+                rival.stored()
+            };
+            let differs = stored(&trained(band)) != stored(&other);
+            assert_eq!(differs, family.needs_table(), "{}", family.word());
+        }
+    }
+
+    #[test]
+    fn a_light_k_times_as_strong_has_a_fit_k_times_as_strong() {
+        let band = Band::VISIBLE;
+        let values = fluorescent(band);
+        let stronger: Vec<f64> = values.iter().map(|v| 370.0 * v).collect();
+        let top = values.iter().fold(0.0_f64, |m, v| m.max(*v));
+        let once = every_rival(band, &values, 20, Bounds::Light);
+        let often = every_rival(band, &stronger, 20, Bounds::Light);
+        for (once, often) in once.iter().zip(&often) {
+            for (a, b) in once.on_band().iter().zip(often.on_band()) {
+                // Rounding; the moments' recursion makes some thousand roundings of one.
+                assert!((370.0 * a - b).abs() < 1e-10 * 370.0 * top);
+            }
+        }
+    }
+
+    #[test]
+    fn a_value_at_a_grid_point_is_the_value_on_the_grid() {
+        let band = Band::VISIBLE;
+        let light = every_rival(band, &fluorescent(band), 20, Bounds::Light);
+        let leaf = every_rival(band, &leaf(band), 20, Bounds::Reflectance);
+        // Bins give cell averages on the grid, which differ where a box begins.
+        let pointwise = |r: &&Rival| r.family() != Family::Bins;
+        for rival in light.iter().chain(&leaf).filter(pointwise) {
+            let on_band = rival.on_band();
+            let top = on_band.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            for (nm, v) in band.grid().zip(&on_band) {
+                // Two orders of summation, some hundred roundings of the polynomials' terms.
+                let difference = (rival.at(nm) - v).abs();
+                assert!(difference < 1e-10 * top, "{:?} {nm}", rival.family());
+            }
+        }
+    }
+
+    #[test]
+    fn there_is_nothing_outside_the_band() {
+        for rival in every_rival(Band::VISIBLE, &[1.0; 401], 11, Bounds::Light) {
+            assert_eq!(rival.at(379.9), 0.0);
+            assert_eq!(rival.at(780.1), 0.0);
+            assert_eq!(rival.at(f64::NAN), 0.0);
+        }
+    }
+
+    #[test]
+    fn integrate_is_the_trapezoid_rule_on_the_grid() {
+        let band = Band::VISIBLE;
+        let weight = |nm: f64| (-((nm - 555.0) / 45.0).powi(2)).exp();
+        for rival in every_rival(band, &fluorescent(band), 20, Bounds::Light) {
+            let values = rival.on_band();
+            let products: Vec<f64> = values
+                .iter()
+                .zip(band.grid())
+                .map(|(v, nm)| v * weight(nm))
+                .collect();
+            let whole = band.integral(&products);
+            // The same sum in another order.
+            assert!((rival.integrate(weight) - whole).abs() < 1e-12 * whole.abs());
+        }
+    }
+
+    #[test]
+    fn points_are_values_at_their_places() {
+        let band = Band::VISIBLE;
+        for rival in every_rival(band, &leaf(band), 20, Bounds::Reflectance) {
+            let (points, places) = (rival.points(), rival.places_nm());
+            assert_eq!(points.len(), places.len());
+            let expected = match rival.family() {
+                Family::Samples | Family::Bins => 20,
+                Family::Legendre | Family::Moments => 40,
+                Family::Principal | Family::Wavelet => 401,
+            };
+            assert_eq!(points.len(), expected);
+            for (v, nm) in points.iter().zip(places) {
+                // As between `at` and the grid above.
+                assert!((v - rival.at(nm)).abs() < 1e-10);
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_finite_makes_a_number_that_is_not_finite() {
+        let band = Band::new(400.0, 421.0).unwrap();
+        let (workshop, basis) = (Workshop::new(band, 40), trained(band));
+        let patterns: [fn(usize) -> f64; 5] = [
+            |_| 1.0,
+            |_| -1.0,
+            |i| f64::from(u8::from(i == 7)),
+            |i| (i % 2) as f64,
+            |i| if i < 11 { -1.0 } else { 1.0 },
+        ];
+        for (pattern, height) in patterns
+            .iter()
+            .flat_map(|p| [0.0, 5e-324, 1e-300, 0.3, 1.0, 1e300].map(|h| (p, h)))
+        {
+            let values: Vec<f64> = (0..band.points()).map(|i| height * pattern(i)).collect();
+            for family in Family::ALL {
+                for bounds in [Bounds::Light, Bounds::Reflectance] {
+                    for numbers in [0, 1, 2, 3, 8, 21, 22, 44, 1000] {
+                        let rival = workshop.fit(family, &values, numbers, bounds, &basis);
+                        let finite = |values: Vec<f64>| values.iter().all(|v| v.is_finite());
+                        let all = finite(rival.stored())
+                            && finite(rival.on_band())
+                            && finite(rival.points())
+                            && rival.at(410.3).is_finite()
+                            && rival.integrate(|_| 0.01).is_finite();
+                        assert!(all, "{family:?} {bounds:?} {numbers} {height} {values:?}");
+                    }
+                }
+            }
+        }
+    }
+}
