@@ -35,6 +35,7 @@ use text::{
 };
 
 pub use cells::Cells;
+pub use cut::cut_segment;
 pub use ramp::ramp_colour;
 pub use shape::{Dash, Shape};
 
