@@ -20,6 +20,10 @@ impl Pictures for Painted {
     fn plot(&self, app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
         picture::plot_png(app, theme, size)
     }
+
+    fn chart(&self, chart: &plot_svg::Chart, size: [u32; 2]) -> Vec<u8> {
+        picture::chart_png(chart, size)
+    }
 }
 
 /// Names another file to keep the workspace in (tests, portable use); empty keeps none.

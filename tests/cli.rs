@@ -12,7 +12,7 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         self, App, Settings, open,
-        plot_svg::Theme,
+        plot_svg::{Chart, Theme},
         workspace::{self, Preferences},
     },
     cli::{self, Input, Outcome, Pictures},
@@ -33,6 +33,10 @@ impl Pictures for Sketch {
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {
         let entry = app.document().subject_entry();
         format!("plot {} {theme:?} {size:?}", entry.key).into_bytes()
+    }
+
+    fn chart(&self, chart: &Chart, size: [u32; 2]) -> Vec<u8> {
+        format!("chart {} {size:?}", chart.title).into_bytes()
     }
 }
 

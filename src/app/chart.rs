@@ -165,6 +165,7 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
         }),
         notes: provenance(app),
         theme,
+        ..Chart::default()
     }
 }
 

@@ -145,22 +145,24 @@ impl Export {
 
 /// The spectrum's name as a file name: letters, digits, `-`, `_` and `.` only.
 pub fn file_stem(app: &App) -> String {
-    let name: String = app
-        .document()
-        .subject_entry()
-        .name()
-        .chars()
-        .map(|c| {
-            if c.is_alphanumeric() || ['-', '_', '.'].contains(&c) {
-                c
-            } else {
-                '-'
-            }
-        })
-        .collect();
-    let name = name.trim_matches(['-', '.']);
+    stem_of(app.document().subject_entry().name(), "spectrum")
+}
+
+/// A text as a file name: letters, digits, `-`, `_` and `.` only; `otherwise` when none is left.
+pub fn stem_of(text: &str, otherwise: &str) -> String {
+    let sign = |c: char| {
+        if c.is_alphanumeric() || ['-', '_', '.'].contains(&c) {
+            c
+        } else {
+            '-'
+        }
+    };
+    let name: String = text.chars().map(sign).collect();
+    let words: Vec<&str> = name.split('-').filter(|word| !word.is_empty()).collect();
+    let name = words.join("-");
+    let name = name.trim_matches('.');
     if name.is_empty() {
-        "spectrum".to_owned()
+        otherwise.to_owned()
     } else {
         name.to_owned()
     }

@@ -29,7 +29,13 @@ use std::{
 
 use clap::Parser;
 
-use crate::app::{App, library::Library, licences, plot_svg::Theme, workspace::Preferences};
+use crate::app::{
+    App,
+    library::Library,
+    licences,
+    plot_svg::{Chart, Theme},
+    workspace::Preferences,
+};
 use arguments::{Arguments, Command};
 pub use no_display::without_display;
 use refusal::Refusal;
@@ -58,6 +64,8 @@ pub trait Pictures {
     fn window(&self, app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8>;
     /// The spectrum plot alone as PNG, `size` in px.
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8>;
+    /// Any chart as PNG in its own theme, `size` in px.
+    fn chart(&self, chart: &Chart, size: [u32; 2]) -> Vec<u8>;
 }
 
 /// Carries out a command line; `args` begins with the program's own name.

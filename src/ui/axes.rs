@@ -5,7 +5,7 @@ use egui::Rangef;
 use egui_plot::{AxisHints, GridInput, GridMark, Plot};
 
 use super::theme::{Theme, grey};
-use crate::app::ticks::nice_ticks;
+use crate::app::ticks::{log_ticks, nice_ticks};
 
 /// Grid lines and labels of one strength: which marks there are is decided by the spacers below.
 const ALWAYS: Rangef = Rangef { min: 0.1, max: 0.2 };
@@ -64,5 +64,32 @@ pub fn decades(target: usize) -> impl Fn(GridInput) -> Vec<GridMark> {
                 step_size: every as f64,
             })
             .collect()
+    }
+}
+
+/// About `target` round numbers of an axis whose values are decimal logarithms: decades, and where
+/// there are few of them 2 and 5 in between.
+pub fn log_marks(target: usize) -> impl Fn(GridInput) -> Vec<GridMark> {
+    move |input| {
+        let (low, high) = input.bounds;
+        let ticks = log_ticks(10_f64.powf(low), 10_f64.powf(high), target);
+        ticks.into_iter().map(|tick| mark(tick.log10())).collect()
+    }
+}
+
+/// Marks at given places.
+pub fn at(places: Vec<f64>) -> impl Fn(GridInput) -> Vec<GridMark> {
+    move |input| {
+        let (low, high) = input.bounds;
+        let inside = places.iter().filter(|at| (low..=high).contains(*at));
+        inside.map(|at| mark(*at)).collect()
+    }
+}
+
+/// A mark as strong as any.
+fn mark(value: f64) -> GridMark {
+    GridMark {
+        value,
+        step_size: 1.0,
     }
 }

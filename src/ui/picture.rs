@@ -7,12 +7,18 @@ use egui::ColorImage;
 
 use super::{
     Window,
+    chart_view::ChartView,
     files::Picked,
     painter::{encode_png, picture_with},
     spectrum_view::SpectrumView,
     theme::{self, Theme},
 };
-use crate::app::{App, chart::provenance, plot_svg, workspace::Preferences};
+use crate::app::{
+    App,
+    chart::provenance,
+    plot_svg::{self, Chart},
+    workspace::Preferences,
+};
 
 /// Frames until layout, fonts and automatic axes are settled.
 const PASSES: usize = 4;
@@ -44,8 +50,23 @@ pub fn window_png(app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u
     encode_png(&window_image(app, preferences, size))
 }
 
-/// The spectrum plot alone as a PNG file.
-pub fn plot_png(app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
+/// A chart as a PNG file, with its title, the names of its series and its notes.
+pub fn chart_png(chart: &Chart, size: [u32; 2]) -> Vec<u8> {
+    encode_png(&chart_image(chart, size))
+}
+
+/// [`chart_png`] as pixels.
+pub fn chart_image(chart: &Chart, size: [u32; 2]) -> ColorImage {
+    let (context, looks) = dressed(chart.theme);
+    picture_with(&context, sides(size), 1.0, PASSES, |ui| {
+        egui::CentralPanel::default_margins().show(ui, |ui| {
+            ChartView::bare(ui, chart, ui.available_size(), looks);
+        });
+    })
+}
+
+/// A context with fonts and colours of a theme.
+fn dressed(theme: plot_svg::Theme) -> (egui::Context, Theme) {
     let context = egui::Context::default();
     let preferences = Preferences {
         dark: theme == plot_svg::Theme::Dark,
@@ -53,9 +74,14 @@ pub fn plot_png(app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
     };
     theme::install_fonts(&context);
     theme::apply(&context, &preferences);
+    (context, Theme::of(&preferences))
+}
+
+/// The spectrum plot alone as a PNG file.
+pub fn plot_png(app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
+    let (context, looks) = dressed(theme);
     let mut view = SpectrumView::bare();
     let notes = provenance(app);
-    let looks = Theme::of(&preferences);
     let image = picture_with(&context, sides(size), 1.0, PASSES, |ui| {
         egui::Panel::bottom("notes").show(ui, |ui| {
             for note in &notes {

@@ -17,6 +17,8 @@ pub enum Wish {
     Save(Export),
     /// Save the plot as PNG.
     SavePlotPng,
+    /// Save the error against the order as PNG.
+    SaveCurvePng,
     /// Save the window as PNG.
     SaveWindowPng,
     /// Copy something as text.
@@ -106,8 +108,13 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
         };
         for export in Export::ALL {
             wish(ui, export.title(), Wish::Save(export));
+            // A picture stands beside the same picture in another form.
+            match export {
+                Export::PlotSvg => wish(ui, "Plot (PNG)", Wish::SavePlotPng),
+                Export::CurveSvg => wish(ui, "Error against order (PNG)", Wish::SaveCurvePng),
+                _ => {}
+            }
         }
-        wish(ui, "Plot (PNG)", Wish::SavePlotPng);
         wish(ui, "Window (PNG)", Wish::SaveWindowPng);
         ui.separator();
         for export in [

@@ -1,10 +1,10 @@
 //! Lines and areas cut to their panel.
 
 /// A place in a panel, px from its top left corner.
-pub(super) type Place = [f64; 2];
+pub type Place = [f64; 2];
 
 /// The part of a segment inside the box from the origin to `size` (Liang and Barsky's method).
-pub(super) fn cut_segment(ends: [Place; 2], size: [f64; 2]) -> Option<[Place; 2]> {
+pub fn cut_segment(ends: [Place; 2], size: [f64; 2]) -> Option<[Place; 2]> {
     let [from, to] = ends;
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {

@@ -5,17 +5,28 @@ use std::fmt::Write as _;
 use super::{
     Chart, MARGIN, Marks, Series,
     cut::Place,
-    marks::{sound_px, stroke_attributes},
+    marks::{point_element, sound_px, stroke_attributes},
     palette::{Palette, hex},
     text::{Anchor, LEADING, TEXT_SIZE, Text, clean, px, text_width},
 };
 
 impl Chart {
+    /// The series that the legend names: the first of each name. Heat maps have a colour bar.
+    pub fn legend_series(&self) -> Vec<&Series> {
+        let mut found: Vec<&Series> = Vec::new();
+        for series in self.all_series() {
+            let is_new = found.iter().all(|other| other.name != series.name);
+            if !series.name.is_empty() && is_new && series.marks.cells().is_none() {
+                found.push(series);
+            }
+        }
+        found
+    }
+
     /// Writes the legend in as many rows as it needs and returns where it ends.
     pub(super) fn legend(&self, out: &mut String, palette: &Palette, top: f64, width: f64) -> f64 {
         const SAMPLE: f64 = 22.0;
-        let lower = self.residual.iter().flat_map(|panel| &panel.series);
-        let entries = unique_names(self.series.iter().chain(lower));
+        let entries = self.legend_series();
         let row_height = TEXT_SIZE * LEADING;
         let (mut x, mut y) = (0.0, top);
         for (i, series) in entries.iter().enumerate() {
@@ -45,29 +56,11 @@ impl Chart {
     }
 }
 
-/// The first series of each name, without the nameless.
-pub(super) fn unique_names<'a>(all: impl Iterator<Item = &'a Series>) -> Vec<&'a Series> {
-    let mut found: Vec<&Series> = Vec::new();
-    for series in all {
-        if !series.name.is_empty() && found.iter().all(|other| other.name != series.name) {
-            found.push(series);
-        }
-    }
-    found
-}
-
 impl Series {
     /// Writes what the series looks like into the legend: `at` is the left end of its middle.
     fn sample(&self, out: &mut String, at: Place, length: f64) {
         let colour = hex(self.colour);
         let [x, y] = at;
-        let dot = |radius: f64| {
-            let (x, y) = (px(x + length / 2.0), px(y));
-            format!(
-                r#"<circle cx="{x}" cy="{y}" r="{}" fill="{colour}"/>"#,
-                px(radius)
-            )
-        };
         let block = |opacity: f64| {
             let (x, y) = (px(x), px(y - 5.0));
             format!(
@@ -89,7 +82,12 @@ impl Series {
             }
             Marks::Area { .. } => block(0.4),
             Marks::Bars { .. } => block(0.85),
-            Marks::Points { radius, .. } => dot(sound_px(*radius).min(5.0)),
+            Marks::Points { radius, shape, .. } => {
+                let radius = sound_px(*radius).min(5.0);
+                point_element([x + length / 2.0, y], radius, *shape, &colour)
+            }
+            // The colour bar tells what its colours mean.
+            Marks::Cells { .. } => return,
         };
         let _ = writeln!(out, "{sample}");
     }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{
     super::ticks::short,
-    Marks, Series,
+    Dash, Marks, Series, Shape,
     axes::{Horizontal, Vertical},
     base_at,
     cut::{Place, cut_ring, cut_segment},
@@ -25,7 +25,7 @@ impl Plot<'_> {
         place.iter().all(|c| c.is_finite()).then_some(place)
     }
 
-    fn size(&self) -> [f64; 2] {
+    pub(super) fn size(&self) -> [f64; 2] {
         [self.horizontal.length, self.vertical.length]
     }
 
@@ -77,19 +77,19 @@ impl Plot<'_> {
                     self.bar(out, &colour, [x - width / 2.0, x + width / 2.0], y);
                 }
             }
-            Marks::Points { points, radius } => {
-                let radius = px(sound_px(*radius));
+            Marks::Points {
+                points,
+                radius,
+                shape,
+            } => {
                 for &point in points {
-                    if let Some([x, y]) = self.place(point).filter(|&place| self.holds(place)) {
-                        let _ = writeln!(
-                            out,
-                            r#"<circle cx="{}" cy="{}" r="{radius}" fill="{colour}"/>"#,
-                            px(x),
-                            px(y)
-                        );
+                    if let Some(place) = self.place(point).filter(|&place| self.holds(place)) {
+                        let point = point_element(place, sound_px(*radius), *shape, &colour);
+                        let _ = writeln!(out, "{point}");
                     }
                 }
             }
+            Marks::Cells { cells } => self.cells(out, cells),
         }
     }
 
@@ -266,12 +266,34 @@ pub(super) fn sound_px(size: f64) -> f64 {
     }
 }
 
-pub(super) fn stroke_attributes(width: f64, dash: bool) -> String {
+pub(super) fn stroke_attributes(width: f64, dash: Dash) -> String {
     let width = px(sound_px(width));
-    let dash = if dash {
-        r#" stroke-dasharray="6 4""#
-    } else {
-        ""
+    match dash.pattern() {
+        Some([dash, gap]) => {
+            let (dash, gap) = (px(dash), px(gap));
+            format!(r#"stroke-width="{width}" stroke-dasharray="{dash} {gap}""#)
+        }
+        None => format!(r#"stroke-width="{width}""#),
+    }
+}
+
+/// A point of a form as an element.
+pub(super) fn point_element(at: Place, radius: f64, shape: Shape, colour: &str) -> String {
+    let [x, y] = at.map(px);
+    let r = px(radius);
+    let place = |corner: &[f64; 2]| {
+        let [x, y] = [at[0] + radius * corner[0], at[1] + radius * corner[1]].map(px);
+        format!("{x} {y}")
     };
-    format!(r#"stroke-width="{width}"{dash}"#)
+    let corners: Vec<String> = shape.corners().iter().map(place).collect();
+    match (shape, &corners[..]) {
+        (Shape::Ring, _) => {
+            format!(r#"<circle cx="{x}" cy="{y}" r="{r}" stroke="{colour}" stroke-width="1.6"/>"#)
+        }
+        (Shape::Cross, [a, b, c, d]) => {
+            format!(r#"<path d="M{a}L{b}M{c}L{d}" stroke="{colour}" stroke-width="1.8"/>"#)
+        }
+        (_, []) => format!(r#"<circle cx="{x}" cy="{y}" r="{r}" fill="{colour}"/>"#),
+        (_, corners) => format!(r#"<path d="M{}Z" fill="{colour}"/>"#, corners.join("L")),
+    }
 }

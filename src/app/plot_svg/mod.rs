@@ -1,4 +1,5 @@
-//! Charts as SVG files: lines, stems, areas, bars and points over one or two panels.
+//! Charts as data, as SVG files and as tables: lines, stems, areas, bars, points and heat maps
+//! over one or two panels.
 //!
 //! The writer gets numbers and returns text; it knows nothing of the window. Everything is cut to
 //! its panel before it is written, so the file needs no clip paths (and no ids, which would clash
@@ -7,12 +8,16 @@
 //! and break a line in two.
 
 mod axes;
+mod cells;
 mod cut;
 mod legend;
 mod marks;
 mod palette;
 mod panel;
+mod ramp;
+mod shape;
 mod strip;
+mod table;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -20,14 +25,19 @@ mod text;
 use std::fmt::Write as _;
 
 use super::ticks::short;
-use axes::{Horizontal, Vertical};
-use legend::unique_names;
+use axes::{Horizontal, SLANT, Vertical};
+use cells::{bar_room, draw_bar};
 use palette::{Palette, hex};
 use panel::Frame;
 use strip::{STRIP_HEIGHT, draw_strip};
 use text::{
     Anchor, LEADING, NOTE_SIZE, TEXT_SIZE, TITLE_SIZE, Text, clean, escaped, px, text_width, wrap,
 };
+
+pub use cells::Cells;
+pub use cut::cut_segment;
+pub use ramp::ramp_colour;
+pub use shape::{Dash, Shape};
 
 /// An sRGB colour, 8 bits a channel.
 pub type Rgb = [u8; 3];
@@ -63,6 +73,10 @@ pub struct Chart {
     pub y_label: String,
     /// First and last value of the horizontal axis.
     pub x_range: [f64; 2],
+    /// How values become places on the horizontal axis.
+    pub x_scale: Scale,
+    /// Places on the horizontal axis with names, which stand there instead of numbers.
+    pub x_names: Vec<(f64, String)>,
     /// First and last value of the vertical axis; `None` fits it to the series.
     pub y_range: Option<[f64; 2]>,
     /// How values become heights.
@@ -86,6 +100,8 @@ impl Default for Chart {
             x_label: String::new(),
             y_label: String::new(),
             x_range: [0.0, 1.0],
+            x_scale: Scale::Linear,
+            x_names: Vec::new(),
             y_range: None,
             y_scale: Scale::Linear,
             series: Vec::new(),
@@ -108,7 +124,7 @@ pub struct Panel {
     pub series: Vec<Series>,
 }
 
-/// How values become heights.
+/// How values become places on an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
     /// Equal differences are equal distances.
@@ -137,6 +153,8 @@ pub struct Series {
     pub colour: Rgb,
     /// What the marks are and where they stand.
     pub marks: Marks,
+    /// A word on each point (or box), shown where it is pointed at; empty or missing for none.
+    pub notes: Vec<String>,
 }
 
 /// The marks of a series; each point is `[x, y]` in the units of the axes.
@@ -148,8 +166,8 @@ pub enum Marks {
         points: Vec<[f64; 2]>,
         /// Thickness in px.
         width: f64,
-        /// Dashed instead of drawn through.
-        dash: bool,
+        /// Drawn through, dashed or dotted.
+        dash: Dash,
     },
     /// A vertical line with a dot on top at each point.
     Stems {
@@ -174,17 +192,24 @@ pub enum Marks {
         /// Width of a box in the units of the horizontal axis.
         width: f64,
     },
-    /// Dots.
+    /// Single points.
     Points {
-        /// Middles of the dots.
+        /// Their middles.
         points: Vec<[f64; 2]>,
         /// Radius in px.
         radius: f64,
+        /// Their form.
+        shape: Shape,
+    },
+    /// A heat map, with a colour bar at the right of the chart.
+    Cells {
+        /// The boxes and their values.
+        cells: Cells,
     },
 }
 
 impl Marks {
-    /// The points of any kind of marks.
+    /// The points of any kind of marks; a heat map has none.
     pub fn points(&self) -> &[[f64; 2]] {
         match self {
             Self::Line { points, .. }
@@ -192,6 +217,15 @@ impl Marks {
             | Self::Area { points, .. }
             | Self::Bars { points, .. }
             | Self::Points { points, .. } => points,
+            Self::Cells { .. } => &[],
+        }
+    }
+
+    /// The heat map, if it is one.
+    pub fn cells(&self) -> Option<&Cells> {
+        match self {
+            Self::Cells { cells } => Some(cells),
+            _ => None,
         }
     }
 
@@ -205,6 +239,7 @@ impl Marks {
                 tops.chain(bases).collect()
             }
             Self::Bars { .. } => tops.chain([0.0]).collect(),
+            Self::Cells { cells } => cells.y_edges.clone(),
         }
     }
 }
@@ -215,9 +250,50 @@ impl Series {
         let marks = Marks::Line {
             points,
             width: 1.8,
-            dash: false,
+            dash: Dash::Solid,
         };
         Self::new(name, colour, marks)
+    }
+
+    /// Points of normal size.
+    pub fn points(
+        name: impl Into<String>,
+        colour: Rgb,
+        shape: Shape,
+        points: Vec<[f64; 2]>,
+    ) -> Self {
+        let marks = Marks::Points {
+            points,
+            radius: 3.5,
+            shape,
+        };
+        Self::new(name, colour, marks)
+    }
+
+    /// Boxes of a width in units of the horizontal axis.
+    pub fn bars(name: impl Into<String>, colour: Rgb, width: f64, points: Vec<[f64; 2]>) -> Self {
+        Self::new(name, colour, Marks::Bars { points, width })
+    }
+
+    /// A heat map.
+    pub fn cells(name: impl Into<String>, cells: Cells) -> Self {
+        Self::new(name, [128; 3], Marks::Cells { cells })
+    }
+
+    /// The same, a line drawn in another way.
+    #[must_use]
+    pub fn dashed(mut self, how: Dash) -> Self {
+        if let Marks::Line { dash, .. } = &mut self.marks {
+            *dash = how;
+        }
+        self
+    }
+
+    /// The same with a word on each point.
+    #[must_use]
+    pub fn with_notes(mut self, notes: Vec<String>) -> Self {
+        self.notes = notes;
+        self
     }
 
     /// A series of any kind of marks.
@@ -226,15 +302,35 @@ impl Series {
             name: name.into(),
             colour,
             marks,
+            notes: Vec::new(),
         }
     }
 }
 
-fn base_at(base: &[f64], index: usize) -> f64 {
+/// Where the mark of a point starts; 0 where no base is given.
+pub fn base_at(base: &[f64], index: usize) -> f64 {
     base.get(index).copied().unwrap_or(0.0)
 }
 
 impl Chart {
+    /// All series: those of the main panel, then those of the lower one.
+    pub fn all_series(&self) -> impl Iterator<Item = &Series> {
+        let lower = self.residual.iter().flat_map(|panel| &panel.series);
+        self.series.iter().chain(lower)
+    }
+
+    /// The heat map whose colours the bar explains: the first one.
+    pub fn heat_map(&self) -> Option<&Cells> {
+        self.series.iter().find_map(|series| series.marks.cells())
+    }
+
+    /// The name of a place on the horizontal axis: that of the nearest named one.
+    pub fn name_at(&self, x: f64) -> Option<&str> {
+        let off = |(at, _): &&(f64, String)| (at - x).abs();
+        let nearest = self.x_names.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.map(|(_, name)| name.as_str())
+    }
+
     /// The chart as an SVG document of the given size in px (at least 160 x 120).
     ///
     /// The document is higher than asked where titles and notes leave no room for the panels.
@@ -273,7 +369,10 @@ impl Chart {
         } else {
             TEXT_SIZE * LEADING
         };
-        let below = TICK + TEXT_SIZE * LEADING + x_label_height + notes_height + MARGIN;
+        // How long the axis will be is known only when the panels' height is: names are measured
+        // on a shorter one.
+        let labels_height = Horizontal::new(self, 0.85 * inner).label_height();
+        let below = TICK + labels_height + x_label_height + notes_height + MARGIN;
 
         let strip = self.strip.as_deref().filter(|colours| !colours.is_empty());
         let strip_height = strip.map_or(0.0, |_| STRIP_GAP + STRIP_HEIGHT);
@@ -285,9 +384,9 @@ impl Chart {
 
         let main_height = panels * (1.0 - share);
         let lower_height = panels * share;
-        let main = Vertical::new(self.y_range, self.y_scale, &self.series, main_height);
+        let main = Vertical::new(self.y_limits(), self.y_scale, main_height);
         let lower = self.residual.as_ref().map(|panel| {
-            let axis = Vertical::new(panel.y_range, Scale::Linear, &panel.series, lower_height);
+            let axis = Vertical::new(panel.y_limits(), Scale::Linear, lower_height);
             (panel, axis)
         });
 
@@ -299,9 +398,13 @@ impl Chart {
             .map(|label| text_width(label, TEXT_SIZE))
             .fold(0.0, f64::max);
         let left = (MARGIN + TEXT_SIZE * LEADING + widest + TICK + 4.0).min(width * 0.4);
+        let map = self.heat_map();
+        let bar = map.map_or(0.0, |cells| bar_room(cells, main_height));
         // The last label stands half to the right of its tick.
-        let right = width - MARGIN - 14.0;
-        let horizontal = Horizontal::new(self.x_range, right - left);
+        let right = (width - MARGIN - bar.max(14.0)).max(left + 0.2 * width);
+        let overhang = Horizontal::new(self, right - left).label_overhang();
+        let left = left.max((MARGIN + overhang).min(width * 0.4));
+        let horizontal = Horizontal::new(self, right - left);
 
         let mut frame = Frame {
             left,
@@ -317,6 +420,9 @@ impl Chart {
             &self.y_label,
             &self.series,
         );
+        if let Some(cells) = map {
+            draw_bar(&mut body, palette, cells, [right, top], main_height, bar);
+        }
         let mut bottom = top + main_height;
         if let Some(colours) = strip {
             bottom += STRIP_GAP;
@@ -351,10 +457,21 @@ impl Chart {
                 px(bottom),
                 hex(palette.axis),
             );
-            middle.write(&mut body, [x, bottom + TICK + TEXT_SIZE], label);
+            if horizontal.slanted {
+                let _ = writeln!(
+                    body,
+                    r#"<text transform="translate({} {}) rotate(-{SLANT})" font-size="{TEXT_SIZE}" text-anchor="end" fill="{}">{}</text>"#,
+                    px(x + 4.0),
+                    px(bottom + TICK + TEXT_SIZE * 0.8),
+                    hex(palette.text),
+                    escaped(label),
+                );
+            } else {
+                middle.write(&mut body, [x, bottom + TICK + TEXT_SIZE], label);
+            }
         }
         if !self.x_label.is_empty() {
-            let y = bottom + TICK + TEXT_SIZE * (1.0 + LEADING);
+            let y = bottom + TICK + labels_height + TEXT_SIZE;
             middle.write(&mut body, [(left + right) / 2.0, y], &clean(&self.x_label));
         }
         let first_note = height - MARGIN - notes_height + NOTE_SIZE + 6.0;
@@ -399,13 +516,21 @@ impl Chart {
             short(self.x_range[0]),
             short(self.x_range[1]),
         );
-        let lower = self.residual.iter().flat_map(|panel| &panel.series);
-        let names: Vec<&str> = unique_names(self.series.iter().chain(lower))
+        let names: Vec<&str> = self
+            .legend_series()
             .into_iter()
             .map(|series| series.name.as_str())
             .collect();
         if !names.is_empty() {
             let _ = write!(text, " Shown: {}.", names.join(", "));
+        }
+        if let Some(cells) = self.heat_map() {
+            let [low, high] = cells.limits().map(short);
+            let _ = write!(
+                text,
+                " Coloured by {} from {low} to {high}.",
+                or(&cells.label, "value")
+            );
         }
         if let Some(panel) = &self.residual {
             let _ = write!(text, " Below: {}.", or(&panel.y_label, "a second panel"));

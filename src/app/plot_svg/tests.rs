@@ -169,7 +169,7 @@ fn huge_tiny_and_broken_numbers_stay_inside() {
         Marks::Line {
             points: points.clone(),
             width: f64::NAN,
-            dash: true,
+            dash: Dash::Dashed,
         },
         Marks::Stems {
             points: points.clone(),
@@ -187,6 +187,7 @@ fn huge_tiny_and_broken_numbers_stay_inside() {
         Marks::Points {
             points,
             radius: f64::INFINITY,
+            shape: Shape::Triangle,
         },
     ];
     for marks in all {

@@ -5,6 +5,7 @@ use egui::Context;
 
 use super::{
     super::{
+        chart_view::{ChartForm, ChartWish},
         dialogs::Dialog,
         files::Ask,
         keys::{self, Act},
@@ -15,7 +16,10 @@ use super::{
     Window,
     filing::Saving,
 };
-use crate::app::{App, Command, Settings, export::Export, plot_svg, state::Tone, workspace::ZOOMS};
+use crate::app::{
+    App, Command, Settings, chart::curve_chart, export::Export, plot_svg, state::Tone,
+    workspace::ZOOMS,
+};
 
 impl Window {
     pub(super) fn keys(&mut self, context: &Context) {
@@ -106,6 +110,13 @@ impl Window {
             }
             Wish::Save(export) => self.save(Saving::Text(export), context),
             Wish::SavePlotPng => self.save(Saving::PlotPng, context),
+            Wish::SaveCurvePng => {
+                let chart = curve_chart(&self.app, self.file_theme());
+                let mut wish = ChartWish::new(&chart, ChartForm::Png);
+                let name = Export::CurveSvg.suggested_name(&self.app);
+                wish.stem = name.trim_end_matches(".svg").to_owned();
+                self.save_chart(wish, context);
+            }
             Wish::SaveWindowPng => self.save(Saving::WindowPng, context),
             Wish::Copy(export) => {
                 let theme = plot_svg::Theme::Light;

@@ -7,6 +7,7 @@ use egui::{Context, Ui};
 
 use super::{
     super::{
+        chart_view::{ChartForm, ChartWish},
         dialogs::{self, Dialog, Outcome},
         files::{Ask, NO_DIALOG, Picked},
         picture,
@@ -20,18 +21,18 @@ use crate::{
         Command,
         export::{self, Export},
         open::{Loaded, load_bytes},
-        plot_svg,
         state::Tone,
     },
     io::atomic::save_atomically,
 };
 
 /// What is waiting for a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Saving {
     Text(Export),
     PlotPng,
     WindowPng,
+    Chart(ChartWish),
 }
 
 /// A file dialog that is open on another thread.
@@ -157,10 +158,11 @@ impl Window {
     }
 
     pub(super) fn save(&mut self, saving: Saving, context: &Context) {
-        let suggested = self.suggested_name(saving);
-        let extension = match saving {
+        let suggested = self.suggested_name(&saving);
+        let extension = match &saving {
             Saving::Text(export) => export.extension(),
             Saving::PlotPng | Saving::WindowPng => "png",
+            Saving::Chart(wish) => wish.form.extension(),
         };
         self.ask(
             Ask::Save {
@@ -172,11 +174,26 @@ impl Window {
         );
     }
 
-    pub(super) fn suggested_name(&self, saving: Saving) -> String {
+    /// Copies or saves a chart, as its menu asked for.
+    pub fn save_chart(&mut self, wish: ChartWish, context: &Context) {
+        if wish.form == ChartForm::CopyCsv {
+            context.copy_text(wish.chart.to_csv().trim_end().to_owned());
+            let words = format!("Copied as CSV: {}.", wish.chart.title);
+            self.app.say(Tone::Info, words);
+        } else if self.waiting.is_some() {
+            let words = "A file dialog is open already; answer that one first.";
+            self.app.say(Tone::Problem, words);
+        } else {
+            self.save(Saving::Chart(wish), context);
+        }
+    }
+
+    pub(super) fn suggested_name(&self, saving: &Saving) -> String {
         match saving {
             Saving::Text(export) => export.suggested_name(&self.app),
             Saving::PlotPng => format!("{}.png", export::file_stem(&self.app)),
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
+            Saving::Chart(wish) => wish.file_name(),
         }
     }
 
@@ -195,7 +212,7 @@ impl Window {
             }
             (Picked::NoDialog, Some(saving)) => {
                 self.app.say(Tone::Problem, NO_DIALOG);
-                self.dialog = Some(Dialog::SavePath(self.suggested_name(saving)));
+                self.dialog = Some(Dialog::SavePath(self.suggested_name(&saving)));
                 self.saving = Some(saving);
             }
         }
@@ -205,15 +222,10 @@ impl Window {
     pub(super) fn write(&mut self, saving: Saving, path: PathBuf, context: &Context) {
         let (app, preferences) = (self.app.clone(), self.preferences.clone());
         let (said, wake) = (self.said.0.clone(), waker(context));
-        let size = context.content_rect().size();
+        let (size, theme) = (context.content_rect().size(), self.file_theme());
         self.writing.retain(|thread| !thread.is_finished());
         self.writing.push(std::thread::spawn(move || {
-            let theme = if preferences.dark {
-                plot_svg::Theme::Dark
-            } else {
-                plot_svg::Theme::Light
-            };
-            let bytes = match saving {
+            let bytes = match &saving {
                 Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
                 Saving::PlotPng => Ok(picture::plot_png(&app, theme, [1200, 760])),
                 Saving::WindowPng => Ok(picture::window_png(
@@ -221,11 +233,14 @@ impl Window {
                     &preferences,
                     [size.x as u32, size.y as u32],
                 )),
+                Saving::Chart(wish) => Ok(chart_bytes(wish)),
             };
             let written =
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
-            let message = match written {
-                Ok(()) => (
+            let message = match (written, saving) {
+                // Its axes name their own units.
+                (Ok(()), Saving::Chart(_)) => (Tone::Info, format!("Saved {}.", path.display())),
+                (Ok(()), _) => (
                     Tone::Info,
                     format!(
                         "Saved {} ({}).",
@@ -233,7 +248,7 @@ impl Window {
                         app.document().scale.words()
                     ),
                 ),
-                Err(why) => (Tone::Problem, why),
+                (Err(why), _) => (Tone::Problem, why),
             };
             // Nobody listens any more once the window is closed.
             let _ = said.send(message);
@@ -256,5 +271,17 @@ impl Window {
             }
         }
         self.dialog = None;
+    }
+}
+
+/// Size of a chart's picture, px.
+const CHART_SIZE: [u32; 2] = [1200, 760];
+
+fn chart_bytes(wish: &ChartWish) -> Vec<u8> {
+    let [width, height] = CHART_SIZE;
+    match wish.form {
+        ChartForm::CopyCsv | ChartForm::Csv => wish.chart.to_csv().into_bytes(),
+        ChartForm::Svg => wish.chart.to_svg(width, height).into_bytes(),
+        ChartForm::Png => picture::chart_png(&wish.chart, CHART_SIZE),
     }
 }

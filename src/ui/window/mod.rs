@@ -23,6 +23,7 @@ use super::{
 use crate::app::{
     App, Command,
     open::Loader,
+    plot_svg,
     spike_hand::SpikeAct,
     state::Tone,
     workspace::{Preferences, Restored},
@@ -117,6 +118,15 @@ impl Window {
     /// The window's picture as it would be drawn at a size, without a display.
     pub fn picture(&self, size: [u32; 2]) -> Vec<u8> {
         picture::window_png(&self.app, &self.preferences, size)
+    }
+
+    /// The theme of files that are written now.
+    pub fn file_theme(&self) -> plot_svg::Theme {
+        if self.preferences.dark {
+            plot_svg::Theme::Dark
+        } else {
+            plot_svg::Theme::Light
+        }
     }
 
     /// One frame.

@@ -1,0 +1,90 @@
+//! The menu at a chart's corner: its numbers and its pictures, to copy or to save.
+
+use eframe::egui;
+use egui::{Button, RichText, Ui};
+
+use super::super::model_view::named;
+use crate::app::{export::stem_of, plot_svg::Chart};
+
+/// What a chart is wanted as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChartForm {
+    /// The numbers, into the clipboard.
+    CopyCsv,
+    /// The numbers, as a file.
+    Csv,
+    /// A picture of pixels.
+    Png,
+    /// A picture of lines.
+    Svg,
+}
+
+impl ChartForm {
+    /// All forms with what the menu calls them, in its order.
+    pub const ALL: [(Self, &'static str); 4] = [
+        (Self::CopyCsv, "Copy as CSV"),
+        (Self::Csv, "Save CSV…"),
+        (Self::Png, "Save PNG…"),
+        (Self::Svg, "Save SVG…"),
+    ];
+
+    /// The extension of its file.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::CopyCsv | Self::Csv => "csv",
+            Self::Png => "png",
+            Self::Svg => "svg",
+        }
+    }
+}
+
+/// A chart to copy or save.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartWish {
+    /// The chart as it was shown.
+    pub chart: Box<Chart>,
+    /// As what.
+    pub form: ChartForm,
+    /// The file's name without its extension; made of the title, and free to be replaced.
+    pub stem: String,
+}
+
+impl ChartWish {
+    /// A wish for a chart, under a name made of its title.
+    pub fn new(chart: &Chart, form: ChartForm) -> Self {
+        // What stands in brackets tells details, and is too long for a name.
+        let title = chart.title.split(" (").next().unwrap_or_default();
+        Self {
+            stem: stem_of(title, "chart"),
+            chart: Box::new(chart.clone()),
+            form,
+        }
+    }
+
+    /// The file's name.
+    pub fn file_name(&self) -> String {
+        format!("{}.{}", self.stem, self.form.extension())
+    }
+}
+
+/// Draws the menu's button.
+pub(super) fn menu(ui: &mut Ui, chart: &Chart) -> Option<ChartWish> {
+    let mut wish = None;
+    let button = Button::new(RichText::new("⋯").strong()).frame_when_inactive(false);
+    let (response, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| {
+        for (form, words) in ChartForm::ALL {
+            if ui.button(words).clicked() {
+                wish = Some(ChartWish::new(chart, form));
+                ui.close();
+            }
+        }
+    });
+    let name = format!("Save chart: {}", chart.title);
+    named(
+        &response,
+        egui::Role::Button,
+        name.trim_end_matches([':', ' ']),
+    );
+    response.on_hover_text("Copy or save this chart: numbers (CSV), picture (PNG, SVG).");
+    wish
+}
