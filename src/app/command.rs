@@ -27,6 +27,13 @@ pub enum Command {
     About(Subject),
     /// New hand edits of the subject's spikes.
     EditSpikes(SpikeEdits),
+    /// A whole model at once: knobs and hand edits, as a study found them best.
+    TakeModel {
+        /// The knobs; they are clamped when applied.
+        settings: Settings,
+        /// The hand edits of the subject's spikes.
+        edits: SpikeEdits,
+    },
     /// The group whose reflectances are the patches.
     PatchSet(String),
     /// The patch whose product is drawn.

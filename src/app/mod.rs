@@ -11,6 +11,7 @@ pub mod library;
 pub mod licences;
 pub mod line_names;
 pub mod open;
+pub mod pages;
 pub mod plot_svg;
 pub mod product_view;
 pub mod report;

@@ -19,7 +19,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
-    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled},
+    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, SpikeEdits},
 };
 
 /// How weighty a message is.
@@ -241,13 +241,10 @@ impl App {
             }
             Command::ClearOverlays => self.document.overlays.clear(),
             Command::About(subject) => self.document.subject = subject,
-            Command::EditSpikes(edits) => {
-                let key = self.document.subject_entry().key.clone();
-                if edits.is_empty() {
-                    self.document.edits.remove(&key);
-                } else {
-                    self.document.edits.insert(key, edits);
-                }
+            Command::EditSpikes(edits) => self.set_edits(edits),
+            Command::TakeModel { settings, edits } => {
+                self.document.settings = settings.clamped();
+                self.set_edits(edits);
             }
             Command::PatchSet(group) => {
                 self.document.patch_set = group;
@@ -320,6 +317,15 @@ impl App {
                 self.recompute();
             }
             None => self.say(Tone::Info, otherwise),
+        }
+    }
+
+    fn set_edits(&mut self, edits: SpikeEdits) {
+        let key = self.document.subject_entry().key.clone();
+        if edits.is_empty() {
+            self.document.edits.remove(&key);
+        } else {
+            self.document.edits.insert(key, edits);
         }
     }
 

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     document::{Document, FIRST_LIGHT, PAPER_WEIGHT_FACTOR, Subject, View, WEIGHT_FACTORS},
     entry::{Entry, bundled_entries},
+    pages::PageMemory,
     scale::Scale,
     settings::Settings,
 };
@@ -49,6 +50,8 @@ pub struct Preferences {
     pub no_library: bool,
     /// The bottom panel shows the spikes instead of the patches.
     pub spikes_below: bool,
+    /// What the pages remember.
+    pub pages: PageMemory,
 }
 
 impl Default for Preferences {
@@ -63,6 +66,7 @@ impl Default for Preferences {
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
             no_library: false,
             spikes_below: false,
+            pages: PageMemory::default(),
         }
     }
 }
@@ -86,6 +90,7 @@ impl Preferences {
             .window
             .filter(|size| size.iter().all(|s| (200.0..=20_000.0).contains(s)));
         self.recent.truncate(MOST_RECENT);
+        self.pages = self.pages.clamped();
         self
     }
 

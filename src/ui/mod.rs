@@ -12,6 +12,7 @@ pub mod files;
 pub mod keys;
 pub mod library_view;
 pub mod model_view;
+pub mod pages;
 pub mod painter;
 pub mod patches_view;
 pub mod picture;

@@ -42,7 +42,10 @@ pub fn window_image(app: &App, preferences: &Preferences, size: [u32; 2]) -> Col
     let no_files = Arc::new(|_: &super::files::Ask| Picked::Cancelled);
     let mut window = Window::new(app.clone(), preferences, no_files, None);
     window.quiet = true;
-    picture_with(&context, sides(size), 1.0, PASSES, |ui| window.show(ui))
+    picture_with(&context, sides(size), 1.0, PASSES, |ui| {
+        window.show(ui);
+        window.studies.finish();
+    })
 }
 
 /// [`window_image`] as a PNG file.

@@ -9,11 +9,18 @@ pub use about::{About, Same};
 pub use field::{Field, RaceAsk};
 pub use job::{Job, Stage, Wake};
 
-use super::{document::Document, tables::CURVE_ORDER};
+use super::{
+    command::Command,
+    document::Document,
+    pages::FieldChoice,
+    settings::{Detector, Settings},
+    tables::CURVE_ORDER,
+};
 use crate::{
-    spectrum::Basis,
+    io::preset::Shelf,
+    spectrum::{Basis, Kind, SpikeEdits},
     study::{
-        Auction, Progress, Race, Sweep,
+        Auction, Goal, Progress, Race, Sweep,
         auction::{self, Terms},
         race,
     },
@@ -66,9 +73,45 @@ pub struct AuctionAsk {
 }
 
 impl AuctionAsk {
+    /// The auction of a document's subject with its basis and fit.
+    pub fn of(document: &Document, goal: Goal, numbers: usize) -> Self {
+        let settings = document.settings;
+        Self {
+            about: About::of(document),
+            terms: Terms {
+                basis: settings.basis,
+                colour_exact: settings.colour_exact,
+                goal,
+                numbers,
+            },
+        }
+    }
+
     /// The answer; `None` when there is none or it was cancelled.
     pub fn answer(&self, progress: &Progress) -> Option<Auction> {
         auction::hold(&self.about.subject(), self.terms, progress)
+    }
+}
+
+impl FieldChoice {
+    /// The lights of the choice in a document.
+    pub fn field(self, document: &Document) -> Field {
+        match self {
+            Self::ThisLight => Field::One(Same(document.light.clone())),
+            Self::Shipped => Field::Shipped,
+            Self::Standard => Field::Shelf(Shelf::Standard),
+            Self::Led => Field::Shelf(Shelf::Led),
+            Self::Fluorescent => Field::Shelf(Shelf::Fluorescent),
+            Self::Discharge => Field::Shelf(Shelf::Discharge),
+            Self::Own => Field::These(
+                document
+                    .own
+                    .iter()
+                    .filter(|entry| entry.kind() == Kind::Light)
+                    .map(|entry| Same(entry.clone()))
+                    .collect(),
+            ),
+        }
     }
 }
 
@@ -76,6 +119,37 @@ impl RaceAsk {
     /// The answer; `None` when no light shines or it was cancelled.
     pub fn answer(&self, progress: &Progress) -> Option<Race> {
         race::run(&self.course(), &self.lamps(), progress)
+    }
+}
+
+/// The model that an auction ended with, as knobs and hand edits for the document.
+///
+/// `lines` are the places (nm) of all lines on offer, `bought` those that became spikes. When all
+/// were bought nothing is edited, and when none was the spikes are switched off.
+pub fn model_of(
+    settings: Settings,
+    terms: Terms,
+    auction: &Auction,
+    step: &auction::Step,
+) -> Command {
+    let left: Vec<f64> = (0..auction.lines.len())
+        .filter(|line| !step.lines.contains(line))
+        .map(|line| auction.lines[line].at_nm)
+        .collect();
+    let none = step.lines.is_empty();
+    Command::TakeModel {
+        settings: Settings {
+            basis: terms.basis,
+            colour_exact: terms.colour_exact,
+            order: step.order,
+            spikes: !none || left.is_empty(),
+            detector: Detector::Energy,
+            ..settings
+        },
+        edits: SpikeEdits {
+            hand: Vec::new(),
+            deleted_nm: if none { Vec::new() } else { left },
+        },
     }
 }
 

@@ -13,7 +13,9 @@ use super::{
     dialogs::Dialog,
     files::{Picked, Picker},
     library_view::LibraryView,
-    model_view, patches_view, picture,
+    model_view,
+    pages::{self, PageContext, Pages},
+    patches_view, picture,
     saver::Saver,
     spectrum_view::SpectrumView,
     spikes_view,
@@ -23,9 +25,11 @@ use super::{
 use crate::app::{
     App, Command,
     open::Loader,
+    pages::Page,
     plot_svg,
     spike_hand::SpikeAct,
     state::Tone,
+    studies::Studies,
     workspace::{Preferences, Restored},
 };
 use filing::{Saving, Waiting};
@@ -72,6 +76,9 @@ pub struct Window {
     pub quiet: bool,
     styled_for: Option<Preferences>,
     fonts_installed: bool,
+    /// Long computations; pictures wait for them.
+    pub studies: Studies,
+    pages: Pages,
 }
 
 impl Window {
@@ -98,6 +105,8 @@ impl Window {
             quiet: false,
             styled_for: None,
             fonts_installed: false,
+            studies: Studies::default(),
+            pages: Pages::default(),
         }
     }
 
@@ -177,12 +186,21 @@ impl Window {
                     .auto_shrink(false)
                     .show(ui, |ui| self.right_panel(ui, theme));
             });
-        Panel::bottom("below")
-            .default_size(156.0 * theme.scale)
-            .size_range(90.0..=420.0)
-            .resizable(true)
-            .show(ui, |ui| self.below(ui, theme));
+        let on_spectrum = self.preferences.pages.page == Page::Spectrum;
+        if on_spectrum {
+            Panel::bottom("below")
+                .default_size(156.0 * theme.scale)
+                .size_range(90.0..=420.0)
+                .resizable(true)
+                .show(ui, |ui| self.below(ui, theme));
+        }
+        self.studies.take_in();
         egui::CentralPanel::default_margins().show(ui, |ui| {
+            pages::tabs(ui, &mut self.preferences.pages.page);
+            if !on_spectrum {
+                self.page(ui, theme);
+                return;
+            }
             let wishes = self.spectrum.show(ui, &self.app, theme);
             let mut commands = wishes.commands;
             self.apply(&mut commands);
@@ -229,6 +247,32 @@ impl Window {
         for command in commands.drain(..) {
             self.app.apply(command);
         }
+    }
+
+    /// A page beside the spectrum.
+    fn page(&mut self, ui: &mut Ui, theme: Theme) {
+        let context = ui.ctx().clone();
+        let (mut commands, mut wishes) = (Vec::new(), Vec::new());
+        self.pages.show(
+            ui,
+            &mut PageContext {
+                app: &self.app,
+                studies: &mut self.studies,
+                memory: &mut self.preferences.pages,
+                theme,
+                wake: &theme::waker(&context),
+                commands: &mut commands,
+                wishes: &mut wishes,
+            },
+        );
+        for wish in wishes {
+            self.save_chart(wish, &context);
+        }
+        if !commands.is_empty() {
+            // The right panel was drawn before the page's click.
+            context.request_repaint();
+        }
+        self.apply(&mut commands);
     }
 
     fn right_panel(&mut self, ui: &mut Ui, theme: Theme) {

@@ -1,0 +1,221 @@
+//! The pages over the document, and what each of them remembers.
+
+use serde::{Deserialize, Serialize};
+
+use crate::study::{Goal, Measure};
+
+/// A page of the window: they all show the same document.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Page {
+    /// The plot with the patches below it.
+    #[default]
+    Spectrum,
+    /// The light's coefficients beside those of the colour-matching functions.
+    Coefficients,
+    /// Error against numbers.
+    Tradeoff,
+    /// What to buy with the next two numbers.
+    Auction,
+    /// The composite against other representations.
+    Race,
+    /// The paper's claims, measured on this spectrum.
+    Truth,
+}
+
+impl Page {
+    /// Every page, in the order of the tabs.
+    pub const ALL: [Self; 6] = [
+        Self::Spectrum,
+        Self::Coefficients,
+        Self::Tradeoff,
+        Self::Auction,
+        Self::Race,
+        Self::Truth,
+    ];
+
+    /// The tab's name.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Spectrum => "Spectrum",
+            Self::Coefficients => "Coefficients",
+            Self::Tradeoff => "Trade-off",
+            Self::Auction => "Auction",
+            Self::Race => "Race",
+            Self::Truth => "Truth",
+        }
+    }
+
+    /// What the page is for, a sentence.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Spectrum => "The spectrum, its model and the patches under both.",
+            Self::Coefficients => {
+                "Why few numbers carry colour: the coefficients of the light beside those of the \
+                 eye."
+            }
+            Self::Tradeoff => "Error against numbers: every order, with and without spikes.",
+            Self::Auction => "What to buy with the next two numbers: an order or a spike.",
+            Self::Race => "The composite against other representations, at equal numbers.",
+            Self::Truth => "The paper's claims, measured on this spectrum and range.",
+        }
+    }
+
+    /// The word used on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Spectrum => "spectrum",
+            Self::Coefficients => "coefficients",
+            Self::Tradeoff => "tradeoff",
+            Self::Auction => "auction",
+            Self::Race => "race",
+            Self::Truth => "truth",
+        }
+    }
+}
+
+/// What the pages remember; not part of undo.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PageMemory {
+    /// The page shown.
+    pub page: Page,
+    /// Coefficients: the partial sum's order.
+    pub partial_order: usize,
+    /// Coefficients: which of X, Y, Z the bars are of.
+    pub channel: usize,
+    /// Trade-off: the figure on the vertical axis.
+    pub measure: Measure,
+    /// Auction, and "spend for me": what is to be made small.
+    pub goal: Goal,
+    /// Auction: most numbers.
+    pub auction_numbers: usize,
+    /// "Spend ... numbers for me".
+    pub spend_numbers: usize,
+    /// Race: who races.
+    pub field: FieldChoice,
+    /// Race: the count of numbers that the table shows.
+    pub race_numbers: usize,
+    /// Race: the figure that decides.
+    pub race_measure: Measure,
+}
+
+impl Default for PageMemory {
+    fn default() -> Self {
+        Self {
+            page: Page::Spectrum,
+            partial_order: 3,
+            channel: 1,
+            measure: Measure::Patches,
+            goal: Goal::PATCHES,
+            auction_numbers: 41,
+            spend_numbers: 21,
+            field: FieldChoice::ThisLight,
+            race_numbers: 20,
+            race_measure: Measure::Patches,
+        }
+    }
+}
+
+/// Counts of numbers that may be spent.
+pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
+
+/// Counts of numbers that the race is run at; those of the larger collection's table (11, 20, 31)
+/// among them.
+pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
+
+impl PageMemory {
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let spendable = |n: usize| n.clamp(*SPENDABLE.start(), *SPENDABLE.end());
+        let nearest = RACE_BUDGETS
+            .into_iter()
+            .min_by_key(|budget| budget.abs_diff(self.race_numbers));
+        Self {
+            partial_order: self.partial_order.min(100),
+            channel: self.channel.min(2),
+            goal: self.goal.clamped(),
+            auction_numbers: spendable(self.auction_numbers),
+            spend_numbers: spendable(self.spend_numbers),
+            race_numbers: nearest.unwrap_or(20),
+            ..self
+        }
+    }
+}
+
+/// Who races, as a choice that outlives the document.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FieldChoice {
+    /// The document's light.
+    #[default]
+    ThisLight,
+    /// Every shipped light.
+    Shipped,
+    /// The shipped standard lights.
+    Standard,
+    /// The shipped LED lights.
+    Led,
+    /// The shipped fluorescent lamps.
+    Fluorescent,
+    /// The shipped discharge lamps.
+    Discharge,
+    /// The user's own lights.
+    Own,
+}
+
+impl FieldChoice {
+    /// Every choice, in the order of the menu.
+    pub const ALL: [Self; 7] = [
+        Self::ThisLight,
+        Self::Shipped,
+        Self::Standard,
+        Self::Led,
+        Self::Fluorescent,
+        Self::Discharge,
+        Self::Own,
+    ];
+
+    /// In words for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::ThisLight => "this light",
+            Self::Shipped => "all shipped lights",
+            Self::Standard => "standard lights",
+            Self::Led => "LED",
+            Self::Fluorescent => "fluorescent",
+            Self::Discharge => "discharge",
+            Self::Own => "my lights",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_page_remembers_is_always_something_it_can_show() {
+        let nonsense = PageMemory {
+            partial_order: usize::MAX,
+            channel: 7,
+            goal: Goal {
+                own: f64::NAN,
+                patches: -1.0,
+                ..Goal::OWN
+            },
+            auction_numbers: 0,
+            spend_numbers: 100_000,
+            race_numbers: 21,
+            ..PageMemory::default()
+        };
+        let sound = nonsense.clamped();
+        assert_eq!((sound.channel, sound.race_numbers), (2, 20));
+        assert_eq!((sound.auction_numbers, sound.spend_numbers), (1, 101));
+        assert_eq!(sound.goal, Goal::PATCHES);
+        let usual = PageMemory::default();
+        assert_eq!(usual.clone().clamped(), usual);
+        assert!(RACE_BUDGETS.is_sorted());
+    }
+}
