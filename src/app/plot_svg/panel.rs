@@ -33,7 +33,9 @@ impl Frame {
         let (width, height) = (px(self.width), px(self.height));
 
         let mut grid = String::new();
-        for &tick in &horizontal.ticks {
+        // Names have no in-between that a line could help to read.
+        let across = horizontal.ticks.iter().filter(|_| !horizontal.named);
+        for &tick in across {
             let x = self.left + horizontal.px(tick);
             let _ = write!(grid, "M{} {top}v{height}", px(x));
         }
