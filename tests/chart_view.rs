@@ -256,15 +256,16 @@ fn the_lower_panel_counts_its_series_after_the_main_ones() {
 fn a_box_of_a_heat_map_tells_its_value_on_logarithmic_places_too() {
     let mut ui = fresh(map());
     let here = at(&ui, [1.5, 1.5]);
-    click(&mut ui, here);
+    hover(&mut ui, here);
     let hit = Hit {
         series: 0,
         point: 3,
         at: [55.0, 1.5],
     };
     assert_eq!(ui.state().pointed, Some(hit));
-    assert_eq!(ui.state().clicked, [hit]);
     assert_written(&ui, "Error: 2.5");
+    click(&mut ui, here);
+    assert_eq!(ui.state().clicked, [hit]);
     let empty = at(&ui, [1.5, 0.5]);
     hover(&mut ui, empty);
     assert_written(&ui, "Error: no value");

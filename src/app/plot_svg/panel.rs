@@ -46,7 +46,9 @@ impl Frame {
         let colour = hex(palette.grid);
         let _ = writeln!(out, r#"<path d="{grid}" stroke="{colour}"/>"#);
         let axis = hex(palette.axis);
-        if vertical.scale == Scale::Linear && vertical.range[0] < 0.0 && vertical.range[1] > 0.0 {
+        let is_map = series.iter().any(|series| series.marks.cells().is_some());
+        let crossed = vertical.range[0] < 0.0 && vertical.range[1] > 0.0;
+        if vertical.scale == Scale::Linear && crossed && !is_map {
             let y = px(self.top + vertical.px(0.0));
             let _ = writeln!(out, r#"<path d="M{left} {y}h{width}" stroke="{axis}"/>"#);
         }

@@ -316,7 +316,11 @@ impl Layout {
         });
         let zero = shown.transform.position_from_point_y(0.0);
         let frame = *shown.transform.frame();
-        if y_scale == Scale::Linear && (frame.top()..frame.bottom() - 1.0).contains(&zero) {
+        let is_map = is_main && chart.heat_map().is_some();
+        if y_scale == Scale::Linear
+            && !is_map
+            && (frame.top()..frame.bottom() - 1.0).contains(&zero)
+        {
             let colour = grey(if theme.dark { 95 } else { 150 });
             ui.painter().hline(frame.x_range(), zero, (1.0, colour));
         }
