@@ -963,6 +963,29 @@ fn everything_in_the_save_menu_is_written_where_the_picker_says() {
 }
 
 #[test]
+fn the_error_curve_is_saved_as_a_picture_of_pixels_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("curve.png");
+    let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
+    let mut ui = over(window(App::new(), picker));
+    click(&mut ui, "Save");
+    control(&ui, Role::Button, "Error against order (PNG)").click();
+    ui.step();
+    wait_until(&mut ui, "the word that it is saved", |ui| {
+        app(ui)
+            .message()
+            .is_some_and(|m| m.text.starts_with("Saved"))
+    });
+    let expected = Ask::Save {
+        suggested: "FL11-error-against-order.png".to_owned(),
+        extension: "png",
+    };
+    assert_eq!(asked.lock().expect("no panic").clone(), [expected]);
+    let bytes = fs::read(&path).expect("saved");
+    assert!(bytes.starts_with(b"\x89PNG"));
+}
+
+#[test]
 fn a_saved_composite_can_be_opened_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("fl11.json");

@@ -77,15 +77,6 @@ pub fn log_marks(target: usize) -> impl Fn(GridInput) -> Vec<GridMark> {
     }
 }
 
-/// Marks at given places.
-pub fn at(places: Vec<f64>) -> impl Fn(GridInput) -> Vec<GridMark> {
-    move |input| {
-        let (low, high) = input.bounds;
-        let inside = places.iter().filter(|at| (low..=high).contains(*at));
-        inside.map(|at| mark(*at)).collect()
-    }
-}
-
 /// A mark as strong as any.
 fn mark(value: f64) -> GridMark {
     GridMark {

@@ -54,6 +54,8 @@ pub(super) struct Horizontal {
     pub(super) length: f64,
     pub(super) ticks: Vec<f64>,
     pub(super) labels: Vec<String>,
+    /// Whether places have names instead of numbers.
+    pub(super) named: bool,
     /// Labels that are too long to stand side by side.
     pub(super) slanted: bool,
 }
@@ -66,12 +68,13 @@ impl Horizontal {
             length,
             ticks: Vec::new(),
             labels: Vec::new(),
+            named: !chart.x_names.is_empty(),
             slanted: false,
         };
-        if chart.x_names.is_empty() {
-            axis.number();
-        } else {
+        if axis.named {
             axis.name(&chart.x_names);
+        } else {
+            axis.number();
         }
         axis
     }
@@ -246,7 +249,7 @@ fn fitted_range(series: &[Series], scale: Scale) -> [f64; 2] {
     let is_map = |series: &Series| series.marks.cells().is_some();
     match (extent(heights.filter(usable)), scale) {
         // A heat map fills its panel.
-        (Some(range), _) if !series.is_empty() && series.iter().all(is_map) => range,
+        (Some(range), _) if series.iter().any(is_map) => range,
         (None, Scale::Linear) => [0.0, 1.0],
         (None, Scale::Log10) => [0.1, 10.0],
         (Some([low, high]), Scale::Linear) => {

@@ -81,7 +81,7 @@ impl Series {
                 )
             }
             Marks::Area { .. } => block(0.4),
-            Marks::Bars { .. } => block(0.85),
+            Marks::Bars { .. } => block(1.0),
             Marks::Points { radius, shape, .. } => {
                 let radius = sound_px(*radius).min(5.0);
                 point_element([x + length / 2.0, y], radius, *shape, &colour)

@@ -155,7 +155,7 @@ impl Plot<'_> {
         if size.iter().all(|&side| side > 0.0) {
             let _ = writeln!(
                 out,
-                r#"<rect x="{}" y="{}" width="{}" height="{}" fill="{colour}" fill-opacity="0.85"/>"#,
+                r#"<rect x="{}" y="{}" width="{}" height="{}" fill="{colour}"/>"#,
                 px(sides[0].min(sides[1])),
                 px(ends[0].min(ends[1])),
                 px(size[0]),

@@ -33,7 +33,9 @@ impl Frame {
         let (width, height) = (px(self.width), px(self.height));
 
         let mut grid = String::new();
-        for &tick in &horizontal.ticks {
+        // Names have no in-between that a line could help to read.
+        let across = horizontal.ticks.iter().filter(|_| !horizontal.named);
+        for &tick in across {
             let x = self.left + horizontal.px(tick);
             let _ = write!(grid, "M{} {top}v{height}", px(x));
         }
@@ -44,7 +46,9 @@ impl Frame {
         let colour = hex(palette.grid);
         let _ = writeln!(out, r#"<path d="{grid}" stroke="{colour}"/>"#);
         let axis = hex(palette.axis);
-        if vertical.scale == Scale::Linear && vertical.range[0] < 0.0 && vertical.range[1] > 0.0 {
+        let is_map = series.iter().any(|series| series.marks.cells().is_some());
+        let crossed = vertical.range[0] < 0.0 && vertical.range[1] > 0.0;
+        if vertical.scale == Scale::Linear && crossed && !is_map {
             let y = px(self.top + vertical.px(0.0));
             let _ = writeln!(out, r#"<path d="M{left} {y}h{width}" stroke="{axis}"/>"#);
         }

@@ -37,7 +37,7 @@ pub fn ramp_colour(place: f64) -> Rgb {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::{Srgb, lab_from_xyz, xyz_from_linear};
+    use crate::color::{Srgb, lab_from_xyz, srgb::xyz_from_linear};
 
     fn lightness(place: f64) -> f64 {
         let of = |colour: Rgb| xyz_from_linear(Srgb(colour).to_linear());

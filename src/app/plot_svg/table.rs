@@ -1,6 +1,6 @@
 //! The numbers of a chart as a table.
 
-use std::fmt::Write as _;
+use std::{collections::BTreeSet, fmt::Write as _};
 
 use super::{Chart, Marks, Series};
 use crate::io::write::{one_line, shortest};
@@ -14,9 +14,10 @@ struct Column {
 impl Chart {
     /// The numbers of all series as CSV, after comment lines that say where they come from.
     ///
-    /// Series that share their places are columns of one table. Others stand below one another as
-    /// `series, x, y`. A heat map has one line a box, at the box's middle. Places with names have
-    /// them in a column of their own. A cell is empty where there is no number.
+    /// Series that share their places, or the names of their places, are columns of one table.
+    /// Others stand below one another as `series, x, y`, with the name of the place in a column of
+    /// its own where places have names. A heat map has one line a box, at the box's middle. A cell
+    /// is empty where there is no number.
     pub fn to_csv(&self) -> String {
         let mut out = String::new();
         let mut comment = |key: &str, text: &str| {
@@ -38,8 +39,8 @@ impl Chart {
         let has_cells = self.all_series().any(|s| s.marks.cells().is_some());
         if has_cells {
             self.cells_table(&mut out, &columns);
-        } else if one_table(&columns) {
-            self.wide_table(&mut out, &columns);
+        } else if let Some(places) = self.shared_places(&columns) {
+            self.wide_table(&mut out, &columns, &places);
         } else {
             self.long_table(&mut out, &columns);
         }
@@ -86,14 +87,33 @@ impl Chart {
         }
     }
 
-    fn wide_table(&self, out: &mut String, columns: &[Column]) {
-        out.push_str(&self.place_title());
+    /// What begins the lines of a table that all columns fit: their places where they share them,
+    /// or the names of their places, which bars side by side share.
+    fn shared_places(&self, columns: &[Column]) -> Option<Vec<String>> {
+        let of = |place: &dyn Fn(f64) -> String| {
+            let places = |column: &Column| -> Vec<String> {
+                column.points.iter().map(|point| place(point[0])).collect()
+            };
+            let first = columns.first().map(places).unwrap_or_default();
+            let shared = columns.iter().all(|column| places(column) == first);
+            shared.then_some(first)
+        };
+        if self.x_names.is_empty() {
+            return of(&number);
+        }
+        let names = of(&|x| quoted(self.name_at(x).unwrap_or_default()))?;
+        let different: BTreeSet<&String> = names.iter().collect();
+        (different.len() == names.len()).then_some(names)
+    }
+
+    fn wide_table(&self, out: &mut String, columns: &[Column], places: &[String]) {
+        out.push_str(&self.x_title());
         for column in columns {
             let _ = write!(out, ",{}", quoted(&column.name));
         }
         out.push('\n');
-        for (i, point) in columns.first().iter().flat_map(|c| &c.points).enumerate() {
-            out.push_str(&self.place(point[0]));
+        for (i, place) in places.iter().enumerate() {
+            out.push_str(place);
             for column in columns {
                 let _ = write!(out, ",{}", number(column.points[i][1]));
             }
@@ -153,15 +173,6 @@ fn name_of(series: &Series, index: usize) -> String {
         true => format!("series {}", index + 1),
         false => series.name.clone(),
     }
-}
-
-/// Whether all columns have the same places, to the bit.
-fn one_table(columns: &[Column]) -> bool {
-    let places = |column: &Column| -> Vec<u64> {
-        let bits = column.points.iter().map(|p| p[0].to_bits());
-        bits.collect()
-    };
-    columns.windows(2).all(|w| places(&w[0]) == places(&w[1]))
 }
 
 fn title_or<'a>(title: &'a str, otherwise: &'a str) -> &'a str {

@@ -58,7 +58,7 @@ pub(super) fn draw(ui: &Ui, cells: &Cells, frame: Rect, theme: Theme) {
             theme.faint,
         );
     }
-    let end = pos2(ui.max_rect().right(), frame.top() - 1.0);
+    let end = pos2(ui.max_rect().right(), frame.top() - edge::LIFT);
     let colour = ui.visuals().text_color();
     painter.text(end, Align2::RIGHT_BOTTOM, &cells.label, font, colour);
 }

@@ -22,6 +22,9 @@ const SLANT: f32 = 0.61;
 /// Longest name of a place, points.
 const LONGEST_NAME: f32 = 150.0;
 
+/// Distance of a vertical axis's name to its panel, points: the highest number reaches half beyond.
+pub(super) const LIFT: f32 = 5.0;
+
 /// Free space between neighbouring names, points.
 const APART: f32 = 8.0;
 
@@ -101,12 +104,6 @@ impl Edge {
         }
     }
 
-    /// Named places, in coordinates of the plot.
-    pub fn names(&self, chart: &Chart) -> Vec<f64> {
-        let at = |(x, _): &(f64, String)| super::coordinate(*x, chart.x_scale);
-        chart.x_names.iter().map(at).collect()
-    }
-
     /// Writes labels and the axis's name under `foot`.
     pub fn draw(&self, ui: &Ui, chart: &Chart, place: &Place, foot: f32, theme: Theme) {
         let frame = place.frame();
@@ -179,7 +176,7 @@ impl Edge {
 /// What a vertical axis counts, over its upper end.
 pub(super) fn y_label(ui: &Ui, label: &str, panel: Rect, theme: Theme) {
     let galley = galley(ui, label, &TextStyle::Small, 0.8 * panel.width());
-    let corner = panel.left_top() + vec2(2.0 * theme.scale, -1.0 - galley.size().y);
+    let corner = panel.left_top() + vec2(2.0 * theme.scale, -LIFT - galley.size().y);
     let colour = ui.visuals().text_color();
     ui.painter()
         .galley_with_override_text_color(corner, galley, colour);

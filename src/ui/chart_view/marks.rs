@@ -39,7 +39,7 @@ pub(super) fn paint(ui: &Ui, series: &[Series], place: &Place, theme: Theme) {
             Marks::Bars { points, width } => {
                 for point in points {
                     if let Some(rect) = bar_rect(place, *point, *width) {
-                        painter.rect_filled(rect, 0.0, colour.gamma_multiply(0.88));
+                        painter.rect_filled(rect, 0.0, colour);
                     }
                 }
             }
@@ -288,7 +288,7 @@ pub(super) fn sample(painter: &Painter, series: &Series, rect: Rect, theme: Them
         }
         Marks::Bars { .. } => {
             let half = vec2(0.3 * rect.width(), 1.0);
-            painter.rect_filled(rect.shrink2(half), 0.0, colour.gamma_multiply(0.88));
+            painter.rect_filled(rect.shrink2(half), 0.0, colour);
         }
         Marks::Points { radius, shape, .. } => {
             painter.add(form(middle, size(*radius, theme).min(5.0), *shape, colour));

@@ -204,13 +204,12 @@ struct Layout {
     y_width: f32,
     edge: Edge,
     across: usize,
-    theme_scale: f32,
 }
 
 impl Layout {
     fn new(ui: &Ui, chart: &Chart, area: Rect, theme: Theme) -> Self {
         let line = edge::line_height(ui);
-        let numbers = y_width(ui, chart, area.height());
+        let numbers = y_width(ui, chart, area, theme);
         let beyond = chart.heat_map().map_or(14.0 * theme.scale, |cells| {
             bar::room(ui, cells, area.height())
         });
@@ -225,7 +224,7 @@ impl Layout {
             0.0
         };
         let room = (area.bottom() - top - strip - edge.height).max(40.0);
-        let between = 4.0 + line;
+        let between = 2.0 + line + edge::LIFT;
         let share = if chart.residual.is_some() {
             LOWER_SHARE
         } else {
@@ -245,7 +244,6 @@ impl Layout {
             y_width,
             edge,
             across: ((width - y_width) / (70.0 * theme.scale)).clamp(2.0, 14.0) as usize,
-            theme_scale: theme.scale,
         }
     }
 
@@ -274,7 +272,8 @@ impl Layout {
         } else {
             Scale::Linear
         };
-        let down = (rect.height() / (38.0 * self.theme_scale)).clamp(2.0, 12.0) as usize;
+        let down = down(rect.height(), theme);
+        let (marks, labels) = y_ticks(bounds[1], y_scale, down);
         let mut ui = ui.new_child(UiBuilder::new().max_rect(rect).id_salt(name));
         let plot = Plot::new(name)
             .width(rect.width())
@@ -290,10 +289,10 @@ impl Layout {
             .allow_axis_zoom_drag(false)
             .allow_double_click_reset(false)
             .label_formatter(|_| None);
-        let names: Vec<f64> = self.edge.names(chart);
         let across = self.across;
-        let plot = match (names.is_empty(), chart.x_scale) {
-            (false, _) => plot.x_grid_spacer(axes::at(names)),
+        let plot = match (chart.x_names.is_empty(), chart.x_scale) {
+            // Names have no in-between that a line could help to read.
+            (false, _) => plot.x_grid_spacer(|_| Vec::new()),
             (true, Scale::Linear) => plot.x_grid_spacer(axes::marks(across)),
             (true, Scale::Log10) => plot.x_grid_spacer(axes::log_marks(across)),
         };
@@ -301,7 +300,15 @@ impl Layout {
             Scale::Linear => plot.y_grid_spacer(axes::marks(down)),
             Scale::Log10 => plot.y_grid_spacer(axes::log_marks(down)),
         };
-        let words = move |at: f64| ticks::short(place::value(at, y_scale));
+        // Marks of a view that a hand is moving just now are not yet among the labels.
+        let words = move |at: f64| match marks.iter().position(|mark| *mark == at) {
+            Some(index) => labels[index].clone(),
+            None => ticks::short(place::value(at, y_scale)),
+        };
+        let small = egui::TextStyle::Small.resolve(ui.style());
+        ui.style_mut()
+            .text_styles
+            .insert(egui::TextStyle::Body, small);
         let plot = axes::dress(plot, theme, self.y_width, |_| String::new(), words);
         let shown = plot.show(&mut ui, |plot| {
             let [x, y] = bounds;
@@ -309,7 +316,11 @@ impl Layout {
         });
         let zero = shown.transform.position_from_point_y(0.0);
         let frame = *shown.transform.frame();
-        if y_scale == Scale::Linear && (frame.top()..frame.bottom() - 1.0).contains(&zero) {
+        let is_map = is_main && chart.heat_map().is_some();
+        if y_scale == Scale::Linear
+            && !is_map
+            && (frame.top()..frame.bottom() - 1.0).contains(&zero)
+        {
             let colour = grey(if theme.dark { 95 } else { 150 });
             ui.painter().hline(frame.x_range(), zero, (1.0, colour));
         }
@@ -329,23 +340,41 @@ fn label_room(label: &str, chart: &Chart, line: f32) -> f32 {
     if label.is_empty() && !bar {
         4.0
     } else {
-        line + 2.0
+        line + edge::LIFT
+    }
+}
+
+/// About how many marks a vertical axis has.
+fn down(height: f32, theme: Theme) -> usize {
+    (height / (48.0 * theme.scale)).clamp(2.0, 10.0) as usize
+}
+
+/// Marks of a vertical axis, in coordinates of the plot, and what is written at them.
+fn y_ticks([low, high]: [f64; 2], scale: Scale, target: usize) -> (Vec<f64>, Vec<String>) {
+    match scale {
+        Scale::Linear => {
+            let marks = ticks::nice_ticks(low, high, target);
+            let labels = ticks::tick_labels(&marks);
+            (marks, labels)
+        }
+        Scale::Log10 => {
+            let marks = ticks::log_ticks(10_f64.powf(low), 10_f64.powf(high), target);
+            let labels = marks.iter().copied().map(ticks::short).collect();
+            (marks.into_iter().map(f64::log10).collect(), labels)
+        }
     }
 }
 
 /// Room for the widest number of the vertical axes, points.
-fn y_width(ui: &Ui, chart: &Chart, height: f32) -> f32 {
-    let down = (height / 38.0).clamp(2.0, 12.0) as usize;
-    let marks = |[low, high]: [f64; 2], scale| match scale {
-        Scale::Linear => ticks::nice_ticks(low, high, down),
-        Scale::Log10 => ticks::log_ticks(low, high, down),
-    };
+fn y_width(ui: &Ui, chart: &Chart, area: Rect, theme: Theme) -> f32 {
+    let down = down(area.height(), theme);
+    let own = chart.y_limits().map(|y| coordinate(y, chart.y_scale));
     let lower = chart.residual.iter().map(|p| (p.y_limits(), Scale::Linear));
-    let widths = std::iter::once((chart.y_limits(), chart.y_scale))
+    let widths = std::iter::once((own, chart.y_scale))
         .chain(lower)
-        .flat_map(|(limits, scale)| marks(limits, scale))
-        .map(|tick| edge::width(ui, &ticks::short(tick), &egui::TextStyle::Body));
-    widths.fold(24.0, f32::max) + 8.0
+        .flat_map(|(limits, scale)| y_ticks(limits, scale, down).1)
+        .map(|label| edge::width(ui, &label, &egui::TextStyle::Small));
+    widths.fold(24.0, f32::max) + 12.0
 }
 
 /// The colour of a series.
