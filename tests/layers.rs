@@ -12,14 +12,18 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 7] = [
+const ROOMS: [(&str, &[&str]); 8] = [
     ("spectrum", &[]),
     ("color", &["spectrum"]),
-    ("study", &["color", "spectrum"]),
+    ("rivals", &["spectrum"]),
+    ("study", &["rivals", "color", "spectrum"]),
     ("io", &["spectrum"]),
-    ("app", &["study", "color", "spectrum", "io"]),
-    ("cli", &["app", "study", "color", "spectrum", "io"]),
-    ("ui", &["app", "study", "color", "spectrum", "io"]),
+    ("app", &["study", "rivals", "color", "spectrum", "io"]),
+    (
+        "cli",
+        &["app", "study", "rivals", "color", "spectrum", "io"],
+    ),
+    ("ui", &["app", "study", "rivals", "color", "spectrum", "io"]),
 ];
 
 /// What only the window and the start of the program may name.

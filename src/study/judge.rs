@@ -202,11 +202,16 @@ impl Judge {
     }
 
     /// The judge of a reflectance or transmittance under a light, both on the band's grid: no
-    /// patches, no filters.
-    pub fn of_factor(yardsticks: &Arc<Yardsticks>, measured: &[f64], light: &[f64]) -> Self {
+    /// patches, no filters. `perfect` is what a perfect reflector has in the measured scale.
+    pub fn of_factor(
+        yardsticks: &Arc<Yardsticks>,
+        measured: &[f64],
+        light: &[f64],
+        perfect: f64,
+    ) -> Self {
         let seen = seen_under(&yardsticks.seen, light);
         let band = yardsticks.band();
-        let white = Xyz::from_array(std::array::from_fn(|k| band.integral(&seen[k])));
+        let white = Xyz::from_array(std::array::from_fn(|k| perfect * band.integral(&seen[k])));
         Self::of(yardsticks, measured, seen, Some(white))
     }
 

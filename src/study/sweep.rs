@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{
+    error::{height, times},
     judge::{Judge, Measure, Verdict, Yardsticks, scaled_to_one},
     prepared::{Kit, Prepared},
     progress::Progress,
@@ -43,12 +44,13 @@ impl Examined {
     pub fn of(subject: &Subject, numbers: usize) -> Option<Self> {
         let yardsticks = &subject.yardsticks;
         let band = yardsticks.band();
-        let values = scaled_to_one(&subject.values)?;
+        let unit = height(&subject.values)?;
+        let values = times(&subject.values, unit);
         let judge = match &subject.under {
             None => Judge::of_light(yardsticks, &values),
             Some(light) => {
                 let light = scaled_to_one(light).unwrap_or_else(|| light.clone());
-                Judge::of_factor(yardsticks, &values, &light)
+                Judge::of_factor(yardsticks, &values, &light, unit)
             }
         };
         let (_, shapes) = detect_shapes(band, &values, subject.spikes);
