@@ -160,7 +160,7 @@ pub fn stem_of(text: &str, otherwise: &str) -> String {
     let name: String = text.chars().map(sign).collect();
     let words: Vec<&str> = name.split('-').filter(|word| !word.is_empty()).collect();
     let name = words.join("-");
-    let name = name.trim_matches('.');
+    let name = name.trim_matches(['-', '.']);
     if name.is_empty() {
         otherwise.to_owned()
     } else {

@@ -81,12 +81,11 @@ impl Horizontal {
 
     /// As many numbers as fit side by side; how wide they are shows only when they are made.
     fn number(&mut self) {
-        let [low, high] = self.range;
         let mut target = (self.length / 60.0).clamp(2.0, 14.0) as usize;
         loop {
             (self.ticks, self.labels) = ticks_of(self.range, self.scale, target);
             let widths = self.labels.iter().map(|l| text_width(l, TEXT_SIZE) + 10.0);
-            if target <= 1 || !(low < high) || widths.sum::<f64>() <= self.length {
+            if target <= 1 || widths.sum::<f64>() <= self.length {
                 return;
             }
             target -= 1;
