@@ -281,8 +281,11 @@ fn a_line_that_pays_only_with_the_next_order_is_bought_all_the_same() {
     let lines = lines_bought(&purchases(&auction));
     assert!(lines.iter().any(|nm| (nm - 435.8).abs() < 1.0), "{lines:?}");
     let at = |numbers: usize| {
-        let steps = auction.steps.iter().filter(|s| s.numbers <= numbers);
-        steps.last().map(|s| s.error).expect("it begins at 1")
+        let mut steps = auction.steps.iter().rev();
+        steps
+            .find(|s| s.numbers <= numbers)
+            .map(|s| s.error)
+            .expect("it begins at 1")
     };
     // The plan's figures for this purchase: .48 to .11.
     println!(
@@ -327,8 +330,10 @@ fn check(auction: &Auction, terms: Terms, place: &str) {
     }
     // At every price never worse than the better of "with" and "without".
     for bid in auction.with.iter().chain(&auction.without) {
-        let steps = auction.steps.iter().filter(|s| s.numbers <= bid.numbers);
-        let pick = steps.last().expect("it begins at 1");
+        let mut steps = auction.steps.iter().rev();
+        let pick = steps
+            .find(|s| s.numbers <= bid.numbers)
+            .expect("it begins at 1");
         // The path leaves out what is better by rounding only.
         let rounding = 1e-9 * first.error;
         assert!(
