@@ -233,8 +233,10 @@ mod tests {
             }
         }));
         let training = Training::new(BAND, &spectra, 41);
-        let wave: Vec<f64> = BAND.grid().map(|nm| 2.0 + (nm / 100.0).cos()).collect();
-        let chosen = training.basis_for("unheard of", &wave, 6);
+        // Between two waves, so it lies in the span of all twenty.
+        let pair = spectra[23].values.iter().zip(&spectra[26].values);
+        let wave: Vec<f64> = pair.map(|(a, b)| a + b).collect();
+        let chosen = training.basis_for("unheard of", &wave, 20);
         let waves = &training.schools[2].all;
         assert!(Arc::ptr_eq(chosen, waves));
     }
