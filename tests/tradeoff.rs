@@ -386,7 +386,7 @@ proptest! {
         way in 0_usize..4,
         weights in [0.0_f64..2.0, 0.0..2.0, 0.0..2.0, 0.0..2.0],
         numbers in 1_usize..34,
-        threshold in 0.001_f64..0.02,
+        threshold in 0.0002_f64..0.02,
     ) {
         let lamps = lamps();
         let lamp = lamps[lamp % lamps.len()];

@@ -219,8 +219,8 @@ impl Auction {
     }
 }
 
-/// Most lines on offer: the heaviest.
-const MOST_LINES: usize = 24;
+/// Lines that can be bought one by one: the heaviest. The others only come with all heavier ones.
+const SINGLY: usize = 24;
 
 /// Models of each price whose single purchases are all tried.
 const FOLLOWED: usize = 8;
@@ -242,8 +242,7 @@ pub fn hold(subject: &Subject, terms: Terms, progress: &Progress) -> Option<Auct
 
 /// [`hold`] on a subject that was examined already.
 pub fn hold_on(examined: &Examined, terms: Terms, progress: &Progress) -> Option<Auction> {
-    let shapes = &examined.shapes[..examined.shapes.len().min(MOST_LINES)];
-    let prepared = examined.prepared(terms.basis, shapes);
+    let prepared = examined.prepared(terms.basis, &examined.shapes);
     let mut room = Room::new(&examined.judge, &prepared, terms)?;
     let highest = room.most_purchases();
     progress.expect(highest + 1);
@@ -395,7 +394,7 @@ impl<'a> Room<'a> {
 
     /// Every single purchase after the best models of a price, and every pair after the best one.
     fn follow(&mut self, count: usize) {
-        let lines = self.prepared.lines();
+        let lines = self.prepared.lines().min(SINGLY);
         for (place, choice) in self.best_of(count, FOLLOWED).into_iter().enumerate() {
             for next in choice.next(lines) {
                 if place == 0 {

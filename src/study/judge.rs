@@ -373,3 +373,168 @@ pub fn seen_under(seen: &[Vec<f64>; 3], light: &[f64]) -> [Vec<f64>; 3] {
 fn share(square: f64, whole: f64) -> Option<f64> {
     Some((square / whole).sqrt()).filter(|share| whole > 0.0 && share.is_finite())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::error::spectrum_errors;
+
+    const BAND: Band = Band::VISIBLE;
+
+    fn yardsticks() -> Arc<Yardsticks> {
+        let ramp: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
+        let grey = vec![0.2; BAND.points()];
+        let names = ["ramp", "grey"].map(String::from).to_vec();
+        let set = PatchSet::new(&[ramp, grey], names, BAND, Observer::Cie1931);
+        Arc::new(Yardsticks::new(set))
+    }
+
+    /// A smooth light of ordinary height.
+    fn light() -> Vec<f64> {
+        BAND.grid()
+            .map(|nm| 0.7 + 0.3 * (nm / 60.0).cos())
+            .collect()
+    }
+
+    #[test]
+    fn a_model_that_is_the_spectrum_is_off_by_nothing() {
+        let judge = Judge::of_light(&yardsticks(), &light());
+        let verdict = judge.verdict(&light(), &[]);
+        for measure in Measure::ALL {
+            assert_eq!(measure.of(&verdict), Some(0.0), "{measure:?}");
+        }
+        assert!(verdict.lowest.is_some_and(|lowest| lowest > 0.3));
+    }
+
+    #[test]
+    fn a_line_on_a_grid_point_is_one_nm_of_light_there() {
+        let judge = Judge::of_light(&yardsticks(), &light());
+        let mut nm_of_light = light();
+        nm_of_light[166] += 3.0;
+        let spike = Spike {
+            at_nm: 546.0,
+            weight: 3.0,
+        };
+        let (a, b) = (
+            judge.verdict(&nm_of_light, &[]),
+            judge.verdict(&light(), &[spike]),
+        );
+        for measure in Measure::ALL {
+            let (a, b) = (measure.of(&a), measure.of(&b));
+            let (a, b) = (a.expect("a light"), b.expect("a light"));
+            // The blur adds spikes by the formula that its taps are values of; everything else
+            // sums the same products in another order.
+            assert!((a - b).abs() < 1e-9 * a, "{measure:?}: {a} {b}");
+        }
+    }
+
+    #[test]
+    fn the_errors_of_the_spectrum_are_those_of_the_main_page() {
+        let judge = Judge::of_light(&yardsticks(), &light());
+        let smooth: Vec<f64> = light().iter().map(|v| 0.9 * v + 0.02).collect();
+        let spikes = [Spike {
+            at_nm: 500.3,
+            weight: 0.8,
+        }];
+        let blur = &judge.yardsticks().blur;
+        let shown = spectrum_errors(blur, &light(), &smooth, &spikes).expect("it shines");
+        let verdict = judge.verdict(&smooth, &spikes);
+        for (found, shown) in [
+            (verdict.relative_rms, shown.relative_rms),
+            (verdict.relative_rms_10nm, shown.relative_rms_10nm),
+            (verdict.lowest, shown.lowest),
+        ] {
+            // The main page scales by the largest value first.
+            let found = found.expect("it shines");
+            assert!((found - shown).abs() < 1e-12, "{found} {shown}");
+        }
+    }
+
+    #[test]
+    fn behind_a_filter_the_exact_light_has_y_50_or_is_brightened_fifty_times() {
+        let judge = Judge::of_light(&yardsticks(), &light());
+        let (labs, gains) = judge.filters.as_ref().expect("a light");
+        assert_eq!(labs.len(), filter_centres().count());
+        let fifty = lab_from_xyz(judge.white * 0.5, judge.white).l;
+        for ((lab, gain), at_nm) in labs.iter().zip(gains).zip(filter_centres()) {
+            let reached = (lab.l - fifty).abs() < 1e-9;
+            assert_eq!(reached, *gain < MOST_GAIN, "{at_nm} nm");
+            assert!(lab.l <= fifty + 1e-9);
+        }
+        // Green is bright enough, the far red is not.
+        assert!(gains[13] < 10.0 && gains[25] == MOST_GAIN);
+    }
+
+    #[test]
+    fn what_a_filter_hides_does_not_count_behind_it() {
+        let judge = Judge::of_light(&yardsticks(), &light());
+        let mut outside = light();
+        outside[..20].iter_mut().for_each(|v| *v += 0.5);
+        let filters = judge.filters(&outside, &[]).expect("a light");
+        // 400 nm is two widths from the first filter's centre: exp(-4 ln2 4) is 1e-5.
+        assert!(filters < 1e-3, "{filters}");
+        assert!(judge.relative_rms(&outside, &[]).expect("a light") > 0.05);
+    }
+
+    #[test]
+    fn approximated_patches_are_judged_against_exact_ones() {
+        let judge = Judge::of_light(&yardsticks(), &light());
+        let darker = PatchSet::new(
+            &[
+                BAND.grid().map(|nm| 0.9 * (nm - 380.0) / 400.0).collect(),
+                vec![0.18; BAND.points()],
+            ],
+            vec![String::new(); 2],
+            BAND,
+            Observer::Cie1931,
+        );
+        let verdict = judge.verdict_through(&light(), &[], &darker);
+        assert_eq!(verdict.own, Some(0.0));
+        assert!(verdict.patches_mean.expect("a light") > 0.5);
+    }
+
+    #[test]
+    fn a_reflectance_is_seen_under_its_light_at_any_scale() {
+        let (all, light) = (yardsticks(), light());
+        let red: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
+        let model: Vec<f64> = red.iter().map(|r| 0.8 * r + 0.1).collect();
+        let own = |scale: f64| {
+            let scaled =
+                |values: &[f64]| -> Vec<f64> { values.iter().map(|v| v * scale).collect() };
+            let judge = Judge::of_factor(&all, &scaled(&red), &light, scale);
+            judge.own(&scaled(&model), &[]).expect("a colour")
+        };
+        // Products by a power of two are exact.
+        assert_eq!(own(1.0), own(4.0));
+        assert!(own(1.0) > 1.0);
+        let judge = Judge::of_factor(&all, &red, &light, 1.0);
+        assert_eq!(judge.patches(&model, &[]), None);
+        assert_eq!(judge.filters(&model, &[]), None);
+    }
+
+    #[test]
+    fn light_that_nobody_sees_is_judged_as_a_spectrum_only() {
+        let band = Band::new(900.0, 1000.0).expect("100 nm");
+        let white = vec![1.0; band.points()];
+        let set = PatchSet::new(
+            std::slice::from_ref(&white),
+            vec![String::new()],
+            band,
+            Observer::Cie1931,
+        );
+        let judge = Judge::of_light(&Arc::new(Yardsticks::new(set)), &white);
+        let verdict = judge.verdict(&vec![0.5; band.points()], &[]);
+        assert_eq!(
+            (verdict.own, verdict.patches_mean, verdict.filters),
+            (None, None, None)
+        );
+        // Half the light is off by half.
+        assert!(
+            verdict
+                .relative_rms
+                .is_some_and(|e| (e - 0.5).abs() < 1e-12)
+        );
+        assert_eq!(scaled_to_one(&[0.0, 0.0]), None);
+        assert_eq!(scaled_to_one(&[1e300, -2e300]), Some(vec![0.5, -1.0]));
+    }
+}
