@@ -226,6 +226,8 @@ pub struct SamplesAgainstNumbers {
     pub composite: Errors,
     /// The spectrum sampled every [`STEPS_NM`], as far as the range holds such a step.
     pub sampled: Vec<SampledErrors>,
+    /// Every step that was tried, from 1 nm on: the curve to draw.
+    pub tried: Vec<SampledErrors>,
     /// How finely one must sample to do as well as the composite.
     pub needed: Needed,
 }
@@ -303,6 +305,9 @@ pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
     let composite = question.errors(&smooth, &spikes)?;
     let steps = question.table.band().steps();
     let sampled = STEPS_NM.into_iter().filter(|step| *step <= steps);
+    let tried: Vec<SampledErrors> = ladder(steps)
+        .map(|step| question.sampled_every(step))
+        .collect::<Option<_>>()?;
     Some(SamplesAgainstNumbers {
         background,
         spikes: spikes.len(),
@@ -310,7 +315,8 @@ pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
         sampled: sampled
             .map(|step| question.sampled_every(step))
             .collect::<Option<_>>()?,
-        needed: needed(question, composite)?,
+        needed: needed(&tried, composite)?,
+        tried,
     })
 }
 
@@ -334,18 +340,14 @@ fn background(question: Question<'_>, without: &[&LineShape], numbers: usize) ->
     (question.table.evaluate(&coefficients), coefficients.len())
 }
 
-fn needed(question: Question<'_>, composite: Errors) -> Option<Needed> {
-    let steps = ladder(question.table.band().steps());
-    let tried: Vec<SampledErrors> = steps
-        .map(|step| question.sampled_every(step))
-        .collect::<Option<_>>()?;
+fn needed(tried: &[SampledErrors], composite: Errors) -> Option<Needed> {
     let own = |errors: Errors| errors.own;
     let relative_rms = |errors: Errors| Some(errors.relative_rms);
     let relative_rms_10nm = |errors: Errors| Some(errors.relative_rms_10nm);
     Some(Needed {
-        own: Match::of(&tried, composite, own),
-        relative_rms: Match::of(&tried, composite, relative_rms)?,
-        relative_rms_10nm: Match::of(&tried, composite, relative_rms_10nm)?,
+        own: Match::of(tried, composite, own),
+        relative_rms: Match::of(tried, composite, relative_rms)?,
+        relative_rms_10nm: Match::of(tried, composite, relative_rms_10nm)?,
     })
 }
 

@@ -4,6 +4,7 @@
 pub mod about;
 pub mod field;
 pub mod job;
+pub mod paper;
 
 pub use about::{About, Same};
 pub use field::{Field, RaceAsk};

@@ -1,17 +1,346 @@
-//! The page "Coefficients".
+//! The page "Coefficients": the light's numbers beside those of the eye, and sums that grow.
 
 use eframe::egui;
-use egui::Ui;
+use egui::{Slider, Ui, vec2};
 
 use super::PageContext;
+use crate::{
+    app::{
+        Command, Settings,
+        charts::coefficients::{CoefficientCharts, Sight},
+        plot_svg::{self, Chart},
+        studies::paper::{CHANNELS, figure, harmonics_of, percent},
+        tables::CURVE_ORDER,
+    },
+    spectrum::{Basis, basis::numbers_of_order},
+    study::harmonics::Harmonics,
+    ui::chart_view::{ChartResponse, ChartView},
+};
+
+/// Time between two orders while playing, s.
+const STEP_SECONDS: f64 = 0.5;
+
+/// Narrowest chart of bars, points.
+const LEAST_CHART: f32 = 270.0;
+
+/// Lowest row of bars, points.
+const LEAST_ROW: f32 = 190.0;
+
+/// Names of controls, shared with the tests that use them.
+pub mod names {
+    /// The slider of the partial sum.
+    pub const PARTIAL: &str = "Sum up to N";
+    /// Starts the play.
+    pub const PLAY: &str = "▶ Play";
+    /// Stops it.
+    pub const STOP: &str = "■ Stop";
+}
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct CoefficientsView;
+pub struct CoefficientsView {
+    harmonics: Option<(u64, Harmonics)>,
+    charts: Option<(Drawn, CoefficientCharts)>,
+    /// The order whose bar is under the pointer.
+    pointed: Option<usize>,
+    /// When the next order comes, while playing: the program's time in s.
+    next_step: Option<f64>,
+}
+
+/// What the charts were drawn for.
+type Drawn = (u64, Sight, plot_svg::Theme);
 
 impl CoefficientsView {
+    /// The order whose bar is under the pointer.
+    pub fn pointed(&self) -> Option<usize> {
+        self.pointed
+    }
+
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let _ = (ui, context);
+        let revision = context.app.revision();
+        if self
+            .harmonics
+            .as_ref()
+            .is_none_or(|(of, _)| *of != revision)
+        {
+            self.harmonics = Some((revision, harmonics_of(context.app)));
+        }
+        let Some((_, harmonics)) = &self.harmonics else {
+            return;
+        };
+        let highest = harmonics.orders.len().saturating_sub(1);
+        context.memory.partial_order = context.memory.partial_order.min(highest);
+        if context.app.derived().errors.is_none() {
+            self.next_step = None;
+            ui.add_space(6.0);
+            ui.weak("The spectrum is zero over the whole range: there is nothing to add up.");
+            return;
+        }
+        play(ui, context, &mut self.next_step, highest);
+        controls(ui, context, &mut self.next_step, highest);
+        for sentence in sentences(context, harmonics) {
+            ui.label(sentence);
+        }
+
+        let sight = Sight {
+            channel: context.memory.channel,
+            partial_order: context.memory.partial_order,
+            pointed: self.pointed,
+        };
+        let wanted = (revision, sight, context.chart_theme());
+        if self.charts.as_ref().is_none_or(|(of, _)| *of != wanted) {
+            let charts = CoefficientCharts::of(context.app, harmonics, sight, wanted.2);
+            self.charts = Some((wanted, charts));
+        }
+        let Some((_, charts)) = &self.charts else {
+            return;
+        };
+        let pointed = draw(ui, context, charts, harmonics, highest);
+        if pointed != self.pointed {
+            self.pointed = pointed;
+            ui.ctx().request_repaint();
+        }
     }
+}
+
+/// The order at which playing ends: that in force, or the end of the curve from there on.
+fn last_played(context: &PageContext<'_>, highest: usize) -> usize {
+    let in_force = context.app.derived().model.smooth.order();
+    if in_force == 0 || context.memory.partial_order > in_force {
+        CURVE_ORDER.min(highest)
+    } else {
+        in_force.min(highest)
+    }
+}
+
+/// One order further when its time has come.
+fn play(ui: &Ui, context: &mut PageContext<'_>, next_step: &mut Option<f64>, highest: usize) {
+    let Some(at) = *next_step else {
+        return;
+    };
+    let now = ui.input(|i| i.time);
+    if now < at {
+        wake_in(ui, at - now);
+        return;
+    }
+    let last = last_played(context, highest);
+    if context.memory.partial_order >= last {
+        *next_step = None;
+        return;
+    }
+    context.memory.partial_order += 1;
+    *next_step = (context.memory.partial_order < last).then_some(now + STEP_SECONDS);
+    if next_step.is_some() {
+        wake_in(ui, STEP_SECONDS);
+    }
+}
+
+fn wake_in(ui: &Ui, seconds: f64) {
+    let after = std::time::Duration::from_secs_f64(seconds.max(0.01));
+    ui.ctx().request_repaint_after(after);
+}
+
+fn controls(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    next_step: &mut Option<f64>,
+    highest: usize,
+) {
+    ui.horizontal_wrapped(|ui| {
+        for (k, name) in CHANNELS.into_iter().enumerate() {
+            ui.selectable_value(&mut context.memory.channel, k, name)
+                .on_hover_text(format!(
+                    "Shows the coefficients that make {name} of CIE X, Y, Z."
+                ));
+        }
+        ui.separator();
+        let label = ui.label(names::PARTIAL);
+        let reach = 0..=CURVE_ORDER.min(highest).max(context.memory.partial_order);
+        let slider = ui
+            .add(Slider::new(&mut context.memory.partial_order, reach).integer())
+            .labelled_by(label.id)
+            .on_hover_text("Order of the partial sum that is drawn; the model itself stays.");
+        if slider.changed() {
+            *next_step = None;
+        }
+        let playing = next_step.is_some();
+        let words = if playing { names::STOP } else { names::PLAY };
+        if ui
+            .button(words)
+            .on_hover_text("Adds the orders N = 0, 1, 2, ... one after the other, two a second.")
+            .clicked()
+        {
+            *next_step = if playing {
+                None
+            } else {
+                if context.memory.partial_order >= last_played(context, highest) {
+                    context.memory.partial_order = 0;
+                }
+                wake_in(ui, STEP_SECONDS);
+                Some(ui.input(|i| i.time) + STEP_SECONDS)
+            };
+        }
+        use_button(ui, context);
+    });
+}
+
+fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let settings = context.app.document().settings;
+    let order = context.memory.partial_order;
+    let button = egui::Button::new(format!("Use N = {order}"));
+    if ui
+        .add_enabled(order != settings.order, button)
+        .on_hover_text(format!(
+            "Gives the model this order: {} numbers for the smooth part.",
+            numbers_of_order(order)
+        ))
+        .on_disabled_hover_text("The model has this order.")
+        .clicked()
+    {
+        context
+            .commands
+            .push(Command::Edit(Settings { order, ..settings }));
+    }
+}
+
+/// What the numbers say, in a sentence or two.
+fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> Vec<String> {
+    let order = context.memory.partial_order;
+    let missed = harmonics.orders.get(order).map(|o| o.neglected);
+    let Some([Some(x), Some(y), Some(z)]) = missed else {
+        return vec![
+            "X, Y and Z are not all positive on this range: there are no shares of them."
+                .to_owned(),
+        ];
+    };
+    let mut first = format!(
+        "Beyond N = {order} the sums miss {}, {} and {} % of X, Y and Z",
+        percent(x),
+        percent(y),
+        percent(z)
+    );
+    let [_, of_spikes, _] = harmonics.spikes;
+    if of_spikes != 0.0 {
+        first.push_str(&format!(
+            "; the spikes, in from the start, bring {} % of Y",
+            percent(of_spikes / harmonics.exact[1])
+        ));
+    }
+    first.push('.');
+    vec![first, about_the_bound(context, harmonics)]
+}
+
+fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
+    if harmonics.basis == Basis::Cosine {
+        return "Eq. 10 and the bound of Eq. 12 are about the Fourier basis: for cosines there is \
+                no such bound."
+            .to_owned();
+    }
+    if harmonics.orders.iter().all(|o| o.bound.is_none()) {
+        return if context.app.document().is_about_light() {
+            "Eq. 10 and Eq. 12 are about the CIE 1931 functions; another observer is in force."
+        } else {
+            "Eq. 10 and Eq. 12 are about the colour-matching functions alone, not times a light."
+        }
+        .to_owned();
+    }
+    match harmonics.slowest_fall {
+        Some(slow) if slow.meets_eq_11() => format!(
+            "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do (at most {} \
+             times that, at n = {}).",
+            figure(slow.fall),
+            slow.order
+        ),
+        Some(slow) => format!(
+            "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do not: at n = {} \
+             they are {} times that.",
+            slow.order,
+            figure(slow.fall)
+        ),
+        None => "Without a mean there is nothing that the coefficients could fall from.".to_owned(),
+    }
+}
+
+/// All charts; returns the order under the pointer.
+fn draw(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    charts: &CoefficientCharts,
+    harmonics: &Harmonics,
+    highest: usize,
+) -> Option<usize> {
+    let scale = context.theme.scale;
+    let room = ui.available_size();
+    let columns = ((room.x / (LEAST_CHART * scale)) as usize).clamp(1, 3);
+    let rows = 5_usize.div_ceil(columns);
+    let gap = ui.spacing().item_spacing;
+    let shared = room.y - rows as f32 * gap.y;
+    // Bars get what the spectrum leaves; where that is too little they scroll under it.
+    let top = (0.4 * shared).clamp(170.0 * scale, 420.0 * scale);
+    let row = ((shared - top) / rows as f32).max(LEAST_ROW * scale);
+    let shown = ChartView::show(
+        ui,
+        &charts.partial,
+        "partial sum",
+        vec2(room.x, top),
+        context.theme,
+    );
+    context.wishes.extend(shown.wish);
+
+    let bars = [
+        (&charts.light, "light"),
+        (&charts.weight, "weight"),
+        (&charts.product, "product"),
+        (&charts.running, "running"),
+        (&charts.neglected, "neglected"),
+    ];
+    let mut pointed = None;
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            let width = ui.available_width() - (columns - 1) as f32 * gap.x;
+            let size = vec2((width / columns as f32).floor(), row - 2.0);
+            for line in bars.chunks(columns) {
+                ui.horizontal_top(|ui| {
+                    for (chart, id) in line {
+                        let Some(response) = one(ui, context, chart.as_ref(), id, size) else {
+                            continue;
+                        };
+                        let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
+                        if let Some(hit) = response.clicked {
+                            context.memory.partial_order = order(hit.at);
+                        }
+                        pointed = pointed.or(response.pointed.map(|hit| order(hit.at)));
+                    }
+                });
+            }
+            let _ = harmonics;
+        });
+    pointed
+}
+
+/// A chart, or what stands in its place.
+fn one(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    chart: Option<&Chart>,
+    id: &str,
+    size: egui::Vec2,
+) -> Option<ChartResponse> {
+    let Some(chart) = chart else {
+        let name = CHANNELS[context.memory.channel];
+        ui.allocate_ui(size, |ui| {
+            ui.weak(match id {
+                "light" => "The mean is zero: there is nothing to compare the coefficients with."
+                    .to_owned(),
+                "weight" => format!("What weighs {name} is zero on this range."),
+                _ => format!("{name} is not positive on this range: there are no shares of it."),
+            });
+        });
+        return None;
+    };
+    let mut response = ChartView::show(ui, chart, ("coefficients", id), size, context.theme);
+    context.wishes.extend(response.wish.take());
+    Some(response)
 }

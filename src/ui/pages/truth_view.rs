@@ -1,17 +1,310 @@
-//! The page "Truth".
+//! The page "Truth": the paper's claims, each with what is measured here and what becomes of it.
 
 use eframe::egui;
-use egui::Ui;
+use egui::{Frame, Grid, Margin, RichText, ScrollArea, Ui, vec2};
 
 use super::PageContext;
+use crate::{
+    app::{
+        charts::truth::{neglected_chart, samples_chart, table_2_chart},
+        plot_svg::{self, Chart},
+        studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
+        ticks::short,
+    },
+    spectrum::Sampling,
+    ui::chart_view::ChartView,
+};
+
+/// From this width on cards stand in two columns, points.
+const TWO_COLUMNS: f32 = 940.0;
+
+/// From this width on a card has its chart beside its words, points.
+const BESIDE: f32 = 480.0;
+
+/// Height of a card's chart, points.
+const CHART: f32 = 200.0;
+
+/// Spikes that the table of Eq. 17 shows.
+const MOST_SPIKES: usize = 8;
+
+/// The button that copies everything.
+pub const COPY: &str = "Copy as CSV";
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct TruthView;
+pub struct TruthView {
+    measured: Option<(u64, Claims, Vec<Row>)>,
+    charts: Option<((u64, plot_svg::Theme), Charts)>,
+}
+
+/// The charts of the cards.
+struct Charts {
+    neglected: Option<Chart>,
+    table_2: Option<Chart>,
+    samples: Option<Chart>,
+}
 
 impl TruthView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let _ = (ui, context);
+        let (app, revision) = (context.app, context.app.revision());
+        if self
+            .measured
+            .as_ref()
+            .is_none_or(|(of, ..)| *of != revision)
+        {
+            let claims = Claims::of(app);
+            let rows = truth_table(&claims);
+            self.measured = Some((revision, claims, rows));
+        }
+        let Some((_, claims, rows)) = &self.measured else {
+            return;
+        };
+        let drawn = (revision, context.chart_theme());
+        if self.charts.as_ref().is_none_or(|(of, _)| *of != drawn) {
+            let charts = Charts {
+                neglected: neglected_chart(app, claims, drawn.1),
+                table_2: table_2_chart(app, claims, drawn.1),
+                samples: samples_chart(app, claims, drawn.1),
+            };
+            self.charts = Some((drawn, charts));
+        }
+        let Some((_, charts)) = &self.charts else {
+            return;
+        };
+        head(ui, context, claims);
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            // The bar of the scroll area stands over the right edge.
+            let width = ui.available_width() - 8.0;
+            ui.set_max_width(width);
+            if width < TWO_COLUMNS * context.theme.scale {
+                for (index, row) in rows.iter().enumerate() {
+                    card(ui, context, claims, charts, index, row);
+                }
+                return;
+            }
+            ui.columns(2, |columns| {
+                for (index, row) in rows.iter().enumerate() {
+                    card(&mut columns[index % 2], context, claims, charts, index, row);
+                }
+            });
+        });
+    }
+}
+
+fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
+    ui.horizontal_wrapped(|ui| {
+        if ui
+            .button(COPY)
+            .on_hover_text("Copies claim, paper, measured and verdict of every card as a table.")
+            .clicked()
+        {
+            ui.ctx().copy_text(truth_csv(context.app, claims));
+        }
+        ui.weak(format!(
+            "Measured on {}, {}-{} nm, {} basis, N = {}.",
+            claims.subject,
+            short(claims.band.min_nm()),
+            short(claims.band.max_nm()),
+            claims.basis.word(),
+            claims.order,
+        ));
+    });
+}
+
+fn card(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    claims: &Claims,
+    charts: &Charts,
+    index: usize,
+    row: &Row,
+) {
+    let picture = Picture::of(claims, charts, index);
+    Frame::new()
+        .fill(ui.visuals().faint_bg_color)
+        .stroke(ui.visuals().widgets.noninteractive.bg_stroke)
+        .corner_radius(4)
+        .inner_margin(Margin::symmetric(10, 8))
+        .show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            let width = ui.available_width();
+            let beside = width >= BESIDE * context.theme.scale;
+            if picture.is_none() || !beside {
+                words(ui, context, row);
+                if let Some(picture) = picture {
+                    ui.add_space(4.0);
+                    picture.draw(ui, context, claims, width);
+                }
+                return;
+            }
+            ui.horizontal_top(|ui| {
+                let left = (0.46 * width).floor();
+                ui.vertical(|ui| {
+                    ui.set_width(left);
+                    words(ui, context, row);
+                });
+                ui.add_space(8.0);
+                let right = ui.available_width();
+                ui.vertical(|ui| {
+                    ui.set_width(right);
+                    if let Some(picture) = picture {
+                        picture.draw(ui, context, claims, right);
+                    }
+                });
+            });
+        });
+    ui.add_space(4.0);
+}
+
+fn words(ui: &mut Ui, context: &PageContext<'_>, row: &Row) {
+    ui.add(egui::Label::new(RichText::new(row.claim).heading()).wrap());
+    let verdict = format!("{} {}", row.verdict.sign(), row.verdict_words());
+    let colour = match row.verdict {
+        Verdict::Holds | Verdict::Open => ui.visuals().strong_text_color(),
+        Verdict::OnlyIf | Verdict::Fails => context.theme.warning,
+    };
+    ui.add(egui::Label::new(RichText::new(verdict).color(colour)).wrap());
+    ui.add_space(2.0);
+    ui.add(egui::Label::new(RichText::new(format!("Paper: {}", row.paper)).weak()).wrap())
+        .on_hover_text(format!("In the paper: {}.", row.place));
+    if !row.measured.is_empty() {
+        ui.add(egui::Label::new(format!("Here: {}", row.measured)).wrap());
+    }
+}
+
+/// What stands beside a card's words.
+enum Picture<'a> {
+    Chart(&'a Chart, &'static str),
+    Spikes,
+    Points,
+}
+
+impl<'a> Picture<'a> {
+    fn of(claims: &Claims, charts: &'a Charts, index: usize) -> Option<Self> {
+        let chart = |chart: &'a Option<Chart>, id| Some(Self::Chart(chart.as_ref()?, id));
+        match index {
+            1 => chart(&charts.neglected, "neglected"),
+            2 => chart(&charts.table_2, "table 2"),
+            3 => claims
+                .resampling
+                .as_ref()
+                .filter(|r| !r.ways.is_empty())
+                .map(|_| Self::Points),
+            4 => claims
+                .eq_17
+                .as_ref()
+                .filter(|found| !found.readings.is_empty())
+                .map(|_| Self::Spikes),
+            5 => chart(&charts.samples, "samples"),
+            _ => None,
+        }
+    }
+
+    fn draw(&self, ui: &mut Ui, context: &mut PageContext<'_>, claims: &Claims, width: f32) {
+        match self {
+            Self::Chart(chart, id) => {
+                let size = vec2(width, CHART * context.theme.scale);
+                let shown = ChartView::show(ui, chart, ("truth", *id), size, context.theme);
+                context.wishes.extend(shown.wish);
+            }
+            Self::Spikes => spikes(ui, claims),
+            Self::Points => points(ui, claims),
+        }
+    }
+}
+
+fn heads(ui: &mut Ui, heads: &[(&str, &str)]) {
+    for (name, meaning) in heads {
+        ui.label(RichText::new(*name).strong().small())
+            .on_hover_text(*meaning);
+    }
+    ui.end_row();
+}
+
+/// Eq. 17 at each spike.
+fn spikes(ui: &mut Ui, claims: &Claims) {
+    let Some(found) = &claims.eq_17 else {
+        return;
+    };
+    let mut readings: Vec<_> = found.readings.iter().collect();
+    readings.sort_by(|a, b| b.spike.weight.abs().total_cmp(&a.spike.weight.abs()));
+    readings.truncate(MOST_SPIKES);
+    readings.sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
+    Grid::new("factor at spikes")
+        .striped(true)
+        .spacing([14.0, 3.0])
+        .show(ui, |ui| {
+            heads(
+                ui,
+                &[
+                    ("at nm", "The spike's wavelength, nm."),
+                    ("measured", "The factor as measured there."),
+                    ("series", "The factor's series, evaluated exactly."),
+                    ("corrected", "Eq. 17 with its two weights exchanged."),
+                    ("as printed", "Eq. 17 with the weights as printed."),
+                ],
+            );
+            for reading in &readings {
+                ui.label(format!("{:.1}", reading.spike.at_nm));
+                for value in [
+                    reading.measured,
+                    reading.series,
+                    reading.linear,
+                    reading.printed,
+                ] {
+                    ui.label(figure(value));
+                }
+                ui.end_row();
+            }
+        });
+    let left = found.readings.len() - readings.len();
+    if left > 0 {
+        ui.weak(format!("The {} heaviest; {left} more.", readings.len()));
+    }
+}
+
+/// The product on each number of points.
+fn points(ui: &mut Ui, claims: &Claims) {
+    let Some(found) = &claims.resampling else {
+        return;
+    };
+    Grid::new("points of a product")
+        .striped(true)
+        .spacing([14.0, 3.0])
+        .show(ui, |ui| {
+            heads(
+                ui,
+                &[
+                    ("points", "Independent points, one multiplication each."),
+                    ("", "How they are counted."),
+                    (
+                        "folded, %",
+                        "Share of the product's power that lands in wrong orders.",
+                    ),
+                    (
+                        "ΔE00",
+                        "CIEDE2000 against the exact product of the same two series.",
+                    ),
+                ],
+            );
+            for way in &found.ways {
+                ui.label(way.points.to_string());
+                ui.label(way_name(way.sampling));
+                ui.label(percent(way.folded_share));
+                ui.label(delta_e(way.delta_e_2000));
+                ui.end_row();
+            }
+        });
+}
+
+/// A way of forming a product, short.
+fn way_name(sampling: Sampling) -> &'static str {
+    match sampling {
+        Sampling::Paper => "the paper's",
+        Sampling::ThreeN => "3N+1",
+        Sampling::FourN => "4N+1",
+        Sampling::Double => "twice the numbers",
+        Sampling::Exact => "1 nm",
     }
 }

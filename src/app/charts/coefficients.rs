@@ -1,0 +1,417 @@
+//! The page "Coefficients" as charts: bars of a light and of what weighs it, and how X, Y, Z add
+//! up.
+//!
+//! Coefficients are drawn as multiples of the mean (the term of order 0), so that lights of any
+//! unit and height stand beside functions of any height.
+
+use crate::{
+    app::{
+        chart::{Inks, provenance},
+        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        state::App,
+        studies::paper::{CHANNELS, figure},
+    },
+    spectrum::Basis,
+    study::harmonics::{Harmonics, Order},
+};
+
+/// What of the harmonics is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sight {
+    /// X, Y or Z: 0, 1 or 2.
+    pub channel: usize,
+    /// Order of the partial sum.
+    pub partial_order: usize,
+    /// The order under the pointer.
+    pub pointed: Option<usize>,
+}
+
+/// Every chart of the page; `None` where there is nothing to divide by: a spectrum without a
+/// mean, or X, Y, Z that are not positive on the range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoefficientCharts {
+    /// The spectrum with the partial sum.
+    pub partial: Chart,
+    /// The light's coefficients.
+    pub light: Option<Chart>,
+    /// Those of the weight.
+    pub weight: Option<Chart>,
+    /// What each order adds to the channel.
+    pub product: Option<Chart>,
+    /// X, Y, Z up to each order.
+    pub running: Option<Chart>,
+    /// What is left out beyond each order, beside Eq. 12.
+    pub neglected: Option<Chart>,
+}
+
+/// Orders that the bars show at least, where the range carries them.
+const LEAST_SHOWN: usize = 20;
+
+/// The 5 % of Eq. 12, in percent.
+const LIMIT_PERCENT: f64 = 5.0;
+
+/// Percentages that the logarithmic chart shows.
+const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
+
+impl CoefficientCharts {
+    /// Draws all of them.
+    pub fn of(app: &App, harmonics: &Harmonics, sight: Sight, theme: Theme) -> Self {
+        let draw = Draw::new(app, harmonics, sight, theme);
+        Self {
+            partial: draw.partial(),
+            light: draw.light(),
+            weight: draw.weight(),
+            product: draw.product(),
+            running: draw.running(),
+            neglected: draw.neglected(),
+        }
+    }
+}
+
+struct Draw<'a> {
+    app: &'a App,
+    harmonics: &'a Harmonics,
+    orders: &'a [Order],
+    sight: Sight,
+    inks: Inks,
+    theme: Theme,
+}
+
+impl<'a> Draw<'a> {
+    fn new(app: &'a App, harmonics: &'a Harmonics, sight: Sight, theme: Theme) -> Self {
+        let in_force = app.derived().model.smooth.order();
+        let last = LEAST_SHOWN.max(in_force + 3).max(sight.partial_order + 1);
+        let shown = harmonics.orders.len().min(last + 1);
+        Self {
+            app,
+            harmonics,
+            orders: &harmonics.orders[..shown],
+            sight,
+            inks: Inks::of(theme),
+            theme,
+        }
+    }
+
+    /// A chart over the orders.
+    fn chart(&self, title: &str, y_label: &str, series: Vec<Series>) -> Chart {
+        let last = self.orders.len().saturating_sub(1) as f64;
+        Chart {
+            title: title.to_owned(),
+            x_label: "Order n".to_owned(),
+            y_label: y_label.to_owned(),
+            x_range: [-0.6, last + 0.6],
+            series,
+            strip: Some(self.strip(last)),
+            notes: self.notes(),
+            theme: self.theme,
+            ..Chart::default()
+        }
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let entry = self.app.document().subject_entry();
+        let mut notes = vec![format!("Spectrum: {}", entry.name())];
+        notes.extend(provenance(self.app));
+        notes
+    }
+
+    /// Under the axis: the orders in the partial sum, and the one that is pointed at.
+    fn strip(&self, last: f64) -> Vec<Rgb> {
+        let beyond = match self.theme {
+            Theme::Dark => [54; 3],
+            Theme::Light => [214; 3],
+        };
+        // Twenty steps an order, the half order at both ends included.
+        let steps = ((last + 1.2) * 20.0) as usize;
+        let order_at = |i: usize| (-0.6 + i as f64 / 20.0).round().max(0.0) as usize;
+        let colour = |i: usize| match order_at(i) {
+            order if self.sight.pointed == Some(order) => self.inks.product,
+            order if order <= self.sight.partial_order => self.inks.smooth,
+            _ => beyond,
+        };
+        (0..=steps).map(colour).collect()
+    }
+
+    fn names(&self) -> [&'static str; 2] {
+        match self.harmonics.basis {
+            Basis::Fourier => ["cosine a", "sine b"],
+            Basis::Cosine => ["c, odd (2n-1)", "c, even (2n)"],
+        }
+    }
+
+    /// Bars of the first number of each order and stems of the second, as multiples of the mean.
+    fn pair(&self, of: impl Fn(&Order) -> [f64; 2]) -> Option<Vec<Series>> {
+        let first = self.orders.first().map(&of)?;
+        let mean = Some(self.mean(first[0])).filter(|mean| *mean != 0.0)?;
+        let is_fourier = self.harmonics.basis == Basis::Fourier;
+        let value = |order: &Order, which: usize| match (order.order, which) {
+            (0, 0) => 1.0,
+            // Order 0 is one number.
+            (0, _) => f64::NAN,
+            _ => of(order)[which] / mean,
+        };
+        let points = |which: usize| -> Vec<[f64; 2]> {
+            let point = |o: &Order| [o.order as f64, value(o, which)];
+            self.orders.iter().map(point).collect()
+        };
+        let word = |order: &Order, which: usize| match (order.order, is_fourier) {
+            (0, true) => format!("a0 = {}, twice the mean", figure(of(order)[0])),
+            (0, false) => format!("c0 = {}, the mean", figure(of(order)[0])),
+            (n, true) => format!("{}{n} = {}", ["a", "b"][which], figure(of(order)[which])),
+            (n, false) => format!("c{} = {}", 2 * n - 1 + which, figure(of(order)[which])),
+        };
+        let notes = |which: usize| self.orders.iter().map(|o| word(o, which)).collect();
+        let [name, second] = self.names();
+        Some(vec![
+            Series::bars(name, self.inks.smooth, 0.72, points(0)).with_notes(notes(0)),
+            Series::new(
+                second,
+                self.inks.spikes,
+                Marks::Stems {
+                    points: points(1),
+                    base: Vec::new(),
+                    labels: Vec::new(),
+                },
+            )
+            .with_notes(notes(1)),
+        ])
+    }
+
+    /// The mean of a series, from its first coefficient.
+    fn mean(&self, first: f64) -> f64 {
+        match self.harmonics.basis {
+            Basis::Fourier => first / 2.0,
+            Basis::Cosine => first,
+        }
+    }
+
+    /// The exact value of the channel, where shares of it mean something.
+    fn exact(&self) -> Option<f64> {
+        Some(self.harmonics.exact[self.sight.channel]).filter(|exact| *exact > 0.0)
+    }
+
+    fn light(&self) -> Option<Chart> {
+        let what = if self.app.document().is_about_light() {
+            "the light"
+        } else {
+            "the reflectance"
+        };
+        let series = self.pair(|order| order.light)?;
+        let title = format!("Coefficients of {what}");
+        Some(self.chart(&title, "multiples of its mean", series))
+    }
+
+    fn weight(&self) -> Option<Chart> {
+        let k = self.sight.channel;
+        let mut series = self.pair(|order| order.weights[k])?;
+        if let Some(by_fit) = self.fitted(k) {
+            series.extend(by_fit);
+        }
+        let title = format!("Coefficients of {}", self.weight_name());
+        Some(self.chart(&title, "multiples of its mean", series))
+    }
+
+    /// What weighs the spectrum, in words.
+    fn weight_name(&self) -> String {
+        let function = ["x-bar", "y-bar", "z-bar"][self.sight.channel];
+        let document = self.app.document();
+        if document.is_about_light() {
+            function.to_owned()
+        } else {
+            format!("{function} times {}", document.light.name())
+        }
+    }
+
+    /// Eq. 10 as open forms over the exact bars, as multiples of the exact mean.
+    fn fitted(&self, k: usize) -> Option<[Series; 2]> {
+        let first = self.orders.first()?;
+        let mean = self.mean(first.weights[k][0]);
+        let points = |which: usize| -> Option<Vec<[f64; 2]>> {
+            let point = |order: &Order| {
+                let value = order.gaussian?[k][which];
+                let value = match (order.order, which) {
+                    (0, 0) => value / 2.0,
+                    (0, _) => f64::NAN,
+                    _ => value,
+                };
+                Some([order.order as f64, value / mean])
+            };
+            self.orders.iter().map(point).collect()
+        };
+        let ink = self.inks.measured;
+        Some([
+            Series::points("a by Eq. 10", ink, Shape::Ring, points(0)?),
+            Series::points("b by Eq. 10", ink, Shape::Cross, points(1)?),
+        ])
+    }
+
+    fn product(&self) -> Option<Chart> {
+        let (k, exact) = (self.sight.channel, self.exact()?);
+        let point = |order: &Order| {
+            let share = order.contribution[k] / exact;
+            [order.order as f64, 100.0 * share]
+        };
+        let points = self.orders.iter().map(point).collect();
+        let name = CHANNELS[k];
+        let bars = Series::bars(format!("added to {name}"), self.inks.residual, 0.72, points);
+        let title = format!("Their product: what each order adds to {name}");
+        Some(self.chart(&title, &format!("% of {name}"), vec![bars]))
+    }
+
+    fn running(&self) -> Option<Chart> {
+        self.exact()?;
+        let dashes = [Dash::Dashed, Dash::Solid, Dash::Dotted];
+        let inks = [self.inks.spikes, self.inks.residual, self.inks.smooth];
+        let mut series = vec![self.level("exact, 100 %", 100.0)];
+        for k in 0..3 {
+            let exact = self.harmonics.exact[k];
+            if exact <= 0.0 {
+                continue;
+            }
+            let point = |order: &Order| [order.order as f64, 100.0 * order.running[k] / exact];
+            let marks = Marks::Line {
+                points: self.orders.iter().map(point).collect(),
+                width: if k == self.sight.channel { 3.0 } else { 1.6 },
+                dash: dashes[k],
+            };
+            series.push(Series::new(CHANNELS[k], inks[k], marks));
+        }
+        let title = "Running sums towards X, Y and Z";
+        Some(self.chart(title, "% of the exact total", series))
+    }
+
+    /// A level line over all orders.
+    fn level(&self, name: &str, at: f64) -> Series {
+        let points = self.orders.iter().map(|o| [o.order as f64, at]).collect();
+        let marks = Marks::Line {
+            points,
+            width: 1.2,
+            dash: Dash::Dashed,
+        };
+        Series::new(name, self.inks.measured, marks)
+    }
+
+    fn neglected(&self) -> Option<Chart> {
+        self.exact()?;
+        let k = self.sight.channel;
+        let line = |name: &str, ink: Rgb, of: &dyn Fn(&Order) -> Option<f64>| {
+            let point = |order: &Order| {
+                let value = of(order).map_or(f64::NAN, |share| 100.0 * share.abs());
+                [order.order as f64, value]
+            };
+            Series::line(name, ink, self.orders.iter().map(point).collect())
+        };
+        let name = CHANNELS[k];
+        let missed = |order: &Order| order.neglected[k];
+        let mut series = vec![
+            self.level("5 %", LIMIT_PERCENT),
+            line(
+                &format!("missed of {name} beyond N = n"),
+                self.inks.residual,
+                &missed,
+            ),
+            line("term n over term 0", self.inks.smooth, &|o| {
+                o.share_of_first[k]
+            })
+            .dashed(Dash::Dashed),
+        ];
+        if self.orders.iter().any(|o| o.bound.is_some()) {
+            let bound = |order: &Order| order.bound.map(|b| b.channels[k]);
+            // The printed 4/n is twice the corrected 2/n for every lobe.
+            let printed = |order: &Order| order.bound.map(|b| 2.0 * b.channels[k]);
+            series.push(line("its bound, 2/n", self.inks.spikes, &bound));
+            series.push(line("as printed, 4/n", self.inks.product, &printed).dashed(Dash::Dotted));
+        }
+        let in_force = self.app.derived().model.smooth.order();
+        let mark = |order: &Order| {
+            let here = missed(order).filter(|_| order.order == in_force);
+            let value = here.map(|share| (100.0 * share.abs()).max(NEGLECTED_PERCENT[0]));
+            [order.order as f64, value.unwrap_or(f64::NAN)]
+        };
+        let marks = Marks::Points {
+            points: self.orders.iter().map(mark).collect(),
+            radius: 6.0,
+            shape: Shape::Ring,
+        };
+        series.push(Series::new(
+            format!("N = {in_force} in force"),
+            self.inks.measured,
+            marks,
+        ));
+        Some(Chart {
+            y_scale: Scale::Log10,
+            y_range: Some(NEGLECTED_PERCENT),
+            ..self.chart(&format!("Left out of {name}, and Eq. 12"), "%", series)
+        })
+    }
+
+    fn partial(&self) -> Chart {
+        let (derived, table) = (self.app.derived(), &self.app.tables().basis);
+        let (factor, order) = (self.app.scale_factor(), self.sight.partial_order);
+        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
+            let points = derived.band.grid().zip(values);
+            points.map(|(nm, v)| [nm, v * factor]).collect()
+        };
+        let thin = |name: &str, ink: Rgb, values: &[f64], dash: Dash| {
+            let marks = Marks::Line {
+                points: curve(values),
+                width: 1.2,
+                dash,
+            };
+            Series::new(name, ink, marks)
+        };
+        let mut series = vec![thin(
+            "measured",
+            self.inks.measured,
+            &derived.measured,
+            Dash::Solid,
+        )];
+        if !derived.model.spikes.is_empty() {
+            series.push(thin(
+                "without its spikes",
+                self.inks.residual,
+                &derived.parts.smooth,
+                Dash::Dashed,
+            ));
+        }
+        if let Some(before) = order.checked_sub(1) {
+            let values = self.harmonics.partial_sum(table, before);
+            let name = format!("sum to N = {before}");
+            series.push(thin(&name, self.inks.overlays[2], &values, Dash::Dotted));
+        }
+        let sum = self.harmonics.partial_sum(table, order);
+        let marks = Marks::Line {
+            points: curve(&sum),
+            width: 2.6,
+            dash: Dash::Solid,
+        };
+        series.push(Series::new(
+            format!("sum to N = {order}"),
+            self.inks.smooth,
+            marks,
+        ));
+        if let Some(pointed) = self
+            .sight
+            .pointed
+            .filter(|n| *n < self.harmonics.orders.len())
+        {
+            let values = self.harmonics.single(table, pointed);
+            let name = format!("order {pointed} alone");
+            series.push(Series::line(name, self.inks.product, curve(&values)).dashed(Dash::Dashed));
+        }
+        let unit = self.app.unit();
+        Chart {
+            title: format!(
+                "{}: sum to N = {order}",
+                self.app.document().subject_entry().name()
+            ),
+            x_label: "Wavelength (nm)".to_owned(),
+            y_label: if unit.is_empty() { "value" } else { unit }.to_owned(),
+            x_range: [derived.band.min_nm(), derived.band.max_nm()],
+            series,
+            notes: provenance(self.app),
+            theme: self.theme,
+            ..Chart::default()
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Charts of the pages, built once as data: the window draws them and files hold them.
+
+pub mod coefficients;
+pub mod truth;

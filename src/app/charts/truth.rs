@@ -1,0 +1,181 @@
+//! The page "Truth" as charts: what a claim looks like on the spectrum at hand.
+
+use crate::{
+    app::{
+        chart::{Inks, provenance},
+        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        state::App,
+        studies::paper::{CHANNELS, Claims},
+    },
+    color::gaussian_cmf,
+    study::{
+        harmonics::Order,
+        truth::{Errors, STATED_ORDER, SampledErrors},
+    },
+};
+
+/// Errors below this are drawn at it: the axis is logarithmic.
+const SMALLEST_ERROR: f64 = 1e-4;
+
+/// Percentages that the chart of what is left out shows.
+const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 100.0];
+
+/// Orders that it shows.
+const HIGHEST_SHOWN: usize = 20;
+
+/// The nm in which colour-matching functions are worth drawing.
+const VISIBLE_NM: [f64; 2] = [360.0, 830.0];
+
+/// What is left out beyond each order, for X, Y and Z; `None` without colour.
+pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> {
+    let inks = Inks::of(theme);
+    let orders = &claims.harmonics.orders;
+    let orders = &orders[..orders.len().min(HIGHEST_SHOWN + 1)];
+    if orders.len() < 2 || orders[0].neglected.iter().any(Option::is_none) {
+        return None;
+    }
+    let level = orders.iter().map(|o| [o.order as f64, 5.0]).collect();
+    let mut series = vec![thin("5 %", inks.measured, level, Dash::Dashed)];
+    let colours = [inks.spikes, inks.residual, inks.smooth];
+    let dashes = [Dash::Dashed, Dash::Solid, Dash::Dotted];
+    for k in 0..3 {
+        let point = |o: &Order| {
+            let share = o.neglected[k].unwrap_or(f64::NAN);
+            [
+                o.order as f64,
+                (100.0 * share.abs()).max(NEGLECTED_PERCENT[0]),
+            ]
+        };
+        let points = orders.iter().map(point).collect();
+        series.push(Series::line(CHANNELS[k], colours[k], points).dashed(dashes[k]));
+    }
+    let stated = STATED_ORDER.figure;
+    let foot_to_top = NEGLECTED_PERCENT.map(|y| [stated, y]).to_vec();
+    series.push(thin(
+        "the paper's N = 5",
+        inks.product,
+        foot_to_top,
+        Dash::Dotted,
+    ));
+    Some(Chart {
+        title: "Left out beyond N".to_owned(),
+        x_label: "Order N".to_owned(),
+        y_label: "% of the exact total".to_owned(),
+        x_range: [0.0, (orders.len() - 1) as f64],
+        y_range: Some(NEGLECTED_PERCENT),
+        y_scale: Scale::Log10,
+        series,
+        notes: notes(app),
+        theme,
+        ..Chart::default()
+    })
+}
+
+/// Errors of straight lines between samples against their number, and the composite's as level
+/// lines; `None` for an all-zero spectrum.
+pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> {
+    let found = claims.samples.as_ref()?;
+    let inks = Inks::of(theme);
+    let first = found.tried.last()?.samples.max(2) as f64;
+    let last = found.tried.first()?.samples as f64;
+    let mut series = Vec::new();
+    let mut pair = |name: &str, ink: Rgb, shape: Shape, of: &dyn Fn(Errors) -> Option<f64>| {
+        let point = |s: &SampledErrors| Some([s.samples as f64, of(s.errors)?.max(SMALLEST_ERROR)]);
+        let points: Vec<[f64; 2]> = found.tried.iter().filter_map(point).collect();
+        let Some(own) = of(found.composite).filter(|_| !points.is_empty()) else {
+            return;
+        };
+        let own = own.max(SMALLEST_ERROR);
+        let level = vec![[first, own], [last, own]];
+        series.push(thin("", ink, points.clone(), Dash::Solid));
+        series.push(Series::points(
+            format!("{name}, samples"),
+            ink,
+            shape,
+            points,
+        ));
+        series.push(thin(
+            &format!("{name}, composite"),
+            ink,
+            level,
+            Dash::Dashed,
+        ));
+    };
+    pair("own ΔE00", inks.smooth, Shape::Dot, &|e| e.own);
+    pair("rms behind 10 nm, %", inks.spikes, Shape::Triangle, &|e| {
+        Some(100.0 * e.relative_rms_10nm)
+    });
+    Some(Chart {
+        title: format!("Samples against {} numbers", found.numbers()),
+        x_label: "Samples, joined by straight lines".to_owned(),
+        y_label: "ΔE00, or %".to_owned(),
+        x_range: [first, last.max(first + 1.0)],
+        x_scale: Scale::Log10,
+        y_scale: Scale::Log10,
+        series,
+        notes: notes(app),
+        theme,
+        ..Chart::default()
+    })
+}
+
+/// The colour-matching functions and Table 2's bells; `None` where the range has nothing of them.
+pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> {
+    let (inks, band) = (Inks::of(theme), claims.band);
+    let [low, high] = [
+        band.min_nm().max(VISIBLE_NM[0]),
+        band.max_nm().min(VISIBLE_NM[1]),
+    ];
+    if low >= high {
+        return None;
+    }
+    let table = claims.observer.table();
+    let colours = [inks.spikes, inks.residual, inks.smooth];
+    let names = ["x-bar", "y-bar", "z-bar"];
+    let grid = || band.grid().filter(|nm| (low..=high).contains(nm));
+    let mut series = Vec::new();
+    for k in 0..3 {
+        let exact = grid().map(|nm| [nm, table.at(nm)[k]]).collect();
+        series.push(Series::line(names[k], colours[k], exact));
+    }
+    for (k, ink) in colours.into_iter().enumerate() {
+        let fit = grid()
+            .map(|nm| [nm, gaussian_cmf::fitted_at(nm)[k]])
+            .collect();
+        let name = if k == 0 { "fit" } else { "" };
+        let ink = if k == 0 { inks.measured } else { ink };
+        series.push(thin(name, ink, fit, Dash::Dashed));
+    }
+    let worst = claims.table_2.worst.map(|d| [d.at_nm, d.fit]).to_vec();
+    let words = claims.table_2.worst.map(|d| format!("{:+.3}", d.off()));
+    series.push(
+        Series::points("largest deviation", inks.product, Shape::Ring, worst)
+            .with_notes(words.to_vec()),
+    );
+    Some(Chart {
+        title: "Colour-matching functions and Table 2".to_owned(),
+        x_label: "Wavelength (nm)".to_owned(),
+        y_label: "value".to_owned(),
+        x_range: [low, high],
+        series,
+        notes: notes(app),
+        theme,
+        ..Chart::default()
+    })
+}
+
+fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
+    let marks = Marks::Line {
+        points,
+        width: 1.3,
+        dash,
+    };
+    Series::new(name, ink, marks)
+}
+
+fn notes(app: &App) -> Vec<String> {
+    let entry = app.document().subject_entry();
+    let mut notes = vec![format!("Spectrum: {}", entry.name())];
+    notes.extend(provenance(app));
+    notes
+}
