@@ -1,6 +1,7 @@
 //! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
 
 pub mod chart;
+pub mod charts;
 pub mod command;
 pub mod derived;
 pub mod document;

@@ -1,0 +1,4 @@
+//! The studies' results as charts: data, no widgets.
+
+pub mod auction;
+pub mod tradeoff;
