@@ -86,12 +86,16 @@ pub struct PageMemory {
     pub channel: usize,
     /// Trade-off: the figure on the vertical axis.
     pub measure: Measure,
-    /// Auction, and "spend for me": what is to be made small.
+    /// Trade-off: the lines that are drawn.
+    pub ways: WaysShown,
+    /// Auction: what is to be made small.
     pub goal: Goal,
     /// Auction: most numbers.
     pub auction_numbers: usize,
     /// "Spend ... numbers for me".
     pub spend_numbers: usize,
+    /// What is then made small; `None` for the goal of the auction's page.
+    pub spend_goal: Option<Goal>,
     /// Race: who races.
     pub field: FieldChoice,
     /// Race: the count of numbers that the table shows.
@@ -107,9 +111,11 @@ impl Default for PageMemory {
             partial_order: 3,
             channel: 1,
             measure: Measure::Patches,
+            ways: WaysShown::default(),
             goal: Goal::PATCHES,
             auction_numbers: 41,
             spend_numbers: 21,
+            spend_goal: Some(Goal::PATCHES),
             field: FieldChoice::ThisLight,
             race_numbers: 20,
             race_measure: Measure::Patches,
@@ -135,11 +141,63 @@ impl PageMemory {
         Self {
             partial_order: self.partial_order.min(100),
             channel: self.channel.min(2),
+            ways: self.ways.clamped(),
             goal: self.goal.clamped(),
+            spend_goal: self.spend_goal.map(Goal::clamped),
             auction_numbers: spendable(self.auction_numbers),
             spend_numbers: spendable(self.spend_numbers),
             race_numbers: nearest.unwrap_or(20),
             ..self
+        }
+    }
+}
+
+/// Which of the eight ways are drawn: a way is when all three of its choices are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct WaysShown {
+    /// The periodic Fourier basis.
+    pub fourier: bool,
+    /// The half-range cosine basis.
+    pub cosine: bool,
+    /// Models without spikes.
+    pub without_spikes: bool,
+    /// Models with spikes.
+    pub with_spikes: bool,
+    /// Plain least squares.
+    pub plain: bool,
+    /// The colour-exact fit.
+    pub colour_exact: bool,
+}
+
+impl Default for WaysShown {
+    fn default() -> Self {
+        Self {
+            fourier: true,
+            cosine: true,
+            without_spikes: true,
+            with_spikes: true,
+            plain: true,
+            colour_exact: true,
+        }
+    }
+}
+
+impl WaysShown {
+    /// The same with both of a pair where neither was chosen: there is always something drawn.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let both = |a: bool, b: bool| if a || b { (a, b) } else { (true, true) };
+        let (fourier, cosine) = both(self.fourier, self.cosine);
+        let (without_spikes, with_spikes) = both(self.without_spikes, self.with_spikes);
+        let (plain, colour_exact) = both(self.plain, self.colour_exact);
+        Self {
+            fourier,
+            cosine,
+            without_spikes,
+            with_spikes,
+            plain,
+            colour_exact,
         }
     }
 }

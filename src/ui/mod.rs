@@ -19,6 +19,7 @@ pub mod picture;
 pub mod saver;
 pub mod shell;
 pub mod spectrum_view;
+pub mod spend_view;
 pub mod spikes_view;
 pub mod swatch;
 pub mod theme;

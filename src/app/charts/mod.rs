@@ -1,4 +1,6 @@
 //! Charts of the pages, built once as data: the window draws them and files hold them.
 
+pub mod auction;
 pub mod coefficients;
+pub mod tradeoff;
 pub mod truth;

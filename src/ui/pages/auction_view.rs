@@ -1,17 +1,416 @@
-//! The page "Auction".
+//! The page "Auction": what to buy with the next two numbers.
+
+use std::sync::Arc;
 
 use eframe::egui;
-use egui::Ui;
+use egui::{DragValue, Ui, vec2};
 
-use super::PageContext;
+use super::{
+    PageContext, progress,
+    rows::{Column, Row, table},
+};
+use crate::{
+    app::{
+        App, Command,
+        charts::{
+            auction::{
+                AuctionChart, MEANINGS, MEASURES, NAMES, ended_words, error_words, gain_words,
+                goal_unit, goal_within, names, purchases_words, take,
+            },
+            tradeoff::{self, figure, lack},
+        },
+        pages::SPENDABLE,
+        plot_svg,
+        studies::{About, AuctionAsk, Stage},
+    },
+    study::{Auction, Goal, Judge, Measure, Progress, Verdict, Way},
+    ui::{chart_view::ChartView, model_view::named},
+};
+
+/// From this width on chart and table stand side by side, points.
+const WIDE: f32 = 1080.0;
+
+/// Largest weight of a goal.
+const MOST_WEIGHT: f64 = 100.0;
+
+/// Chart and table of one auction.
+struct Built {
+    ask: AuctionAsk,
+    auction: Arc<Auction>,
+    theme: plot_svg::Theme,
+    chart: AuctionChart,
+    ended: String,
+    columns: Vec<Column>,
+    rows: Vec<Row>,
+    /// The document's revision whose model is marked.
+    marked: Option<u64>,
+    /// The step that is the document's present model.
+    chosen: Option<usize>,
+}
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct AuctionView;
+pub struct AuctionView {
+    built: Option<Built>,
+    judge: Option<(About, Option<Judge>)>,
+}
 
 impl AuctionView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let _ = (ui, context);
+        let app = context.app;
+        let goal = goal_within(app, context.memory.goal);
+        controls(ui, context, goal);
+        let goal = goal_within(app, context.memory.goal);
+        let ask = AuctionAsk::of(app.document(), goal, context.memory.auction_numbers);
+        context.studies.auction.ask(&ask, context.wake, || {
+            let ask = ask.clone();
+            move |progress: &Progress| ask.answer(progress)
+        });
+        progress(ui, &mut context.studies.auction, "The auction");
+        if context.studies.auction.stage() == Stage::Impossible {
+            return;
+        }
+        let Some((key, auction)) = context.studies.auction.answer() else {
+            return;
+        };
+        let theme = context.chart_theme();
+        let same = |b: &Built| Arc::ptr_eq(&b.auction, auction) && b.theme == theme;
+        if !self.built.as_ref().is_some_and(same) {
+            self.built = Some(build(app, key.clone(), auction.clone(), theme));
+        }
+        let fresh = *key == ask;
+        if fresh {
+            self.mark(app);
+        }
+        if let Some(built) = &self.built {
+            lay_out(ui, context, built, fresh);
+        }
     }
+
+    /// Marks the present model in chart and table, once a change.
+    fn mark(&mut self, app: &App) {
+        let Some(built) = &mut self.built else {
+            return;
+        };
+        let revision = app.revision();
+        if built.marked == Some(revision) {
+            return;
+        }
+        built.marked = Some(revision);
+        let about = &built.ask.about;
+        if self.judge.as_ref().is_none_or(|(of, _)| of != about) {
+            self.judge = Some((about.clone(), tradeoff::judge(about)));
+        }
+        let judge = self.judge.as_ref().and_then(|(_, judge)| judge.as_ref());
+        let now: Option<Verdict> = judge.and_then(|judge| tradeoff::verdict_now(app, judge));
+        built
+            .chart
+            .mark(app, &built.ask, &built.auction, now.as_ref());
+        let numbers = app.derived().numbers();
+        let step = built
+            .auction
+            .steps
+            .iter()
+            .position(|s| s.numbers == numbers);
+        built.chosen = step.filter(|i| is_now(app, built, *i));
+    }
+}
+
+/// Whether a step is the document's present model.
+fn is_now(app: &App, built: &Built, step: usize) -> bool {
+    let document = app.document();
+    let step = &built.auction.steps[step];
+    let command = take(document.settings, &built.ask, &built.auction, step);
+    let Command::TakeModel { settings, edits } = command else {
+        return false;
+    };
+    settings == document.settings && edits == document.subject_edits()
+}
+
+/// Goal and budget.
+fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
+    let lacks = MEASURES.map(|measure| lack(context.app, measure));
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Make small")
+            .on_hover_text("The goal: what each purchase is to lower most.");
+        for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
+            let button = egui::Button::selectable(goal == plain, NAMES[i]);
+            let response = ui.add_enabled(lacks[i].is_none(), button);
+            if response.clicked() {
+                context.memory.goal = plain;
+            }
+            response
+                .on_hover_text(MEANINGS[i])
+                .on_disabled_hover_text(lacks[i].unwrap_or_default());
+        }
+    });
+    weights(ui, context, goal, lacks);
+    ui.horizontal_wrapped(|ui| {
+        let label = ui.label("Spend up to");
+        budget(ui, &mut context.memory.auction_numbers)
+            .labelled_by(label.id)
+            .on_hover_text(
+                "Most numbers that may be spent, 1 to 101; an order and a spike cost two.",
+            );
+        let settings = context.app.document().settings;
+        let way = Way::new(settings.basis, false, settings.colour_exact);
+        ui.weak(format!("numbers, {}", way.title()))
+            .on_hover_text("Basis and fit are those of the model at the right; change them there.");
+    });
+}
+
+/// The weights of a mixed goal.
+fn weights(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    goal: Goal,
+    lacks: [Option<&'static str>; 4],
+) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label("or a mix of").on_hover_text(
+            "Weights of the four errors. In a mix each error is divided by its value at N = 0, so \
+             that they can be added.",
+        );
+        let mut weights = goal.weights();
+        let mut changed = false;
+        for (i, weight) in weights.iter_mut().enumerate() {
+            let value = DragValue::new(weight)
+                .speed(0.02)
+                .range(0.0..=MOST_WEIGHT)
+                .max_decimals(2);
+            let response = ui.add_enabled(lacks[i].is_none(), value);
+            named(
+                &response,
+                egui::Role::SpinButton,
+                &format!("Weight of {}", NAMES[i]),
+            );
+            changed |= response.changed();
+            response
+                .on_hover_text(format!(
+                    "{} Its weight in the mix; in a mix each error is divided by its value at \
+                     N = 0.",
+                    MEANINGS[i]
+                ))
+                .on_disabled_hover_text(lacks[i].unwrap_or_default());
+            ui.weak(NAMES[i]);
+        }
+        if changed && weights.iter().any(|weight| *weight > 0.0) {
+            let [own, patches, spectrum, filters] = weights;
+            context.memory.goal = Goal {
+                own,
+                patches,
+                spectrum,
+                filters,
+            };
+        }
+    });
+}
+
+/// A count of numbers to drag or type: 2N + 1 + 2M is always odd, so one step is two numbers.
+pub(in crate::ui) fn budget(ui: &mut Ui, numbers: &mut usize) -> egui::Response {
+    let mut purchases = (*numbers).saturating_sub(1) / 2;
+    let most = (*SPENDABLE.end() - 1) / 2;
+    let value = DragValue::new(&mut purchases)
+        .speed(0.1)
+        .range(0..=most)
+        .custom_formatter(|purchases, _| format!("{}", 2.0 * purchases + 1.0))
+        .custom_parser(|text| {
+            let numbers: f64 = text.trim().parse().ok()?;
+            Some(((numbers - 1.0) / 2.0).floor())
+        });
+    let response = ui.add(value);
+    if response.changed() {
+        *numbers = 2 * purchases + 1;
+    }
+    response
+}
+
+fn build(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: plot_svg::Theme) -> Built {
+    let names = names(&ask, &auction, app.element_lines());
+    let goal = ask.terms.goal;
+    let rows = (0..auction.steps.len())
+        .map(|i| row(&auction, i, goal, &names))
+        .collect();
+    Built {
+        chart: AuctionChart::of(&ask, &auction, &names, theme),
+        ended: ended_words(&ask, &auction),
+        columns: columns(goal),
+        rows,
+        marked: None,
+        chosen: None,
+        theme,
+        ask,
+        auction,
+    }
+}
+
+fn columns(goal: Goal) -> Vec<Column> {
+    let (_, unit) = goal_unit(goal);
+    let error = if unit == "%" {
+        "error, %"
+    } else {
+        "error, ΔE00"
+    };
+    vec![
+        Column::numbers("numbers", "Spent so far.", 1.0),
+        Column::words(
+            "bought",
+            "What two more numbers (or four) were spent on.",
+            3.0,
+        ),
+        Column::words(
+            "gave back",
+            "What the better model at this price does without.",
+            2.4,
+        ),
+        Column::numbers(
+            error,
+            "The goal: CIEDE2000, or percent; of a mix the weighted mean of the errors, each over \
+             its value at N = 0.",
+            1.3,
+        ),
+        Column::numbers("lower by", "Than the step before, percent.", 1.1),
+        Column::numbers("own", super::tradeoff_view::meaning(Measure::Own), 1.0),
+        Column::numbers(
+            "patches",
+            super::tradeoff_view::meaning(Measure::Patches),
+            1.0,
+        ),
+        Column::numbers(
+            "filters",
+            super::tradeoff_view::meaning(Measure::Filters),
+            1.0,
+        ),
+        Column::numbers(
+            "rms 10 nm",
+            super::tradeoff_view::meaning(Measure::RmsBlurred),
+            1.2,
+        ),
+    ]
+}
+
+fn row(
+    auction: &Auction,
+    index: usize,
+    goal: Goal,
+    names: &[crate::app::line_names::LineName],
+) -> Row {
+    let step = &auction.steps[index];
+    let before = index.checked_sub(1).map(|i| auction.steps[i].error);
+    let bought = if step.bought.is_empty() {
+        "order 0, the mean".to_owned()
+    } else {
+        purchases_words(&step.bought, auction, names)
+    };
+    let gave_back = purchases_words(&step.gave_back, auction, names);
+    let error = error_words(goal, step.error);
+    let gain = before.map_or(String::new(), |before| gain_words(before, step.error));
+    let mut cells = vec![
+        step.numbers.to_string(),
+        bought.clone(),
+        gave_back.clone(),
+        error.trim_end_matches(" %").to_owned(),
+        gain,
+    ];
+    let figures = [
+        Measure::Own,
+        Measure::Patches,
+        Measure::Filters,
+        Measure::RmsBlurred,
+    ];
+    cells.extend(figures.map(|measure| figure(measure, &step.verdict)));
+    Row {
+        cells,
+        name: format!(
+            "Step {}: {} numbers, {bought}, error {error}",
+            index + 1,
+            step.numbers
+        ),
+        note: if gave_back.is_empty() {
+            format!("Bought {bought}.\nClick to take this model.")
+        } else {
+            format!("Bought {bought}; gave back {gave_back}.\nClick to take this model.")
+        },
+    }
+}
+
+/// Chart and table in the room there is.
+fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
+    ending(ui, context, built, fresh);
+    let room = ui.available_size();
+    let scale = context.theme.scale;
+    if room.x >= WIDE * scale {
+        ui.horizontal_top(|ui| {
+            chart(ui, context, built, vec2(0.5 * room.x, room.y), fresh);
+            egui::ScrollArea::vertical()
+                .auto_shrink(false)
+                .show(ui, |ui| steps(ui, context, built, fresh));
+        });
+    } else {
+        egui::ScrollArea::vertical()
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                let height = (0.52 * room.y).clamp(260.0 * scale, 420.0 * scale);
+                chart(
+                    ui,
+                    context,
+                    built,
+                    vec2(ui.available_width(), height),
+                    fresh,
+                );
+                ui.add_space(4.0);
+                steps(ui, context, built, fresh);
+            });
+    }
+}
+
+/// Why it ended, and a button to take what was bought.
+fn ending(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
+    ui.horizontal_wrapped(|ui| {
+        let last = built.auction.steps.len() - 1;
+        let taken = built.chosen == Some(last);
+        let button = ui.add_enabled(fresh && !taken, egui::Button::new("Take the last"));
+        if button.clicked() {
+            act(context, built, last);
+        }
+        button
+            .on_hover_text(
+                "Makes the model that was bought in the end the document's, in one step of undo.",
+            )
+            .on_disabled_hover_text(if taken {
+                "It is the model in force."
+            } else {
+                "The auction is still running."
+            });
+        ui.label(&built.ended);
+    });
+}
+
+fn chart(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, size: egui::Vec2, fresh: bool) {
+    let shown = ChartView::show(ui, &built.chart.chart, "auction", size, context.theme);
+    context.wishes.extend(shown.wish);
+    let step = shown
+        .clicked
+        .and_then(|hit| built.chart.step(hit.series, hit.point));
+    if fresh && let Some(step) = step {
+        act(context, built, step);
+    }
+}
+
+fn steps(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
+    let (columns, rows) = (&built.columns, &built.rows);
+    if let Some(step) = table(ui, columns, rows, built.chosen, fresh, context.theme) {
+        act(context, built, step);
+    }
+}
+
+/// Takes the model of a step.
+fn act(context: &mut PageContext<'_>, built: &Built, step: usize) {
+    let Some(step) = built.auction.steps.get(step) else {
+        return;
+    };
+    let settings = context.app.document().settings;
+    let command = take(settings, &built.ask, &built.auction, step);
+    context.commands.push(command);
 }

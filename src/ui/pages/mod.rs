@@ -3,6 +3,7 @@
 pub mod auction_view;
 pub mod coefficients_view;
 pub mod race_view;
+pub mod rows;
 pub mod tradeoff_view;
 pub mod truth_view;
 

@@ -1,17 +1,378 @@
-//! The page "Tradeoff".
+//! The page "Trade-off": error against numbers, and what the threshold changes.
+
+use std::sync::Arc;
 
 use eframe::egui;
-use egui::Ui;
+use egui::{Ui, vec2};
 
-use super::PageContext;
+use super::{
+    PageContext, progress,
+    rows::{Column, Row, table},
+};
+use crate::{
+    app::{
+        Command,
+        charts::tradeoff::{
+            self, Tradeoff, figure, lack, limits, mark_threshold, measure_within, needs, take,
+            take_cell, threshold_chart, unit,
+        },
+        pages::WaysShown,
+        plot_svg::{self, Chart},
+        studies::{About, Stage, SweepAsk},
+    },
+    study::{Judge, Measure, Progress, Sweep, Verdict, sweep::SweepPoint},
+    ui::chart_view::{ChartView, Hit},
+};
+
+/// From this width on the two charts stand side by side, points.
+const WIDE: f32 = 940.0;
+
+/// What the charts were built from: they are built anew when any of it changes.
+#[derive(Clone)]
+struct Of {
+    sweep: Arc<Sweep>,
+    measure: Measure,
+    shown: WaysShown,
+    theme: plot_svg::Theme,
+}
+
+impl PartialEq for Of {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.sweep, &other.sweep)
+            && self.measure == other.measure
+            && self.shown == other.shown
+            && self.theme == other.theme
+    }
+}
+
+/// Charts and table of one sweep and figure.
+struct Built {
+    of: Of,
+    tradeoff: Tradeoff,
+    map: Chart,
+    sentences: [String; 2],
+    columns: Vec<Column>,
+    rows: Vec<Row>,
+    /// The document's revision whose model is marked.
+    marked: Option<u64>,
+}
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct TradeoffView;
+pub struct TradeoffView {
+    built: Option<Built>,
+    judge: Option<(About, Option<Judge>)>,
+    now: Option<(u64, Option<Verdict>)>,
+}
 
 impl TradeoffView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let _ = (ui, context);
+        let app = context.app;
+        let ask = SweepAsk::of(app.document());
+        context.studies.sweep.ask(&ask, context.wake, || {
+            let ask = ask.clone();
+            move |progress: &Progress| ask.answer(progress)
+        });
+        let measure = measure_within(app, context.memory.measure);
+        controls(ui, context, measure);
+        progress(ui, &mut context.studies.sweep, "Error against numbers");
+        if context.studies.sweep.stage() == Stage::Impossible {
+            return;
+        }
+        let Some((key, sweep)) = context.studies.sweep.answer() else {
+            return;
+        };
+        let (key, sweep) = (key.clone(), sweep.clone());
+        // A model of another spectrum is none for this one.
+        let fresh = key == ask;
+        let now = self.verdict_now(context, &ask.about);
+        let of = Of {
+            sweep,
+            measure,
+            shown: context.memory.ways,
+            theme: context.chart_theme(),
+        };
+        if self.built.as_ref().is_none_or(|built| built.of != of) {
+            self.built = Some(build(&key, of));
+        }
+        let Some(built) = &mut self.built else {
+            return;
+        };
+        let revision = app.revision();
+        if fresh && built.marked != Some(revision) {
+            built.tradeoff.mark(app, now.as_ref(), measure);
+            mark_threshold(&mut built.map, app);
+            built.marked = Some(revision);
+        }
+        lay_out(ui, context, built, fresh);
     }
+
+    /// Every figure of the present model, computed once a change.
+    fn verdict_now(&mut self, context: &PageContext<'_>, about: &About) -> Option<Verdict> {
+        let revision = context.app.revision();
+        if self.judge.as_ref().is_none_or(|(of, _)| of != about) {
+            self.judge = Some((about.clone(), tradeoff::judge(about)));
+            self.now = None;
+        }
+        if self.now.as_ref().is_none_or(|(of, _)| *of != revision) {
+            let judge = self.judge.as_ref().and_then(|(_, judge)| judge.as_ref());
+            let verdict = judge.and_then(|judge| tradeoff::verdict_now(context.app, judge));
+            self.now = Some((revision, verdict));
+        }
+        self.now.as_ref().and_then(|(_, verdict)| *verdict)
+    }
+}
+
+/// Which figure, and which lines.
+fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Error");
+        for one in Measure::ALL {
+            let lack = lack(context.app, one);
+            let button = egui::Button::selectable(measure == one, one.title());
+            let response = ui.add_enabled(lack.is_none(), button);
+            if response.clicked() {
+                context.memory.measure = one;
+            }
+            response
+                .on_hover_text(meaning(one))
+                .on_disabled_hover_text(lack.unwrap_or_default());
+        }
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Show");
+        let ways = &mut context.memory.ways;
+        for (shown, name, meaning) in [
+            (&mut ways.fourier, "Fourier", "The paper's periodic series."),
+            (&mut ways.cosine, "cosine", "Half-range cosines."),
+        ] {
+            ui.checkbox(shown, name).on_hover_text(meaning);
+        }
+        ui.separator();
+        for (shown, name, meaning) in [
+            (
+                &mut ways.with_spikes,
+                "spikes",
+                "Every line above the threshold as a spike, two numbers each: drawn through.",
+            ),
+            (
+                &mut ways.without_spikes,
+                "no spikes",
+                "Orders only: drawn in dashes.",
+            ),
+        ] {
+            ui.checkbox(shown, name).on_hover_text(meaning);
+        }
+        ui.separator();
+        for (shown, name, meaning) in [
+            (&mut ways.plain, "plain", "Plain least squares."),
+            (
+                &mut ways.colour_exact,
+                "colour-exact",
+                "Least squares under the condition that X, Y and Z are exact.",
+            ),
+        ] {
+            ui.checkbox(shown, name).on_hover_text(meaning);
+        }
+        *ways = ways.clamped();
+    });
+}
+
+/// What a figure counts, with its unit.
+pub(super) fn meaning(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Own => "CIEDE2000 of the spectrum's own colour.",
+        Measure::Patches => "Mean CIEDE2000 of the patches under the light, products at 1 nm.",
+        Measure::PatchesWorst => {
+            "Largest CIEDE2000 of the patches under the light, products at 1 nm."
+        }
+        Measure::Filters => {
+            "Mean CIEDE2000 behind Gaussian band-passes of 10 nm, centred at 420, 430 ... 670 nm."
+        }
+        Measure::Rms => {
+            "Root mean square of model minus measured over that of the spectrum, percent."
+        }
+        Measure::RmsBlurred => "The same after a Gaussian blur of 10 nm full width, percent.",
+    }
+}
+
+fn build(ask: &SweepAsk, of: Of) -> Built {
+    let (sweep, measure) = (&of.sweep, of.measure);
+    let tradeoff = Tradeoff::of(ask, sweep, measure, &of.shown, of.theme);
+    let sentences = limits(measure).map(|limit| needs(ask, sweep, &tradeoff.front, measure, limit));
+    let rows = tradeoff
+        .front
+        .iter()
+        .map(|index| row(&sweep.points[*index], measure))
+        .collect();
+    Built {
+        map: threshold_chart(ask, sweep, measure, of.theme),
+        columns: columns(),
+        rows,
+        sentences,
+        tradeoff,
+        marked: None,
+        of,
+    }
+}
+
+/// Columns of the figures in the table, with their shorter titles.
+const FIGURES: [(Measure, &str); 6] = [
+    (Measure::Patches, "patches"),
+    (Measure::PatchesWorst, "worst"),
+    (Measure::Own, "own"),
+    (Measure::Filters, "filters"),
+    (Measure::RmsBlurred, "rms 10 nm"),
+    (Measure::Rms, "rms 1 nm"),
+];
+
+fn columns() -> Vec<Column> {
+    let mut columns = vec![
+        Column::numbers(
+            "numbers",
+            "2N + 1 for the smooth part and two for each spike.",
+            1.1,
+        ),
+        Column::words("way", "Basis, fit, with or without spikes.", 3.3),
+        Column::numbers("N", "Order of the smooth part.", 0.6),
+        Column::numbers("spikes", "Lines kept as a place and a weight.", 0.9),
+    ];
+    columns.extend(
+        FIGURES
+            .iter()
+            .map(|(measure, title)| Column::numbers(title, meaning(*measure), 1.2)),
+    );
+    columns
+}
+
+fn row(point: &SweepPoint, measure: Measure) -> Row {
+    let figures = FIGURES.map(|(measure, _)| figure(measure, &point.verdict));
+    let mut cells = vec![
+        point.numbers.to_string(),
+        point.way.title().to_owned(),
+        point.order.to_string(),
+        point.spikes.to_string(),
+    ];
+    cells.extend(figures);
+    Row {
+        cells,
+        name: format!(
+            "{} numbers: {}, order {}, {} {} {}",
+            point.numbers,
+            point.way.title(),
+            point.order,
+            measure.title(),
+            unit(measure),
+            figure(measure, &point.verdict)
+        ),
+        note: "Click to take this model.".to_owned(),
+    }
+}
+
+/// Charts and table in the room there is.
+fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &mut Built, fresh: bool) {
+    let [first, second] = &built.sentences;
+    let sentence = ui.label(format!("{first} {second}"));
+    sentence.on_hover_text("Of the models drawn: all orders of the ways that are switched on.");
+    let room = ui.available_size();
+    let scale = context.theme.scale;
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            if room.x >= WIDE * scale {
+                let height = (0.62 * room.y).max(300.0 * scale);
+                ui.horizontal_top(|ui| {
+                    let gap = ui.spacing().item_spacing.x;
+                    let left = 0.56 * (room.x - gap);
+                    against_numbers(ui, context, built, vec2(left, height), fresh);
+                    let right = ui.available_width();
+                    against_threshold(ui, context, built, vec2(right, height), fresh);
+                });
+            } else {
+                let width = ui.available_width();
+                let height = (0.60 * room.y).clamp(280.0 * scale, 460.0 * scale);
+                against_numbers(ui, context, built, vec2(width, height), fresh);
+                ui.add_space(4.0);
+                let height = (0.50 * room.y).clamp(240.0 * scale, 380.0 * scale);
+                against_threshold(ui, context, built, vec2(width, height), fresh);
+            }
+            ui.add_space(6.0);
+            front_table(ui, context, built, fresh);
+        });
+}
+
+fn against_numbers(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    built: &Built,
+    size: egui::Vec2,
+    fresh: bool,
+) {
+    let chart = &built.tradeoff.chart;
+    let shown = ChartView::show(ui, chart, "tradeoff", size, context.theme);
+    context.wishes.extend(shown.wish);
+    let model = |hit: Hit| built.tradeoff.model(hit.series, hit.point);
+    if fresh && let Some(model) = shown.clicked.and_then(model) {
+        let settings = context.app.document().settings;
+        let command = take(settings, &built.of.sweep.points[model]);
+        context.commands.push(command);
+    }
+}
+
+fn against_threshold(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    built: &Built,
+    size: egui::Vec2,
+    fresh: bool,
+) {
+    let shown = ChartView::show(ui, &built.map, "threshold map", size, context.theme);
+    context.wishes.extend(shown.wish);
+    let settings = context.app.document().settings;
+    let cell = shown.clicked.filter(|hit| hit.series == 0);
+    if fresh
+        && let Some(cell) = cell
+        && let Some(command) = take_cell(settings, &built.of.sweep, cell.point)
+    {
+        context.commands.push(command);
+    }
+}
+
+/// The front as a table; its first row is the cheapest model.
+fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
+    let settings = context.app.document().settings;
+    let points = || {
+        let front = built.tradeoff.front.iter();
+        front.map(|index| &built.of.sweep.points[*index])
+    };
+    ui.label(
+        egui::RichText::new(format!(
+            "The best for that many numbers: {}",
+            built.of.measure.title()
+        ))
+        .strong(),
+    );
+    let chosen = points().position(|point| is_now(context, point));
+    let clicked = table(
+        ui,
+        &built.columns,
+        &built.rows,
+        chosen,
+        fresh,
+        context.theme,
+    );
+    if let Some(point) = clicked.and_then(|row| points().nth(row)) {
+        let command: Command = take(settings, point);
+        context.commands.push(command);
+    }
+}
+
+/// Whether a model is the document's present one.
+fn is_now(context: &PageContext<'_>, point: &SweepPoint) -> bool {
+    let document = context.app.document();
+    let Command::TakeModel { settings, edits } = take(document.settings, point) else {
+        return false;
+    };
+    settings == document.settings && edits == document.subject_edits()
 }

@@ -18,6 +18,7 @@ use super::{
     patches_view, picture,
     saver::Saver,
     spectrum_view::SpectrumView,
+    spend_view::SpendView,
     spikes_view,
     theme::{self, Theme},
     top_view,
@@ -79,6 +80,7 @@ pub struct Window {
     /// Long computations; pictures wait for them.
     pub studies: Studies,
     pages: Pages,
+    spend: SpendView,
 }
 
 impl Window {
@@ -107,6 +109,7 @@ impl Window {
             fonts_installed: false,
             studies: Studies::default(),
             pages: Pages::default(),
+            spend: SpendView::default(),
         }
     }
 
@@ -286,9 +289,32 @@ impl Window {
             // The curve was drawn before its own click: show the new order at once.
             ui.ctx().request_discard("the order curve was clicked");
         }
+        self.spend(ui);
         ui.add_space(2.0);
         ui.separator();
         colour_view::show(ui, &self.app, theme);
+    }
+
+    /// "Spend 21 numbers for me."
+    fn spend(&mut self, ui: &mut Ui) {
+        let mut commands = Vec::new();
+        let wake = theme::waker(ui.ctx());
+        let outcome = self.spend.show(
+            ui,
+            &self.app,
+            &mut self.studies,
+            &mut self.preferences.pages,
+            &wake,
+            &mut commands,
+        );
+        if !commands.is_empty() {
+            // The model's knobs stand above and were drawn before.
+            ui.ctx().request_repaint();
+        }
+        self.apply(&mut commands);
+        if let Some((tone, words)) = outcome {
+            self.app.say(tone, words);
+        }
     }
 
     fn below(&mut self, ui: &mut Ui, theme: Theme) {

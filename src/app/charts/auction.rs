@@ -1,0 +1,392 @@
+//! The auction as a chart, as a table and as a model for the document.
+
+use super::tradeoff::{SMALLEST, all_figures, factor, lack, origin, spikes_words, stairs, three};
+use crate::{
+    app::{
+        App, Command, Settings,
+        chart::Inks,
+        line_names::{ElementLine, LineName, name_spikes},
+        plot_svg::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
+        studies::{AuctionAsk, model_of},
+    },
+    spectrum::{
+        Spike,
+        spikes::{absolute_power, detect_shapes},
+    },
+    study::{
+        Auction, Goal, Measure, Verdict, Way,
+        auction::{Bid, Ended, Purchase, Step},
+        error::height,
+    },
+};
+
+/// The figures that the plain goals make small, in the order of [`Goal::PLAIN`].
+pub const MEASURES: [Measure; 4] = [
+    Measure::Own,
+    Measure::Patches,
+    Measure::RmsBlurred,
+    Measure::Filters,
+];
+
+/// Names of the plain goals for people, in the order of [`Goal::PLAIN`].
+pub const NAMES: [&str; 4] = ["own colour", "patches", "spectrum", "narrow filters"];
+
+/// What the plain goals mean, in the order of [`Goal::PLAIN`].
+pub const MEANINGS: [&str; 4] = [
+    "CIEDE2000 of the light's own colour.",
+    "Mean CIEDE2000 of the patches under the light.",
+    "Relative rms of the spectrum behind a 10 nm blur.",
+    "Mean CIEDE2000 behind 26 Gaussian band-passes of 10 nm, centred at 420 to 670 nm.",
+];
+
+/// The figure of a goal that wants one thing only.
+pub fn plain_measure(goal: Goal) -> Option<Measure> {
+    let mut wanted = goal
+        .weights()
+        .into_iter()
+        .zip(MEASURES)
+        .filter(|(weight, _)| *weight > 0.0);
+    let (_, measure) = wanted.next()?;
+    wanted.next().is_none().then_some(measure)
+}
+
+/// The goal without what does not exist for the document's subject; when nothing is left, the
+/// first figure that does exist.
+pub fn goal_within(app: &App, goal: Goal) -> Goal {
+    let lacks = MEASURES.map(|measure| lack(app, measure).is_some());
+    let kept = |weight: f64, i: usize| if lacks[i] { 0.0 } else { weight };
+    let left = Goal {
+        own: kept(goal.own, 0),
+        patches: kept(goal.patches, 1),
+        spectrum: kept(goal.spectrum, 2),
+        filters: kept(goal.filters, 3),
+    };
+    if left.weights().iter().any(|w| *w > 0.0) {
+        return left;
+    }
+    let first = Goal::PLAIN.iter().zip(lacks).find(|(_, lacks)| !lacks);
+    first.map_or(goal, |((_, plain), _)| *plain)
+}
+
+/// The goal in words: "the patches' mean ΔE00", "a mix (own 1, filters 2)".
+pub fn goal_words(goal: Goal) -> String {
+    match plain_measure(goal) {
+        Some(Measure::Own) => "ΔE00 of the own colour".to_owned(),
+        Some(Measure::Patches) => "patches' mean ΔE00".to_owned(),
+        Some(Measure::Filters) => "mean ΔE00 behind narrow filters".to_owned(),
+        Some(_) => "rms behind a 10 nm blur".to_owned(),
+        None => format!("mix of errors ({})", goal.words()),
+    }
+}
+
+/// What a goal's error is multiplied by to be shown, and its unit.
+pub fn goal_unit(goal: Goal) -> (f64, &'static str) {
+    match plain_measure(goal) {
+        Some(measure) if measure.is_colour() => (1.0, "ΔE00"),
+        Some(measure) => (factor(measure), "%"),
+        None => (100.0, "%"),
+    }
+}
+
+/// A goal's error in words.
+pub fn error_words(goal: Goal, error: f64) -> String {
+    let (factor, unit) = goal_unit(goal);
+    let tail = if unit == "%" { " %" } else { "" };
+    let shown = error * factor;
+    if shown < SMALLEST {
+        format!("<{SMALLEST}{tail}")
+    } else {
+        format!("{}{tail}", three(shown))
+    }
+}
+
+/// The goal's error of any model, from its figures and those at order 0.
+pub fn goal_error(goal: Goal, verdict: &Verdict, at_start: &Verdict) -> Option<f64> {
+    if let Some(measure) = plain_measure(goal) {
+        return measure.of(verdict);
+    }
+    let (mut sum, mut whole) = (0.0, 0.0);
+    for (weight, measure) in goal.weights().into_iter().zip(MEASURES) {
+        if let (Some(error), Some(start)) = (measure.of(verdict), measure.of(at_start)) {
+            whole += weight;
+            sum += if start > 0.0 {
+                weight * error / start
+            } else {
+                0.0
+            };
+        }
+    }
+    (whole > 0.0).then(|| sum / whole)
+}
+
+/// Names of the lines on offer, in their order.
+pub fn names(ask: &AuctionAsk, auction: &Auction, lines: &[ElementLine]) -> Vec<LineName> {
+    let (entry, band) = (&ask.about.subject.0, ask.about.band);
+    let samples = &entry.spectrum.samples;
+    let step_nm = (samples.last_nm() - samples.first_nm()) / (samples.len() - 1) as f64;
+    let values = entry.on_band(band);
+    let power = height(&values).map_or(0.0, |unit| unit * absolute_power(band, &values));
+    // Neighbours are told apart by their order along the spectrum.
+    let mut order: Vec<usize> = (0..auction.lines.len()).collect();
+    order.sort_by(|a, b| auction.lines[*a].at_nm.total_cmp(&auction.lines[*b].at_nm));
+    let sorted: Vec<Spike> = order.iter().map(|i| auction.lines[*i]).collect();
+    let mut names = vec![LineName::default(); order.len()];
+    for (index, name) in order
+        .into_iter()
+        .zip(name_spikes(&sorted, step_nm, power, lines))
+    {
+        names[index] = name;
+    }
+    names
+}
+
+/// A purchase in words: "order 3", "435.8 nm (Hg 435.8)".
+fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) -> String {
+    match purchase {
+        Purchase::Order(order) => format!("order {order}"),
+        Purchase::Spike(spike) => {
+            let index = auction.lines.iter().position(|line| line == spike);
+            let name = index.and_then(|i| names.get(i)?.safe.as_deref());
+            match name.and_then(|name| name.split_once(' ')) {
+                Some((element, _)) => format!("line {:.1} nm ({element})", spike.at_nm),
+                None => format!("line {:.1} nm", spike.at_nm),
+            }
+        }
+    }
+}
+
+/// Purchases in words, runs of orders drawn together: "orders 3-5, line 435.8 nm (Hg)".
+pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineName]) -> String {
+    let orders: Vec<usize> = purchases
+        .iter()
+        .filter_map(|p| match p {
+            Purchase::Order(order) => Some(*order),
+            Purchase::Spike(_) => None,
+        })
+        .collect();
+    let lines = purchases
+        .iter()
+        .filter(|p| matches!(p, Purchase::Spike(_)))
+        .map(|p| purchase_words(p, auction, names));
+    let orders = match orders[..] {
+        [] => None,
+        [order] => Some(format!("order {order}")),
+        _ => {
+            let first = orders.iter().min().copied().unwrap_or(0);
+            let last = orders.iter().max().copied().unwrap_or(0);
+            Some(format!("orders {first}-{last}"))
+        }
+    };
+    let words: Vec<String> = orders.into_iter().chain(lines).collect();
+    words.join(", ")
+}
+
+/// What the document must take for a step: its order and its lines, and no other line that the
+/// detector would find beyond those on offer.
+pub fn take(settings: Settings, ask: &AuctionAsk, auction: &Auction, step: &Step) -> Command {
+    let mut command = model_of(settings, ask.terms, auction, step);
+    if let Command::TakeModel { settings, edits } = &mut command
+        && settings.spikes
+        && !step.lines.is_empty()
+    {
+        let about = &ask.about;
+        let values = about.subject.0.on_band(about.band);
+        let (_, found) = detect_shapes(about.band, &values, about.spikes);
+        let beyond = found.iter().skip(auction.lines.len());
+        edits
+            .deleted_nm
+            .extend(beyond.map(|shape| shape.spike.at_nm));
+    }
+    command
+}
+
+/// The model of a step in words: "order 6 and the lines 404.9, 435.8 nm".
+pub fn model_words(auction: &Auction, step: &Step) -> String {
+    let mut places: Vec<f64> = step
+        .lines
+        .iter()
+        .filter_map(|i| auction.lines.get(*i))
+        .map(|line| line.at_nm)
+        .collect();
+    places.sort_by(f64::total_cmp);
+    let words: Vec<String> = places.iter().map(|nm| format!("{nm:.1}")).collect();
+    match words.len() {
+        0 => format!("order {} and no lines", step.order),
+        1 => format!("order {} and the line {} nm", step.order, words[0]),
+        _ => format!("order {} and the lines {} nm", step.order, words.join(", ")),
+    }
+}
+
+/// Why an auction ended, a sentence.
+pub fn ended_words(ask: &AuctionAsk, auction: &Auction) -> String {
+    let (last, most) = (auction.last(), ask.terms.numbers);
+    let model = model_words(auction, last);
+    match auction.ended {
+        Ended::Spent => format!(
+            "The budget is spent: {} of {most} numbers, {model}.",
+            last.numbers
+        ),
+        Ended::NothingHelps => format!(
+            "It stopped at {} of {most} numbers, {model}: nothing that the rest would buy lowers \
+             the goal.",
+            last.numbers
+        ),
+    }
+}
+
+/// The path with what a click needs to know.
+#[derive(Clone, Debug)]
+pub struct AuctionChart {
+    /// The chart; its last series is the mark of the present model, when there is one.
+    pub chart: Chart,
+    /// How many series there are without that mark.
+    series: usize,
+}
+
+/// Places of the series in the chart.
+const STAIRS: usize = 2;
+const STEPS: usize = 3;
+
+impl AuctionChart {
+    /// The chart of an auction.
+    pub fn of(ask: &AuctionAsk, auction: &Auction, names: &[LineName], theme: Theme) -> Self {
+        let (terms, inks) = (ask.terms, Inks::of(theme));
+        let (times, unit) = goal_unit(terms.goal);
+        let at = |numbers: usize, error: f64| [numbers as f64, (error * times).max(SMALLEST)];
+        let bids = |bids: &[Bid]| bids.iter().map(|b| at(b.numbers, b.error)).collect();
+        let points: Vec<[f64; 2]> = auction
+            .steps
+            .iter()
+            .map(|step| at(step.numbers, step.error))
+            .collect();
+        let mut corners = stairs(&points);
+        corners.extend(points.last().map(|p| [terms.numbers as f64, p[1]]));
+        let notes = auction
+            .steps
+            .iter()
+            .map(|step| step_note(auction, step, names))
+            .collect();
+        let line = |name: String, ink, points, dash, width| {
+            let marks = Marks::Line {
+                points,
+                width,
+                dash,
+            };
+            Series::new(name, ink, marks)
+        };
+        let with = match auction.lines.len() {
+            0 => String::new(),
+            1 => "the line as a spike, then orders".to_owned(),
+            lines => format!("all {lines} lines as spikes, then orders"),
+        };
+        let series = vec![
+            line(with, inks.spikes, bids(&auction.with), Dash::Dashed, 1.6),
+            line(
+                "no spikes, orders only".to_owned(),
+                inks.smooth,
+                bids(&auction.without),
+                Dash::Dotted,
+                1.8,
+            ),
+            line(
+                "the auction".to_owned(),
+                inks.measured,
+                corners,
+                Dash::Solid,
+                2.2,
+            ),
+            Series::points("bought", inks.residual, Shape::Dot, points).with_notes(notes),
+        ];
+        let way = Way::new(terms.basis, false, terms.colour_exact);
+        let y_label = match plain_measure(terms.goal) {
+            Some(_) if unit == "ΔE00" => goal_words(terms.goal),
+            Some(_) => format!("{}, %", goal_words(terms.goal)),
+            None => "Mix of errors, each in % of its value at N = 0".to_owned(),
+        };
+        let chart = Chart {
+            title: format!(
+                "{}: the auction for {} ({})",
+                ask.about.subject.0.name(),
+                goal_words(terms.goal),
+                way.title()
+            ),
+            x_label: "Numbers".to_owned(),
+            y_label,
+            x_range: [0.0, terms.numbers as f64 + 1.0],
+            y_scale: Scale::Log10,
+            series,
+            notes: origin(&ask.about),
+            theme,
+            ..Chart::default()
+        };
+        Self {
+            series: chart.series.len(),
+            chart,
+        }
+    }
+
+    /// The step at a point of a series.
+    pub fn step(&self, series: usize, point: usize) -> Option<usize> {
+        match series {
+            STAIRS => Some(point / 2),
+            STEPS => Some(point),
+            _ => None,
+        }
+    }
+
+    /// Marks the present model in place of the one that was marked.
+    pub fn mark(&mut self, app: &App, ask: &AuctionAsk, auction: &Auction, now: Option<&Verdict>) {
+        self.chart.series.truncate(self.series);
+        let goal = ask.terms.goal;
+        let Some((now, start)) = now.zip(auction.steps.first().map(|s| &s.verdict)) else {
+            return;
+        };
+        let numbers = app.derived().numbers() as f64;
+        if let Some(error) = goal_error(goal, now, start)
+            && numbers <= self.chart.x_range[1]
+        {
+            let at = [numbers, (error * goal_unit(goal).0).max(SMALLEST)];
+            let note = format!("{}\n{}", super::tradeoff::words_now(app), all_figures(now));
+            let mark = super::tradeoff::mark_now(vec![at], self.chart.theme);
+            self.chart.series.push(mark.with_notes(vec![note]));
+        }
+    }
+}
+
+fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
+    let mut note = Vec::new();
+    if step.bought.is_empty() {
+        note.push("order 0: the mean, which is where the auction begins".to_owned());
+    } else {
+        let bought = purchases_words(&step.bought, auction, names);
+        note.push(format!("bought {bought}"));
+    }
+    if !step.gave_back.is_empty() {
+        let gave = purchases_words(&step.gave_back, auction, names);
+        note.push(format!("gave back {gave}"));
+    }
+    note.push(format!(
+        "N = {}, {}: {} numbers",
+        step.order,
+        spikes_words(step.lines.len()),
+        step.numbers
+    ));
+    note.push(all_figures(&step.verdict));
+    note.push("Click to take this model.".to_owned());
+    note.join("\n")
+}
+
+/// How much lower an error is than the one before, percent.
+pub fn gain_words(before: f64, now: f64) -> String {
+    let gain = 100.0 * (1.0 - now / before);
+    if !gain.is_finite() {
+        return "–".to_owned();
+    }
+    if gain >= 99.95 {
+        ">99.9 %".to_owned()
+    } else if gain < 0.05 {
+        "<0.1 %".to_owned()
+    } else {
+        format!("{gain:.1} %")
+    }
+}

@@ -1,0 +1,603 @@
+//! Error against numbers as charts: all eight ways, their Pareto front, and what the threshold
+//! changes.
+
+use crate::{
+    app::{
+        App, Command, Settings,
+        chart::Inks,
+        pages::WaysShown,
+        plot_svg::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
+        settings::Detector,
+        studies::{About, SweepAsk},
+        ticks::short,
+    },
+    spectrum::{Basis, SpikeEdits},
+    study::{
+        Judge, Measure, Sweep, Verdict, Way,
+        error::{height, spikes_times, times},
+        judge::filter_centres,
+        sweep::{Examined, SweepPoint},
+    },
+};
+
+/// Errors below this are drawn at it, in ΔE00 or in percent: the axis is logarithmic, and less
+/// than this nobody can tell from nothing.
+pub const SMALLEST: f64 = 1e-4;
+
+/// What a figure is counted in.
+pub fn unit(measure: Measure) -> &'static str {
+    if measure.is_colour() { "ΔE00" } else { "%" }
+}
+
+/// What a figure of a verdict is multiplied by to be counted in [`unit`].
+pub fn factor(measure: Measure) -> f64 {
+    if measure.is_colour() { 1.0 } else { 100.0 }
+}
+
+/// A figure in words: `0.0123`, `12.3 %`, a dash where there is none.
+pub fn figure(measure: Measure, verdict: &Verdict) -> String {
+    match measure.of(verdict).map(|error| error * factor(measure)) {
+        None => "–".to_owned(),
+        Some(error) if error < SMALLEST => format!("<{SMALLEST}{}", tail(measure)),
+        Some(error) => format!("{}{}", three(error), tail(measure)),
+    }
+}
+
+fn tail(measure: Measure) -> &'static str {
+    if measure.is_colour() { "" } else { " %" }
+}
+
+/// Three digits are what an error is good for.
+pub fn three(error: f64) -> String {
+    let rounded: f64 = format!("{error:.2e}").parse().unwrap_or(error);
+    short(rounded)
+}
+
+/// Every figure of a verdict, three lines for hover.
+pub fn all_figures(verdict: &Verdict) -> String {
+    let of = |measure| figure(measure, verdict);
+    format!(
+        "ΔE00: own colour {}, patches {} (worst {}), narrow filters {}\nrms: {} at 1 nm, {} behind \
+         10 nm",
+        of(Measure::Own),
+        of(Measure::Patches),
+        of(Measure::PatchesWorst),
+        of(Measure::Filters),
+        of(Measure::Rms),
+        of(Measure::RmsBlurred),
+    )
+}
+
+/// Why a figure does not exist for the document's subject; `None` when it does.
+pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
+    let (document, derived) = (app.document(), app.derived());
+    let is_light = document.is_about_light();
+    if derived.errors.is_none() {
+        return Some("The spectrum is zero over the whole range.");
+    }
+    if !measure.is_colour() {
+        return None;
+    }
+    if derived.colour.delta_e_2000.is_none() {
+        return Some("There is no visible light in this range, so there is no colour.");
+    }
+    match measure {
+        Measure::Patches | Measure::PatchesWorst if !is_light => {
+            Some("A reflectance has no patches: choose the light as the model's subject.")
+        }
+        Measure::Filters if !is_light => {
+            Some("Narrow filters are put before a light: choose the light as the model's subject.")
+        }
+        Measure::Patches | Measure::PatchesWorst
+            if derived.patches.as_ref().is_none_or(|p| p.items.is_empty()) =>
+        {
+            Some("There are no patches to see.")
+        }
+        Measure::Filters if !filter_centres().any(|nm| derived.band.contains(nm)) => {
+            Some("No filter's centre (420 to 670 nm) lies in this range.")
+        }
+        _ => None,
+    }
+}
+
+/// The chosen figure where it exists, else the first that does.
+pub fn measure_within(app: &App, chosen: Measure) -> Measure {
+    std::iter::once(chosen)
+        .chain(Measure::ALL)
+        .find(|measure| lack(app, *measure).is_none())
+        .unwrap_or(chosen)
+}
+
+/// The judge of a study's subject; `None` for an all-zero one.
+pub fn judge(about: &About) -> Option<Judge> {
+    Examined::of(&about.subject(), 1).map(|examined| examined.judge)
+}
+
+/// Every figure of the document's present model, hand edits and all.
+pub fn verdict_now(app: &App, judge: &Judge) -> Option<Verdict> {
+    let derived = app.derived();
+    let unit = height(&derived.measured)?;
+    // A range that was just changed has another grid than the judge.
+    (judge.measured().len() == derived.smooth.len()).then(|| {
+        judge.verdict(
+            &times(&derived.smooth, unit),
+            &spikes_times(&derived.model.spikes, unit),
+        )
+    })
+}
+
+/// Where a study's numbers come from.
+pub fn origin(about: &About) -> Vec<String> {
+    let spectrum = &about.subject.0.spectrum;
+    let mut notes = Vec::new();
+    if !spectrum.source.is_empty() {
+        notes.push(format!("Source: {}", spectrum.source));
+    }
+    notes.push(format!(
+        "{}-{} nm, {}, patches {}. Spectral Explorer {}.",
+        about.band.min_nm(),
+        about.band.max_nm(),
+        about.observer.title(),
+        about.patch_set,
+        env!("CARGO_PKG_VERSION")
+    ));
+    notes
+}
+
+impl WaysShown {
+    /// Whether the lines of a way are drawn.
+    pub fn shows(&self, way: Way) -> bool {
+        let basis = match way.basis {
+            Basis::Fourier => self.fourier,
+            Basis::Cosine => self.cosine,
+        };
+        let spikes = if way.spikes {
+            self.with_spikes
+        } else {
+            self.without_spikes
+        };
+        let fit = if way.colour_exact {
+            self.colour_exact
+        } else {
+            self.plain
+        };
+        basis && spikes && fit
+    }
+}
+
+/// Colour and point of a way: hue and form tell basis and fit, the dash tells spikes.
+pub fn looks(way: Way, theme: Theme) -> ([u8; 3], Shape, Dash) {
+    let inks = Inks::of(theme);
+    let (ink, shape) = match (way.basis, way.colour_exact) {
+        (Basis::Fourier, false) => (inks.smooth, Shape::Dot),
+        (Basis::Fourier, true) => (inks.residual, Shape::Square),
+        (Basis::Cosine, false) => (inks.spikes, Shape::Triangle),
+        (Basis::Cosine, true) => (inks.product, Shape::Diamond),
+    };
+    let dash = if way.spikes {
+        Dash::Solid
+    } else {
+        Dash::Dashed
+    };
+    (ink, shape, dash)
+}
+
+/// The Pareto front of the ways shown, as indices of points: by rising numbers every model that
+/// is better than all cheaper ones. It ends with the first that is off by less than [`SMALLEST`].
+pub fn front(sweep: &Sweep, measure: Measure, shown: &WaysShown) -> Vec<usize> {
+    let mut by_cost: Vec<(usize, usize, f64)> = sweep
+        .points
+        .iter()
+        .enumerate()
+        .filter(|(_, point)| shown.shows(point.way))
+        .filter_map(|(i, p)| Some((i, p.numbers, measure.of(&p.verdict)? * factor(measure))))
+        .collect();
+    by_cost.sort_by(|a, b| a.1.cmp(&b.1).then(a.2.total_cmp(&b.2)));
+    let mut best = f64::INFINITY;
+    by_cost.retain(|(_, _, error)| {
+        let better = *error < best && best >= SMALLEST;
+        best = best.min(*error);
+        better
+    });
+    by_cost.into_iter().map(|(index, ..)| index).collect()
+}
+
+/// Corners of a staircase: each height holds until the next point. Corner `i` belongs to point
+/// `i / 2`.
+pub fn stairs(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut corners = Vec::with_capacity(2 * points.len());
+    for (i, point) in points.iter().enumerate() {
+        corners.push(*point);
+        if let Some(next) = points.get(i + 1) {
+            corners.push([next[0], point[1]]);
+        }
+    }
+    corners
+}
+
+/// Error against numbers with what a click needs to know.
+#[derive(Clone, Debug)]
+pub struct Tradeoff {
+    /// The chart; its last series are the mark of the present model, when there is one.
+    pub chart: Chart,
+    /// The front's models by rising numbers, as indices of the sweep's points.
+    pub front: Vec<usize>,
+    /// For every series the indices of its points' models.
+    models: Vec<Vec<usize>>,
+}
+
+impl Tradeoff {
+    /// The chart of one figure.
+    pub fn of(
+        ask: &SweepAsk,
+        sweep: &Sweep,
+        measure: Measure,
+        shown: &WaysShown,
+        theme: Theme,
+    ) -> Self {
+        let front = front(sweep, measure, shown);
+        let at = |index: &usize| place(&sweep.points[*index], measure);
+        let (mut lines, mut marks) = (Vec::new(), Vec::new());
+        for way in Way::ALL.into_iter().filter(|way| shown.shows(*way)) {
+            let (ink, shape, dash) = looks(way, theme);
+            let models: Vec<usize> = (0..sweep.points.len())
+                .filter(|i| sweep.points[*i].way == way && at(i).is_some())
+                .collect();
+            let points: Vec<[f64; 2]> = models.iter().filter_map(at).collect();
+            let notes = models.iter().map(|i| note(&sweep.points[*i])).collect();
+            let line = Marks::Line {
+                points: points.clone(),
+                width: 1.3,
+                dash,
+            };
+            let points = Marks::Points {
+                points,
+                radius: 2.0,
+                shape,
+            };
+            lines.push((Series::new(way.title(), ink, line), models.clone()));
+            let points = Series::new(way.title(), ink, points).with_notes(notes);
+            marks.push((points, models));
+        }
+        let (stairs, rings) = front_series(sweep, measure, &front, theme);
+        let corners = (0..stairs.marks.points().len())
+            .map(|corner| front[corner / 2])
+            .collect();
+        let (series, models): (Vec<Series>, Vec<Vec<usize>>) = std::iter::once((stairs, corners))
+            .chain(lines)
+            .chain(marks)
+            .chain([(rings, front.clone())])
+            .unzip();
+        let most = sweep.points.iter().map(|p| p.numbers).max().unwrap_or(1);
+        let chart = Chart {
+            title: format!(
+                "{}: {} against numbers",
+                ask.about.subject.0.name(),
+                measure.title()
+            ),
+            x_label: "Numbers, 2N + 1 and two for each spike".to_owned(),
+            y_label: axis(measure),
+            x_range: [1.0, (most as f64 * 1.05).max(2.0)],
+            x_scale: Scale::Log10,
+            y_scale: Scale::Log10,
+            series,
+            notes: origin(&ask.about),
+            theme,
+            ..Chart::default()
+        };
+        Self {
+            chart,
+            front,
+            models,
+        }
+    }
+
+    /// The model at a point of a series.
+    pub fn model(&self, series: usize, point: usize) -> Option<usize> {
+        self.models.get(series)?.get(point).copied()
+    }
+
+    /// Marks the present model in place of the one that was marked.
+    pub fn mark(&mut self, app: &App, verdict: Option<&Verdict>, measure: Measure) {
+        self.chart.series.truncate(self.models.len());
+        let Some((verdict, error)) = verdict.and_then(|v| Some((v, measure.of(v)?))) else {
+            return;
+        };
+        let numbers = app.derived().numbers();
+        let at = [numbers as f64, (error * factor(measure)).max(SMALLEST)];
+        let note = format!("{}\n{}", words_now(app), all_figures(verdict));
+        let mark = mark_now(vec![at], self.chart.theme).with_notes(vec![note]);
+        self.chart.series.push(mark);
+    }
+}
+
+/// The mark of the present model.
+pub fn mark_now(points: Vec<[f64; 2]>, theme: Theme) -> Series {
+    let ink = Inks::of(theme).overlays[1];
+    Series::new(
+        "the model now",
+        ink,
+        Marks::Points {
+            points,
+            radius: 8.0,
+            shape: Shape::Cross,
+        },
+    )
+}
+
+/// The present model in words: basis, fit, order, spikes, numbers.
+pub fn words_now(app: &App) -> String {
+    let (settings, derived) = (app.document().settings, app.derived());
+    let spikes = derived.model.spikes.len();
+    let way = Way::new(settings.basis, spikes > 0, settings.colour_exact);
+    format!(
+        "{}\nN = {}, {}: {} numbers",
+        way.title(),
+        derived.model.smooth.order(),
+        spikes_words(spikes),
+        derived.numbers()
+    )
+}
+
+fn axis(measure: Measure) -> String {
+    if measure.is_colour() {
+        format!("ΔE00, {}", measure.title())
+    } else {
+        format!("Relative {}, %", measure.title())
+    }
+}
+
+fn place(point: &SweepPoint, measure: Measure) -> Option<[f64; 2]> {
+    let error = measure.of(&point.verdict)? * factor(measure);
+    Some([point.numbers as f64, error.max(SMALLEST)])
+}
+
+/// "1 spike", "4 spikes".
+pub fn spikes_words(count: usize) -> String {
+    match count {
+        0 => "no spikes".to_owned(),
+        1 => "1 spike".to_owned(),
+        _ => format!("{count} spikes"),
+    }
+}
+
+fn note(point: &SweepPoint) -> String {
+    format!(
+        "N = {}, {}: {} numbers\n{}\nClick to take this model.",
+        point.order,
+        spikes_words(point.spikes),
+        point.numbers,
+        all_figures(&point.verdict)
+    )
+}
+
+/// The front: a bold staircase under everything, and rings over it.
+fn front_series(
+    sweep: &Sweep,
+    measure: Measure,
+    front: &[usize],
+    theme: Theme,
+) -> (Series, Series) {
+    const NAME: &str = "the best for that many numbers";
+    let ink = Inks::of(theme).measured;
+    let points: Vec<[f64; 2]> = front
+        .iter()
+        .filter_map(|i| place(&sweep.points[*i], measure))
+        .collect();
+    let notes = front.iter().map(|i| {
+        let point = &sweep.points[*i];
+        format!("{}\n{}", point.way.title(), note(point))
+    });
+    let line = Marks::Line {
+        points: stairs(&points),
+        width: 3.4,
+        dash: Dash::Solid,
+    };
+    let rings = Marks::Points {
+        points,
+        radius: 4.6,
+        shape: Shape::Ring,
+    };
+    (
+        Series::new(NAME, ink, line),
+        Series::new(NAME, ink, rings).with_notes(notes.collect()),
+    )
+}
+
+/// What a click on a point of the sweep asks for: that model, without hand edits.
+pub fn take(settings: Settings, point: &SweepPoint) -> Command {
+    let Way {
+        basis,
+        spikes,
+        colour_exact,
+    } = point.way;
+    Command::TakeModel {
+        settings: Settings {
+            basis,
+            spikes,
+            colour_exact,
+            order: point.order,
+            detector: Detector::Energy,
+            ..settings
+        },
+        edits: SpikeEdits::default(),
+    }
+}
+
+/// The two errors that the sentences ask about, in [`unit`].
+pub fn limits(measure: Measure) -> [f64; 2] {
+    if measure.is_colour() {
+        [1.0, 0.1]
+    } else {
+        [10.0, 1.0]
+    }
+}
+
+/// How many numbers a spectrum needs to stay under an error, a sentence.
+pub fn needs(
+    ask: &SweepAsk,
+    sweep: &Sweep,
+    front: &[usize],
+    measure: Measure,
+    limit: f64,
+) -> String {
+    let goal = match measure {
+        Measure::Own => format!("ΔE00 {limit} in its own colour"),
+        Measure::Patches => format!("ΔE00 {limit} on the patches (mean)"),
+        Measure::PatchesWorst => format!("ΔE00 {limit} on every patch"),
+        Measure::Filters => format!("ΔE00 {limit} behind narrow filters (mean)"),
+        Measure::Rms => format!("{limit} % rms at 1 nm"),
+        Measure::RmsBlurred => format!("{limit} % rms behind a 10 nm blur"),
+    };
+    let name = ask.about.subject.0.name();
+    let enough = front.iter().map(|i| &sweep.points[*i]).find(|point| {
+        let error = measure.of(&point.verdict).map(|e| e * factor(measure));
+        error.is_some_and(|error| error < limit)
+    });
+    match enough {
+        Some(point) => format!(
+            "To stay under {goal}, {name} needs {} {} ({}).",
+            point.numbers,
+            if point.numbers == 1 {
+                "number"
+            } else {
+                "numbers"
+            },
+            way_words(point)
+        ),
+        None => format!(
+            "No model shown here, up to order {}, stays under {goal}.",
+            sweep.map.highest_order
+        ),
+    }
+}
+
+/// A model within a sentence: "cosine, colour-exact, order 4, 3 spikes".
+fn way_words(point: &SweepPoint) -> String {
+    let basis = match point.way.basis {
+        Basis::Fourier => "Fourier",
+        Basis::Cosine => "cosine",
+    };
+    let fit = if point.way.colour_exact {
+        ", colour-exact"
+    } else {
+        ""
+    };
+    let order = point.order;
+    format!(
+        "{basis}{fit}, order {order}, {}",
+        spikes_words(point.spikes)
+    )
+}
+
+/// The threshold's effect as a heat map over order and threshold.
+pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: Theme) -> Chart {
+    let map = &sweep.map;
+    let columns = map.highest_order + 1;
+    let values = map
+        .verdicts
+        .iter()
+        .map(|verdict| Some((measure.of(verdict)? * factor(measure)).max(SMALLEST)))
+        .collect();
+    let notes = (0..map.verdicts.len())
+        .map(|i| {
+            let (row, order) = (i / columns, i % columns);
+            let spikes = map.spikes[row];
+            format!(
+                "{} at this threshold: {} numbers\n{}\nClick to take this model.",
+                spikes_words(spikes),
+                2 * order + 1 + 2 * spikes,
+                all_figures(&map.verdicts[i])
+            )
+        })
+        .collect();
+    let cells = Cells {
+        x_edges: (0..=columns).map(|i| i as f64 - 0.5).collect(),
+        y_edges: edges(&map.thresholds_percent),
+        values,
+        range: None,
+        scale: Scale::Log10,
+        label: unit(measure).to_owned(),
+    };
+    let way = Way::new(ask.basis, false, ask.colour_exact);
+    Chart {
+        title: format!(
+            "{}: what the threshold changes ({})",
+            ask.about.subject.0.name(),
+            way.title()
+        ),
+        x_label: "Order N".to_owned(),
+        y_label: "Spike threshold, % of the power".to_owned(),
+        x_range: [-0.5, columns as f64 - 0.5],
+        y_range: Some([
+            cells.y_edges.first().copied().unwrap_or(0.1),
+            cells.y_edges.last().copied().unwrap_or(5.0),
+        ]),
+        y_scale: Scale::Log10,
+        series: vec![Series::cells(measure.title(), cells).with_notes(notes)],
+        notes: origin(&ask.about),
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// Borders between places that are even in their logarithm.
+fn edges(places: &[f64]) -> Vec<f64> {
+    let [Some(first), Some(second)] = [places.first(), places.get(1)] else {
+        return Vec::new();
+    };
+    let half = (second / first).sqrt();
+    std::iter::once(first / half)
+        .chain(places.iter().map(|place| place * half))
+        .collect()
+}
+
+/// Marks the present order and threshold in the heat map.
+pub fn mark_threshold(chart: &mut Chart, app: &App) {
+    chart.series.truncate(1);
+    let (settings, derived) = (app.document().settings, app.derived());
+    let edited = !app.document().subject_edits().is_empty();
+    if !settings.spikes || settings.detector != Detector::Energy || edited {
+        return;
+    }
+    let at = [
+        derived.model.smooth.order() as f64,
+        settings.threshold_percent,
+    ];
+    let inside = chart.heat_map().is_some_and(|cells| cells.at(at).is_some());
+    if inside {
+        // White or black would vanish at one end of the colours: a ring of each.
+        let ring = |ink, radius| {
+            Series::new(
+                "the model now",
+                ink,
+                Marks::Points {
+                    points: vec![at],
+                    radius,
+                    shape: Shape::Ring,
+                },
+            )
+        };
+        chart.series.push(ring([20; 3], 7.4));
+        chart
+            .series
+            .push(ring([255; 3], 6.0).with_notes(vec![words_now(app)]));
+    }
+}
+
+/// What a click on a box of the heat map asks for: that order and threshold, without hand edits.
+pub fn take_cell(settings: Settings, sweep: &Sweep, cell: usize) -> Option<Command> {
+    let map = &sweep.map;
+    let columns = map.highest_order + 1;
+    let threshold = *map.thresholds_percent.get(cell / columns)?;
+    Some(Command::TakeModel {
+        settings: Settings {
+            order: cell % columns,
+            threshold_percent: threshold,
+            spikes: true,
+            detector: Detector::Energy,
+            ..settings
+        },
+        edits: SpikeEdits::default(),
+    })
+}
