@@ -1,6 +1,7 @@
 //! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
 
 pub mod chart;
+pub mod charts;
 pub mod command;
 pub mod derived;
 pub mod document;
@@ -20,6 +21,7 @@ pub mod settings;
 pub mod spike_hand;
 pub mod state;
 pub mod studies;
+pub mod study_report;
 pub mod tables;
 pub mod ticks;
 pub mod workspace;
