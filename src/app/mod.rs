@@ -21,6 +21,7 @@ pub mod settings;
 pub mod spike_hand;
 pub mod state;
 pub mod studies;
+pub mod study_report;
 pub mod tables;
 pub mod ticks;
 pub mod workspace;

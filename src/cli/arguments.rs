@@ -8,7 +8,11 @@ use super::{
     options::{ModelOptions, PickOptions},
     words,
 };
-use crate::{app::plot_svg::Theme, spectrum::Kind};
+use crate::{
+    app::{pages::Page, plot_svg::Theme},
+    spectrum::Kind,
+    study::Goal,
+};
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
 ///
@@ -40,6 +44,12 @@ pub struct Arguments {
 pub enum Command {
     /// Print the model of a spectrum, its error and its colour.
     Report(Report),
+    /// Print error against numbers: every order, both bases, with and without spikes.
+    Sweep(Sweep),
+    /// Print what to buy with every two numbers: an order or a spike.
+    Auction(Auction),
+    /// Print the composite beside other representations at equal counts of numbers.
+    Race(Race),
     /// List the shipped spectra.
     List(List),
     /// Save a picture of the window; needs no display.
@@ -63,6 +73,73 @@ pub struct Report {
     #[command(flatten)]
     pub model: ModelOptions,
     /// Print JSON; its keys are stable.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `sweep`.
+#[derive(Args, Debug)]
+pub struct Sweep {
+    /// A file, a preset's name (FL2, "CIE D65") or group/name (paper/Mercury).
+    #[arg(value_name = "INPUT")]
+    pub input: String,
+    /// Which spectrum of the file, and what it is.
+    #[command(flatten)]
+    pub pick: PickOptions,
+    /// The model: basis and fit are those of the threshold map.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// Print JSON instead of CSV; its keys are stable.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `auction`.
+#[derive(Args, Debug)]
+pub struct Auction {
+    /// A file, a preset's name (FL2, "CIE D65") or group/name (paper/Mercury).
+    #[arg(value_name = "INPUT")]
+    pub input: String,
+    /// What is to be made small: own, patches, spectrum, filters or a mix such as
+    /// patches=2,filters=1 (each error over its value at order 0).
+    #[arg(long, value_name = "GOAL", value_parser = words::goal)]
+    pub goal: Goal,
+    /// Most numbers that may be spent, 1 to 101.
+    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = words::numbers)]
+    pub numbers: usize,
+    /// Which spectrum of the file, and what it is.
+    #[command(flatten)]
+    pub pick: PickOptions,
+    /// The model.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// Print JSON instead of CSV; its keys are stable.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `race`.
+#[derive(Args, Debug)]
+pub struct Race {
+    /// A light that races alone: a file, a preset's name or group/name
+    /// [default: all shipped lights].
+    #[arg(value_name = "INPUT")]
+    pub input: Option<String>,
+    /// Counts of numbers, 1 to 101, repeated or with commas (11,20,31).
+    #[arg(long, value_name = "P", required = true, value_delimiter = ',',
+        allow_negative_numbers = true, value_parser = words::numbers)]
+    pub numbers: Vec<usize>,
+    /// Lights that race: a group of presets (cie_fluorescent_1nm), a heading (standard,
+    /// fluorescent, led or discharge) or a folder with files of lights.
+    #[arg(long, value_name = "GROUP|FOLDER")]
+    pub set: Option<String>,
+    /// Which spectrum of the file, and what it is.
+    #[command(flatten)]
+    pub pick: PickOptions,
+    /// The model.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// Print JSON instead of CSV; its keys are stable.
     #[arg(long)]
     pub json: bool,
 }
@@ -100,6 +177,9 @@ pub struct Render {
     /// dark or light.
     #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
     pub theme: Theme,
+    /// The page: spectrum, coefficients, tradeoff, auction, race or truth.
+    #[arg(long, value_name = "PAGE", default_value = "spectrum", value_parser = words::page)]
+    pub page: Page,
 }
 
 /// Options of `plot`.

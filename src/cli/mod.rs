@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! spectral-explorer [FILES] [--window]          the window, opened by the caller
-//! spectral-explorer report|list|render|plot|convert ...   one command a file
+//! spectral-explorer report|sweep|race|list|render ...   one command a file
 //! ```
 //!
 //! Everything is written to what the caller hands in, and pictures are made by the caller's
@@ -10,15 +10,18 @@
 //! what was found and what was expected.
 
 mod arguments;
+mod auction;
 mod convert;
 mod list;
 mod no_display;
 mod options;
 mod plot;
+mod race;
 mod refusal;
 mod render;
 mod report;
 mod subject;
+mod sweep;
 mod window;
 mod words;
 
@@ -104,6 +107,9 @@ fn carry_out(
             ..
         } => match command {
             Command::Report(options) => report::run(&options, out, err)?,
+            Command::Sweep(options) => sweep::run(&options, out, err)?,
+            Command::Auction(options) => auction::run(&options, out, err)?,
+            Command::Race(options) => race::run(&options, out, err)?,
             Command::List(options) => list::run(options, out)?,
             Command::Render(options) => render::run(&options, pictures, out, err)?,
             Command::Plot(options) => plot::run(&options, pictures, out, err)?,

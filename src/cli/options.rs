@@ -64,6 +64,27 @@ impl ModelOptions {
         *self != Self::default()
     }
 
+    /// The options that were given and say nothing about error against numbers.
+    pub fn unused_in_studies(&self) -> Vec<&'static str> {
+        let Self {
+            order: _,
+            threshold: _,
+            max_width: _,
+            basis: _,
+            colour_exact: _,
+            no_spikes,
+            dips: _,
+            range: _,
+            observer: _,
+            sampling,
+        } = self;
+        let given = [
+            ("--no-spikes", *no_spikes),
+            ("--sampling", sampling.is_some()),
+        ];
+        given.into_iter().filter(|g| g.1).map(|g| g.0).collect()
+    }
+
     /// These options over other settings.
     pub fn over(self, settings: Settings) -> Settings {
         let Self {

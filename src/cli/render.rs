@@ -4,7 +4,7 @@ use std::io::Write;
 
 use super::{Pictures, arguments::Render, print, refusal::Refusal, subject};
 use crate::{
-    app::{plot_svg::Theme, workspace::Preferences},
+    app::{pages::PageMemory, plot_svg::Theme, workspace::Preferences},
     io::atomic::save_atomically,
 };
 
@@ -25,6 +25,7 @@ pub fn run(
         out: path,
         size,
         theme,
+        page,
     } = options;
     let app = match input {
         Some(input) => subject::app(input, pick, *model, err)?,
@@ -32,6 +33,10 @@ pub fn run(
     };
     let preferences = Preferences {
         dark: *theme == Theme::Dark,
+        pages: PageMemory {
+            page: *page,
+            ..PageMemory::default()
+        },
         ..Preferences::default()
     };
     let picture = pictures.window(&app, &preferences, *size);

@@ -11,6 +11,7 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 use super::arguments::Form;
 use crate::{
     app::{
+        pages::{Page, SPENDABLE},
         plot_svg::Theme,
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
@@ -20,6 +21,7 @@ use crate::{
         Band, Basis, Kind, Sampling,
         band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
     },
+    study::Goal,
 };
 
 /// Smallest and largest pictures, px: below, no window has room for its panels; above, a picture
@@ -37,6 +39,58 @@ pub fn order(word: &str) -> Result<usize, String> {
         .ok()
         .filter(|order| ORDERS.contains(order))
         .ok_or_else(|| refused(word, format_args!("a whole number from {least} to {most}")))
+}
+
+/// `--numbers`.
+pub fn numbers(word: &str) -> Result<usize, String> {
+    let (least, most) = (SPENDABLE.start(), SPENDABLE.end());
+    let word = word.trim();
+    word.parse()
+        .ok()
+        .filter(|numbers| SPENDABLE.contains(numbers))
+        .ok_or_else(|| refused(word, format_args!("a whole number from {least} to {most}")))
+}
+
+/// `--goal`: a plain goal, or weights such as `patches=2,filters=1`.
+pub fn goal(word: &str) -> Result<Goal, String> {
+    mixed_goal(word).ok_or_else(|| {
+        let expected = "own, patches, spectrum or filters, or weights such as patches=2,filters=1";
+        refused(word, expected)
+    })
+}
+
+fn mixed_goal(word: &str) -> Option<Goal> {
+    let plain = |word: &str| {
+        Goal::PLAIN
+            .iter()
+            .position(|(known, _)| *known == word.trim())
+    };
+    if let Some(place) = plain(word) {
+        return Some(Goal::PLAIN[place].1);
+    }
+    let mut weights = [None; 4];
+    for part in word.split(',') {
+        let (name, weight) = part.split_once('=')?;
+        let place = plain(name)?;
+        let weight: f64 = weight.trim().parse().ok()?;
+        // A weight that is given twice says two things.
+        if !(0.0..=1e6).contains(&weight) || weights[place].is_some() {
+            return None;
+        }
+        weights[place] = Some(weight);
+    }
+    let [own, patches, spectrum, filters] = weights.map(|weight| weight.unwrap_or(0.0));
+    (own + patches + spectrum + filters > 0.0).then_some(Goal {
+        own,
+        patches,
+        spectrum,
+        filters,
+    })
+}
+
+/// `--page`.
+pub fn page(word: &str) -> Result<Page, String> {
+    one_of(word, &Page::ALL, Page::word)
 }
 
 /// `--threshold`.

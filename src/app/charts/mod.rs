@@ -2,5 +2,6 @@
 
 pub mod auction;
 pub mod coefficients;
+pub mod race;
 pub mod tradeoff;
 pub mod truth;

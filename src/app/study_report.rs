@@ -1,0 +1,639 @@
+//! Sweep, auction and race as JSON and CSV: what the command line prints and the window saves.
+//!
+//! The JSON's keys are stable. A number that does not exist is `null` in JSON and an empty cell in
+//! CSV, never NaN. Wavelengths are nm, colour differences CIEDE2000, relative errors shares of the
+//! spectrum (not percent).
+
+use std::fmt::Write as _;
+
+use serde_json::{Map, Value, json};
+
+use super::{
+    export,
+    state::App,
+    studies::{AuctionAsk, Field, RaceAsk, SweepAsk, about::About},
+};
+use crate::{
+    io::write::{Provenance, one_line, shortest},
+    spectrum::{Kind, SpikeSettings},
+    study::{
+        Auction, Measure, Race, Spread, Sweep, Verdict,
+        auction::{Bid, Ended, Purchase, Step},
+        race::{Racer, Row},
+    },
+};
+
+/// The figures of a verdict with the keys that files use.
+fn figures(verdict: &Verdict) -> [(&'static str, Option<f64>); 6] {
+    let Verdict {
+        own,
+        patches_mean,
+        patches_worst,
+        filters,
+        relative_rms,
+        relative_rms_10nm,
+        lowest: _,
+    } = *verdict;
+    [
+        ("delta_e_own", own),
+        ("delta_e_patches_mean", patches_mean),
+        ("delta_e_patches_max", patches_worst),
+        ("delta_e_filters", filters),
+        ("relative_rms", relative_rms),
+        ("relative_rms_10nm", relative_rms_10nm),
+    ]
+}
+
+/// The figure that decides which models of a sweep are on the front: the patches' mean, or the own
+/// colour of a spectrum that has no patches, or the spectrum itself where nothing is seen of it.
+pub fn front_measure(sweep: &Sweep) -> Measure {
+    let has = |measure: &Measure| {
+        let found = |p: &crate::study::sweep::SweepPoint| measure.of(&p.verdict).is_some();
+        sweep.points.iter().any(found)
+    };
+    [Measure::Patches, Measure::Own, Measure::RmsBlurred]
+        .into_iter()
+        .find(has)
+        .unwrap_or_default()
+}
+
+/// The key of a measure in files.
+pub fn measure_key(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Own => "delta_e_own",
+        Measure::Patches => "delta_e_patches_mean",
+        Measure::PatchesWorst => "delta_e_patches_max",
+        Measure::Filters => "delta_e_filters",
+        Measure::Rms => "relative_rms",
+        Measure::RmsBlurred => "relative_rms_10nm",
+    }
+}
+
+fn program() -> Value {
+    json!({ "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") })
+}
+
+fn input_json(app: &App) -> Value {
+    let spectrum = &app.document().subject_entry().spectrum;
+    json!({
+        "name": spectrum.name,
+        "kind": spectrum.kind.word(),
+        "unit": spectrum.unit,
+        "source": spectrum.source,
+        "light": (spectrum.kind != Kind::Light).then(|| app.document().light.name()),
+    })
+}
+
+fn lines_json(spikes: SpikeSettings) -> Value {
+    json!({
+        "threshold_percent": 100.0 * spikes.threshold,
+        "max_width_nm": spikes.max_width_nm,
+        "dips": spikes.dips,
+    })
+}
+
+fn about_json(about: &About) -> Value {
+    json!({
+        "range_nm": [about.band.min_nm(), about.band.max_nm()],
+        "observer": about.observer.word(),
+        "patches": about.patch_set,
+        "lines": lines_json(about.spikes),
+    })
+}
+
+fn lines_words(spikes: SpikeSettings) -> String {
+    format!(
+        "lines from {} % of the power and up to {} nm wide{}",
+        super::ticks::short(100.0 * spikes.threshold),
+        spikes.max_width_nm,
+        if spikes.dips { ", dips too" } else { "" }
+    )
+}
+
+/// Comment lines about the spectrum that a study is of.
+fn head(app: &App, about: &About, title: &str, more: &str) -> String {
+    let provenance = Provenance {
+        scale_words: String::new(),
+        settings: format!(
+            "{}-{} nm, {}, patches {}, {}{more}",
+            about.band.min_nm(),
+            about.band.max_nm(),
+            about.observer.title(),
+            about.patch_set,
+            lines_words(about.spikes),
+        ),
+        ..export::provenance(app)
+    };
+    let mut out = format!("# title: {title}\n");
+    for (key, value) in provenance.of(&app.document().subject_entry().spectrum) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "# {key}: {value}");
+    }
+    out
+}
+
+fn number(value: Option<f64>) -> String {
+    value
+        .filter(|v| v.is_finite())
+        .map(shortest)
+        .unwrap_or_default()
+}
+
+/// Text as one cell of a table.
+fn words(text: &str) -> String {
+    let text = one_line(text);
+    let special = text.contains([',', '"', ';']) || text.starts_with(['#', '=', '+', '-', '@']);
+    if special {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text
+    }
+}
+
+fn line(out: &mut String, cells: impl IntoIterator<Item = String>) {
+    let cells: Vec<String> = cells.into_iter().collect();
+    out.push_str(&cells.join(","));
+    out.push('\n');
+}
+
+/// A sweep as JSON.
+pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
+    let measure = front_measure(sweep);
+    let front = sweep.front(measure);
+    let points: Vec<Value> = sweep
+        .points
+        .iter()
+        .map(|point| {
+            let mut entry = Map::new();
+            let way = point.way;
+            entry.insert("way".into(), json!(way.word()));
+            entry.insert("basis".into(), json!(way.basis.word()));
+            entry.insert("spikes".into(), json!(way.spikes));
+            entry.insert("spike_count".into(), json!(point.spikes));
+            entry.insert("colour_exact".into(), json!(way.colour_exact));
+            entry.insert("order".into(), json!(point.order));
+            entry.insert("numbers".into(), json!(point.numbers));
+            for (key, value) in figures(&point.verdict) {
+                entry.insert(key.into(), json!(value));
+            }
+            let on_front = front.iter().any(|p| std::ptr::eq(*p, point));
+            entry.insert("on_front".into(), json!(on_front));
+            Value::Object(entry)
+        })
+        .collect();
+    let map = &sweep.map;
+    let rows = |key_at: usize| -> Vec<Vec<Option<f64>>> {
+        (0..map.thresholds_percent.len())
+            .map(|row| {
+                (0..=map.highest_order)
+                    .map(|order| figures(map.at(row, order))[key_at].1)
+                    .collect()
+            })
+            .collect()
+    };
+    let mut threshold_map = json!({
+        "basis": ask.basis.word(),
+        "colour_exact": ask.colour_exact,
+        "thresholds_percent": map.thresholds_percent,
+        "spikes": map.spikes,
+        "orders": (0..=map.highest_order).collect::<Vec<_>>(),
+    });
+    for (at, (key, _)) in figures(&Verdict::default()).into_iter().enumerate() {
+        threshold_map[key] = json!(rows(at));
+    }
+    json!({
+        "program": program(),
+        "input": input_json(app),
+        "settings": about_json(&ask.about),
+        "front_of": measure_key(measure),
+        "points": points,
+        "threshold_map": threshold_map,
+    })
+}
+
+/// A sweep as a table, one model a line.
+pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
+    let measure = front_measure(sweep);
+    let front = sweep.front(measure);
+    let more = format!("; on_front is by {}", measure_key(measure));
+    let mut out = head(app, &ask.about, "error against numbers", &more);
+    out.push_str("way,basis,spikes,spike_count,colour_exact,order,numbers");
+    for (key, _) in figures(&Verdict::default()) {
+        let _ = write!(out, ",{key}");
+    }
+    out.push_str(",on_front\n");
+    for point in &sweep.points {
+        let way = point.way;
+        let on_front = front.iter().any(|p| std::ptr::eq(*p, point));
+        let mut cells = vec![
+            way.word().to_owned(),
+            way.basis.word().to_owned(),
+            way.spikes.to_string(),
+            point.spikes.to_string(),
+            way.colour_exact.to_string(),
+            point.order.to_string(),
+            point.numbers.to_string(),
+        ];
+        cells.extend(figures(&point.verdict).map(|(_, value)| number(value)));
+        cells.push(on_front.to_string());
+        line(&mut out, cells);
+    }
+    out
+}
+
+/// The word of an auction's end.
+fn ended_word(ended: Ended) -> &'static str {
+    match ended {
+        Ended::Spent => "spent",
+        Ended::NothingHelps => "nothing_helps",
+    }
+}
+
+/// One purchase in files: every step has as many as it bought, the first one order 0.
+struct Bought<'a> {
+    step: &'a Step,
+    purchase: Purchase,
+    /// The first purchase of its step, which carries what was given back.
+    first: bool,
+}
+
+fn purchases(auction: &Auction) -> Vec<Bought<'_>> {
+    let mut all = Vec::new();
+    for step in &auction.steps {
+        let bought = if step.bought.is_empty() {
+            vec![Purchase::Order(step.order)]
+        } else {
+            step.bought.clone()
+        };
+        for (i, purchase) in bought.into_iter().enumerate() {
+            all.push(Bought {
+                step,
+                purchase,
+                first: i == 0,
+            });
+        }
+    }
+    all
+}
+
+/// Largest value of the subject, by which weights are multiplied to be in the file's unit.
+fn unit_of(about: &About) -> f64 {
+    let values = about.subject.0.on_band(about.band);
+    values.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
+}
+
+fn purchase_json(purchase: Purchase, unit: f64) -> Map<String, Value> {
+    let mut entry = Map::new();
+    match purchase {
+        Purchase::Order(order) => {
+            entry.insert("bought".into(), json!("order"));
+            entry.insert("order".into(), json!(order));
+        }
+        Purchase::Spike(spike) => {
+            entry.insert("bought".into(), json!("spike"));
+            entry.insert("at_nm".into(), json!(spike.at_nm));
+            entry.insert("weight".into(), json!(spike.weight * unit));
+        }
+    }
+    entry
+}
+
+/// An auction as JSON.
+pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
+    let unit = unit_of(&ask.about);
+    let places =
+        |step: &Step| -> Vec<f64> { step.lines.iter().map(|i| auction.lines[*i].at_nm).collect() };
+    let steps: Vec<Value> = purchases(auction)
+        .into_iter()
+        .map(|bought| {
+            let Bought {
+                step,
+                purchase,
+                first,
+            } = bought;
+            let mut entry = purchase_json(purchase, unit);
+            let gave_back: Vec<Value> = step
+                .gave_back
+                .iter()
+                .filter(|_| first)
+                .map(|purchase| {
+                    let mut back = purchase_json(*purchase, unit);
+                    let what = back.remove("bought");
+                    back.insert("what".into(), what.unwrap_or_default());
+                    Value::Object(back)
+                })
+                .collect();
+            entry.insert("numbers".into(), json!(step.numbers));
+            entry.insert("error".into(), json!(step.error));
+            entry.insert("order_now".into(), json!(step.order));
+            entry.insert("spikes_nm_now".into(), json!(places(step)));
+            entry.insert("gave_back".into(), json!(gave_back));
+            for (key, value) in figures(&step.verdict) {
+                entry.insert(key.into(), json!(value));
+            }
+            Value::Object(entry)
+        })
+        .collect();
+    let bids = |bids: &[Bid]| -> Vec<Value> {
+        bids.iter()
+            .map(|Bid { numbers, error }| json!({ "numbers": numbers, "error": error }))
+            .collect()
+    };
+    let terms = ask.terms;
+    let [own, patches, spectrum, filters] = terms.goal.weights();
+    json!({
+        "program": program(),
+        "input": input_json(app),
+        "settings": about_json(&ask.about),
+        "goal": terms.goal.words(),
+        "goal_weights": {
+            "own": own, "patches": patches, "spectrum": spectrum, "filters": filters,
+        },
+        "basis": terms.basis.word(),
+        "colour_exact": terms.colour_exact,
+        "numbers": terms.numbers,
+        "ended": ended_word(auction.ended),
+        "steps": steps,
+        "with": bids(&auction.with),
+        "without": bids(&auction.without),
+    })
+}
+
+/// An auction as a table, one purchase a line.
+pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
+    let terms = ask.terms;
+    let unit = unit_of(&ask.about);
+    let more = format!(
+        "; goal {}, {}{}, at most {} numbers, ended: {}",
+        terms.goal.words(),
+        terms.basis.word(),
+        if terms.colour_exact {
+            ", colour-exact"
+        } else {
+            ""
+        },
+        terms.numbers,
+        match auction.ended {
+            Ended::Spent => "all was spent",
+            Ended::NothingHelps => "nothing helps any more",
+        },
+    );
+    let mut out = head(app, &ask.about, "auction", &more);
+    out.push_str("bought,at_nm,weight,order,numbers,error,order_now,spikes_now,gave_back");
+    for (key, _) in figures(&Verdict::default()) {
+        let _ = write!(out, ",{key}");
+    }
+    out.push('\n');
+    for Bought {
+        step,
+        purchase,
+        first,
+    } in purchases(auction)
+    {
+        let mut cells = match purchase {
+            Purchase::Order(order) => vec![
+                "order".to_owned(),
+                String::new(),
+                String::new(),
+                order.to_string(),
+            ],
+            Purchase::Spike(spike) => vec![
+                "spike".to_owned(),
+                number(Some(spike.at_nm)),
+                number(Some(spike.weight * unit)),
+                String::new(),
+            ],
+        };
+        let back: Vec<String> = step
+            .gave_back
+            .iter()
+            .filter(|_| first)
+            .map(|purchase| match purchase {
+                Purchase::Order(order) => format!("order {order}"),
+                Purchase::Spike(spike) => format!("{:.1} nm", spike.at_nm),
+            })
+            .collect();
+        cells.extend([
+            step.numbers.to_string(),
+            number(Some(step.error)),
+            step.order.to_string(),
+            step.lines.len().to_string(),
+            words(&back.join(" and ")),
+        ]);
+        cells.extend(figures(&step.verdict).map(|(_, value)| number(value)));
+        line(&mut out, cells);
+    }
+    out
+}
+
+/// The lights of a race in words.
+pub fn field_words(field: &Field) -> String {
+    match field {
+        Field::One(entry) => entry.0.name().to_owned(),
+        Field::Shipped => "all shipped lights".to_owned(),
+        Field::Shelf(shelf) => format!("shipped lights: {}", shelf.heading()),
+        Field::Group(group) => format!("group {group}"),
+        Field::These(entries) => format!("{} own lights", entries.len()),
+    }
+}
+
+/// The sets that a race is counted over: each class and all together, or the only class there is.
+pub fn sets(race: &Race) -> Vec<(String, Option<String>)> {
+    let classes = race.classes();
+    let of = |class: &&str| ((*class).to_owned(), Some((*class).to_owned()));
+    let mut sets: Vec<_> = classes.iter().map(of).collect();
+    if classes.len() > 1 {
+        sets.push(("all".to_owned(), None));
+    }
+    sets
+}
+
+/// On how many lights of a set each racer has the least error; `None` for the choice among others.
+pub fn wins(
+    race: &Race,
+    class: Option<&str>,
+    budget: usize,
+    measure: Measure,
+) -> Vec<Option<usize>> {
+    let winners: Vec<Option<Racer>> = race
+        .of_class(class)
+        .map(|lamp| race.winner_on(lamp, budget, measure))
+        .collect();
+    let count = |racer: &Racer| winners.iter().filter(|w| **w == Some(*racer)).count();
+    race.racers
+        .iter()
+        .map(|racer| (*racer != Racer::Chosen).then(|| count(racer)))
+        .collect()
+}
+
+/// The spreads of a row with the keys that files use.
+fn spreads(row: &Row) -> [(&'static str, Option<Spread>); 6] {
+    [
+        ("delta_e_patches", row.patches),
+        ("delta_e_check", row.check),
+        ("delta_e_own", row.own),
+        ("delta_e_filters", row.filters),
+        ("relative_rms", row.relative_rms),
+        ("relative_rms_10nm", row.relative_rms_10nm),
+    ]
+}
+
+/// All numbers of a row with the names of their columns.
+pub fn row_numbers(row: &Row) -> Vec<(String, Option<f64>)> {
+    let mut all = Vec::new();
+    for (key, spread) in spreads(row) {
+        for (part, value) in [
+            ("median", spread.map(|s| s.median)),
+            ("p95", spread.map(|s| s.p95)),
+            ("worst", spread.map(|s| s.worst)),
+        ] {
+            all.push((format!("{key}_{part}"), value));
+        }
+    }
+    let cost = row.cost;
+    all.extend([
+        ("negative_lobes".to_owned(), Some(row.negative_lobes)),
+        ("bytes".to_owned(), cost.map(|c| c.bytes as f64)),
+        ("ns_per_product".to_owned(), cost.map(|c| c.ns_per_product)),
+        (
+            "ns_per_evaluation".to_owned(),
+            cost.map(|c| c.ns_per_evaluation),
+        ),
+    ]);
+    all
+}
+
+fn row_json(row: &Row, set: &str, wins: Option<usize>) -> Value {
+    let mut entry = Map::new();
+    entry.insert("representation".into(), json!(row.racer.word()));
+    entry.insert("title".into(), json!(row.racer.title()));
+    entry.insert("numbers".into(), json!(row.numbers));
+    entry.insert("set".into(), json!(set));
+    entry.insert("lamps".into(), json!(row.lamps));
+    for (key, spread) in spreads(row) {
+        let spread = json!({
+            "median": spread.map(|s| s.median),
+            "p95": spread.map(|s| s.p95),
+            "worst": spread.map(|s| s.worst),
+        });
+        entry.insert(key.into(), spread);
+    }
+    let cost = row.cost;
+    entry.insert("negative_lobes".into(), json!(row.negative_lobes));
+    entry.insert("bytes".into(), json!(cost.map(|c| c.bytes)));
+    entry.insert(
+        "ns_per_product".into(),
+        json!(cost.map(|c| c.ns_per_product)),
+    );
+    entry.insert(
+        "ns_per_evaluation".into(),
+        json!(cost.map(|c| c.ns_per_evaluation)),
+    );
+    entry.insert("needs_table".into(), json!(row.racer.needs_table()));
+    entry.insert("is_prefix".into(), json!(row.racer.is_prefix()));
+    entry.insert("wins".into(), json!(wins));
+    Value::Object(entry)
+}
+
+/// Every row of a race: count by count, set by set, racer by racer, with its wins on the patches.
+fn rows(race: &Race) -> Vec<(Row, String, Option<usize>)> {
+    let sets = sets(race);
+    let mut rows = Vec::new();
+    for budget in 0..race.budgets.len() {
+        for (name, class) in &sets {
+            let wins = wins(race, class.as_deref(), budget, Measure::Patches);
+            for (racer, wins) in wins.into_iter().enumerate() {
+                let row = race.row(class.as_deref(), budget, racer);
+                rows.push((row, name.clone(), wins));
+            }
+        }
+    }
+    rows
+}
+
+/// A race as JSON. `wins` counts the lights on which a representation has the least error on the
+/// patches.
+pub fn race_json(ask: &RaceAsk, race: &Race) -> Value {
+    let all: Vec<Value> = rows(race)
+        .iter()
+        .map(|(row, set, wins)| row_json(row, set, *wins))
+        .collect();
+    let mut winners = Vec::new();
+    for (lamp, (name, set)) in race.lamps.iter().enumerate() {
+        for (budget, numbers) in race.budgets.iter().enumerate() {
+            let winner = race.winner_on(lamp, budget, Measure::Patches);
+            winners.push(json!({
+                "lamp": name,
+                "set": set,
+                "numbers": numbers,
+                "representation": winner.map(Racer::word),
+            }));
+        }
+    }
+    json!({
+        "program": program(),
+        "field": field_words(&ask.field),
+        "settings": {
+            "range_nm": [ask.band.min_nm(), ask.band.max_nm()],
+            "observer": ask.observer.word(),
+            "patches": ask.patch_set,
+            "check": super::studies::field::CHECK_SET,
+            "lines": lines_json(ask.spikes),
+        },
+        "rows": all,
+        "winners": winners,
+    })
+}
+
+/// Where the figures of a race come from, line by line.
+pub fn race_notes(ask: &RaceAsk) -> Vec<String> {
+    vec![
+        format!("field: {}", one_line(&field_words(&ask.field))),
+        format!(
+            "settings: {}-{} nm, {}, patches {}, check {}, {}; wins are by delta_e_patches",
+            ask.band.min_nm(),
+            ask.band.max_nm(),
+            ask.observer.title(),
+            ask.patch_set,
+            super::studies::field::CHECK_SET,
+            lines_words(ask.spikes),
+        ),
+        format!(
+            "written by: Spectral Explorer {}",
+            env!("CARGO_PKG_VERSION")
+        ),
+    ]
+}
+
+/// A race as a table, one representation, count and set a line.
+pub fn race_csv(ask: &RaceAsk, race: &Race) -> String {
+    let mut out = "# title: representations at equal counts of numbers\n".to_owned();
+    for note in race_notes(ask) {
+        let _ = writeln!(out, "# {note}");
+    }
+    for (i, (row, set, wins)) in rows(race).iter().enumerate() {
+        let numbers = row_numbers(row);
+        if i == 0 {
+            out.push_str("representation,title,numbers,set,lamps");
+            for (key, _) in &numbers {
+                let _ = write!(out, ",{key}");
+            }
+            out.push_str(",needs_table,is_prefix,wins\n");
+        }
+        let mut cells = vec![
+            row.racer.word().to_owned(),
+            words(row.racer.title()),
+            row.numbers.to_string(),
+            words(set),
+            row.lamps.to_string(),
+        ];
+        cells.extend(numbers.into_iter().map(|(_, value)| number(value)));
+        cells.extend([
+            row.racer.needs_table().to_string(),
+            row.racer.is_prefix().to_string(),
+            wins.map(|w| w.to_string()).unwrap_or_default(),
+        ]);
+        line(&mut out, cells);
+    }
+    out
+}

@@ -1,0 +1,187 @@
+//! `race`: the composite beside other representations at equal counts of numbers.
+
+use std::{
+    fs,
+    io::Write,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+use super::{
+    arguments::Race,
+    print,
+    refusal::Refusal,
+    remark, subject,
+    sweep::{all_zero, say_unused},
+};
+use crate::{
+    app::{
+        App, Entry,
+        library::Library,
+        open::{Loaded, load_path},
+        studies::{Field, RaceAsk, Same},
+        study_report,
+    },
+    io::{error::quoted, preset::Shelf},
+    spectrum::{Kind, NamedSpectrum},
+    study::Progress,
+};
+
+/// Headings of the library whose lights may race, with their words.
+const SHELVES: [(&str, Shelf); 4] = [
+    ("standard", Shelf::Standard),
+    ("fluorescent", Shelf::Fluorescent),
+    ("led", Shelf::Led),
+    ("discharge", Shelf::Discharge),
+];
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for an input or a set that cannot be read or has no light.
+pub fn run(options: &Race, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+    let Race {
+        input,
+        numbers,
+        set,
+        pick,
+        model,
+        json,
+    } = options;
+    let (app, field) = match (input, set) {
+        (Some(_), Some(_)) => {
+            return Err(Refusal::Usage(
+                "--set: found an INPUT too, expected one of them".to_owned(),
+            ));
+        }
+        (Some(input), None) => {
+            let app = subject::app(input, pick, *model, err)?;
+            let field = alone(&app)?;
+            (app, field)
+        }
+        (None, Some(set)) => (subject::first_app(pick, *model)?, set_of(set, err)?),
+        (None, None) => (subject::first_app(pick, *model)?, Field::Shipped),
+    };
+    let every = [
+        ("--order", model.order.is_some()),
+        ("--basis", model.basis.is_some()),
+        ("--colour-exact", model.colour_exact),
+    ];
+    say_unused(*model, &every, err);
+    let mut budgets = numbers.clone();
+    budgets.sort_unstable();
+    budgets.dedup();
+    let ask = RaceAsk::of(app.document(), field, budgets);
+    let race = ask
+        .answer(&Progress::default())
+        .ok_or_else(|| match (input, set) {
+            (Some(_), _) => all_zero(&app),
+            (None, set) => Refusal::File(format!(
+                "{}: found no light but zeros from {} to {} nm, expected one to measure",
+                set.as_deref().unwrap_or("the shipped lights"),
+                ask.band.min_nm(),
+                ask.band.max_nm(),
+            )),
+        })?;
+    if *json {
+        let json = study_report::race_json(&ask, &race);
+        print(out, &format!("{json:#}\n"))
+    } else {
+        print(out, &study_report::race_csv(&ask, &race))
+    }
+}
+
+/// The input as the only light.
+fn alone(app: &App) -> Result<Field, Refusal> {
+    let document = app.document();
+    if !document.is_about_light() {
+        let subject = document.subject_entry();
+        return Err(Refusal::File(format!(
+            "{}: found a {}, expected a light (say --kind)",
+            subject.name(),
+            subject.kind(),
+        )));
+    }
+    Ok(Field::One(Same(document.light.clone())))
+}
+
+/// The lights of a heading, a group or a folder.
+fn set_of(set: &str, err: &mut dyn Write) -> Result<Field, Refusal> {
+    let word = set.trim().to_lowercase();
+    if let Some((_, shelf)) = SHELVES.iter().find(|(known, _)| *known == word) {
+        return Ok(Field::Shelf(*shelf));
+    }
+    if let Some(group) = Library::bundled().group(&word) {
+        // Only tables of lights can race.
+        let is_light = |s: &NamedSpectrum| s.kind == Kind::Light;
+        if group
+            .items
+            .iter()
+            .filter_map(|p| p.spectrum())
+            .any(is_light)
+        {
+            return Ok(Field::Group(word));
+        }
+        return Err(Refusal::File(format!(
+            "--set: found the group {word} without a table of a light, expected a group of lights"
+        )));
+    }
+    let folder = Path::new(set);
+    if folder.is_dir() {
+        return lights_in(folder, err);
+    }
+    Err(Refusal::File(format!(
+        "--set: found {}, expected a group of presets, standard, fluorescent, led, discharge or a \
+         folder",
+        quoted(set)
+    )))
+}
+
+/// Every light in the files of a folder, not in the folders below it.
+fn lights_in(folder: &Path, err: &mut dyn Write) -> Result<Field, Refusal> {
+    let unreadable = |why: std::io::Error| {
+        let folder = folder.display();
+        Refusal::File(format!(
+            "{folder}: found {}, expected a folder to read",
+            why.kind()
+        ))
+    };
+    let mut paths: Vec<PathBuf> = Vec::new();
+    for item in fs::read_dir(folder).map_err(unreadable)? {
+        paths.push(item.map_err(unreadable)?.path());
+    }
+    // A pipe in the folder would be waited for without end.
+    paths.retain(|path| path.is_file());
+    paths.sort();
+    let mut lights = Vec::new();
+    let mut others = 0;
+    for path in &paths {
+        match load_path(path) {
+            Loaded::Refused(why) => remark(err, &format!("skipped: {why}")),
+            Loaded::Project { .. } => {
+                remark(err, &format!("skipped: {}: a project", path.display()));
+            }
+            Loaded::Spectra { spectra, .. } => {
+                for spectrum in spectra {
+                    if spectrum.kind == Kind::Light {
+                        let number = lights.len() as u64 + 1;
+                        lights.push(Same(Arc::new(Entry::own(number, spectrum))));
+                    } else {
+                        others += 1;
+                    }
+                }
+            }
+        }
+    }
+    if others > 0 {
+        remark(err, &format!("skipped {others} spectra that are no lights"));
+    }
+    if lights.is_empty() {
+        return Err(Refusal::File(format!(
+            "{}: found no light in {} files, expected at least one",
+            folder.display(),
+            paths.len(),
+        )));
+    }
+    Ok(Field::These(lights))
+}
