@@ -6,8 +6,9 @@
 //! pairs; and at every price the plain models are bid too, all orders with none, one, two ... of
 //! the heaviest lines. What is sold at each price is the best model seen at that price or below:
 //! the path is the Pareto front of error against numbers, and never worse than the better of
-//! "with" and "without" spikes. Where the best model at a price does not contain the one before,
-//! something is given back; the step says what. The auction ends when nothing lowers the goal.
+//! "with" and "without" spikes. What was bought stays bought as long as that costs next to
+//! nothing; otherwise something is given back, and the step says what. The auction ends when
+//! nothing lowers the goal.
 
 use std::collections::BTreeMap;
 
@@ -225,6 +226,9 @@ const SINGLY: usize = 24;
 /// Models of each price whose single purchases are all tried.
 const FOLLOWED: usize = 8;
 
+/// What was bought stays bought while the best model is better by less than this share.
+const LOYALTY: f64 = 0.05;
+
 /// Errors closer than this share of the one at order 0 are equal but for rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -423,6 +427,31 @@ impl<'a> Room<'a> {
             .collect()
     }
 
+    /// The best model of a price; one that contains `now` when it is nearly as good and no plain
+    /// model is better.
+    fn pick(&self, count: usize, now: &Choice) -> Option<Choice> {
+        let best = self.best_of(count, 1).into_iter().next()?;
+        let bids = &self.bids[count];
+        let is_plain = |choice: &Choice| {
+            let lines = choice.lines.len();
+            (lines == 0 || lines == self.prepared.lines())
+                && choice.lines.iter().copied().eq(0..lines)
+        };
+        let bar = bids
+            .iter()
+            .filter(|(choice, _)| is_plain(choice))
+            .map(|(_, error)| *error)
+            .fold(bids[&best] * (1.0 + LOYALTY), f64::min);
+        let contains = |choice: &Choice| {
+            choice.order >= now.order && now.lines.iter().all(|line| choice.lines.contains(line))
+        };
+        bids.iter()
+            .filter(|(choice, error)| **error <= bar && contains(choice))
+            .min_by(|a, b| a.1.total_cmp(b.1))
+            .map(|(choice, _)| choice.clone())
+            .or(Some(best))
+    }
+
     /// Reads the path off the bids.
     fn close(self, highest: usize) -> Auction {
         let mut steps: Vec<Step> = Vec::new();
@@ -433,7 +462,7 @@ impl<'a> Room<'a> {
         };
         let start = self.bids[0].values().copied().next().unwrap_or(0.0);
         for count in 0..=highest {
-            let Some(choice) = self.best_of(count, 1).into_iter().next() else {
+            let Some(choice) = self.pick(count, &now) else {
                 continue;
             };
             let error = self.bids[count][&choice];
