@@ -135,7 +135,7 @@ fn row(ui: &mut Ui, app: &App, memory: &mut PageMemory) -> bool {
     let count = budget(ui, &mut memory.spend_numbers);
     named(&count, egui::Role::SpinButton, "Numbers to spend");
     count.on_hover_text("Most numbers that the model may take, 1 to 101.");
-    ui.label("numbers on the");
+    ui.label("numbers for me:");
     goals(ui, app, memory, lacks);
     pressed
 }

@@ -274,13 +274,19 @@ impl AuctionChart {
             };
             Series::new(name, ink, marks)
         };
+        // Without lines the two plain ways are one.
+        let all_lines = if auction.lines.is_empty() {
+            &[]
+        } else {
+            &auction.with[..]
+        };
         let with = match auction.lines.len() {
             0 => String::new(),
             1 => "the line as a spike, then orders".to_owned(),
             lines => format!("all {lines} lines as spikes, then orders"),
         };
         let series = vec![
-            line(with, inks.spikes, bids(&auction.with), Dash::Dashed, 1.6),
+            line(with, inks.spikes, bids(all_lines), Dash::Dashed, 1.6),
             line(
                 "no spikes, orders only".to_owned(),
                 inks.smooth,
