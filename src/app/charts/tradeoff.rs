@@ -243,7 +243,10 @@ impl Tradeoff {
         let front = front(sweep, measure, shown);
         let at = |index: &usize| place(&sweep.points[*index], measure);
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
-        for way in Way::ALL.into_iter().filter(|way| shown.shows(*way)) {
+        // Where no line was found both kinds are the same models.
+        let twice = |way: Way| way.spikes && sweep.spikes.is_empty() && shown.without_spikes;
+        let drawn = Way::ALL.into_iter().filter(|way| shown.shows(*way));
+        for way in drawn.filter(|way| !twice(*way)) {
             let (ink, shape, dash) = looks(way, theme);
             let models: Vec<usize> = (0..sweep.points.len())
                 .filter(|i| sweep.points[*i].way == way && at(i).is_some())
