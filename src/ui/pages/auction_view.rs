@@ -30,6 +30,13 @@ use crate::{
 /// From this width on chart and table stand side by side, points.
 const WIDE: f32 = 1080.0;
 
+/// How the auction goes.
+const RULES: &str = "An order and a spike cost two numbers each. At every price all single \
+                     purchases after the eight best models are tried, all pairs after the best \
+                     one, and every order with none, one, two ... of the heaviest lines; sold is \
+                     the model of lowest error. Where it does without something of the model \
+                     before, that is given back.";
+
 /// Largest weight of a goal.
 const MOST_WEIGHT: f64 = 100.0;
 
@@ -257,7 +264,7 @@ fn build(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: plot_svg::The
 
 fn columns() -> Vec<Column> {
     vec![
-        Column::numbers("numbers", "Spent so far.", 1.0),
+        Column::numbers("numbers", "Spent so far.", 1.15),
         Column::words(
             "bought",
             "What two more numbers (or four) were spent on.",
@@ -274,7 +281,7 @@ fn columns() -> Vec<Column> {
              its value at N = 0.",
             1.2,
         ),
-        Column::numbers("lower by", "Than the step before, percent.", 1.1),
+        Column::numbers("lower by", "Than the step before, percent.", 1.2),
     ]
 }
 
@@ -390,6 +397,8 @@ fn steps(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool)
     if let Some(step) = table(ui, columns, rows, built.chosen, fresh, context.theme) {
         act(context, built, step);
     }
+    ui.add_space(8.0);
+    ui.weak(RULES);
 }
 
 /// Takes the model of a step.

@@ -13,8 +13,8 @@ use crate::{
     app::{
         Command,
         charts::tradeoff::{
-            self, Tradeoff, figure, lack, limits, mark_threshold, measure_within, needs, take,
-            take_cell, threshold_chart, unit, way_name,
+            self, Tradeoff, all_figures, figure, lack, limits, mark_threshold, measure_within,
+            needs, take, take_cell, threshold_chart, unit, way_name,
         },
         pages::WaysShown,
         plot_svg::{self, Chart},
@@ -26,6 +26,9 @@ use crate::{
 
 /// From this width on the two charts stand side by side, points.
 const WIDE: f32 = 940.0;
+
+/// From this width on the table has all figures, points.
+const ALL_FIGURES: f32 = 600.0;
 
 /// What the charts were built from: they are built anew when any of it changes.
 #[derive(Clone)]
@@ -51,8 +54,8 @@ struct Built {
     tradeoff: Tradeoff,
     map: Chart,
     sentences: [String; 2],
-    columns: Vec<Column>,
-    rows: Vec<Row>,
+    /// The table with all figures, and with the chosen one for where there is little room.
+    tables: [(Vec<Column>, Vec<Row>); 2],
     /// The document's revision whose model is marked.
     marked: Option<u64>,
 }
@@ -213,15 +216,16 @@ fn build(ask: &SweepAsk, of: Of) -> Built {
     let (sweep, measure) = (&of.sweep, of.measure);
     let tradeoff = Tradeoff::of(ask, sweep, measure, &of.shown, of.theme);
     let sentences = limits(measure).map(|limit| needs(ask, sweep, &tradeoff.front, measure, limit));
-    let rows = tradeoff
-        .front
-        .iter()
-        .map(|index| row(&sweep.points[*index], measure))
-        .collect();
+    let points = || tradeoff.front.iter().map(|index| &sweep.points[*index]);
+    let all: Vec<usize> = (0..FIGURES.len()).collect();
+    let chosen = FIGURES.iter().position(|(one, _)| *one == measure);
+    let tables = [all, chosen.into_iter().collect()].map(|figures| {
+        let rows = points().map(|point| row(point, measure, &figures));
+        (columns(&figures), rows.collect())
+    });
     Built {
         map: threshold_chart(ask, sweep, measure, of.theme),
-        columns: columns(),
-        rows,
+        tables,
         sentences,
         tradeoff,
         marked: None,
@@ -249,7 +253,7 @@ const COLUMNS: [(&str, f32); 6] = [
     ("rms 1 nm", 1.4),
 ];
 
-fn columns() -> Vec<Column> {
+fn columns(figures: &[usize]) -> Vec<Column> {
     let mut columns = vec![
         Column::numbers(
             "numbers",
@@ -264,16 +268,17 @@ fn columns() -> Vec<Column> {
         Column::numbers("N", "Order of the smooth part.", 0.55),
         Column::numbers("spikes", "Lines kept as a place and a weight.", 1.0),
     ];
-    let figures = FIGURES.iter().zip(COLUMNS);
-    columns
-        .extend(figures.map(|((measure, _), (title, share))| {
-            Column::numbers(title, meaning(*measure), share)
-        }));
+    columns.extend(figures.iter().map(|figure| {
+        let (title, share) = COLUMNS[*figure];
+        Column::numbers(title, meaning(FIGURES[*figure].0), share)
+    }));
     columns
 }
 
-fn row(point: &SweepPoint, measure: Measure) -> Row {
-    let figures = FIGURES.map(|(measure, _)| figure(measure, &point.verdict));
+fn row(point: &SweepPoint, measure: Measure, figures: &[usize]) -> Row {
+    let figures = figures
+        .iter()
+        .map(|i| figure(FIGURES[*i].0, &point.verdict));
     let mut cells = vec![
         point.numbers.to_string(),
         way_name(point.way),
@@ -292,7 +297,7 @@ fn row(point: &SweepPoint, measure: Measure) -> Row {
             unit(measure),
             figure(measure, &point.verdict)
         ),
-        note: "Click to take this model.".to_owned(),
+        note: format!("{}\nClick to take this model.", all_figures(&point.verdict)),
     }
 }
 
@@ -378,14 +383,9 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh:
         .strong(),
     );
     let chosen = points().position(|point| is_now(context, point));
-    let clicked = table(
-        ui,
-        &built.columns,
-        &built.rows,
-        chosen,
-        fresh,
-        context.theme,
-    );
+    let few = ui.available_width() < ALL_FIGURES * context.theme.scale;
+    let (columns, rows) = &built.tables[usize::from(few)];
+    let clicked = table(ui, columns, rows, chosen, fresh, context.theme);
     if let Some(point) = clicked.and_then(|row| points().nth(row)) {
         let command: Command = take(settings, point);
         context.commands.push(command);
