@@ -80,9 +80,10 @@ impl SpendView {
         });
         if let Some(auction) = job.result_for(&ask) {
             self.waiting = None;
-            let words = words(app, &ask, auction);
             let settings = app.document().settings;
-            commands.push(take(settings, &ask, auction, auction.last()));
+            let command = take(settings, &ask, auction, auction.last());
+            let words = words(app, &ask, auction, &command);
+            commands.push(command);
             return Some((Tone::Info, words));
         }
         let outcome = match job.stage() {
@@ -135,7 +136,7 @@ fn row(ui: &mut Ui, app: &App, memory: &mut PageMemory) -> bool {
     let count = budget(ui, &mut memory.spend_numbers);
     named(&count, egui::Role::SpinButton, "Numbers to spend");
     count.on_hover_text("Most numbers that the model may take, 1 to 101.");
-    ui.label("numbers on the");
+    ui.label("numbers for me:");
     goals(ui, app, memory, lacks);
     pressed
 }
@@ -180,20 +181,24 @@ fn goals(ui: &mut Ui, app: &App, memory: &mut PageMemory, lacks: [Option<&'stati
         .on_hover_text("What is to be made small with these numbers.");
 }
 
-/// What was bought, in a sentence.
-fn words(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
+/// What was bought, in a sentence; both errors are measured on the models themselves.
+fn words(app: &App, ask: &AuctionAsk, auction: &Auction, command: &Command) -> String {
     let (goal, last) = (ask.terms.goal, auction.last());
-    let before = judge(&ask.about).and_then(|judge| verdict_now(app, &judge));
-    let was = before
-        .and_then(|before| goal_error(goal, &before, &auction.steps[0].verdict))
-        .map(|error| format!(" (was {})", error_words(goal, error)))
-        .unwrap_or_default();
+    let mut after = app.clone();
+    after.apply(command.clone());
+    let judge = judge(&ask.about);
+    let error = |app: &App| {
+        let verdict = verdict_now(app, judge.as_ref()?)?;
+        let error = goal_error(goal, &verdict, &auction.steps[0].verdict)?;
+        Some(error_words(goal, error))
+    };
+    let was = error(app).map_or_else(String::new, |error| format!(" (was {error})"));
     format!(
         "Spent {} of {} numbers: {}; {} {}{was}.",
-        last.numbers,
+        after.derived().numbers(),
         ask.terms.numbers,
         model_words(auction, last),
         goal_words(goal),
-        error_words(goal, last.error),
+        error(&after).unwrap_or_else(|| error_words(goal, last.error)),
     )
 }

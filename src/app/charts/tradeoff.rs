@@ -165,6 +165,11 @@ impl WaysShown {
     }
 }
 
+/// A way in few letters, for legends and tables.
+pub fn way_name(way: Way) -> String {
+    way.title().replace("colour-exact", "exact")
+}
+
 /// Colour and point of a way: hue and form tell basis and fit, the dash tells spikes.
 pub fn looks(way: Way, theme: Theme) -> ([u8; 3], Shape, Dash) {
     let inks = Inks::of(theme);
@@ -238,7 +243,10 @@ impl Tradeoff {
         let front = front(sweep, measure, shown);
         let at = |index: &usize| place(&sweep.points[*index], measure);
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
-        for way in Way::ALL.into_iter().filter(|way| shown.shows(*way)) {
+        // Where no line was found both kinds are the same models.
+        let twice = |way: Way| way.spikes && sweep.spikes.is_empty() && shown.without_spikes;
+        let drawn = Way::ALL.into_iter().filter(|way| shown.shows(*way));
+        for way in drawn.filter(|way| !twice(*way)) {
             let (ink, shape, dash) = looks(way, theme);
             let models: Vec<usize> = (0..sweep.points.len())
                 .filter(|i| sweep.points[*i].way == way && at(i).is_some())
@@ -255,8 +263,8 @@ impl Tradeoff {
                 radius: 2.0,
                 shape,
             };
-            lines.push((Series::new(way.title(), ink, line), models.clone()));
-            let points = Series::new(way.title(), ink, points).with_notes(notes);
+            lines.push((Series::new(way_name(way), ink, line), models.clone()));
+            let points = Series::new(way_name(way), ink, points).with_notes(notes);
             marks.push((points, models));
         }
         let (stairs, rings) = front_series(sweep, measure, &front, theme);
@@ -378,7 +386,7 @@ fn front_series(
     front: &[usize],
     theme: Theme,
 ) -> (Series, Series) {
-    const NAME: &str = "the best for that many numbers";
+    const NAME: &str = "lowest error";
     let ink = Inks::of(theme).measured;
     let points: Vec<[f64; 2]> = front
         .iter()
@@ -395,7 +403,7 @@ fn front_series(
     };
     let rings = Marks::Points {
         points,
-        radius: 4.6,
+        radius: 4.0,
         shape: Shape::Ring,
     };
     (
@@ -522,8 +530,9 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
     let way = Way::new(ask.basis, false, ask.colour_exact);
     Chart {
         title: format!(
-            "{}: what the threshold changes ({})",
+            "{}: {} by order and threshold ({})",
             ask.about.subject.0.name(),
+            measure.title(),
             way.title()
         ),
         x_label: "Order N".to_owned(),
@@ -569,7 +578,7 @@ pub fn mark_threshold(chart: &mut Chart, app: &App) {
         // White or black would vanish at one end of the colours: a ring of each.
         let ring = |ink, radius| {
             Series::new(
-                "the model now",
+                "",
                 ink,
                 Marks::Points {
                     points: vec![at],
@@ -578,10 +587,11 @@ pub fn mark_threshold(chart: &mut Chart, app: &App) {
                 },
             )
         };
+        let note = format!("The model now: {}", words_now(app));
         chart.series.push(ring([20; 3], 7.4));
         chart
             .series
-            .push(ring([255; 3], 6.0).with_notes(vec![words_now(app)]));
+            .push(ring([255; 3], 6.0).with_notes(vec![note]));
     }
 }
 

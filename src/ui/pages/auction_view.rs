@@ -15,20 +15,27 @@ use crate::{
         charts::{
             auction::{
                 AuctionChart, MEANINGS, MEASURES, NAMES, ended_words, error_words, gain_words,
-                goal_unit, goal_within, names, purchases_words, take,
+                goal_within, names, plain_measure, purchases_words, take,
             },
-            tradeoff::{self, figure, lack},
+            tradeoff::{self, all_figures, lack},
         },
         pages::SPENDABLE,
         plot_svg,
         studies::{About, AuctionAsk, Stage},
     },
-    study::{Auction, Goal, Judge, Measure, Progress, Verdict, Way},
+    study::{Auction, Goal, Judge, Progress, Verdict, Way},
     ui::{chart_view::ChartView, model_view::named},
 };
 
 /// From this width on chart and table stand side by side, points.
 const WIDE: f32 = 1080.0;
+
+/// How the auction goes.
+const RULES: &str = "An order and a spike cost two numbers each. At every price all single \
+                     purchases after the eight best models are tried, all pairs after the best \
+                     one, and every order with none, one, two ... of the heaviest lines; sold is \
+                     the model of lowest error. Where it does without something of the model \
+                     before, that is given back.";
 
 /// Largest weight of a goal.
 const MOST_WEIGHT: f64 = 100.0;
@@ -67,8 +74,11 @@ impl AuctionView {
             let ask = ask.clone();
             move |progress: &Progress| ask.answer(progress)
         });
-        progress(ui, &mut context.studies.auction, "The auction");
-        if context.studies.auction.stage() == Stage::Impossible {
+        let stage = context.studies.auction.stage();
+        if stage != Stage::Done {
+            progress(ui, &mut context.studies.auction, "The auction");
+        }
+        if stage == Stage::Impossible {
             return;
         }
         let Some((key, auction)) = context.studies.auction.answer() else {
@@ -84,6 +94,9 @@ impl AuctionView {
             self.mark(app);
         }
         if let Some(built) = &self.built {
+            if stage == Stage::Done {
+                ending(ui, context, built, fresh);
+            }
             lay_out(ui, context, built, fresh);
         }
     }
@@ -155,8 +168,12 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
             );
         let settings = context.app.document().settings;
         let way = Way::new(settings.basis, false, settings.colour_exact);
-        ui.weak(format!("numbers, {}", way.title()))
-            .on_hover_text("Basis and fit are those of the model at the right; change them there.");
+        ui.label("numbers");
+        ui.weak(format!("{}, as in the model at the right.", way.title()))
+            .on_hover_text("Basis, fit and threshold are the document's; change them there.");
+        if plain_measure(goal).is_none() {
+            ui.weak("Each error over its value at N = 0.");
+        }
     });
 }
 
@@ -235,7 +252,7 @@ fn build(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: plot_svg::The
     Built {
         chart: AuctionChart::of(&ask, &auction, &names, theme),
         ended: ended_words(&ask, &auction),
-        columns: columns(goal),
+        columns: columns(),
         rows,
         marked: None,
         chosen: None,
@@ -245,48 +262,26 @@ fn build(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: plot_svg::The
     }
 }
 
-fn columns(goal: Goal) -> Vec<Column> {
-    let (_, unit) = goal_unit(goal);
-    let error = if unit == "%" {
-        "error, %"
-    } else {
-        "error, ΔE00"
-    };
+fn columns() -> Vec<Column> {
     vec![
-        Column::numbers("numbers", "Spent so far.", 1.0),
+        Column::numbers("numbers", "Spent so far.", 1.15),
         Column::words(
             "bought",
             "What two more numbers (or four) were spent on.",
-            3.0,
+            3.6,
         ),
         Column::words(
             "gave back",
             "What the better model at this price does without.",
-            2.4,
+            3.0,
         ),
         Column::numbers(
-            error,
+            "error",
             "The goal: CIEDE2000, or percent; of a mix the weighted mean of the errors, each over \
              its value at N = 0.",
-            1.3,
-        ),
-        Column::numbers("lower by", "Than the step before, percent.", 1.1),
-        Column::numbers("own", super::tradeoff_view::meaning(Measure::Own), 1.0),
-        Column::numbers(
-            "patches",
-            super::tradeoff_view::meaning(Measure::Patches),
-            1.0,
-        ),
-        Column::numbers(
-            "filters",
-            super::tradeoff_view::meaning(Measure::Filters),
-            1.0,
-        ),
-        Column::numbers(
-            "rms 10 nm",
-            super::tradeoff_view::meaning(Measure::RmsBlurred),
             1.2,
         ),
+        Column::numbers("lower by", "Than the step before, percent.", 1.2),
     ]
 }
 
@@ -306,20 +301,13 @@ fn row(
     let gave_back = purchases_words(&step.gave_back, auction, names);
     let error = error_words(goal, step.error);
     let gain = before.map_or(String::new(), |before| gain_words(before, step.error));
-    let mut cells = vec![
+    let cells = vec![
         step.numbers.to_string(),
         bought.clone(),
         gave_back.clone(),
-        error.trim_end_matches(" %").to_owned(),
+        error.clone(),
         gain,
     ];
-    let figures = [
-        Measure::Own,
-        Measure::Patches,
-        Measure::Filters,
-        Measure::RmsBlurred,
-    ];
-    cells.extend(figures.map(|measure| figure(measure, &step.verdict)));
     Row {
         cells,
         name: format!(
@@ -327,25 +315,31 @@ fn row(
             index + 1,
             step.numbers
         ),
-        note: if gave_back.is_empty() {
-            format!("Bought {bought}.\nClick to take this model.")
-        } else {
-            format!("Bought {bought}; gave back {gave_back}.\nClick to take this model.")
-        },
+        note: format!(
+            "{}
+{}
+Click to take this model.",
+            if gave_back.is_empty() {
+                format!("Bought {bought}.")
+            } else {
+                format!("Bought {bought}; gave back {gave_back}.")
+            },
+            all_figures(&step.verdict)
+        ),
     }
 }
 
 /// Chart and table in the room there is.
 fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
-    ending(ui, context, built, fresh);
     let room = ui.available_size();
     let scale = context.theme.scale;
     if room.x >= WIDE * scale {
-        ui.horizontal_top(|ui| {
-            chart(ui, context, built, vec2(0.5 * room.x, room.y), fresh);
+        ui.columns(2, |columns| {
+            let size = vec2(columns[0].available_width(), room.y);
+            chart(&mut columns[0], context, built, size, fresh);
             egui::ScrollArea::vertical()
                 .auto_shrink(false)
-                .show(ui, |ui| steps(ui, context, built, fresh));
+                .show(&mut columns[1], |ui| steps(ui, context, built, fresh));
         });
     } else {
         egui::ScrollArea::vertical()
@@ -403,6 +397,8 @@ fn steps(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool)
     if let Some(step) = table(ui, columns, rows, built.chosen, fresh, context.theme) {
         act(context, built, step);
     }
+    ui.add_space(8.0);
+    ui.weak(RULES);
 }
 
 /// Takes the model of a step.

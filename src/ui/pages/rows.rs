@@ -50,7 +50,7 @@ pub struct Row {
 }
 
 /// Free space at both sides of a cell, points.
-const INSET: f32 = 6.0;
+const INSET: f32 = 4.0;
 
 /// Draws a table as wide as there is room; returns the row that was clicked. `chosen` is drawn as
 /// selected.

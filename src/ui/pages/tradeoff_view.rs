@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Ui, vec2};
+use egui::{Align, Layout, Ui, vec2};
 
 use super::{
     PageContext, progress,
@@ -13,8 +13,8 @@ use crate::{
     app::{
         Command,
         charts::tradeoff::{
-            self, Tradeoff, figure, lack, limits, mark_threshold, measure_within, needs, take,
-            take_cell, threshold_chart, unit,
+            self, Tradeoff, all_figures, figure, lack, limits, mark_threshold, measure_within,
+            needs, take, take_cell, threshold_chart, unit, way_name,
         },
         pages::WaysShown,
         plot_svg::{self, Chart},
@@ -26,6 +26,9 @@ use crate::{
 
 /// From this width on the two charts stand side by side, points.
 const WIDE: f32 = 940.0;
+
+/// From this width on the table has all figures, points.
+const ALL_FIGURES: f32 = 600.0;
 
 /// What the charts were built from: they are built anew when any of it changes.
 #[derive(Clone)]
@@ -51,8 +54,8 @@ struct Built {
     tradeoff: Tradeoff,
     map: Chart,
     sentences: [String; 2],
-    columns: Vec<Column>,
-    rows: Vec<Row>,
+    /// The table with all figures, and with the chosen one for where there is little room.
+    tables: [(Vec<Column>, Vec<Row>); 2],
     /// The document's revision whose model is marked.
     marked: Option<u64>,
 }
@@ -76,7 +79,19 @@ impl TradeoffView {
         });
         let measure = measure_within(app, context.memory.measure);
         controls(ui, context, measure);
-        progress(ui, &mut context.studies.sweep, "Error against numbers");
+        // A row that is always there: the charts must not jump while a slider is dragged.
+        let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_height(row.y);
+            let job = &mut context.studies.sweep;
+            if job.stage() == Stage::Done {
+                ui.weak(
+                    "Click a point, a box or a row to take that model; Undo brings yours back.",
+                );
+            } else {
+                progress(ui, job, "Error against numbers");
+            }
+        });
         if context.studies.sweep.stage() == Stage::Impossible {
             return;
         }
@@ -128,9 +143,9 @@ impl TradeoffView {
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Error");
-        for one in Measure::ALL {
+        for (one, title) in FIGURES {
             let lack = lack(context.app, one);
-            let button = egui::Button::selectable(measure == one, one.title());
+            let button = egui::Button::selectable(measure == one, title);
             let response = ui.add_enabled(lack.is_none(), button);
             if response.clicked() {
                 context.memory.measure = one;
@@ -201,15 +216,16 @@ fn build(ask: &SweepAsk, of: Of) -> Built {
     let (sweep, measure) = (&of.sweep, of.measure);
     let tradeoff = Tradeoff::of(ask, sweep, measure, &of.shown, of.theme);
     let sentences = limits(measure).map(|limit| needs(ask, sweep, &tradeoff.front, measure, limit));
-    let rows = tradeoff
-        .front
-        .iter()
-        .map(|index| row(&sweep.points[*index], measure))
-        .collect();
+    let points = || tradeoff.front.iter().map(|index| &sweep.points[*index]);
+    let all: Vec<usize> = (0..FIGURES.len()).collect();
+    let chosen = FIGURES.iter().position(|(one, _)| *one == measure);
+    let tables = [all, chosen.into_iter().collect()].map(|figures| {
+        let rows = points().map(|point| row(point, measure, &figures));
+        (columns(&figures), rows.collect())
+    });
     Built {
         map: threshold_chart(ask, sweep, measure, of.theme),
-        columns: columns(),
-        rows,
+        tables,
         sentences,
         tradeoff,
         marked: None,
@@ -217,40 +233,55 @@ fn build(ask: &SweepAsk, of: Of) -> Built {
     }
 }
 
-/// Columns of the figures in the table, with their shorter titles.
+/// The figures with names that stand side by side in the narrowest window.
 const FIGURES: [(Measure, &str); 6] = [
-    (Measure::Patches, "patches"),
-    (Measure::PatchesWorst, "worst"),
-    (Measure::Own, "own"),
-    (Measure::Filters, "filters"),
+    (Measure::Patches, "patches, mean"),
+    (Measure::PatchesWorst, "worst patch"),
+    (Measure::Own, "own colour"),
+    (Measure::Filters, "narrow filters"),
     (Measure::RmsBlurred, "rms 10 nm"),
     (Measure::Rms, "rms 1 nm"),
 ];
 
-fn columns() -> Vec<Column> {
+/// The same over the columns of the table, with their shares of its width.
+const COLUMNS: [(&str, f32); 6] = [
+    ("patches", 1.2),
+    ("worst", 1.2),
+    ("own", 1.25),
+    ("filters", 1.2),
+    ("rms 10 nm", 1.4),
+    ("rms 1 nm", 1.4),
+];
+
+fn columns(figures: &[usize]) -> Vec<Column> {
     let mut columns = vec![
         Column::numbers(
             "numbers",
             "2N + 1 for the smooth part and two for each spike.",
-            1.1,
+            1.2,
         ),
-        Column::words("way", "Basis, fit, with or without spikes.", 3.3),
-        Column::numbers("N", "Order of the smooth part.", 0.6),
-        Column::numbers("spikes", "Lines kept as a place and a weight.", 0.9),
+        Column::words(
+            "way",
+            "Basis, fit (exact: colour-exact), with or without spikes.",
+            3.0,
+        ),
+        Column::numbers("N", "Order of the smooth part.", 0.55),
+        Column::numbers("spikes", "Lines kept as a place and a weight.", 1.0),
     ];
-    columns.extend(
-        FIGURES
-            .iter()
-            .map(|(measure, title)| Column::numbers(title, meaning(*measure), 1.2)),
-    );
+    columns.extend(figures.iter().map(|figure| {
+        let (title, share) = COLUMNS[*figure];
+        Column::numbers(title, meaning(FIGURES[*figure].0), share)
+    }));
     columns
 }
 
-fn row(point: &SweepPoint, measure: Measure) -> Row {
-    let figures = FIGURES.map(|(measure, _)| figure(measure, &point.verdict));
+fn row(point: &SweepPoint, measure: Measure, figures: &[usize]) -> Row {
+    let figures = figures
+        .iter()
+        .map(|i| figure(FIGURES[*i].0, &point.verdict));
     let mut cells = vec![
         point.numbers.to_string(),
-        point.way.title().to_owned(),
+        way_name(point.way),
         point.order.to_string(),
         point.spikes.to_string(),
     ];
@@ -266,7 +297,7 @@ fn row(point: &SweepPoint, measure: Measure) -> Row {
             unit(measure),
             figure(measure, &point.verdict)
         ),
-        note: "Click to take this model.".to_owned(),
+        note: format!("{}\nClick to take this model.", all_figures(&point.verdict)),
     }
 }
 
@@ -281,20 +312,18 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &mut Built, fresh:
         .auto_shrink(false)
         .show(ui, |ui| {
             if room.x >= WIDE * scale {
-                let height = (0.62 * room.y).max(300.0 * scale);
-                ui.horizontal_top(|ui| {
-                    let gap = ui.spacing().item_spacing.x;
-                    let left = 0.56 * (room.x - gap);
-                    against_numbers(ui, context, built, vec2(left, height), fresh);
-                    let right = ui.available_width();
-                    against_threshold(ui, context, built, vec2(right, height), fresh);
+                let height = (0.60 * room.y).max(300.0 * scale);
+                ui.columns(2, |columns| {
+                    let size = vec2(columns[0].available_width(), height);
+                    against_numbers(&mut columns[0], context, built, size, fresh);
+                    against_threshold(&mut columns[1], context, built, size, fresh);
                 });
             } else {
                 let width = ui.available_width();
-                let height = (0.60 * room.y).clamp(280.0 * scale, 460.0 * scale);
+                let height = (0.52 * room.y).clamp(270.0 * scale, 460.0 * scale);
                 against_numbers(ui, context, built, vec2(width, height), fresh);
                 ui.add_space(4.0);
-                let height = (0.50 * room.y).clamp(240.0 * scale, 380.0 * scale);
+                let height = (0.41 * room.y).clamp(210.0 * scale, 380.0 * scale);
                 against_threshold(ui, context, built, vec2(width, height), fresh);
             }
             ui.add_space(6.0);
@@ -348,20 +377,15 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh:
     };
     ui.label(
         egui::RichText::new(format!(
-            "The best for that many numbers: {}",
+            "Lowest error for that many numbers: {}",
             built.of.measure.title()
         ))
         .strong(),
     );
     let chosen = points().position(|point| is_now(context, point));
-    let clicked = table(
-        ui,
-        &built.columns,
-        &built.rows,
-        chosen,
-        fresh,
-        context.theme,
-    );
+    let few = ui.available_width() < ALL_FIGURES * context.theme.scale;
+    let (columns, rows) = &built.tables[usize::from(few)];
+    let clicked = table(ui, columns, rows, chosen, fresh, context.theme);
     if let Some(point) = clicked.and_then(|row| points().nth(row)) {
         let command: Command = take(settings, point);
         context.commands.push(command);
