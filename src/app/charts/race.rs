@@ -104,7 +104,7 @@ fn of_whom(ask: &RaceAsk, race: &Race, class: Option<&str>) -> String {
     let count = race.of_class(class).count();
     match class {
         Some(class) if count > 1 => format!("{count} {class} lights"),
-        _ if count > 1 => format!("{}, {count}", field_words(&ask.field)),
+        _ if count > 1 => format!("{} ({count})", field_words(&ask.field)),
         _ => race
             .of_class(class)
             .next()
@@ -123,7 +123,7 @@ pub fn error_chart(
     let inks = Inks::of(theme);
     let factor = shown_factor(measure);
     let many = race.of_class(class).count() > 1;
-    let mut series = Vec::new();
+    let (mut lines, mut dots) = (Vec::new(), Vec::new());
     for (place, racer) in race.racers.iter().enumerate() {
         let mut points = Vec::new();
         let mut notes = Vec::new();
@@ -149,8 +149,10 @@ pub fn error_chart(
             width: if *racer == Racer::Chosen { 2.4 } else { 1.5 },
             dash,
         };
-        series.push(Series::new(short_name(*racer), colour, marks));
-        series.push(Series::points(short_name(*racer), colour, shape, points).with_notes(notes));
+        // The points have the name: their forms tell more apart than dashes do.
+        lines.push(Series::new("", colour, marks));
+        let points = Series::points(short_name(*racer), colour, shape, points);
+        dots.push(points.with_notes(notes));
     }
     let first = race.budgets.first().map_or(0.0, |n| *n as f64);
     let last = race.budgets.last().map_or(1.0, |n| *n as f64);
@@ -170,7 +172,7 @@ pub fn error_chart(
         y_label: axis_label(measure),
         x_range: [first - room, last + room],
         y_scale: Scale::Log10,
-        series,
+        series: lines.into_iter().chain(dots).collect(),
         notes,
         theme,
         ..Chart::default()

@@ -4,7 +4,7 @@
 use eframe::egui;
 use egui::{RichText, Ui};
 
-use super::{cell, scaled};
+use super::{WIDE, cell, dense, scaled};
 use crate::{
     app::{
         charts::race::{figure, short_name, shown_factor, spread_of},
@@ -130,7 +130,7 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
         format!("{}{unit}", figure(factor * spread.median))
     };
     let (ours_words, theirs_words) = (words(ours), words(theirs));
-    let (composite, rival) = (composite.title(), rival.title().to_lowercase());
+    let (composite, rival) = (composite.title(), rival_words(rival));
     Some(if ours.median < theirs.median {
         format!(
             "{class}: the composite wins: {ours_words} ({composite}) against {theirs_words} of \
@@ -142,6 +142,19 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
              composite ({composite})."
         )
     })
+}
+
+/// A rival in the middle of a sentence.
+fn rival_words(racer: Racer) -> &'static str {
+    match racer {
+        Racer::Rival(Family::Samples) => "point samples",
+        Racer::Rival(Family::Bins) => "box bins",
+        Racer::Rival(Family::Legendre) => "the Legendre polynomial",
+        Racer::Rival(Family::Principal) => "principal components",
+        Racer::Rival(Family::Moments) => "maximum-entropy moments",
+        Racer::Rival(Family::Wavelet) => "wavelets",
+        other => other.title(),
+    }
 }
 
 fn pair(spread: [f64; 3]) -> String {
@@ -171,44 +184,75 @@ impl Tables {
 
     fn show(&self, ui: &mut Ui, theme: Theme) {
         ui.weak(ORIGIN);
+        let width = ui.available_width();
+        let table = scaled(NAMES + 7.0 * (CELL + 4.0), theme) + 8.0;
+        if width >= WIDE {
+            ui.horizontal_top(|ui| {
+                ui.vertical(|ui| {
+                    ui.set_max_width(table);
+                    self.patches(ui, theme);
+                });
+                ui.add_space(16.0);
+                ui.vertical(|ui| self.check(ui, theme));
+            });
+        } else {
+            self.patches(ui, theme);
+            ui.add_space(6.0);
+            self.check(ui, theme);
+        }
+    }
+
+    fn patches(&self, ui: &mut Ui, theme: Theme) {
+        ui.label(RichText::new("Mean ΔE00 of the patches").strong());
         ui.weak(
-            "Mean ΔE00 of the patches, median / 95th percentile: above in this race, below in the \
-             larger collection. ▲ marks medians more than a factor of 1.5 apart.",
+            "Median / 95th percentile: above in this race, below in the larger collection. ▲ \
+             marks medians more than a factor of 1.5 apart.",
         );
         ui.add_space(2.0);
-        egui::ScrollArea::horizontal()
-            .id_salt("larger collection")
-            .auto_shrink([false, true])
-            .show(ui, |ui| {
-                ui.vertical(|ui| {
-                    ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
-                    self.table(ui, theme);
+        ui.scope(|ui| {
+            dense(ui);
+            egui::ScrollArea::horizontal()
+                .id_salt("larger collection")
+                .auto_shrink([false, true])
+                .show(ui, |ui| {
+                    ui.vertical(|ui| {
+                        ui.spacing_mut().item_spacing.x = 4.0;
+                        self.table(ui, theme);
+                    });
                 });
-            });
+        });
         if self.lines.iter().any(|line| line.1[6].is_some()) {
             ui.weak(OF_FEW);
         }
+    }
+
+    fn check(&self, ui: &mut Ui, theme: Theme) {
         if self.checked.is_empty() {
             return;
         }
-        ui.add_space(6.0);
         ui.label(
             RichText::new(format!(
-                "Chosen per light on the patches, judged on 99 samples that took no part in the \
-                 choice, {CHECKED_NUMBERS} numbers"
+                "Chosen per light on the patches, judged on other samples, {CHECKED_NUMBERS} \
+                 numbers"
             ))
             .strong(),
         );
-        ui.weak("Median / 95th percentile / worst ΔE00: above in this race, below in the larger collection.");
-        egui::ScrollArea::horizontal()
-            .id_salt("larger check")
-            .auto_shrink([false, true])
-            .show(ui, |ui| {
-                ui.vertical(|ui| {
-                    ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
-                    self.check_table(ui, theme);
+        ui.weak(
+            "Mean ΔE00 of the 99 samples of TM-30, which took no part in the choice: median / \
+             95th percentile / worst, above in this race, below in the larger collection.",
+        );
+        ui.scope(|ui| {
+            dense(ui);
+            egui::ScrollArea::horizontal()
+                .id_salt("larger check")
+                .auto_shrink([false, true])
+                .show(ui, |ui| {
+                    ui.vertical(|ui| {
+                        ui.spacing_mut().item_spacing.x = 4.0;
+                        self.check_table(ui, theme);
+                    });
                 });
-            });
+        });
         ui.add_space(4.0);
         for words in &self.others {
             ui.label(words);
@@ -310,15 +354,18 @@ fn short_class(class: &str) -> &str {
     }
 }
 
-/// Two significant digits.
+/// Two significant digits, without the zero before the point: there are many in a line.
 fn brief(value: f64) -> String {
-    match value {
-        v if v < 0.001 => format!("{v:.4}"),
+    let text = match value {
         v if v < 0.01 => format!("{v:.4}"),
         v if v < 0.1 => format!("{v:.3}"),
         v if v < 1.0 => format!("{v:.2}"),
         v if v < 10.0 => format!("{v:.1}"),
         v => format!("{v:.0}"),
+    };
+    match text.strip_prefix('0') {
+        Some(rest) if rest.starts_with('.') => rest.to_owned(),
+        _ => text,
     }
 }
 

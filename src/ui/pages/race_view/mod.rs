@@ -27,7 +27,10 @@ use crate::{
 };
 
 /// The page is laid out in two columns from this width on, points.
-const WIDE: f32 = 940.0;
+const WIDE: f32 = 1150.0;
+
+/// Width of the winners beside the chart, points.
+const WINNERS: f32 = 652.0;
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
@@ -115,7 +118,11 @@ impl RaceView {
             } else {
                 format!("Only lights race; of this document it is {light}.")
             });
-            ui.separator();
+            if let Some((_, race)) = context.studies.race.answer() {
+                self.class_menu(ui, race);
+            }
+        });
+        ui.horizontal_wrapped(|ui| {
             ui.label("Numbers");
             for budget in RACE_BUDGETS {
                 let button = ui
@@ -144,9 +151,6 @@ impl RaceView {
             combo
                 .response
                 .on_hover_text("The figure that the chart shows and that decides who wins.");
-            if let Some((_, race)) = context.studies.race.answer() {
-                self.class_menu(ui, race);
-            }
         });
         if !about_light && context.memory.field == FieldChoice::ThisLight {
             ui.weak(format!(
@@ -230,8 +234,10 @@ impl RaceView {
                 if wide {
                     ui.horizontal_top(|ui| {
                         let width = ui.available_width();
-                        let left = 0.56 * width;
-                        chart(ui, context, &drawn.chart, vec2(left, height));
+                        let left = width - WINNERS.min(0.5 * width);
+                        ui.vertical(|ui| {
+                            chart(ui, context, &drawn.chart, vec2(left, height));
+                        });
                         ui.add_space(8.0);
                         ui.vertical(|ui| {
                             drawn.winners.show(ui, context, height);
@@ -300,15 +306,32 @@ fn chart(ui: &mut Ui, context: &mut PageContext<'_>, chart: &Chart, size: egui::
         if matches!(wish.form, ChartForm::CopyCsv | ChartForm::Csv) {
             // Each racer is drawn twice, as a line and as points: once is enough in a table.
             let is_line = |marks: &Marks| matches!(marks, Marks::Line { .. });
-            wish.chart.series.retain(|series| is_line(&series.marks));
+            wish.chart.series.retain(|series| !is_line(&series.marks));
         }
         context.wishes.push(wish);
     }
 }
 
+/// Height of a line of a table, points.
+fn line_height(ui: &Ui) -> f32 {
+    (ui.text_style_height(&egui::TextStyle::Body) + 3.0).ceil()
+}
+
+/// Lines of [`line_height`] without gaps, and a bar that shows that there is more to the side.
+fn dense(ui: &mut Ui) {
+    let height = line_height(ui);
+    let spacing = ui.spacing_mut();
+    spacing.item_spacing.y = 0.0;
+    spacing.interact_size.y = height;
+    spacing.scroll = egui::style::ScrollStyle {
+        bar_width: 6.0,
+        ..egui::style::ScrollStyle::solid()
+    };
+}
+
 /// A text in a column of fixed width.
 fn cell(ui: &mut Ui, width: f32, text: impl Into<WidgetText>, right: bool) -> Response {
-    let height = ui.text_style_height(&egui::TextStyle::Body) + 3.0;
+    let height = line_height(ui);
     let layout = if right {
         Layout::right_to_left(Align::Center)
     } else {
@@ -325,7 +348,7 @@ fn cell(ui: &mut Ui, width: f32, text: impl Into<WidgetText>, right: bool) -> Re
 /// A stripe behind every other line of a table.
 fn stripe(ui: &Ui, index: usize, width: f32) {
     if index % 2 == 1 {
-        let height = ui.text_style_height(&egui::TextStyle::Body) + 3.0;
+        let height = line_height(ui);
         let rect = egui::Rect::from_min_size(ui.cursor().min, vec2(width, height));
         let fill = ui.visuals().faint_bg_color;
         ui.painter().rect_filled(rect, 0.0, fill);

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{RichText, Ui};
 
-use super::{cell, scaled, stripe, winning};
+use super::{cell, dense, line_height, scaled, stripe, winning};
 use crate::{
     app::chart::Inks,
     app::charts::race::{figure, looks},
@@ -78,9 +78,9 @@ impl Table {
         let mut columns = Vec::new();
         patches(&mut columns, &rows, many, decides);
         for (title, measure, factor) in [
-            ("filters", Measure::Filters, 1.0),
-            ("rms 10 nm %", Measure::RmsBlurred, 100.0),
-            ("own", Measure::Own, 1.0),
+            ("filters ΔE00", Measure::Filters, 1.0),
+            ("rms 10 nm, %", Measure::RmsBlurred, 100.0),
+            ("own ΔE00", Measure::Own, 1.0),
         ] {
             let of = |row: &Row| of_measure(row, measure);
             let tip = meaning(measure);
@@ -90,11 +90,16 @@ impl Table {
         }
         let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
                      choice.";
-        columns.push(spread_column("check", check, &rows, many, 1.0, &|row| {
-            row.check
-        }));
+        columns.push(spread_column(
+            "check ΔE00",
+            check,
+            &rows,
+            many,
+            1.0,
+            &|row| row.check,
+        ));
         let mut rms = spread_column(
-            "rms 1 nm %",
+            "rms 1 nm, %",
             meaning(Measure::Rms),
             &rows,
             many,
@@ -117,7 +122,7 @@ impl Table {
         let names = scaled(NAMES, theme);
         let gap = ui.spacing().item_spacing;
         ui.horizontal_top(|ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
+            dense(ui);
             ui.vertical(|ui| {
                 ui.set_width(names);
                 cell(ui, names, "", false);
@@ -217,11 +222,15 @@ fn name(ui: &mut Ui, racer: Racer, width: f32, theme: Theme) {
     let (colour, ..) = looks(racer, Inks { ..theme.inks });
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
-        let height = ui.text_style_height(&egui::TextStyle::Body) + 3.0;
+        let height = line_height(ui);
         let (rect, _) = ui.allocate_exact_size(egui::vec2(4.0, height), egui::Sense::hover());
         ui.painter()
             .rect_filled(rect.shrink2(egui::vec2(0.0, 2.0)), 1.0, ink(colour));
-        cell(ui, width - 9.0, racer.title(), false).on_hover_text(about(racer));
+        let title = match racer {
+            Racer::Chosen => "Best composite per light",
+            other => other.title(),
+        };
+        cell(ui, width - 9.0, title, false).on_hover_text(about(racer));
     });
 }
 
@@ -301,14 +310,18 @@ fn patches(columns: &mut Vec<Column>, rows: &[Row], many: bool, decides: Measure
     if !many {
         let of = |row: &Row| row.patches;
         let mut column = spread_column("patches ΔE00", tip, rows, false, 1.0, &of);
-        column.width = 88.0;
+        column.width = 96.0;
         column.decides = decides == Measure::Patches;
         columns.push(column);
         return;
     }
     type Part = fn(Spread) -> f64;
     let parts: [(&str, Part, &str); 3] = [
-        ("ΔE00 median", |s| s.median, "Half of the lights are below."),
+        (
+            "patches ΔE00",
+            |s| s.median,
+            "Half of the lights are below.",
+        ),
         ("95 %", |s| s.p95, "95 % of the lights are below."),
         ("worst", |s| s.worst, "The worst light."),
     ];
@@ -319,7 +332,7 @@ fn patches(columns: &mut Vec<Column>, rows: &[Row], many: bool, decides: Measure
         columns.push(Column {
             title: title.to_owned(),
             tip: format!("{tip} {more}"),
-            width: if i == 0 { 86.0 } else { 62.0 },
+            width: if i == 0 { 92.0 } else { 56.0 },
             decides: i == 0 && decides == Measure::Patches,
             cells,
         });
@@ -360,7 +373,7 @@ fn spread_column(
     Column {
         title: title.to_owned(),
         tip: tip.to_owned(),
-        width: if many { 114.0 } else { 82.0 },
+        width: if many { 104.0 } else { 90.0 },
         decides: false,
         cells,
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{RichText, Ui, vec2};
 
-use super::{super::PageContext, cell, scaled, stripe, table::about};
+use super::{super::PageContext, cell, dense, line_height, scaled, stripe, table::about};
 use crate::{
     app::{
         Command, Entry,
@@ -121,7 +121,7 @@ impl Winners {
         ui.add_space(4.0);
         section(ui, &format!("Winner per light, {} numbers", self.numbers));
         let left = (height - (ui.cursor().top() - top)).max(140.0 * theme.scale);
-        let row = ui.text_style_height(&egui::TextStyle::Body) + 3.0;
+        let row = line_height(ui);
         let width = ui.available_width().min(scaled(560.0, theme));
         let show_class = self.sets.len() > 1;
         egui::ScrollArea::vertical()
@@ -129,7 +129,7 @@ impl Winners {
             .max_height(left)
             .auto_shrink([false, true])
             .show_rows(ui, row, self.lamps.len(), |ui, rows| {
-                ui.spacing_mut().item_spacing.y = 0.0;
+                dense(ui);
                 for i in rows {
                     stripe(ui, i, ui.available_width());
                     self.lamp(ui, context, i, width, show_class);
@@ -140,7 +140,7 @@ impl Winners {
     fn classes(&self, ui: &mut Ui, theme: Theme) {
         section(ui, &format!("Least {}, by numbers", self.measure.title()));
         ui.scope(|ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
+            dense(ui);
             egui::ScrollArea::horizontal()
                 .id_salt("race classes")
                 .auto_shrink([false, true])
@@ -186,13 +186,12 @@ impl Winners {
         let name = (width - class - winner_width - error - 30.0).max(90.0);
         ui.horizontal(|ui| {
             let present = context.app.document().light.name() == lamp.name;
-            let height = ui.text_style_height(&egui::TextStyle::Body) + 3.0;
-            let button = egui::Button::selectable(present, lamp.name.as_str())
-                .truncate()
-                .min_size(vec2(name, height));
+            let height = line_height(ui);
+            let left = egui::Layout::left_to_right(egui::Align::Center);
+            let button = egui::Button::selectable(present, lamp.name.as_str()).truncate();
             let response = ui
-                .allocate_ui(vec2(name, height), |ui| {
-                    ui.set_width(name);
+                .allocate_ui_with_layout(vec2(name, height), left, |ui| {
+                    ui.set_min_width(name);
                     ui.spacing_mut().button_padding = vec2(3.0, 0.0);
                     ui.spacing_mut().interact_size.y = height;
                     ui.add_enabled(lamp.entry.is_some(), button)
@@ -235,7 +234,7 @@ fn winner(ui: &mut Ui, won: &Won, width: f32, theme: Theme) {
             let (colour, ..) = looks(racer, theme.inks);
             ui.scope(|ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
-                let height = ui.text_style_height(&egui::TextStyle::Body) + 3.0;
+                let height = line_height(ui);
                 let (rect, _) = ui.allocate_exact_size(vec2(3.0, height), egui::Sense::hover());
                 ui.painter()
                     .rect_filled(rect.shrink2(vec2(0.0, 3.0)), 1.0, ink(colour));
