@@ -73,12 +73,20 @@ impl Larger {
     /// Draws it.
     pub fn show(&self, ui: &mut Ui, theme: Theme) {
         section(ui, "What the composite wins, and what it does not");
-        for (title, sentences) in &self.halves {
-            ui.label(RichText::new(*title).strong());
-            for sentence in sentences {
-                ui.label(sentence);
+        if ui.available_width() >= WIDE && !self.halves.is_empty() {
+            ui.columns(self.halves.len(), |columns| {
+                for (ui, half) in columns.iter_mut().zip(&self.halves) {
+                    // Columns would stretch the words to their width.
+                    ui.vertical(|ui| {
+                        ui.set_max_width(ui.available_width() - 10.0);
+                        told(ui, half);
+                    });
+                }
+            });
+        } else {
+            for half in &self.halves {
+                told(ui, half);
             }
-            ui.add_space(2.0);
         }
         ui.add_space(6.0);
         section(ui, "Beside a larger collection");
@@ -93,6 +101,15 @@ impl Larger {
             }
         }
     }
+}
+
+/// One measure's sentences under their title.
+fn told(ui: &mut Ui, (title, sentences): &(&'static str, Vec<String>)) {
+    ui.label(RichText::new(*title).strong());
+    for sentence in sentences {
+        ui.label(sentence);
+    }
+    ui.add_space(2.0);
 }
 
 /// Whether the race was run as the larger collection was.
@@ -130,6 +147,7 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
         format!("{}{unit}", figure(factor * spread.median))
     };
     let (ours_words, theirs_words) = (words(ours), words(theirs));
+    let class = capitalised(class);
     let (composite, rival) = (composite.title(), rival_words(rival));
     Some(if ours.median < theirs.median {
         format!(
@@ -142,6 +160,12 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
              composite ({composite})."
         )
     })
+}
+
+fn capitalised(word: &str) -> String {
+    let mut letters = word.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
 }
 
 /// A rival in the middle of a sentence.
@@ -437,10 +461,25 @@ fn others(race: &Race) -> Vec<String> {
             all += 1;
             without += usize::from(race.run(lamp, budget, place).spikes == 0);
         }
+        let with = race
+            .racers
+            .iter()
+            .enumerate()
+            .filter(|(_, racer)| matches!(racer, Racer::Composite(_)))
+            .filter_map(|(i, racer)| {
+                let spread = spread_of(race, Some(class), budget, i, Measure::Filters)?;
+                Some((racer, spread.median))
+            })
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        let best = with.map_or_else(String::new, |(racer, median)| {
+            format!(
+                " Behind narrow filters the best composite is {}, median {}.",
+                racer.title(),
+                figure(median)
+            )
+        });
         words.push(format!(
-            "The choice is by the patches alone: on {without} of {all} it takes no spike, and so \
-             does badly behind narrow filters. Chosen for them, the composites with spikes come \
-             near (see the table above)."
+            "The choice is by the patches alone: on {without} of {all} lights it takes no spike.{best}"
         ));
     }
     words

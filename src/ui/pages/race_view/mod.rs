@@ -30,7 +30,7 @@ use crate::{
 const WIDE: f32 = 1150.0;
 
 /// Width of the winners beside the chart, points.
-const WINNERS: f32 = 652.0;
+const WINNERS: f32 = 672.0;
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]

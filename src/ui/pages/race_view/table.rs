@@ -310,7 +310,7 @@ fn patches(columns: &mut Vec<Column>, rows: &[Row], many: bool, decides: Measure
     if !many {
         let of = |row: &Row| row.patches;
         let mut column = spread_column("patches ΔE00", tip, rows, false, 1.0, &of);
-        column.width = 96.0;
+        column.width = 92.0;
         column.decides = decides == Measure::Patches;
         columns.push(column);
         return;
@@ -373,7 +373,7 @@ fn spread_column(
     Column {
         title: title.to_owned(),
         tip: tip.to_owned(),
-        width: if many { 104.0 } else { 90.0 },
+        width: if many { 104.0 } else { 84.0 },
         decides: false,
         cells,
     }
