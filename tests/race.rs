@@ -5,8 +5,10 @@ use std::sync::{Arc, LazyLock};
 use spectral_explorer::{
     app::{
         Document, Entry,
+        charts::race::{SMALLEST_ERROR, error_chart, table_chart},
         library::Library,
         pages::RACE_BUDGETS,
+        plot_svg::{Marks, Theme},
         studies::{Field, RaceAsk, Same},
     },
     rivals::{Family, PrincipalBasis},
@@ -392,5 +394,59 @@ fn both_halves_stand_in_the_figures() {
         assert_eq!(winner, Some(Racer::Rival(Family::Principal)), "{class}");
         let winner = race.winner_of(Some(class), b, Measure::Filters);
         assert_eq!(winner, Some(Racer::Rival(Family::Principal)), "{class}");
+    }
+}
+
+#[test]
+fn the_tables_file_has_a_line_for_everybody_with_the_figures_of_its_row() {
+    let (ask, race) = &*ALL;
+    let b = budget(race, 20);
+    let csv = table_chart(ask, race, Some("LED"), b).to_csv();
+    let mut lines = csv.lines().filter(|line| !line.starts_with('#'));
+    let titles: Vec<&str> = lines.next().expect("titles").split(',').collect();
+    let at = |title: &str| titles.iter().position(|t| *t == title).expect("a column");
+    let rows: Vec<Vec<&str>> = lines
+        // Names with a comma stand in quotes; none of the numbers does.
+        .map(|line| {
+            match line
+                .split_once(",\"")
+                .and_then(|(n, rest)| Some((n, rest.split_once('"')?)))
+            {
+                Some((number, (name, rest))) => [number, name]
+                    .into_iter()
+                    .chain(rest.split(',').skip(1))
+                    .collect(),
+                None => line.split(',').collect(),
+            }
+        })
+        .collect();
+    assert_eq!(rows.len(), race.racers.len());
+    for (r, (racer, cells)) in race.racers.iter().zip(&rows).enumerate() {
+        assert_eq!(cells.len(), titles.len(), "{cells:?}");
+        assert_eq!(cells[1], racer.title());
+        let median = race.row(Some("LED"), b, r).patches.expect("visible").median;
+        let found: f64 = cells[at("delta_e_patches_median")]
+            .parse()
+            .expect("a number");
+        assert_eq!(found, median);
+    }
+}
+
+#[test]
+fn every_racer_looks_different_in_the_chart() {
+    let (ask, race) = &*ALL;
+    for measure in Measure::ALL {
+        let chart = error_chart(ask, race, None, measure, Theme::Dark);
+        let mut looks = Vec::new();
+        for series in &chart.series {
+            if let Marks::Points { points, shape, .. } = &series.marks {
+                assert_eq!(points.len(), RACE_BUDGETS.len());
+                assert!(points.iter().all(|p| p[1] >= SMALLEST_ERROR));
+                let look = (series.colour, *shape);
+                assert!(!looks.contains(&look), "{} {look:?}", series.name);
+                looks.push(look);
+            }
+        }
+        assert_eq!(looks.len(), race.racers.len());
     }
 }

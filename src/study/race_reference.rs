@@ -394,7 +394,7 @@ fn reason(racer: Racer, class: &str, higher: bool) -> &'static str {
         (Racer::Rival(Family::Principal), "smooth", true) => {
             "A table has no more components than lights that taught it, and the shipped smooth \
              lights are 17, of few kinds: their own table has as few as 11. With 20 blackbodies as further \
-             teachers the medians fall from 0.57 to 0.12 at 11 numbers and from 0.56 to 0.011 at \
+             teachers the medians of all 17 fall from 0.57 to 0.12 at 11 numbers and from 0.56 to 0.011 at \
              20."
         }
         (Racer::Rival(Family::Principal), "LED", true) => {

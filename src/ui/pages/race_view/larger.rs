@@ -24,8 +24,8 @@ use crate::{
 };
 
 /// Width of a representation's name and of a cell, points.
-const NAMES: f32 = 108.0;
-const CELL: f32 = 76.0;
+const NAMES: f32 = 92.0;
+const CELL: f32 = 74.0;
 
 /// The figures of both, in words, made once.
 pub struct Larger {

@@ -26,7 +26,7 @@ use crate::{
 const CLASSES: f32 = 74.0;
 
 /// Width of a winner's short name, points.
-const WINNER: f32 = 78.0;
+const WINNER: f32 = 75.0;
 
 /// A winner with its error in words.
 #[derive(Clone)]
