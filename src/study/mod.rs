@@ -7,6 +7,7 @@ pub mod judge;
 pub mod prepared;
 pub mod progress;
 pub mod race;
+pub mod race_reference;
 pub mod sweep;
 pub mod training;
 pub mod truth;

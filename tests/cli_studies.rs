@@ -1,0 +1,561 @@
+//! Sweep, auction and race on the command line: what they print and what they refuse.
+
+use std::{collections::BTreeSet, ffi::OsString, fs};
+
+use serde_json::Value;
+use spectral_explorer::{
+    app::{
+        App,
+        pages::Page,
+        plot_svg::{Chart, Theme},
+        workspace::Preferences,
+    },
+    cli::{self, Outcome, Pictures},
+};
+
+/// Writes down what it was asked for instead of drawing it.
+struct Sketch;
+
+impl Pictures for Sketch {
+    fn window(&self, _: &App, preferences: &Preferences, _: [u32; 2]) -> Vec<u8> {
+        preferences.pages.page.word().as_bytes().to_vec()
+    }
+
+    fn plot(&self, _: &App, _: Theme, _: [u32; 2]) -> Vec<u8> {
+        Vec::new()
+    }
+
+    fn chart(&self, _: &Chart, _: [u32; 2]) -> Vec<u8> {
+        Vec::new()
+    }
+}
+
+struct Told {
+    outcome: Outcome,
+    out: String,
+    err: String,
+}
+
+fn tell(args: &[&str]) -> Told {
+    let program = OsString::from(cli::PROGRAM);
+    let args = std::iter::once(program).chain(args.iter().map(OsString::from));
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let outcome = cli::run(args, &Sketch, &mut out, &mut err);
+    Told {
+        outcome,
+        out: String::from_utf8(out).expect("UTF-8"),
+        err: String::from_utf8(err).expect("UTF-8"),
+    }
+}
+
+fn json(args: &[&str]) -> Value {
+    let told = tell(args);
+    assert_eq!(told.outcome, Outcome::Done(0), "{args:?}: {}", told.err);
+    serde_json::from_str(&told.out).expect("JSON")
+}
+
+/// One line on `err`, nothing on `out`, and the exit code.
+fn refusal(args: &[&str]) -> (String, u8) {
+    let told = tell(args);
+    let Outcome::Done(code) = told.outcome else {
+        panic!("{args:?}: opened a window");
+    };
+    assert_ne!(code, 0, "{args:?}: {}", told.out);
+    assert_eq!(told.out, "", "{args:?}");
+    assert_eq!(told.err.lines().count(), 1, "{args:?}: {}", told.err);
+    assert!(told.err.contains("found"), "{}", told.err);
+    assert!(told.err.contains("expected"), "{}", told.err);
+    (told.err, code)
+}
+
+/// A table with its comments, its titles and its lines, each with as many cells as there are
+/// titles.
+fn table(args: &[&str]) -> (Vec<String>, Vec<String>, Vec<Vec<String>>) {
+    let told = tell(args);
+    assert_eq!(told.outcome, Outcome::Done(0), "{args:?}: {}", told.err);
+    let is_comment = |line: &&str| line.starts_with('#');
+    let comments = told.out.lines().filter(is_comment).map(str::to_owned);
+    let comments: Vec<String> = comments.collect();
+    let mut lines = told
+        .out
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .map(cells);
+    let titles = lines.next().expect("titles");
+    let rows: Vec<Vec<String>> = lines.collect();
+    for row in &rows {
+        assert_eq!(row.len(), titles.len(), "{row:?}");
+    }
+    (comments, titles, rows)
+}
+
+fn cells(line: &str) -> Vec<String> {
+    let (mut all, mut cell, mut quoted) = (Vec::new(), String::new(), false);
+    for sign in line.chars() {
+        match sign {
+            '"' => quoted = !quoted,
+            ',' if !quoted => all.push(std::mem::take(&mut cell)),
+            other => cell.push(other),
+        }
+    }
+    all.push(cell);
+    all
+}
+
+fn keys(value: &Value) -> BTreeSet<&str> {
+    let object = value.as_object().expect("an object");
+    object.keys().map(String::as_str).collect()
+}
+
+fn has(value: &Value, wanted: &[&str]) {
+    let keys = keys(value);
+    for key in wanted {
+        assert!(keys.contains(key), "{key} is not in {keys:?}");
+    }
+}
+
+#[test]
+fn a_sweep_has_every_order_of_every_way_and_marks_the_front() {
+    let sweep = json(&["sweep", "FL2", "--json"]);
+    has(
+        &sweep,
+        &["program", "input", "settings", "points", "threshold_map"],
+    );
+    let points = sweep["points"].as_array().expect("points");
+    assert_eq!(points.len(), 8 * 41);
+    has(
+        &points[0],
+        &[
+            "way",
+            "basis",
+            "spikes",
+            "spike_count",
+            "colour_exact",
+            "order",
+            "numbers",
+            "delta_e_own",
+            "delta_e_patches_mean",
+            "delta_e_patches_max",
+            "delta_e_filters",
+            "relative_rms",
+            "relative_rms_10nm",
+            "on_front",
+        ],
+    );
+    let mut front: Vec<(u64, f64)> = points
+        .iter()
+        .filter(|p| p["on_front"] == true)
+        .map(|p| {
+            let error = p["delta_e_patches_mean"].as_f64();
+            (
+                p["numbers"].as_u64().expect("a count"),
+                error.expect("an error"),
+            )
+        })
+        .collect();
+    front.sort_by_key(|p| p.0);
+    assert!(front.len() > 4, "{front:?}");
+    assert!(front.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 > w[1].1));
+    let map = &sweep["threshold_map"];
+    assert_eq!(map["thresholds_percent"].as_array().map(Vec::len), Some(25));
+    assert_eq!(map["delta_e_own"][24].as_array().map(Vec::len), Some(41));
+}
+
+#[test]
+fn a_sweeps_table_holds_the_same_numbers_as_its_json() {
+    let (comments, titles, rows) = table(&["sweep", "FL2"]);
+    assert!(
+        comments.iter().any(|c| c.contains("name: FL2")),
+        "{comments:?}"
+    );
+    assert!(
+        comments.iter().any(|c| c.contains("source: ")),
+        "{comments:?}"
+    );
+    let sweep = json(&["sweep", "FL2", "--json"]);
+    let points = sweep["points"].as_array().expect("points");
+    assert_eq!(rows.len(), points.len());
+    for (row, point) in rows.iter().zip(points) {
+        for (title, cell) in titles.iter().zip(row) {
+            match &point[title] {
+                Value::Null => assert_eq!(cell, ""),
+                Value::Number(n) => assert_eq!(cell.parse::<f64>().ok(), n.as_f64(), "{title}"),
+                Value::Bool(b) => assert_eq!(*cell, b.to_string(), "{title}"),
+                Value::String(s) => assert_eq!(cell, s, "{title}"),
+                other => panic!("{title}: {other}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn behind_narrow_filters_fl2_buys_mercurys_lines_first() {
+    let auction = json(&[
+        "auction",
+        "FL2",
+        "--goal",
+        "filters",
+        "--numbers",
+        "41",
+        "--json",
+    ]);
+    has(
+        &auction,
+        &[
+            "goal",
+            "basis",
+            "colour_exact",
+            "ended",
+            "steps",
+            "with",
+            "without",
+        ],
+    );
+    let steps = auction["steps"].as_array().expect("steps");
+    assert_eq!(steps[0]["bought"], "order");
+    assert_eq!(steps[0]["order"], 0);
+    assert_eq!(steps[0]["numbers"], 1);
+    for step in steps {
+        has(
+            step,
+            &[
+                "numbers",
+                "error",
+                "order_now",
+                "spikes_nm_now",
+                "gave_back",
+                "delta_e_filters",
+            ],
+        );
+        let is_spike = step["bought"] == "spike";
+        assert_eq!(step["at_nm"].is_f64(), is_spike, "{step}");
+        assert_eq!(step["order"].is_u64(), !is_spike, "{step}");
+    }
+    let first_nine: Vec<f64> = steps[1..=9]
+        .iter()
+        .filter_map(|s| s["at_nm"].as_f64())
+        .collect();
+    for line in [404.7, 435.8, 546.1, 578.0] {
+        let near = first_nine.iter().any(|nm| (nm - line).abs() < 3.0);
+        assert!(near, "{line} is not in {first_nine:?}");
+    }
+    let errors: Vec<f64> = steps.iter().filter_map(|s| s["error"].as_f64()).collect();
+    assert!(errors.windows(2).all(|w| w[1] <= w[0]), "{errors:?}");
+}
+
+#[test]
+fn for_its_own_colour_daylight_buys_no_line() {
+    let auction = json(&[
+        "auction",
+        "CIE D65",
+        "--goal",
+        "own",
+        "--numbers",
+        "41",
+        "--json",
+    ]);
+    let steps = auction["steps"].as_array().expect("steps");
+    assert!(steps.len() > 3);
+    assert!(steps.iter().all(|s| s["bought"] == "order"), "{steps:?}");
+}
+
+#[test]
+fn an_auctions_table_has_a_line_for_every_purchase_and_goals_mix() {
+    let args = [
+        "auction",
+        "FL2",
+        "--goal",
+        "patches=2,filters=1",
+        "--numbers",
+        "21",
+    ];
+    let (comments, titles, rows) = table(&args);
+    assert!(
+        comments.iter().any(|c| c.contains("patches 2, filters 1")),
+        "{comments:?}"
+    );
+    let at = |title: &str| titles.iter().position(|t| t == title).expect("a column");
+    assert_eq!(rows[0][at("bought")], "order");
+    assert_eq!(rows[0][at("error")], "1", "a mix counts its start as 1");
+    let with_json: Vec<&str> = args.iter().copied().chain(["--json"]).collect();
+    let steps = json(&with_json)["steps"].as_array().map(Vec::len);
+    assert_eq!(steps, Some(rows.len()));
+}
+
+#[test]
+fn a_race_has_one_row_a_representation_and_set() {
+    let race = json(&["race", "--set", "discharge", "--numbers", "20,11", "--json"]);
+    let rows = race["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 15 * 2, "one class is one set");
+    for row in rows {
+        has(
+            row,
+            &[
+                "representation",
+                "title",
+                "numbers",
+                "set",
+                "lamps",
+                "negative_lobes",
+                "bytes",
+                "ns_per_product",
+                "ns_per_evaluation",
+                "needs_table",
+                "is_prefix",
+                "wins",
+            ],
+        );
+        for spread in [
+            "delta_e_patches",
+            "delta_e_own",
+            "delta_e_check",
+            "delta_e_filters",
+            "relative_rms",
+            "relative_rms_10nm",
+        ] {
+            assert_eq!(
+                keys(&row[spread]),
+                BTreeSet::from(["median", "p95", "worst"])
+            );
+            assert!(row[spread]["worst"].as_f64() >= row[spread]["median"].as_f64());
+        }
+        assert_eq!(row["set"], "discharge");
+        assert_eq!(row["lamps"], 18);
+    }
+    assert_eq!(
+        (&rows[0]["numbers"], &rows[15]["numbers"]),
+        (&11.into(), &20.into())
+    );
+    let wins: u64 = rows[..15].iter().filter_map(|r| r["wins"].as_u64()).sum();
+    assert_eq!(wins, 18, "every light has one winner");
+}
+
+#[test]
+fn all_lights_race_class_by_class_and_together() {
+    let (comments, titles, rows) = table(&["race", "--numbers", "11"]);
+    assert!(
+        comments.iter().any(|c| c.contains("all shipped lights")),
+        "{comments:?}"
+    );
+    let at = |title: &str| titles.iter().position(|t| t == title).expect("a column");
+    let sets: BTreeSet<&str> = rows.iter().map(|row| row[at("set")].as_str()).collect();
+    let expected = ["LED", "all", "discharge", "fluorescent", "smooth"];
+    assert_eq!(sets, BTreeSet::from(expected));
+    assert_eq!(rows.len(), 15 * 5);
+    let named = |row: &&Vec<String>| row[at("representation")] == "principal";
+    assert!(
+        rows.iter()
+            .filter(named)
+            .all(|row| row[at("needs_table")] == "true")
+    );
+    for row in &rows {
+        let median: f64 = row[at("delta_e_patches_median")].parse().expect("a number");
+        let worst: f64 = row[at("delta_e_patches_worst")].parse().expect("a number");
+        assert!(0.0 < median && median <= worst);
+    }
+}
+
+#[test]
+fn one_light_races_alone_and_counts_repeat() {
+    let race = json(&[
+        "race",
+        "FL2",
+        "--numbers",
+        "11",
+        "--numbers",
+        "20,11",
+        "--json",
+    ]);
+    let rows = race["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 15 * 2);
+    assert!(rows.iter().all(|row| row["lamps"] == 1));
+    assert_eq!(race["field"], "FL2");
+}
+
+#[test]
+fn a_folder_of_lights_races_and_what_cannot_is_told_and_skipped() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: String| fs::write(folder.path().join(name), text).expect(name);
+    let light = |slope: f64| {
+        let rows = (0..=80).map(|i| format!("{},{}\n", 380 + 5 * i, 40.0 + slope * f64::from(i)));
+        format!("nm,irradiance (W/m2/nm)\n{}", rows.collect::<String>())
+    };
+    write("a.csv", light(1.0));
+    write("b.csv", light(-0.3));
+    write("c.csv", "no spectrum at all\n".to_owned());
+    fs::create_dir(folder.path().join("below")).expect("a folder");
+    write("below/d.csv", light(2.0));
+    let path = folder.path().to_str().expect("Unicode");
+    let told = tell(&["race", "--set", path, "--numbers", "11", "--json"]);
+    assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
+    assert!(told.err.contains("c.csv"), "{}", told.err);
+    assert!(!told.err.contains("d.csv"), "{}", told.err);
+    let race: Value = serde_json::from_str(&told.out).expect("JSON");
+    assert!(
+        race["rows"]
+            .as_array()
+            .expect("rows")
+            .iter()
+            .all(|row| row["lamps"] == 2)
+    );
+    fs::remove_file(folder.path().join("a.csv")).expect("it is there");
+    fs::remove_file(folder.path().join("b.csv")).expect("it is there");
+    let told = tell(&["race", "--set", path, "--numbers", "11"]);
+    assert_eq!(told.outcome, Outcome::Done(1));
+    assert!(told.err.contains("found no light"), "{}", told.err);
+}
+
+#[test]
+fn what_makes_no_sense_is_refused_in_one_line() {
+    for (args, code, words) in [
+        (&["race", "--numbers", "0"][..], 2, "1 to 101"),
+        (&["race", "--numbers", "11,102"], 2, "1 to 101"),
+        (&["race", "--numbers", "-3"], 2, "1 to 101"),
+        (&["race", "FL2"], 2, "--numbers"),
+        (
+            &["race", "FL2", "--set", "led", "--numbers", "9"],
+            2,
+            "--set",
+        ),
+        (&["race", "--set", "nosuch", "--numbers", "9"], 1, "nosuch"),
+        (&["race", "--set", "paper", "--numbers", "9"], 1, "paper"),
+        (
+            &["race", "--set", "cri_tcs", "--numbers", "9"],
+            1,
+            "cri_tcs",
+        ),
+        (&["race", "blue sky", "--numbers", "9"], 1, "a light"),
+        (&["race", "--light", "FL2", "--numbers", "9"], 2, "--light"),
+        (&["auction", "FL2", "--numbers", "9"], 2, "--goal"),
+        (&["auction", "FL2", "--goal", "own"], 2, "--numbers"),
+        (
+            &["auction", "FL2", "--goal", "red", "--numbers", "9"],
+            2,
+            "filters",
+        ),
+        (
+            &["auction", "FL2", "--goal", "own=-1", "--numbers", "9"],
+            2,
+            "own=-1",
+        ),
+        (
+            &["auction", "FL2", "--goal", "own=0", "--numbers", "9"],
+            2,
+            "own=0",
+        ),
+        (
+            &["auction", "FL2", "--goal", "own", "--numbers", "0"],
+            2,
+            "1 to 101",
+        ),
+        (
+            &["auction", "blue sky", "--goal", "patches", "--numbers", "9"],
+            2,
+            "own or spectrum",
+        ),
+        (
+            &[
+                "auction",
+                "blue sky",
+                "--goal",
+                "own=1,filters=1",
+                "--numbers",
+                "9",
+            ],
+            2,
+            "filters",
+        ),
+        (
+            &[
+                "auction",
+                "FL2",
+                "--goal",
+                "own",
+                "--numbers",
+                "9",
+                "--range",
+                "900:1000",
+            ],
+            1,
+            "FL2",
+        ),
+        (&["sweep", "FL2", "--range", "900:1000"], 1, "zeros"),
+        (&["sweep", "no such light"], 1, "no such light"),
+        (
+            &["render", "FL2", "--out", "x.png", "--page", "home"],
+            2,
+            "tradeoff",
+        ),
+    ] {
+        let (told, found) = match args {
+            ["sweep", "no such light"] => {
+                let told = tell(args);
+                (told.err, 1)
+            }
+            _ => refusal(args),
+        };
+        assert_eq!(found, code, "{args:?}: {told}");
+        assert!(told.contains(words), "{args:?}: {told}");
+    }
+}
+
+#[test]
+fn a_reflectance_is_swept_and_auctioned_by_what_it_has() {
+    let sweep = json(&["sweep", "blue sky", "--json"]);
+    assert_eq!(sweep["front_of"], "delta_e_own");
+    assert!(sweep["points"][3]["delta_e_patches_mean"].is_null());
+    assert_eq!(sweep["input"]["light"], "CIE D65");
+    let auction = json(&[
+        "auction",
+        "blue sky",
+        "--goal",
+        "own",
+        "--numbers",
+        "21",
+        "--json",
+    ]);
+    assert!(auction["steps"].as_array().is_some_and(|s| s.len() > 2));
+}
+
+#[test]
+fn counts_beyond_what_a_short_range_holds_are_raced_all_the_same() {
+    let args = [
+        "race",
+        "FL2",
+        "--numbers",
+        "1,2,3,101",
+        "--range",
+        "400:420",
+        "--json",
+    ];
+    let race = json(&args);
+    assert_eq!(race["rows"].as_array().map(Vec::len), Some(15 * 4));
+}
+
+#[test]
+fn options_that_change_nothing_are_told() {
+    let told = tell(&[
+        "auction",
+        "FL2",
+        "--goal",
+        "own",
+        "--numbers",
+        "5",
+        "--order",
+        "9",
+    ]);
+    assert_eq!(told.outcome, Outcome::Done(0));
+    assert!(told.err.contains("--order is not used"), "{}", told.err);
+}
+
+#[test]
+fn a_picture_can_be_of_any_page() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for page in Page::ALL {
+        let path = folder.path().join("page.png");
+        let out = path.to_str().expect("Unicode");
+        let told = tell(&["render", "FL2", "--out", out, "--page", page.word()]);
+        assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
+        assert_eq!(fs::read_to_string(&path).expect("written"), page.word());
+    }
+}
