@@ -10,6 +10,7 @@ use crate::{
         plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
         state::App,
         studies::paper::{CHANNELS, figure},
+        ticks::extent,
     },
     spectrum::Basis,
     study::harmonics::{Harmonics, Order},
@@ -46,6 +47,9 @@ pub struct CoefficientCharts {
 
 /// Orders that the bars show at least, where the range carries them.
 const LEAST_SHOWN: usize = 20;
+
+/// How many times higher than all else the measured curve must be to be cut.
+const FLAT: f64 = 2.0;
 
 /// The 5 % of Eq. 12, in percent.
 const LIMIT_PERCENT: f64 = 5.0;
@@ -345,6 +349,40 @@ impl<'a> Draw<'a> {
         })
     }
 
+    /// The heights of all but the measured curve, with some room, where its spikes would press
+    /// everything else flat.
+    fn cut(&self, series: &[Series]) -> Option<[f64; 2]> {
+        let heights = |series: &[Series]| {
+            let points = series.iter().flat_map(|s| s.marks.points());
+            extent(points.map(|p| p[1]))
+        };
+        let ([low, high], [_, peak]) = (heights(series.get(1..)?)?, heights(series)?);
+        let room = 0.12 * (high - low.min(0.0));
+        (peak > FLAT * high && room > 0.0).then_some([low.min(0.0) - room, high + 2.0 * room])
+    }
+
+    /// Marks at the upper edge where spikes go beyond it, with how far they go.
+    fn beyond(&self, top: f64) -> Option<Series> {
+        let (derived, factor) = (self.app.derived(), self.app.scale_factor());
+        let mut points = Vec::new();
+        let mut notes = Vec::new();
+        let values = derived.measured.iter().map(|v| v * factor);
+        let values: Vec<f64> = values.collect();
+        for (i, nm) in derived.band.grid().enumerate() {
+            let is_peak = i > 0
+                && i + 1 < values.len()
+                && values[i - 1] < values[i]
+                && values[i] >= values[i + 1];
+            if is_peak && values[i] > top {
+                points.push([nm, 0.97 * top]);
+                notes.push(format!("reaches {}", figure(values[i])));
+            }
+        }
+        let name = "goes beyond";
+        let series = Series::points(name, self.inks.measured, Shape::Triangle, points);
+        (!notes.is_empty()).then(|| series.with_notes(notes))
+    }
+
     fn partial(&self) -> Chart {
         let (derived, table) = (self.app.derived(), &self.app.tables().basis);
         let (factor, order) = (self.app.scale_factor(), self.sight.partial_order);
@@ -399,8 +437,13 @@ impl<'a> Draw<'a> {
             let name = format!("order {pointed} alone");
             series.push(Series::line(name, self.inks.product, curve(&values)).dashed(Dash::Dashed));
         }
+        let y_range = self.cut(&series);
+        if let Some([_, top]) = y_range {
+            series.extend(self.beyond(top));
+        }
         let unit = self.app.unit();
         Chart {
+            y_range,
             title: format!(
                 "{}: sum to N = {order}",
                 self.app.document().subject_entry().name()

@@ -52,7 +52,7 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
     let stated = STATED_ORDER.figure;
     let foot_to_top = NEGLECTED_PERCENT.map(|y| [stated, y]).to_vec();
     series.push(thin(
-        "the paper's N = 5",
+        "paper: N = 5",
         inks.product,
         foot_to_top,
         Dash::Dotted,
@@ -138,13 +138,11 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         let exact = grid().map(|nm| [nm, table.at(nm)[k]]).collect();
         series.push(Series::line(names[k], colours[k], exact));
     }
-    for (k, ink) in colours.into_iter().enumerate() {
+    for k in 0..3 {
         let fit = grid()
             .map(|nm| [nm, gaussian_cmf::fitted_at(nm)[k]])
             .collect();
-        let name = if k == 0 { "fit" } else { "" };
-        let ink = if k == 0 { inks.measured } else { ink };
-        series.push(thin(name, ink, fit, Dash::Dashed));
+        series.push(thin("fit", inks.measured, fit, Dash::Dashed));
     }
     let worst = claims.table_2.worst.map(|d| [d.at_nm, d.fit]).to_vec();
     let words = claims.table_2.worst.map(|d| format!("{:+.3}", d.off()));

@@ -392,8 +392,18 @@ fn three_digits(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }
 
+/// What is missing of a total as how far a sum is off it: in percent, with a sign.
+pub fn off_percent(missing: f64) -> String {
+    let words = percent(-missing);
+    if missing < -ROUNDING {
+        format!("+{words}")
+    } else {
+        words
+    }
+}
+
 /// Three figures in a row: `0.1, 0.2 and 0.3`.
-fn three(words: [String; 3]) -> String {
+pub fn three(words: [String; 3]) -> String {
     let [x, y, z] = words;
     format!("{x}, {y} and {z}")
 }
@@ -423,9 +433,9 @@ fn five_percent_row(claims: &Claims) -> Row {
         return row(String::new(), Verdict::Open, &no_colour_or_short(claims));
     };
     let mut measured = format!(
-        "Beyond N = {stated} the sums miss {} % of X, Y and Z; the largest single terms left out \
-         are {} %.",
-        three(left_out.map(|l| percent(l.tail))),
+        "Summed to N = {stated}, X, Y and Z are off by {} %; the largest single terms left out are \
+         {} %.",
+        three(left_out.map(|l| off_percent(l.tail))),
         three(left_out.map(|l| percent(l.largest_term))),
     );
     if claims.basis == Basis::Fourier {
@@ -524,8 +534,8 @@ fn samples_row(claims: &Claims) -> Row {
     let errors = found.composite;
     let needed = &found.needed;
     let measured = format!(
-        "{numbers} numbers ({} for the background, {} for {}) leave{} rms {} % at 1 nm and {} % \
-         behind 10 nm. Straight lines between samples do as well from{} {} (rms) and {} (behind \
+        "{numbers} numbers ({} for the background, {} for {}) leave{} rms {} % at 1 nm \
+         (where a line of some width counts as missed by its spike) and {} % behind 10 nm. Straight lines between samples do as well from{} {} (rms) and {} (behind \
          10 nm) samples on.",
         found.background,
         2 * found.spikes,
@@ -703,10 +713,10 @@ fn resampling_row(claims: &Claims) -> Row {
     }
     let condition = match paper.delta_e_2000 {
         Some(cost) => format!(
-            "about: the product has order 2N, and here that costs ΔE00 {}",
+            "roughly: the product has order 2N, and here that costs ΔE00 {}",
             delta_e(cost)
         ),
-        None => "about: the product has order 2N".to_owned(),
+        None => "roughly: the product has order 2N".to_owned(),
     };
     row(measured, Verdict::OnlyIf, condition)
 }

@@ -1,7 +1,9 @@
 //! The page "Coefficients": the light's numbers beside those of the eye, and sums that grow.
 
+use std::fmt::Write as _;
+
 use eframe::egui;
-use egui::{Slider, Ui, vec2};
+use egui::{Align, Layout, Slider, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
@@ -9,7 +11,7 @@ use crate::{
         Command, Settings,
         charts::coefficients::{CoefficientCharts, Sight},
         plot_svg::{self, Chart},
-        studies::paper::{CHANNELS, figure, harmonics_of, percent},
+        studies::paper::{CHANNELS, figure, harmonics_of, off_percent, percent, three},
         tables::CURVE_ORDER,
     },
     spectrum::{Basis, basis::numbers_of_order},
@@ -96,7 +98,7 @@ impl CoefficientsView {
         let Some((_, charts)) = &self.charts else {
             return;
         };
-        let pointed = draw(ui, context, charts, harmonics, highest);
+        let pointed = draw(ui, context, charts, highest);
         if pointed != self.pointed {
             self.pointed = pointed;
             ui.ctx().request_repaint();
@@ -215,17 +217,12 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> Vec<String> {
         ];
     };
     let mut first = format!(
-        "Beyond N = {order} the sums miss {}, {} and {} % of X, Y and Z",
-        percent(x),
-        percent(y),
-        percent(z)
+        "Summed to N = {order}, X, Y and Z are off by {} %",
+        three([x, y, z].map(off_percent))
     );
-    let [_, of_spikes, _] = harmonics.spikes;
+    let of_spikes = harmonics.spikes[1] / harmonics.exact[1];
     if of_spikes != 0.0 {
-        first.push_str(&format!(
-            "; the spikes, in from the start, bring {} % of Y",
-            percent(of_spikes / harmonics.exact[1])
-        ));
+        let _ = write!(first, "; spikes bring {} % of Y", percent(of_spikes));
     }
     first.push('.');
     vec![first, about_the_bound(context, harmonics)]
@@ -267,7 +264,6 @@ fn draw(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     charts: &CoefficientCharts,
-    harmonics: &Harmonics,
     highest: usize,
 ) -> Option<usize> {
     let scale = context.theme.scale;
@@ -304,7 +300,12 @@ fn draw(
             for line in bars.chunks(columns) {
                 ui.horizontal_top(|ui| {
                     for (chart, id) in line {
-                        let Some(response) = one(ui, context, chart.as_ref(), id, size) else {
+                        // A chart lays out downwards what stands over it.
+                        let down = Layout::top_down(Align::Min);
+                        let shown = ui.allocate_ui_with_layout(size, down, |ui| {
+                            one(ui, context, chart.as_ref(), id, size)
+                        });
+                        let Some(response) = shown.inner else {
                             continue;
                         };
                         let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
@@ -315,7 +316,6 @@ fn draw(
                     }
                 });
             }
-            let _ = harmonics;
         });
     pointed
 }
@@ -326,17 +326,18 @@ fn one(
     context: &mut PageContext<'_>,
     chart: Option<&Chart>,
     id: &str,
-    size: egui::Vec2,
+    size: Vec2,
 ) -> Option<ChartResponse> {
     let Some(chart) = chart else {
         let name = CHANNELS[context.memory.channel];
-        ui.allocate_ui(size, |ui| {
-            ui.weak(match id {
-                "light" => "The mean is zero: there is nothing to compare the coefficients with."
-                    .to_owned(),
-                "weight" => format!("What weighs {name} is zero on this range."),
-                _ => format!("{name} is not positive on this range: there are no shares of it."),
-            });
+        ui.set_min_size(size);
+        ui.add_space(4.0);
+        ui.weak(match id {
+            "light" => {
+                "The mean is zero: there is nothing to compare the coefficients with.".to_owned()
+            }
+            "weight" => format!("What weighs {name} is zero on this range."),
+            _ => format!("{name} is not positive on this range: there are no shares of it."),
         });
         return None;
     };
