@@ -26,7 +26,7 @@ const STEP_SECONDS: f64 = 0.5;
 const LEAST_CHART: f32 = 270.0;
 
 /// Lowest row of bars, points.
-const LEAST_ROW: f32 = 190.0;
+const LEAST_ROW: f32 = 204.0;
 
 /// Names of controls, shared with the tests that use them.
 pub mod names {
@@ -98,7 +98,7 @@ impl CoefficientsView {
         let Some((_, charts)) = &self.charts else {
             return;
         };
-        let pointed = draw(ui, context, charts, highest);
+        let pointed = draw(ui, context, charts, harmonics, self.pointed);
         if pointed != self.pointed {
             self.pointed = pointed;
             ui.ctx().request_repaint();
@@ -259,13 +259,79 @@ fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
     }
 }
 
+/// The figures of one order: that under the pointer, or the last of the sum.
+fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointed: Option<usize>) {
+    let k = context.memory.channel;
+    let n = pointed.unwrap_or(context.memory.partial_order);
+    let Some(order) = harmonics.orders.get(n) else {
+        return;
+    };
+    let name = CHANNELS[k];
+    let exact = Some(harmonics.exact[k]).filter(|exact| *exact > 0.0);
+    let share = |part: f64| percent(exact.map(|exact| part / exact));
+    let is_fourier = harmonics.basis == Basis::Fourier;
+    let (first, second) = match (is_fourier, n) {
+        (true, _) => (format!("a{n}"), (n > 0).then(|| format!("b{n}"))),
+        (false, 0) => ("c0".to_owned(), None),
+        (false, _) => (format!("c{}", 2 * n - 1), Some(format!("c{}", 2 * n))),
+    };
+    let row = |ui: &mut Ui, what: &str, values: [f64; 2]| {
+        ui.label(what);
+        ui.label(figure(values[0]));
+        if second.is_some() {
+            ui.label(figure(values[1]));
+        }
+        ui.end_row();
+    };
+    ui.strong(match pointed {
+        Some(_) => format!("Order {n}, under the pointer"),
+        None => format!("Order {n}, the last of the sum"),
+    });
+    egui::Grid::new("order in figures")
+        .striped(true)
+        .spacing([14.0, 3.0])
+        .show(ui, |ui| {
+            ui.label("");
+            ui.strong(&first);
+            if let Some(second) = &second {
+                ui.strong(second);
+            }
+            ui.end_row();
+            row(ui, "spectrum, its own unit", order.light);
+            row(ui, &format!("what weighs {name}"), order.weights[k]);
+            if let Some(fit) = order.gaussian {
+                row(ui, "the same by Eq. 10", fit[k]);
+            }
+        });
+    ui.add_space(2.0);
+    ui.label(format!(
+        "Adds {} % of {name}.",
+        share(order.contribution[k])
+    ));
+    if let Some(missing) = order.neglected[k] {
+        let reached = 100.0 * (1.0 - missing);
+        let off = off_percent(missing);
+        ui.label(format!("The sum is at {reached:.2} %, off by {off} %."));
+    }
+    if let Some(bound) = order.bound {
+        ui.label(format!(
+            "Term {n} over term 0: {} %; bound {} %, as printed {} %.",
+            percent(order.share_of_first[k]),
+            percent(bound.channels[k]),
+            percent(2.0 * bound.channels[k]),
+        ));
+    }
+}
+
 /// All charts; returns the order under the pointer.
 fn draw(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     charts: &CoefficientCharts,
-    highest: usize,
+    harmonics: &Harmonics,
+    before: Option<usize>,
 ) -> Option<usize> {
+    let highest = harmonics.orders.len().saturating_sub(1);
     let scale = context.theme.scale;
     let room = ui.available_size();
     let columns = ((room.x / (LEAST_CHART * scale)) as usize).clamp(1, 3);
@@ -297,7 +363,7 @@ fn draw(
         .show(ui, |ui| {
             let width = ui.available_width() - (columns - 1) as f32 * gap.x;
             let size = vec2((width / columns as f32).floor(), row - 2.0);
-            for line in bars.chunks(columns) {
+            for (number, line) in bars.chunks(columns).enumerate() {
                 ui.horizontal_top(|ui| {
                     for (chart, id) in line {
                         // A chart lays out downwards what stands over it.
@@ -313,6 +379,10 @@ fn draw(
                             context.memory.partial_order = order(hit.at);
                         }
                         pointed = pointed.or(response.pointed.map(|hit| order(hit.at)));
+                    }
+                    if number + 1 == rows {
+                        ui.add_space(4.0);
+                        ui.vertical(|ui| details(ui, context, harmonics, before));
                     }
                 });
             }
