@@ -55,7 +55,7 @@ fn all_sorts() -> Vec<(&'static str, App)> {
         ("cosine", with(about("FL2"), |s| s.basis = Basis::Cosine)),
         ("order 0", with(about("FL2"), |s| s.order = 0)),
         ("order 100", with(about("FL2"), |s| s.order = 100)),
-        ("short", with(about("FL2"), |s| s.band = band(540.0, 552.0))),
+        ("short", with(about("FL2"), |s| s.band = band(540.0, 560.0))),
         (
             "dark",
             with(about("FL11"), |s| s.band = band(2000.0, 2400.0)),
