@@ -10,6 +10,7 @@ use crate::{
         plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
         state::App,
         studies::paper::{CHANNELS, figure},
+        ticks::extent,
     },
     spectrum::Basis,
     study::harmonics::{Harmonics, Order},
@@ -46,6 +47,12 @@ pub struct CoefficientCharts {
 
 /// Orders that the bars show at least, where the range carries them.
 const LEAST_SHOWN: usize = 20;
+
+/// How many times higher than all else the measured curve must be to be cut.
+const FLAT: f64 = 2.0;
+
+/// Mean of the bells over that of the real function, where the range holds them.
+const WHOLE_BELLS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 
 /// The 5 % of Eq. 12, in percent.
 const LIMIT_PERCENT: f64 = 5.0;
@@ -108,6 +115,19 @@ impl<'a> Draw<'a> {
         }
     }
 
+    /// The same with room over and under the marks, which are larger than their places.
+    fn roomy(&self, chart: Chart) -> Chart {
+        let heights = chart.series.iter().flat_map(|s| s.marks.points());
+        let Some([low, high]) = extent(heights.map(|p| p[1]).chain([0.0])) else {
+            return chart;
+        };
+        let room = 0.1 * (high - low);
+        Chart {
+            y_range: (room > 0.0).then_some([low - room, high + room]),
+            ..chart
+        }
+    }
+
     fn notes(&self) -> Vec<String> {
         let entry = self.app.document().subject_entry();
         let mut notes = vec![format!("Spectrum: {}", entry.name())];
@@ -134,8 +154,8 @@ impl<'a> Draw<'a> {
 
     fn names(&self) -> [&'static str; 2] {
         match self.harmonics.basis {
-            Basis::Fourier => ["cosine a", "sine b"],
-            Basis::Cosine => ["c, odd (2n-1)", "c, even (2n)"],
+            Basis::Fourier => ["a", "b"],
+            Basis::Cosine => ["c, odd", "c, even"],
         }
     }
 
@@ -198,7 +218,7 @@ impl<'a> Draw<'a> {
         };
         let series = self.pair(|order| order.light)?;
         let title = format!("Coefficients of {what}");
-        Some(self.chart(&title, "multiples of its mean", series))
+        Some(self.roomy(self.chart(&title, self.unit_of_mean(), series)))
     }
 
     fn weight(&self) -> Option<Chart> {
@@ -208,7 +228,15 @@ impl<'a> Draw<'a> {
             series.extend(by_fit);
         }
         let title = format!("Coefficients of {}", self.weight_name());
-        Some(self.chart(&title, "multiples of its mean", series))
+        Some(self.roomy(self.chart(&title, self.unit_of_mean(), series)))
+    }
+
+    /// What the bars count, and what the two kinds of numbers are.
+    fn unit_of_mean(&self) -> &'static str {
+        match self.harmonics.basis {
+            Basis::Fourier => "multiples of its mean (a cosine, b sine)",
+            Basis::Cosine => "multiples of its mean",
+        }
     }
 
     /// What weighs the spectrum, in words.
@@ -226,6 +254,11 @@ impl<'a> Draw<'a> {
     fn fitted(&self, k: usize) -> Option<[Series; 2]> {
         let first = self.orders.first()?;
         let mean = self.mean(first.weights[k][0]);
+        // Eq. 10 counts the whole bells: a range that cuts them is none of its business.
+        let bells = self.mean(first.gaussian?[k][0]) / mean;
+        if !WHOLE_BELLS.contains(&bells) {
+            return None;
+        }
         let points = |which: usize| -> Option<Vec<[f64; 2]>> {
             let point = |order: &Order| {
                 let value = order.gaussian?[k][which];
@@ -240,8 +273,8 @@ impl<'a> Draw<'a> {
         };
         let ink = self.inks.measured;
         Some([
-            Series::points("a by Eq. 10", ink, Shape::Ring, points(0)?),
-            Series::points("b by Eq. 10", ink, Shape::Cross, points(1)?),
+            Series::points("a Eq. 10", ink, Shape::Ring, points(0)?),
+            Series::points("b Eq. 10", ink, Shape::Cross, points(1)?),
         ])
     }
 
@@ -305,12 +338,8 @@ impl<'a> Draw<'a> {
         let missed = |order: &Order| order.neglected[k];
         let mut series = vec![
             self.level("5 %", LIMIT_PERCENT),
-            line(
-                &format!("missed of {name} beyond N = n"),
-                self.inks.residual,
-                &missed,
-            ),
-            line("term n over term 0", self.inks.smooth, &|o| {
+            line(&format!("missed of {name}"), self.inks.residual, &missed),
+            line("term n / term 0", self.inks.smooth, &|o| {
                 o.share_of_first[k]
             })
             .dashed(Dash::Dashed),
@@ -319,7 +348,7 @@ impl<'a> Draw<'a> {
             let bound = |order: &Order| order.bound.map(|b| b.channels[k]);
             // The printed 4/n is twice the corrected 2/n for every lobe.
             let printed = |order: &Order| order.bound.map(|b| 2.0 * b.channels[k]);
-            series.push(line("its bound, 2/n", self.inks.spikes, &bound));
+            series.push(line("bound, 2/n", self.inks.spikes, &bound));
             series.push(line("as printed, 4/n", self.inks.product, &printed).dashed(Dash::Dotted));
         }
         let in_force = self.app.derived().model.smooth.order();
@@ -334,7 +363,7 @@ impl<'a> Draw<'a> {
             shape: Shape::Ring,
         };
         series.push(Series::new(
-            format!("N = {in_force} in force"),
+            format!("N = {in_force}, in force"),
             self.inks.measured,
             marks,
         ));
@@ -343,6 +372,40 @@ impl<'a> Draw<'a> {
             y_range: Some(NEGLECTED_PERCENT),
             ..self.chart(&format!("Left out of {name}, and Eq. 12"), "%", series)
         })
+    }
+
+    /// The heights of all but the measured curve, with some room, where its spikes would press
+    /// everything else flat.
+    fn cut(&self, series: &[Series]) -> Option<[f64; 2]> {
+        let heights = |series: &[Series]| {
+            let points = series.iter().flat_map(|s| s.marks.points());
+            extent(points.map(|p| p[1]))
+        };
+        let ([low, high], [_, peak]) = (heights(series.get(1..)?)?, heights(series)?);
+        let room = 0.12 * (high - low.min(0.0));
+        (peak > FLAT * high && room > 0.0).then_some([low.min(0.0) - room, high + 2.0 * room])
+    }
+
+    /// Marks at the upper edge where spikes go beyond it, with how far they go.
+    fn beyond(&self, top: f64) -> Option<Series> {
+        let (derived, factor) = (self.app.derived(), self.app.scale_factor());
+        let mut points = Vec::new();
+        let mut notes = Vec::new();
+        let values = derived.measured.iter().map(|v| v * factor);
+        let values: Vec<f64> = values.collect();
+        for (i, nm) in derived.band.grid().enumerate() {
+            let is_peak = i > 0
+                && i + 1 < values.len()
+                && values[i - 1] < values[i]
+                && values[i] >= values[i + 1];
+            if is_peak && values[i] > top {
+                points.push([nm, 0.97 * top]);
+                notes.push(format!("reaches {}", figure(values[i])));
+            }
+        }
+        let name = "goes beyond";
+        let series = Series::points(name, self.inks.measured, Shape::Triangle, points);
+        (!notes.is_empty()).then(|| series.with_notes(notes))
     }
 
     fn partial(&self) -> Chart {
@@ -399,8 +462,13 @@ impl<'a> Draw<'a> {
             let name = format!("order {pointed} alone");
             series.push(Series::line(name, self.inks.product, curve(&values)).dashed(Dash::Dashed));
         }
+        let y_range = self.cut(&series);
+        if let Some([_, top]) = y_range {
+            series.extend(self.beyond(top));
+        }
         let unit = self.app.unit();
         Chart {
+            y_range,
             title: format!(
                 "{}: sum to N = {order}",
                 self.app.document().subject_entry().name()

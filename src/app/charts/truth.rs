@@ -52,7 +52,7 @@ pub fn neglected_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart
     let stated = STATED_ORDER.figure;
     let foot_to_top = NEGLECTED_PERCENT.map(|y| [stated, y]).to_vec();
     series.push(thin(
-        "the paper's N = 5",
+        "paper: N = 5",
         inks.product,
         foot_to_top,
         Dash::Dotted,
@@ -78,7 +78,7 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
     let inks = Inks::of(theme);
     let first = found.tried.last()?.samples.max(2) as f64;
     let last = found.tried.first()?.samples as f64;
-    let mut series = Vec::new();
+    let (mut series, mut levels) = (Vec::new(), Vec::new());
     let mut pair = |name: &str, ink: Rgb, shape: Shape, of: &dyn Fn(Errors) -> Option<f64>| {
         let point = |s: &SampledErrors| Some([s.samples as f64, of(s.errors)?.max(SMALLEST_ERROR)]);
         let points: Vec<[f64; 2]> = found.tried.iter().filter_map(point).collect();
@@ -88,24 +88,20 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         let own = own.max(SMALLEST_ERROR);
         let level = vec![[first, own], [last, own]];
         series.push(thin("", ink, points.clone(), Dash::Solid));
-        series.push(Series::points(
-            format!("{name}, samples"),
-            ink,
-            shape,
-            points,
-        ));
-        series.push(thin(
-            &format!("{name}, composite"),
-            ink,
-            level,
-            Dash::Dashed,
-        ));
+        series.push(Series::points(name, ink, shape, points));
+        series.push(thin("the composite", ink, level, Dash::Dashed));
+        levels.push(own);
     };
     pair("own ΔE00", inks.smooth, Shape::Dot, &|e| e.own);
     pair("rms behind 10 nm, %", inks.spikes, Shape::Triangle, &|e| {
         Some(100.0 * e.relative_rms_10nm)
     });
+    // Samples at every nm lose nothing: that end leaves the picture at its foot.
+    let lowest = levels.iter().copied().fold(f64::INFINITY, f64::min);
+    let heights = series.iter().flat_map(|s: &Series| s.marks.points());
+    let highest = heights.map(|p| p[1]).fold(0.0, f64::max);
     Some(Chart {
+        y_range: (lowest < highest).then_some([lowest / 5.0, 2.0 * highest]),
         title: format!("Samples against {} numbers", found.numbers()),
         x_label: "Samples, joined by straight lines".to_owned(),
         y_label: "ΔE00, or %".to_owned(),
@@ -138,13 +134,11 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         let exact = grid().map(|nm| [nm, table.at(nm)[k]]).collect();
         series.push(Series::line(names[k], colours[k], exact));
     }
-    for (k, ink) in colours.into_iter().enumerate() {
+    for k in 0..3 {
         let fit = grid()
             .map(|nm| [nm, gaussian_cmf::fitted_at(nm)[k]])
             .collect();
-        let name = if k == 0 { "fit" } else { "" };
-        let ink = if k == 0 { inks.measured } else { ink };
-        series.push(thin(name, ink, fit, Dash::Dashed));
+        series.push(thin("fit", inks.measured, fit, Dash::Dashed));
     }
     let worst = claims.table_2.worst.map(|d| [d.at_nm, d.fit]).to_vec();
     let words = claims.table_2.worst.map(|d| format!("{:+.3}", d.off()));

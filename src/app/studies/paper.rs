@@ -50,6 +50,8 @@ pub struct Claims {
     pub subject: String,
     /// Name of the light in products and of Table 2.
     pub light: String,
+    /// Whether that light is zero over the whole range.
+    pub light_is_dark: bool,
     /// Name of the factor in products; `None` without one.
     pub factor: Option<String>,
     /// Range.
@@ -104,6 +106,7 @@ impl Claims {
         Self {
             subject: document.subject_entry().name().to_owned(),
             light: document.light.name().to_owned(),
+            light_is_dark: light.iter().all(|v| *v == 0.0),
             factor: product.as_ref().map(|p| p.name.clone()),
             band,
             basis: settings.basis,
@@ -392,8 +395,18 @@ fn three_digits(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }
 
+/// What is missing of a total as how far a sum is off it: in percent, with a sign.
+pub fn off_percent(missing: f64) -> String {
+    let words = percent(-missing);
+    if missing < -ROUNDING {
+        format!("+{words}")
+    } else {
+        words
+    }
+}
+
 /// Three figures in a row: `0.1, 0.2 and 0.3`.
-fn three(words: [String; 3]) -> String {
+pub fn three(words: [String; 3]) -> String {
     let [x, y, z] = words;
     format!("{x}, {y} and {z}")
 }
@@ -423,12 +436,12 @@ fn five_percent_row(claims: &Claims) -> Row {
         return row(String::new(), Verdict::Open, &no_colour_or_short(claims));
     };
     let mut measured = format!(
-        "Beyond N = {stated} the sums miss {} % of X, Y and Z; the largest single terms left out \
-         are {} %.",
-        three(left_out.map(|l| percent(l.tail))),
+        "Summed to N = {stated}, X, Y and Z are off by {} %; the largest single terms left out are \
+         {} %.",
+        three(left_out.map(|l| off_percent(l.tail))),
         three(left_out.map(|l| percent(l.largest_term))),
     );
-    if claims.basis == Basis::Fourier {
+    if claims.harmonics.orders.iter().any(|o| o.bound.is_some()) {
         let _ = write!(
             measured,
             " On {} the corrected Eq. 12 promises terms below 5 % from n = {} on (as printed \
@@ -437,6 +450,8 @@ fn five_percent_row(claims: &Claims) -> Row {
             three(channels.map(|c| c.promised.to_string())),
             three(channels.map(|c| c.promised_as_printed.to_string())),
         );
+    } else if claims.basis == Basis::Fourier {
+        measured.push_str(" Eq. 12 is about the CIE 1931 functions alone: no bound here.");
     } else {
         measured.push_str(" Eq. 12 is about the Fourier basis; for cosines there is no bound.");
     }
@@ -523,22 +538,21 @@ fn samples_row(claims: &Claims) -> Row {
     };
     let errors = found.composite;
     let needed = &found.needed;
+    let of_colour = errors.own.map_or_else(String::new, |own| {
+        format!(" an own colour off by ΔE00 {},", delta_e(own))
+    });
+    let for_colour = needed
+        .own
+        .map_or_else(String::new, |own| format!(" own colour {},", both(own)));
     let measured = format!(
-        "{numbers} numbers ({} for the background, {} for {}) leave{} rms {} % at 1 nm and {} % \
-         behind 10 nm. Straight lines between samples do as well from{} {} (rms) and {} (behind \
-         10 nm) samples on.",
+        "{numbers} numbers ({} for the background, {} for {}) leave{of_colour} rms {} % at 1 nm \
+         (where a line of some width counts as missed by its spike) and {} % behind 10 nm. \
+         Samples joined by straight lines that do as well:{for_colour} rms {}, behind 10 nm {}.",
         found.background,
         2 * found.spikes,
         count(found.spikes, "spike"),
-        errors.own.map_or_else(String::new, |own| format!(
-            " an own colour off by ΔE00 {},",
-            delta_e(own)
-        )),
         percent(errors.relative_rms),
         percent(errors.relative_rms_10nm),
-        needed
-            .own
-            .map_or_else(String::new, |own| format!(" {} (own colour),", both(own))),
         both(needed.relative_rms),
         both(needed.relative_rms_10nm),
     );
@@ -614,6 +628,16 @@ fn eq_17_row(claims: &Claims) -> Row {
     }
 }
 
+/// Three decimals with a sign, and no minus before zero.
+fn thousandths(value: f64) -> String {
+    let rounded = (1000.0 * value).round() / 1000.0;
+    if rounded == 0.0 {
+        "0.000".to_owned()
+    } else {
+        format!("{rounded:+.3}")
+    }
+}
+
 /// Colour differences from here on are worth a word.
 const NOTICEABLE_COST: f64 = 1.0;
 
@@ -622,7 +646,7 @@ fn table_2_row(claims: &Claims) -> Row {
     let off = three(
         found
             .worst
-            .map(|d| format!("{:+.3} at {} nm", d.off(), short(d.at_nm))),
+            .map(|d| format!("{} at {} nm", thousandths(d.off()), short(d.at_nm))),
     );
     let mut measured = format!("The largest deviations of x-bar, y-bar and z-bar are {off}.");
     if claims.observer != Observer::Cie1931 {
@@ -698,15 +722,19 @@ fn resampling_row(claims: &Claims) -> Row {
     if !others.is_empty() {
         let _ = write!(measured, " {}.", others.join(", "));
     }
+    if claims.light_is_dark {
+        let why = "the light is zero over the whole range".to_owned();
+        return row(String::new(), Verdict::Open, why);
+    }
     if paper.folded_share.is_nan() || paper.folded_share < ROUNDING {
         return row(measured, Verdict::Holds, String::new());
     }
     let condition = match paper.delta_e_2000 {
         Some(cost) => format!(
-            "about: the product has order 2N, and here that costs ΔE00 {}",
+            "roughly: the product has order 2N, and here that costs ΔE00 {}",
             delta_e(cost)
         ),
-        None => "about: the product has order 2N".to_owned(),
+        None => "roughly: the product has order 2N".to_owned(),
     };
     row(measured, Verdict::OnlyIf, condition)
 }

@@ -1,7 +1,9 @@
 //! The page "Coefficients": the light's numbers beside those of the eye, and sums that grow.
 
+use std::fmt::Write as _;
+
 use eframe::egui;
-use egui::{Slider, Ui, vec2};
+use egui::{Align, Layout, Slider, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
@@ -9,7 +11,7 @@ use crate::{
         Command, Settings,
         charts::coefficients::{CoefficientCharts, Sight},
         plot_svg::{self, Chart},
-        studies::paper::{CHANNELS, figure, harmonics_of, percent},
+        studies::paper::{CHANNELS, figure, harmonics_of, off_percent, percent, three},
         tables::CURVE_ORDER,
     },
     spectrum::{Basis, basis::numbers_of_order},
@@ -24,7 +26,7 @@ const STEP_SECONDS: f64 = 0.5;
 const LEAST_CHART: f32 = 270.0;
 
 /// Lowest row of bars, points.
-const LEAST_ROW: f32 = 190.0;
+const LEAST_ROW: f32 = 204.0;
 
 /// Names of controls, shared with the tests that use them.
 pub mod names {
@@ -96,7 +98,7 @@ impl CoefficientsView {
         let Some((_, charts)) = &self.charts else {
             return;
         };
-        let pointed = draw(ui, context, charts, harmonics, highest);
+        let pointed = draw(ui, context, charts, harmonics, self.pointed);
         if pointed != self.pointed {
             self.pointed = pointed;
             ui.ctx().request_repaint();
@@ -215,17 +217,12 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> Vec<String> {
         ];
     };
     let mut first = format!(
-        "Beyond N = {order} the sums miss {}, {} and {} % of X, Y and Z",
-        percent(x),
-        percent(y),
-        percent(z)
+        "Summed to N = {order}, X, Y and Z are off by {} %",
+        three([x, y, z].map(off_percent))
     );
-    let [_, of_spikes, _] = harmonics.spikes;
+    let of_spikes = harmonics.spikes[1] / harmonics.exact[1];
     if of_spikes != 0.0 {
-        first.push_str(&format!(
-            "; the spikes, in from the start, bring {} % of Y",
-            percent(of_spikes / harmonics.exact[1])
-        ));
+        let _ = write!(first, "; spikes bring {} % of Y", percent(of_spikes));
     }
     first.push('.');
     vec![first, about_the_bound(context, harmonics)]
@@ -262,14 +259,79 @@ fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
     }
 }
 
+/// The figures of one order: that under the pointer, or the last of the sum.
+fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointed: Option<usize>) {
+    let k = context.memory.channel;
+    let n = pointed.unwrap_or(context.memory.partial_order);
+    let Some(order) = harmonics.orders.get(n) else {
+        return;
+    };
+    let name = CHANNELS[k];
+    let exact = Some(harmonics.exact[k]).filter(|exact| *exact > 0.0);
+    let share = |part: f64| percent(exact.map(|exact| part / exact));
+    let is_fourier = harmonics.basis == Basis::Fourier;
+    let (first, second) = match (is_fourier, n) {
+        (true, _) => (format!("a{n}"), (n > 0).then(|| format!("b{n}"))),
+        (false, 0) => ("c0".to_owned(), None),
+        (false, _) => (format!("c{}", 2 * n - 1), Some(format!("c{}", 2 * n))),
+    };
+    let row = |ui: &mut Ui, what: &str, values: [f64; 2]| {
+        ui.label(what);
+        ui.label(figure(values[0]));
+        if second.is_some() {
+            ui.label(figure(values[1]));
+        }
+        ui.end_row();
+    };
+    ui.strong(match pointed {
+        Some(_) => format!("Order {n}, under the pointer"),
+        None => format!("Order {n}, the last of the sum"),
+    });
+    egui::Grid::new("order in figures")
+        .striped(true)
+        .spacing([14.0, 3.0])
+        .show(ui, |ui| {
+            ui.label("");
+            ui.strong(&first);
+            if let Some(second) = &second {
+                ui.strong(second);
+            }
+            ui.end_row();
+            row(ui, "spectrum, its own unit", order.light);
+            row(ui, &format!("what weighs {name}"), order.weights[k]);
+            if let Some(fit) = order.gaussian {
+                row(ui, "the same by Eq. 10", fit[k]);
+            }
+        });
+    ui.add_space(2.0);
+    ui.label(format!(
+        "Adds {} % of {name}.",
+        share(order.contribution[k])
+    ));
+    if let Some(missing) = order.neglected[k] {
+        let reached = 100.0 * (1.0 - missing);
+        let off = off_percent(missing);
+        ui.label(format!("The sum is at {reached:.2} %, off by {off} %."));
+    }
+    if let Some(bound) = order.bound {
+        ui.label(format!(
+            "Term {n} over term 0: {} %; bound {} %, as printed {} %.",
+            percent(order.share_of_first[k]),
+            percent(bound.channels[k]),
+            percent(2.0 * bound.channels[k]),
+        ));
+    }
+}
+
 /// All charts; returns the order under the pointer.
 fn draw(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     charts: &CoefficientCharts,
     harmonics: &Harmonics,
-    highest: usize,
+    before: Option<usize>,
 ) -> Option<usize> {
+    let highest = harmonics.orders.len().saturating_sub(1);
     let scale = context.theme.scale;
     let room = ui.available_size();
     let columns = ((room.x / (LEAST_CHART * scale)) as usize).clamp(1, 3);
@@ -301,10 +363,15 @@ fn draw(
         .show(ui, |ui| {
             let width = ui.available_width() - (columns - 1) as f32 * gap.x;
             let size = vec2((width / columns as f32).floor(), row - 2.0);
-            for line in bars.chunks(columns) {
+            for (number, line) in bars.chunks(columns).enumerate() {
                 ui.horizontal_top(|ui| {
                     for (chart, id) in line {
-                        let Some(response) = one(ui, context, chart.as_ref(), id, size) else {
+                        // A chart lays out downwards what stands over it.
+                        let down = Layout::top_down(Align::Min);
+                        let shown = ui.allocate_ui_with_layout(size, down, |ui| {
+                            one(ui, context, chart.as_ref(), id, size)
+                        });
+                        let Some(response) = shown.inner else {
                             continue;
                         };
                         let order = |at: [f64; 2]| (at[0].round().max(0.0) as usize).min(highest);
@@ -313,9 +380,12 @@ fn draw(
                         }
                         pointed = pointed.or(response.pointed.map(|hit| order(hit.at)));
                     }
+                    if number + 1 == rows {
+                        ui.add_space(4.0);
+                        ui.vertical(|ui| details(ui, context, harmonics, before));
+                    }
                 });
             }
-            let _ = harmonics;
         });
     pointed
 }
@@ -326,17 +396,18 @@ fn one(
     context: &mut PageContext<'_>,
     chart: Option<&Chart>,
     id: &str,
-    size: egui::Vec2,
+    size: Vec2,
 ) -> Option<ChartResponse> {
     let Some(chart) = chart else {
         let name = CHANNELS[context.memory.channel];
-        ui.allocate_ui(size, |ui| {
-            ui.weak(match id {
-                "light" => "The mean is zero: there is nothing to compare the coefficients with."
-                    .to_owned(),
-                "weight" => format!("What weighs {name} is zero on this range."),
-                _ => format!("{name} is not positive on this range: there are no shares of it."),
-            });
+        ui.set_min_size(size);
+        ui.add_space(4.0);
+        ui.weak(match id {
+            "light" => {
+                "The mean is zero: there is nothing to compare the coefficients with.".to_owned()
+            }
+            "weight" => format!("What weighs {name} is zero on this range."),
+            _ => format!("{name} is not positive on this range: there are no shares of it."),
         });
         return None;
     };

@@ -21,8 +21,12 @@ const TWO_COLUMNS: f32 = 940.0;
 /// From this width on a card has its chart beside its words, points.
 const BESIDE: f32 = 480.0;
 
-/// Height of a card's chart, points.
-const CHART: f32 = 200.0;
+/// Height of a card's chart, points, and that in a window with room to spare.
+const CHART: f32 = 210.0;
+const TALL_CHART: f32 = 280.0;
+
+/// From this height on there is room to spare, points.
+const TALL: f32 = 850.0;
 
 /// Spikes that the table of Eq. 17 shows.
 const MOST_SPIKES: usize = 8;
@@ -72,6 +76,8 @@ impl TruthView {
         let Some((_, charts)) = &self.charts else {
             return;
         };
+        let tall = ui.available_height() >= TALL * context.theme.scale;
+        let chart_height = context.theme.scale * if tall { TALL_CHART } else { CHART };
         head(ui, context, claims);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             // The bar of the scroll area stands over the right edge.
@@ -79,13 +85,20 @@ impl TruthView {
             ui.set_max_width(width);
             if width < TWO_COLUMNS * context.theme.scale {
                 for (index, row) in rows.iter().enumerate() {
-                    card(ui, context, claims, charts, index, row);
+                    card(ui, context, claims, charts, (index, row), chart_height);
                 }
                 return;
             }
             ui.columns(2, |columns| {
                 for (index, row) in rows.iter().enumerate() {
-                    card(&mut columns[index % 2], context, claims, charts, index, row);
+                    card(
+                        &mut columns[index % 2],
+                        context,
+                        claims,
+                        charts,
+                        (index, row),
+                        chart_height,
+                    );
                 }
             });
         });
@@ -117,8 +130,8 @@ fn card(
     context: &mut PageContext<'_>,
     claims: &Claims,
     charts: &Charts,
-    index: usize,
-    row: &Row,
+    (index, row): (usize, &Row),
+    height: f32,
 ) {
     let picture = Picture::of(claims, charts, index);
     Frame::new()
@@ -134,7 +147,7 @@ fn card(
                 words(ui, context, row);
                 if let Some(picture) = picture {
                     ui.add_space(4.0);
-                    picture.draw(ui, context, claims, width);
+                    picture.draw(ui, context, claims, [width, height]);
                 }
                 return;
             }
@@ -149,7 +162,7 @@ fn card(
                 ui.vertical(|ui| {
                     ui.set_width(right);
                     if let Some(picture) = picture {
-                        picture.draw(ui, context, claims, right);
+                        picture.draw(ui, context, claims, [right, height]);
                     }
                 });
             });
@@ -189,7 +202,7 @@ impl<'a> Picture<'a> {
             3 => claims
                 .resampling
                 .as_ref()
-                .filter(|r| !r.ways.is_empty())
+                .filter(|r| !r.ways.is_empty() && !claims.light_is_dark)
                 .map(|_| Self::Points),
             4 => claims
                 .eq_17
@@ -201,10 +214,16 @@ impl<'a> Picture<'a> {
         }
     }
 
-    fn draw(&self, ui: &mut Ui, context: &mut PageContext<'_>, claims: &Claims, width: f32) {
+    fn draw(
+        &self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        claims: &Claims,
+        [width, height]: [f32; 2],
+    ) {
         match self {
             Self::Chart(chart, id) => {
-                let size = vec2(width, CHART * context.theme.scale);
+                let size = vec2(width, height);
                 let shown = ChartView::show(ui, chart, ("truth", *id), size, context.theme);
                 context.wishes.extend(shown.wish);
             }
@@ -277,7 +296,7 @@ fn points(ui: &mut Ui, claims: &Claims) {
                 ui,
                 &[
                     ("points", "Independent points, one multiplication each."),
-                    ("", "How they are counted."),
+                    ("way", "How they are counted."),
                     (
                         "folded, %",
                         "Share of the product's power that lands in wrong orders.",
