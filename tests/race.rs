@@ -450,3 +450,22 @@ fn every_racer_looks_different_in_the_chart() {
         assert_eq!(looks.len(), race.racers.len());
     }
 }
+
+#[test]
+fn low_pressure_sodium_is_the_worst_of_whatever_has_no_spikes_but_box_bins() {
+    let (_, race) = &*ALL;
+    let b = budget(race, 20);
+    for (r, racer) in race.racers.iter().enumerate() {
+        let plain = match racer {
+            Racer::Composite(way) => !way.spikes,
+            Racer::Rival(family) => *family != Family::Bins,
+            Racer::Chosen => false,
+        };
+        let error = |lamp: &usize| race.run(*lamp, b, r).verdict.patches_mean.expect("visible");
+        let worst = race
+            .of_class(Some("discharge"))
+            .max_by(|a, b| error(a).total_cmp(&error(b)))
+            .expect("there are some");
+        assert!(!plain || race.lamps[worst].0 == "LPS", "{}", racer.word());
+    }
+}

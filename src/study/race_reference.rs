@@ -438,4 +438,5 @@ fn reason(racer: Racer, class: &str, higher: bool) -> &'static str {
 
 /// Why 95th percentiles and worst cases of discharge lamps are larger here.
 pub const OF_FEW: &str = "The 95th percentile of 18 discharge lamps lies between the two worst of \
-    them; low-pressure sodium, one line, is the worst of every representation without spikes.";
+    them, and at 20 numbers low-pressure sodium, all but one line, is the worst of every \
+    representation without spikes except box bins.";

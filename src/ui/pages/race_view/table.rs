@@ -86,6 +86,10 @@ impl Table {
             let tip = meaning(measure);
             let mut column = spread_column(title, tip, &rows, many, factor, &of);
             column.decides = measure == decides;
+            if many && measure == Measure::Own {
+                // Two figures too small to be written, and the sign of those who win.
+                column.width = 114.0;
+            }
             columns.push(column);
         }
         let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
