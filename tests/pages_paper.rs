@@ -252,7 +252,7 @@ fn playing_adds_two_orders_a_second_and_ends_at_the_model() {
 }
 
 #[test]
-fn a_click_on_a_bar_takes_the_sum_there() {
+fn pointing_at_a_bar_tells_its_order_and_a_click_takes_the_sum_there() {
     let mut ui = open(about("FL11"), Page::Coefficients, [1920.0, 1080.0]);
     let rect = ui
         .get_by_role_and_label(Role::Image, "Coefficients of the light")
@@ -269,6 +269,11 @@ fn a_click_on_a_bar_takes_the_sum_there() {
         y += 8.0;
     }
     assert_eq!(partial_order(&ui), 20);
+    // The release took the pointer away.
+    ui.hover_at(egui::pos2(x, y - 9.0));
+    ui.run_steps(3);
+    // Its figures are told, and its curve is drawn with the sum.
+    ui.get_by_label("Order 20, under the pointer");
 }
 
 #[test]

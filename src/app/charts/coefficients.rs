@@ -87,7 +87,7 @@ struct Draw<'a> {
 impl<'a> Draw<'a> {
     fn new(app: &'a App, harmonics: &'a Harmonics, sight: Sight, theme: Theme) -> Self {
         let in_force = app.derived().model.smooth.order();
-        let last = LEAST_SHOWN.max(in_force + 3).max(sight.partial_order + 1);
+        let last = LEAST_SHOWN.max(in_force + 3).max(sight.partial_order);
         let shown = harmonics.orders.len().min(last + 1);
         Self {
             app,

@@ -18,7 +18,7 @@ use crate::{
 const SMALLEST_ERROR: f64 = 1e-4;
 
 /// Percentages that the chart of what is left out shows.
-const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 100.0];
+const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
 
 /// Orders that it shows.
 const HIGHEST_SHOWN: usize = 20;

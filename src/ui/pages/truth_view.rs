@@ -11,7 +11,7 @@ use crate::{
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
         ticks::short,
     },
-    spectrum::Sampling,
+    spectrum::{Basis, Sampling},
     ui::chart_view::ChartView,
 };
 
@@ -115,11 +115,14 @@ fn head(ui: &mut Ui, context: &PageContext<'_>, claims: &Claims) {
             ui.ctx().copy_text(truth_csv(context.app, claims));
         }
         ui.weak(format!(
-            "Measured on {}, {}-{} nm, {} basis, N = {}.",
+            "Measured on {}, {}-{} nm, {}, N = {}.",
             claims.subject,
             short(claims.band.min_nm()),
             short(claims.band.max_nm()),
-            claims.basis.word(),
+            match claims.basis {
+                Basis::Fourier => "Fourier basis",
+                Basis::Cosine => "cosine basis",
+            },
             claims.order,
         ));
     });
