@@ -24,7 +24,7 @@ use spectral_explorer::{
         export::Export,
         library::Library,
         open::{Loaded, Loader, load_bytes, load_path, resolve},
-        pages::{FieldChoice, Page, PageMemory},
+        pages::{FieldChoice, Page, PageMemory, WaysShown},
         plot_svg::Theme,
         report,
         settings::{Detector, ORDERS},
@@ -1238,6 +1238,11 @@ fn full_preferences() -> Preferences {
             field: FieldChoice::Discharge,
             race_numbers: 31,
             race_measure: Measure::Rms,
+            ways: WaysShown {
+                plain: false,
+                ..WaysShown::default()
+            },
+            spend_goal: Some(Goal::SPECTRUM),
         },
     }
 }

@@ -10,7 +10,7 @@ use spectral_explorer::{
     app::{
         App, Command, Entry, Settings,
         library::Library,
-        studies::{AuctionAsk, SweepAsk, model_of},
+        studies::{AuctionAsk, SweepAsk, take},
     },
     color::{Observer, patches::PatchSet},
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeSettings},
@@ -420,7 +420,7 @@ fn what_is_bought_is_what_the_document_then_shows() {
             let ask = AuctionAsk::of(app.document(), Goal::PATCHES, 21);
             let auction = ask.answer(&Progress::default()).expect("it shines");
             for step in &auction.steps {
-                app.apply(model_of(settings, ask.terms, &auction, step));
+                app.apply(take(settings, &ask, &auction, step));
                 let derived = app.derived();
                 assert_eq!(derived.numbers(), step.numbers, "{name}");
                 let mean = derived.patches.as_ref().map(|p| p.mean).expect("it shines");

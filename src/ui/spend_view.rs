@@ -10,13 +10,13 @@ use crate::{
         charts::{
             auction::{
                 MEANINGS, MEASURES, NAMES, error_words, goal_error, goal_within, goal_words,
-                model_words, take,
+                model_words,
             },
             tradeoff::{judge, lack, verdict_now},
         },
         pages::PageMemory,
         state::Tone,
-        studies::{AuctionAsk, Stage, Studies},
+        studies::{AuctionAsk, Stage, Studies, take},
     },
     study::{Auction, Goal, Progress},
 };

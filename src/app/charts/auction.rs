@@ -3,17 +3,13 @@
 use super::tradeoff::{SMALLEST, all_figures, factor, lack, origin, spikes_words, stairs, three};
 use crate::{
     app::{
-        App, Command, Settings,
+        App,
         chart::Inks,
         line_names::{ElementLine, LineName, name_spikes},
         plot_svg::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
-        studies::{AuctionAsk, model_of},
+        studies::AuctionAsk,
     },
-    spectrum::{
-        HandSpike, Spike, SpikeEdits,
-        edits::decompose,
-        spikes::{Decomposition, absolute_power, detect_shapes},
-    },
+    spectrum::{Spike, spikes::absolute_power},
     study::{
         Auction, Goal, Measure, Verdict, Way,
         auction::{Bid, Ended, Purchase, Step},
@@ -180,78 +176,6 @@ pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineN
     };
     let words: Vec<String> = orders.into_iter().chain(lines).collect();
     words.join(", ")
-}
-
-/// What the document must take for a step: its order and its lines, and no others.
-///
-/// The lines not bought are left in the smooth part. Where that keeps a bought one from being found
-/// (it stands beside a stronger line that was not bought), the bought lines are locked instead.
-pub fn take(settings: Settings, ask: &AuctionAsk, auction: &Auction, step: &Step) -> Command {
-    let mut command = model_of(settings, ask.terms, auction, step);
-    if let Command::TakeModel { settings, edits } = &mut command
-        && settings.spikes
-        && !step.lines.is_empty()
-    {
-        let about = &ask.about;
-        let values = about.subject.0.on_band(about.band);
-        let (parts, shapes) = detect_shapes(about.band, &values, about.spikes);
-        // Lines beyond those on offer would be found too.
-        let beyond = shapes.iter().skip(auction.lines.len());
-        edits
-            .deleted_nm
-            .extend(beyond.map(|shape| shape.spike.at_nm));
-        let bought: Vec<Spike> = step
-            .lines
-            .iter()
-            .filter_map(|i| Some(shapes.get(*i)?.spike))
-            .collect();
-        let is_bought = |found: &Spike| {
-            let near = |spike: &Spike| (found.at_nm - spike.at_nm).abs() < SAME_PLACE_NM;
-            bought.iter().any(near)
-        };
-        let found =
-            |edits: &SpikeEdits| decompose(about.band, &values, about.spikes, edits).plain_spikes();
-        // What is left changes what is found beside it: a few rounds settle that.
-        let settled = |mut edits: SpikeEdits| {
-            for _ in 0..ROUNDS {
-                let found = found(&edits);
-                let others = found.iter().filter(|spike| !is_bought(spike));
-                let others: Vec<f64> = others.map(|spike| spike.at_nm).collect();
-                if others.is_empty() {
-                    return (found.len() == bought.len()).then_some(edits);
-                }
-                edits.deleted_nm.extend(others);
-            }
-            None
-        };
-        let locked = || SpikeEdits {
-            hand: bought.iter().map(|spike| locked(*spike, &parts)).collect(),
-            deleted_nm: edits.deleted_nm.clone(),
-        };
-        let sound = settled(edits.clone()).or_else(|| settled(locked()));
-        if let Some(sound) = sound {
-            *edits = sound;
-        }
-    }
-    command
-}
-
-/// Rounds in which lines that turn up beside those left are left too.
-const ROUNDS: usize = 4;
-
-/// A line found nearer than this to its place is that line, nm.
-const SAME_PLACE_NM: f64 = 0.5;
-
-/// A found line as a locked spike.
-fn locked(spike: Spike, parts: &Decomposition) -> HandSpike {
-    let found = parts.spikes.iter().find(|found| found.spike == spike);
-    HandSpike {
-        at_nm: spike.at_nm,
-        weight: spike.weight,
-        line_nm: Some(spike.at_nm),
-        window_nm: found.map(|found| found.window_nm),
-        is_dip: spike.weight < 0.0,
-    }
 }
 
 /// The model of a step in words: "order 6 and the lines 404.9, 435.8 nm".

@@ -5,21 +5,17 @@ pub mod about;
 pub mod field;
 pub mod job;
 pub mod paper;
+pub mod take;
 
 pub use about::{About, Same};
 pub use field::{Field, RaceAsk};
 pub use job::{Job, Stage, Wake};
+pub use take::take;
 
-use super::{
-    command::Command,
-    document::Document,
-    pages::FieldChoice,
-    settings::{Detector, Settings},
-    tables::CURVE_ORDER,
-};
+use super::{document::Document, pages::FieldChoice, tables::CURVE_ORDER};
 use crate::{
     io::preset::Shelf,
-    spectrum::{Basis, Kind, SpikeEdits},
+    spectrum::{Basis, Kind},
     study::{
         Auction, Goal, Progress, Race, Sweep,
         auction::{self, Terms},
@@ -120,37 +116,6 @@ impl RaceAsk {
     /// The answer; `None` when no light shines or it was cancelled.
     pub fn answer(&self, progress: &Progress) -> Option<Race> {
         race::run(&self.course(), &self.lamps(), progress)
-    }
-}
-
-/// The model that an auction ended with, as knobs and hand edits for the document.
-///
-/// `lines` are the places (nm) of all lines on offer, `bought` those that became spikes. When all
-/// were bought nothing is edited, and when none was the spikes are switched off.
-pub fn model_of(
-    settings: Settings,
-    terms: Terms,
-    auction: &Auction,
-    step: &auction::Step,
-) -> Command {
-    let left: Vec<f64> = (0..auction.lines.len())
-        .filter(|line| !step.lines.contains(line))
-        .map(|line| auction.lines[line].at_nm)
-        .collect();
-    let none = step.lines.is_empty();
-    Command::TakeModel {
-        settings: Settings {
-            basis: terms.basis,
-            colour_exact: terms.colour_exact,
-            order: step.order,
-            spikes: !none || left.is_empty(),
-            detector: Detector::Energy,
-            ..settings
-        },
-        edits: SpikeEdits {
-            hand: Vec::new(),
-            deleted_nm: if none { Vec::new() } else { left },
-        },
     }
 }
 

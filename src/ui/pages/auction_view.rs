@@ -15,13 +15,13 @@ use crate::{
         charts::{
             auction::{
                 AuctionChart, MEANINGS, MEASURES, NAMES, ended_words, error_words, gain_words,
-                goal_within, names, plain_measure, purchases_words, take,
+                goal_within, names, plain_measure, purchases_words,
             },
             tradeoff::{self, all_figures, lack},
         },
         pages::SPENDABLE,
         plot_svg,
-        studies::{About, AuctionAsk, Stage},
+        studies::{About, AuctionAsk, Stage, take},
     },
     study::{Auction, Goal, Judge, Progress, Verdict, Way},
     ui::{chart_view::ChartView, model_view::named},
@@ -34,8 +34,8 @@ const WIDE: f32 = 1080.0;
 const RULES: &str = "An order and a spike cost two numbers each. At every price all single \
                      purchases after the eight best models are tried, all pairs after the best \
                      one, and every order with none, one, two ... of the heaviest lines; sold is \
-                     the model of lowest error. Where it does without something of the model \
-                     before, that is given back.";
+                     the model of lowest error, or one within a twentieth of it that keeps what was \
+                     bought before. Otherwise something is given back.";
 
 /// Largest weight of a goal.
 const MOST_WEIGHT: f64 = 100.0;
