@@ -77,7 +77,7 @@ fn the_paper_misprints_eq_7_so_that_illuminant_c_leaves_its_place() {
     let found = claims.eq_7.unwrap();
     // Known to three decimals; the series of order 20 has the colour to four.
     for (is, should) in [
-        (found.printed, [0.289, 0.301]),
+        (found.printed.expect("a colour"), [0.289, 0.301]),
         (found.corrected, [0.310, 0.317]),
     ] {
         for k in 0..2 {

@@ -464,14 +464,14 @@ fn what_cannot_be_measured_is_greyed_and_nothing_breaks() {
 #[test]
 fn the_auctions_last_model_is_taken_and_its_row_chosen() {
     let mut ui = on(fl2(), Page::Auction);
-    click(&mut ui, "Take the last");
+    click(&mut ui, "Take this model");
     let window = &ui.state().0;
     let auction = window.studies.auction.result().expect("an auction").clone();
     assert_eq!(app(&ui).derived().numbers(), auction.last().numbers);
-    assert!(is_disabled(&ui, "Take the last"));
+    assert!(is_disabled(&ui, "Take this model"));
     click(&mut ui, "Step 2: 3 numbers, order 1");
     assert_eq!(app(&ui).derived().numbers(), 3);
-    assert!(!is_disabled(&ui, "Take the last"));
+    assert!(!is_disabled(&ui, "Take this model"));
     // Taking a model asks for no other auction.
     let now = ui.state().0.studies.auction.result().expect("an auction");
     assert!(Arc::ptr_eq(now, &auction));
@@ -492,7 +492,7 @@ fn the_smallest_and_the_largest_budget() {
             ..settings(&app)
         }));
         let mut ui = over(app, pages);
-        click(&mut ui, "Take the last");
+        click(&mut ui, "Take this model");
         let window = &ui.state().0;
         let auction = window.studies.auction.result().expect("an auction");
         assert!(auction.last().numbers <= numbers);

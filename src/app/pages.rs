@@ -147,6 +147,11 @@ impl PageMemory {
             auction_numbers: spendable(self.auction_numbers),
             spend_numbers: spendable(self.spend_numbers),
             race_numbers: nearest.unwrap_or(20),
+            race_measure: match self.race_measure {
+                // The table has no column for it.
+                Measure::PatchesWorst => Measure::Patches,
+                measure => measure,
+            },
             ..self
         }
     }
@@ -211,8 +216,8 @@ pub enum FieldChoice {
     ThisLight,
     /// Every shipped light.
     Shipped,
-    /// The shipped standard lights.
-    Standard,
+    /// The shipped smooth lights: standard lights, sun and sky.
+    Smooth,
     /// The shipped LED lights.
     Led,
     /// The shipped fluorescent lamps.
@@ -228,7 +233,7 @@ impl FieldChoice {
     pub const ALL: [Self; 7] = [
         Self::ThisLight,
         Self::Shipped,
-        Self::Standard,
+        Self::Smooth,
         Self::Led,
         Self::Fluorescent,
         Self::Discharge,
@@ -240,7 +245,7 @@ impl FieldChoice {
         match self {
             Self::ThisLight => "this light",
             Self::Shipped => "all shipped lights",
-            Self::Standard => "standard lights",
+            Self::Smooth => "smooth lights",
             Self::Led => "LED",
             Self::Fluorescent => "fluorescent",
             Self::Discharge => "discharge",

@@ -38,6 +38,8 @@ pub struct Message {
     pub tone: Tone,
     /// One line.
     pub text: String,
+    /// The revision of the document that it was said about.
+    pub revision: u64,
 }
 
 /// What the shared tables were made for.
@@ -178,6 +180,13 @@ impl App {
         self.messages.last()
     }
 
+    /// The newest message, as long as it is about what is shown: what was told of a document that
+    /// has changed since is history. A problem stays until something else is said.
+    pub fn current_message(&self) -> Option<&Message> {
+        self.message()
+            .filter(|m| m.tone == Tone::Problem || m.revision == self.revision)
+    }
+
     /// All messages, oldest first.
     pub fn messages(&self) -> &[Message] {
         &self.messages
@@ -202,6 +211,7 @@ impl App {
         self.messages.push(Message {
             tone,
             text: text.into(),
+            revision: self.revision,
         });
     }
 

@@ -80,6 +80,8 @@ fn input_json(app: &App) -> Value {
         "kind": spectrum.kind.word(),
         "unit": spectrum.unit,
         "source": spectrum.source,
+        "points": spectrum.samples.len(),
+        "notes": spectrum.notes,
         "light": (spectrum.kind != Kind::Light).then(|| app.document().light.name()),
     })
 }
@@ -129,6 +131,9 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "# {key}: {value}");
     }
+    for note in &app.document().subject_entry().spectrum.notes {
+        let _ = writeln!(out, "# note: {}", one_line(note));
+    }
     out
 }
 
@@ -159,11 +164,12 @@ fn line(out: &mut String, cells: impl IntoIterator<Item = String>) {
 /// A sweep as JSON.
 pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
     let measure = front_measure(sweep);
-    let front = sweep.front(measure);
+    let front = sweep.front(measure, |_| true);
     let points: Vec<Value> = sweep
         .points
         .iter()
-        .map(|point| {
+        .enumerate()
+        .map(|(index, point)| {
             let mut entry = Map::new();
             let way = point.way;
             entry.insert("way".into(), json!(way.word()));
@@ -176,7 +182,7 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
             for (key, value) in figures(&point.verdict) {
                 entry.insert(key.into(), json!(value));
             }
-            let on_front = front.iter().any(|p| std::ptr::eq(*p, point));
+            let on_front = front.contains(&index);
             entry.insert("on_front".into(), json!(on_front));
             Value::Object(entry)
         })
@@ -214,7 +220,7 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
 /// A sweep as a table, one model a line.
 pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
     let measure = front_measure(sweep);
-    let front = sweep.front(measure);
+    let front = sweep.front(measure, |_| true);
     let more = format!("; on_front is by {}", measure_key(measure));
     let mut out = head(app, &ask.about, "error against numbers", &more);
     out.push_str("way,basis,spikes,spike_count,colour_exact,order,numbers");
@@ -222,9 +228,9 @@ pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
         let _ = write!(out, ",{key}");
     }
     out.push_str(",on_front\n");
-    for point in &sweep.points {
+    for (index, point) in sweep.points.iter().enumerate() {
         let way = point.way;
-        let on_front = front.iter().any(|p| std::ptr::eq(*p, point));
+        let on_front = front.contains(&index);
         let mut cells = vec![
             way.word().to_owned(),
             way.basis.word().to_owned(),
@@ -251,6 +257,8 @@ fn ended_word(ended: Ended) -> &'static str {
 
 /// One purchase in files: every step has as many as it bought, the first one order 0.
 struct Bought<'a> {
+    /// The step's place on the path, from 0: what was bought together has the same.
+    place: usize,
     step: &'a Step,
     purchase: Purchase,
     /// The first purchase of its step, which carries what was given back.
@@ -259,7 +267,7 @@ struct Bought<'a> {
 
 fn purchases(auction: &Auction) -> Vec<Bought<'_>> {
     let mut all = Vec::new();
-    for step in &auction.steps {
+    for (place, step) in auction.steps.iter().enumerate() {
         let bought = if step.bought.is_empty() {
             vec![Purchase::Order(step.order)]
         } else {
@@ -267,6 +275,7 @@ fn purchases(auction: &Auction) -> Vec<Bought<'_>> {
         };
         for (i, purchase) in bought.into_iter().enumerate() {
             all.push(Bought {
+                place,
                 step,
                 purchase,
                 first: i == 0,
@@ -307,11 +316,13 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
         .into_iter()
         .map(|bought| {
             let Bought {
+                place,
                 step,
                 purchase,
                 first,
             } = bought;
             let mut entry = purchase_json(purchase, unit);
+            entry.insert("step".into(), json!(place));
             let gave_back: Vec<Value> = step
                 .gave_back
                 .iter()
@@ -379,12 +390,13 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
         },
     );
     let mut out = head(app, &ask.about, "auction", &more);
-    out.push_str("bought,at_nm,weight,order,numbers,error,order_now,spikes_now,gave_back");
+    out.push_str("step,bought,at_nm,weight,order,numbers,error,order_now,spikes_now,gave_back");
     for (key, _) in figures(&Verdict::default()) {
         let _ = write!(out, ",{key}");
     }
     out.push('\n');
     for Bought {
+        place,
         step,
         purchase,
         first,
@@ -392,12 +404,14 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
     {
         let mut cells = match purchase {
             Purchase::Order(order) => vec![
+                place.to_string(),
                 "order".to_owned(),
                 String::new(),
                 String::new(),
                 order.to_string(),
             ],
             Purchase::Spike(spike) => vec![
+                place.to_string(),
                 "spike".to_owned(),
                 number(Some(spike.at_nm)),
                 number(Some(spike.weight * unit)),
@@ -431,7 +445,7 @@ pub fn field_words(field: &Field) -> String {
     match field {
         Field::One(entry) => entry.0.name().to_owned(),
         Field::Shipped => "all shipped lights".to_owned(),
-        Field::Shelf(shelf) => format!("shipped lights: {}", shelf.heading()),
+        Field::Class(class) => format!("shipped lights: {}", class.word()),
         Field::Group(group) => format!("group {group}"),
         Field::These(entries) => format!("{} own lights", entries.len()),
     }
@@ -580,6 +594,7 @@ pub fn race_json(ask: &RaceAsk, race: &Race) -> Value {
             "check": super::studies::field::CHECK_SET,
             "lines": lines_json(ask.spikes),
         },
+        "cost_of": race.cost_of,
         "rows": all,
         "winners": winners,
     })
@@ -611,6 +626,11 @@ pub fn race_csv(ask: &RaceAsk, race: &Race) -> String {
     for note in race_notes(ask) {
         let _ = writeln!(out, "# {note}");
     }
+    let _ = writeln!(
+        out,
+        "# costs: measured in this run on {}, the light with most lines",
+        one_line(&race.cost_of)
+    );
     for (i, (row, set, wins)) in rows(race).iter().enumerate() {
         let numbers = row_numbers(row);
         if i == 0 {

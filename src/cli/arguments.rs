@@ -129,8 +129,8 @@ pub struct Race {
     #[arg(long, value_name = "P", required = true, value_delimiter = ',',
         allow_negative_numbers = true, value_parser = words::numbers)]
     pub numbers: Vec<usize>,
-    /// Lights that race: a group of presets (cie_fluorescent_1nm), a heading (standard,
-    /// fluorescent, led or discharge) or a folder with files of lights.
+    /// Lights that race: a group of presets (cie_fluorescent_1nm), a class (smooth, led,
+    /// fluorescent or discharge) or a folder with files of lights.
     #[arg(long, value_name = "GROUP|FOLDER")]
     pub set: Option<String>,
     /// Which spectrum of the file, and what it is.

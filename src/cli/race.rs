@@ -17,23 +17,15 @@ use super::{
 use crate::{
     app::{
         App, Entry,
-        library::Library,
+        library::{Library, Preset},
         open::{Loaded, load_path},
-        studies::{Field, RaceAsk, Same},
+        studies::{Class, Field, RaceAsk, Same},
         study_report,
     },
-    io::{error::quoted, preset::Shelf},
-    spectrum::{Kind, NamedSpectrum},
-    study::Progress,
+    io::error::quoted,
+    spectrum::Kind,
+    study::{Progress, judge::scaled_to_one},
 };
-
-/// Headings of the library whose lights may race, with their words.
-const SHELVES: [(&str, Shelf); 4] = [
-    ("standard", Shelf::Standard),
-    ("fluorescent", Shelf::Fluorescent),
-    ("led", Shelf::Led),
-    ("discharge", Shelf::Discharge),
-];
 
 /// Carries the command out.
 ///
@@ -83,6 +75,20 @@ pub fn run(options: &Race, out: &mut dyn Write, err: &mut dyn Write) -> Result<(
                 ask.band.max_nm(),
             )),
         })?;
+    for lamp in ask.lamps() {
+        if scaled_to_one(&lamp.values).is_none() {
+            let band = ask.band;
+            remark(
+                err,
+                &format!(
+                    "skipped: {}: nothing but zeros from {} to {} nm",
+                    lamp.name,
+                    band.min_nm(),
+                    band.max_nm()
+                ),
+            );
+        }
+    }
     if *json {
         let json = study_report::race_json(&ask, &race);
         print(out, &format!("{json:#}\n"))
@@ -105,25 +111,21 @@ fn alone(app: &App) -> Result<Field, Refusal> {
     Ok(Field::One(Same(document.light.clone())))
 }
 
-/// The lights of a heading, a group or a folder.
+/// The lights of a class, a group or a folder.
 fn set_of(set: &str, err: &mut dyn Write) -> Result<Field, Refusal> {
     let word = set.trim().to_lowercase();
-    if let Some((_, shelf)) = SHELVES.iter().find(|(known, _)| *known == word) {
-        return Ok(Field::Shelf(*shelf));
+    let called = |class: &Class| class.word().to_lowercase() == word;
+    if let Some(class) = Class::ALL.into_iter().find(called) {
+        return Ok(Field::Class(class));
     }
     if let Some(group) = Library::bundled().group(&word) {
-        // Only tables of lights can race.
-        let is_light = |s: &NamedSpectrum| s.kind == Kind::Light;
-        if group
-            .items
-            .iter()
-            .filter_map(|p| p.spectrum())
-            .any(is_light)
-        {
+        let shown = |preset: &Preset| Entry::of_preset(preset);
+        let is_light = |entry: &Entry| entry.kind() == Kind::Light;
+        if group.items.iter().filter_map(shown).any(|e| is_light(&e)) {
             return Ok(Field::Group(word));
         }
         return Err(Refusal::File(format!(
-            "--set: found the group {word} without a table of a light, expected a group of lights"
+            "--set: found the group {word}, which has no light, expected a group of lights"
         )));
     }
     let folder = Path::new(set);
@@ -131,7 +133,7 @@ fn set_of(set: &str, err: &mut dyn Write) -> Result<Field, Refusal> {
         return lights_in(folder, err);
     }
     Err(Refusal::File(format!(
-        "--set: found {}, expected a group of presets, standard, fluorescent, led, discharge or a \
+        "--set: found {}, expected a group of presets, smooth, led, fluorescent, discharge or a \
          folder",
         quoted(set)
     )))

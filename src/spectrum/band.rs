@@ -45,7 +45,7 @@ impl fmt::Display for BandError {
             }
             Self::TooShort { min_nm, max_nm } => write!(
                 f,
-                "range: expected MIN:MAX at least {SHORTEST_NM} nm apart, found {min_nm}:{max_nm}"
+                "range: expected MIN:MAX, MAX at least {SHORTEST_NM} nm above MIN, found {min_nm}:{max_nm}"
             ),
             Self::TooLong { min_nm, max_nm } => write!(
                 f,

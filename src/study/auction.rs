@@ -4,11 +4,11 @@
 //! numbers. One purchase alone is short-sighted (a line may only pay once the smooth part has
 //! another order), so every model is followed by all single purchases and the best one by all
 //! pairs; and at every price the plain models are bid too, all orders with none, one, two ... of
-//! the heaviest lines. What is sold at each price is the best model seen at that price or below:
-//! the path is the Pareto front of error against numbers, and never worse than the better of
-//! "with" and "without" spikes. What was bought stays bought as long as that costs next to
-//! nothing; otherwise something is given back, and the step says what. The auction ends when
-//! nothing lowers the goal.
+//! the heaviest lines. What is sold at each price is the best model seen at that price, or one
+//! within a twentieth of it that keeps what was bought before; otherwise something is given back,
+//! and the step says what. It is never worse than the better of "with" and "without" spikes, and
+//! a price at which nothing better is for sale is left out: every step lowers the error. The
+//! auction ends when nothing lowers the goal.
 
 use std::collections::BTreeMap;
 

@@ -33,15 +33,11 @@
 //! larger than Eq. 10 has them, so a term may exceed its bound there, where both are tiny.
 
 use crate::{
-    color::gaussian_cmf::{self, Gaussian, X_LARGE, X_SMALL, Y, Z},
+    color::gaussian_cmf::{self, Gaussian},
     spectrum::{Band, Basis, BasisTable, Spike},
 };
 
 use super::error::{height, times};
-
-/// The lobes of Table 2 in the order of [`Bound::lobes`]: x-bar's small and large one, y-bar,
-/// z-bar.
-pub const LOBES: [Gaussian; 4] = [X_SMALL, X_LARGE, Y, Z];
 
 /// A spectrum taken apart, and what weighs it.
 #[derive(Clone, Copy, Debug)]
@@ -111,12 +107,10 @@ pub struct Order {
 /// Eq. 12 for one order: the largest share of the first term, given Eq. 11.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
-    /// For X, Y and Z; that of X is the mean of its two lobes, each counted by its area.
+    /// `2/n exp(...)` for X, Y and Z; that of X is its small lobe's, which falls later.
     pub channels: [f64; 3],
-    /// `2/n exp(...)` for each of [`LOBES`].
-    pub lobes: [f64; 4],
-    /// `4/n exp(...)` as the paper prints it, for each of [`LOBES`].
-    pub lobes_as_printed: [f64; 4],
+    /// `4/n exp(...)`, as the paper prints it.
+    pub channels_as_printed: [f64; 3],
 }
 
 /// The order at which a light falls most slowly.
@@ -216,11 +210,6 @@ impl Harmonics {
     /// The curve of a single order, on the table's grid, in the spectrum's own unit.
     pub fn single(&self, table: &BasisTable, order: usize) -> Vec<f64> {
         self.curve(table, |number| number.order == order)
-    }
-
-    /// The curve of a single coefficient, on the table's grid, in the spectrum's own unit.
-    pub fn single_number(&self, table: &BasisTable, index: usize) -> Vec<f64> {
-        self.curve(table, |number| number.index == index)
     }
 
     fn curve(&self, table: &BasisTable, kept: impl Fn(&Number) -> bool) -> Vec<f64> {
@@ -335,19 +324,12 @@ fn slowest_fall(orders: &[Order]) -> Option<SlowestFall> {
 impl Bound {
     /// Eq. 12, corrected and as printed, for an order from 1 on and a range of `length_nm`.
     pub fn of(order: usize, length_nm: f64) -> Self {
-        let lobes = LOBES.map(|lobe| lobe.bound(order, length_nm));
-        let channels = gaussian_cmf::FIT.map(|lobes| {
-            let area = |lobe: &Gaussian| lobe.height * lobe.width_nm;
-            let whole: f64 = lobes.iter().map(area).sum();
-            let weighed = lobes
-                .iter()
-                .map(|lobe| area(lobe) * lobe.bound(order, length_nm));
-            weighed.sum::<f64>() / whole
-        });
+        let largest = |bound: &dyn Fn(&Gaussian) -> f64| {
+            gaussian_cmf::FIT.map(|lobes| lobes.iter().map(bound).fold(0.0, f64::max))
+        };
         Self {
-            channels,
-            lobes,
-            lobes_as_printed: LOBES.map(|lobe| lobe.bound_as_printed(order, length_nm)),
+            channels: largest(&|lobe| lobe.bound(order, length_nm)),
+            channels_as_printed: largest(&|lobe| lobe.bound_as_printed(order, length_nm)),
         }
     }
 }
@@ -356,6 +338,7 @@ impl Bound {
 mod tests {
     use super::*;
     use crate::{
+        color::gaussian_cmf::{X_SMALL, Y, Z},
         color::{Observer, blackbody, xyz_from_integral},
         spectrum::{Composite, Outside, Resampled, SampleGrid, Sampled, Series},
     };
@@ -442,7 +425,7 @@ mod tests {
     }
 
     #[test]
-    fn single_orders_add_up_to_the_partial_sum_and_numbers_to_orders() {
+    fn single_orders_add_up_to_the_partial_sum() {
         for basis in Basis::ALL {
             let table = table(basis, 11);
             let found = harmonics(&table, &measured(), &[LINE]);
@@ -452,16 +435,9 @@ mod tests {
                     *s += v;
                 }
             }
-            let mut by_number = vec![0.0; BAND.points()];
-            for index in 0..7 {
-                for (s, v) in by_number.iter_mut().zip(found.single_number(&table, index)) {
-                    *s += v;
-                }
-            }
             for (i, expected) in found.partial_sum(&table, 3).iter().enumerate() {
                 // Seven numbers near 1 in another order.
                 assert!((sum[i] - expected).abs() < 1e-13);
-                assert!((by_number[i] - expected).abs() < 1e-13);
             }
         }
     }
@@ -564,12 +540,10 @@ mod tests {
     fn the_printed_bound_is_twice_the_corrected_one() {
         for order in 1..12 {
             let bound = Bound::of(order, 400.0);
-            assert_eq!(bound.lobes.map(|b| 2.0 * b), bound.lobes_as_printed);
-            for (channel, lobe) in bound.channels[1..].iter().zip(&bound.lobes[2..]) {
-                // Times the lobe's area and over it again.
-                assert!((channel - lobe).abs() <= 1e-15 * lobe);
-            }
-            assert!((bound.lobes[1]..=bound.lobes[0]).contains(&bound.channels[0]));
+            assert_eq!(bound.channels.map(|b| 2.0 * b), bound.channels_as_printed);
+            // The narrower a lobe, the later its terms fall.
+            let later = [X_SMALL, Y, Z].map(|lobe| lobe.bound(order, 400.0));
+            assert_eq!(bound.channels, later);
         }
     }
 

@@ -78,8 +78,9 @@ impl Racer {
     pub fn is_prefix(self) -> bool {
         match self {
             Self::Composite(way) => !way.spikes && !way.colour_exact,
+            // Another count may be fitted with the table of another class.
+            Self::Rival(Family::Principal) | Self::Chosen => false,
             Self::Rival(family) => family.is_prefix(),
-            Self::Chosen => false,
         }
     }
 
@@ -132,7 +133,7 @@ pub struct Run {
     pub check: Option<f64>,
 }
 
-/// What a racer costs at one count, measured in this run on the first light.
+/// What a racer costs at one count, measured in this run on [`Race::cost_of`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
     /// Bytes of the stored numbers of one spectrum.
@@ -154,6 +155,8 @@ pub struct Race {
     pub budgets: Vec<usize>,
     /// Everybody who ran.
     pub racers: Vec<Racer>,
+    /// The light that costs were measured on: that with most lines, so that spikes cost.
+    pub cost_of: String,
     /// By light, then count, then racer.
     runs: Vec<Run>,
     /// By count, then racer.
@@ -359,6 +362,7 @@ pub fn run(course: &Course, lamps: &[Lamp], progress: &Progress) -> Option<Race>
     }
     Some(Race {
         lamps: shining,
+        cost_of: stable.most_lines().name.clone(),
         budgets: course.budgets.clone(),
         racers,
         runs: runs.into_iter().collect::<Option<Vec<Run>>>()?,
@@ -531,9 +535,20 @@ impl<'a> Stable<'a> {
         }
     }
 
-    /// Times one product and one evaluation of the first light and the first patch.
+    /// The light with most lines.
+    fn most_lines(&self) -> &Runner {
+        let lines = |runner: &&Runner| runner.prepared[0].lines();
+        // The first of equals.
+        self.runners
+            .iter()
+            .rev()
+            .max_by_key(lines)
+            .unwrap_or(&self.runners[0])
+    }
+
+    /// Times one product and one evaluation of that light and the first patch.
     fn cost(&self, racer: Racer, numbers: usize) -> Option<Cost> {
-        let runner = &self.runners[0];
+        let runner = self.most_lines();
         let flat = vec![0.5; runner.judge.measured().len()];
         let reflectance = self.course.patches.first().unwrap_or(&flat);
         match racer {

@@ -125,6 +125,12 @@ pub struct Sweep {
     pub spikes: Vec<Spike>,
 }
 
+/// An error below which nobody sees or measures a difference: CIEDE2000 of colours, a share of
+/// spectra.
+pub fn unseen(measure: Measure) -> f64 {
+    if measure.is_colour() { 1e-4 } else { 1e-6 }
+}
+
 /// Thresholds of the map: the slider's 0.1 to 5 %, even steps of its logarithm.
 pub const MAP_THRESHOLDS: usize = 25;
 
@@ -186,21 +192,25 @@ impl Sweep {
         self.points.iter().filter(move |p| p.way == way)
     }
 
-    /// The Pareto front: by rising numbers, every point that is better than all cheaper ones.
-    pub fn front(&self, measure: Measure) -> Vec<&SweepPoint> {
-        let mut by_cost: Vec<(&SweepPoint, f64)> = self
+    /// The Pareto front of the ways that `counts`, as indices of points: by rising numbers, every
+    /// point that is better than all cheaper ones. It ends with the first whose error is
+    /// [`unseen`].
+    pub fn front(&self, measure: Measure, counts: impl Fn(Way) -> bool) -> Vec<usize> {
+        let mut by_cost: Vec<(usize, usize, f64)> = self
             .points
             .iter()
-            .filter_map(|p| Some((p, measure.of(&p.verdict)?)))
+            .enumerate()
+            .filter(|(_, point)| counts(point.way))
+            .filter_map(|(i, p)| Some((i, p.numbers, measure.of(&p.verdict)?)))
             .collect();
-        by_cost.sort_by(|a, b| a.0.numbers.cmp(&b.0.numbers).then(a.1.total_cmp(&b.1)));
+        by_cost.sort_by(|a, b| a.1.cmp(&b.1).then(a.2.total_cmp(&b.2)));
         let mut best = f64::INFINITY;
-        by_cost.retain(|(_, error)| {
-            let better = *error < best;
+        by_cost.retain(|(_, _, error)| {
+            let better = *error < best && best >= unseen(measure);
             best = best.min(*error);
             better
         });
-        by_cost.into_iter().map(|(point, _)| point).collect()
+        by_cost.into_iter().map(|(index, ..)| index).collect()
     }
 }
 

@@ -89,6 +89,10 @@ impl SpendView {
         let outcome = match job.stage() {
             Stage::Idle | Stage::Running(_) | Stage::Done => return None,
             Stage::Cancelled => (Tone::Info, "Cancelled: nothing was spent."),
+            Stage::Broken => (
+                Tone::Problem,
+                "Nothing was spent: the computation broke down, a fault of this program.",
+            ),
             Stage::Impossible => (
                 Tone::Problem,
                 "Nothing was spent: there is nothing to measure on this spectrum and range.",

@@ -347,7 +347,7 @@ impl<'a> Draw<'a> {
         if self.orders.iter().any(|o| o.bound.is_some()) {
             let bound = |order: &Order| order.bound.map(|b| b.channels[k]);
             // The printed 4/n is twice the corrected 2/n for every lobe.
-            let printed = |order: &Order| order.bound.map(|b| 2.0 * b.channels[k]);
+            let printed = |order: &Order| order.bound.map(|b| b.channels_as_printed[k]);
             series.push(line("bound, 2/n", self.inks.spikes, &bound));
             series.push(line("as printed, 4/n", self.inks.product, &printed).dashed(Dash::Dotted));
         }

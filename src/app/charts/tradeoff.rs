@@ -187,24 +187,9 @@ pub fn looks(way: Way, theme: Theme) -> ([u8; 3], Shape, Dash) {
     (ink, shape, dash)
 }
 
-/// The Pareto front of the ways shown, as indices of points: by rising numbers every model that
-/// is better than all cheaper ones. It ends with the first that is off by less than [`SMALLEST`].
+/// The Pareto front of the ways shown, as indices of points.
 pub fn front(sweep: &Sweep, measure: Measure, shown: &WaysShown) -> Vec<usize> {
-    let mut by_cost: Vec<(usize, usize, f64)> = sweep
-        .points
-        .iter()
-        .enumerate()
-        .filter(|(_, point)| shown.shows(point.way))
-        .filter_map(|(i, p)| Some((i, p.numbers, measure.of(&p.verdict)? * factor(measure))))
-        .collect();
-    by_cost.sort_by(|a, b| a.1.cmp(&b.1).then(a.2.total_cmp(&b.2)));
-    let mut best = f64::INFINITY;
-    by_cost.retain(|(_, _, error)| {
-        let better = *error < best && best >= SMALLEST;
-        best = best.min(*error);
-        better
-    });
-    by_cost.into_iter().map(|(index, ..)| index).collect()
+    sweep.front(measure, |way| shown.shows(way))
 }
 
 /// Corners of a staircase: each height holds until the next point. Corner `i` belongs to point

@@ -6,6 +6,7 @@ use super::about::{Same, reflectances, yardsticks};
 use crate::{
     app::{
         document::Document,
+        entry::Entry,
         library::{Library, Preset},
     },
     color::Observer,
@@ -29,8 +30,8 @@ pub enum Field {
     One(Same),
     /// Every shipped light.
     Shipped,
-    /// The shipped lights of one heading.
-    Shelf(Shelf),
+    /// The shipped lights of one class.
+    Class(Class),
     /// The shipped lights of one file.
     Group(String),
     /// Any lights, such as the user's own.
@@ -79,13 +80,19 @@ impl RaceAsk {
         let shipped = |wanted: &dyn Fn(&Preset) -> bool| -> Vec<Lamp> {
             shipped_lights()
                 .filter(|(preset, _)| wanted(preset))
-                .map(|(preset, spectrum)| lamp(spectrum, class_of(preset)))
+                .map(|(preset, spectrum)| lamp(spectrum, class_word(preset)))
                 .collect()
         };
         match &self.field {
             Field::Shipped => shipped(&|_| true),
-            Field::Shelf(shelf) => shipped(&|preset| preset.shelf == *shelf),
-            Field::Group(group) => shipped(&|preset| preset.group == *group),
+            Field::Class(class) => shipped(&|preset| Class::of(preset) == Some(*class)),
+            Field::Group(group) => Library::bundled()
+                .presets()
+                .filter(|preset| preset.group == *group)
+                .filter_map(|preset| Some((preset, Entry::of_preset(preset)?)))
+                .filter(|(_, entry)| entry.kind() == Kind::Light)
+                .map(|(preset, entry)| lamp(&entry.spectrum, class_word(preset)))
+                .collect(),
             Field::One(entry) => vec![lamp(&entry.0.spectrum, ONE)],
             Field::These(entries) => entries
                 .iter()
@@ -103,7 +110,7 @@ impl RaceAsk {
         let lights: Vec<Teacher> = shipped_lights()
             .map(|(preset, s)| Teacher {
                 name: s.name.clone(),
-                class: class_of(preset).to_owned(),
+                class: class_word(preset).to_owned(),
                 values: s.samples.on_band(band, s.kind.outside()),
             })
             .collect();
@@ -138,17 +145,51 @@ fn shipped_lights() -> impl Iterator<Item = (&'static Preset, &'static NamedSpec
         .filter(|(_, spectrum)| spectrum.kind == Kind::Light)
 }
 
-/// The class a shipped light is counted in: smooth, LED, fluorescent or discharge.
-fn class_of(preset: &Preset) -> &'static str {
-    match preset.shelf {
-        Shelf::Standard | Shelf::Sun => "smooth",
-        Shelf::Led => "LED",
-        Shelf::Fluorescent => "fluorescent",
-        Shelf::Discharge => "discharge",
-        Shelf::Paper | Shelf::Lines | Shelf::Reflectances | Shelf::Filters | Shelf::Observers => {
-            "other"
+/// A class of shipped lights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// Standard lights, the sun and the sky.
+    Smooth,
+    /// Light-emitting diodes.
+    Led,
+    /// Fluorescent lamps.
+    Fluorescent,
+    /// Sodium, mercury, metal halide and xenon lamps.
+    Discharge,
+}
+
+impl Class {
+    /// Every class.
+    pub const ALL: [Self; 4] = [Self::Smooth, Self::Led, Self::Fluorescent, Self::Discharge];
+
+    /// The word used in tables and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Smooth => "smooth",
+            Self::Led => "LED",
+            Self::Fluorescent => "fluorescent",
+            Self::Discharge => "discharge",
         }
     }
+
+    /// The class that a shipped light is counted in.
+    pub fn of(preset: &Preset) -> Option<Self> {
+        match preset.shelf {
+            Shelf::Standard | Shelf::Sun => Some(Self::Smooth),
+            Shelf::Led => Some(Self::Led),
+            Shelf::Fluorescent => Some(Self::Fluorescent),
+            Shelf::Discharge => Some(Self::Discharge),
+            Shelf::Paper
+            | Shelf::Lines
+            | Shelf::Reflectances
+            | Shelf::Filters
+            | Shelf::Observers => None,
+        }
+    }
+}
+
+fn class_word(preset: &Preset) -> &'static str {
+    Class::of(preset).map_or("other", Class::word)
 }
 
 /// Reflectances whose normalised inner product exceeds this are the same surface.

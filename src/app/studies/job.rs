@@ -20,6 +20,8 @@ pub enum Stage {
     Cancelled,
     /// There is no answer to what was asked last.
     Impossible,
+    /// The computation broke down: a fault of the program, told on standard error.
+    Broken,
 }
 
 /// One kind of computation: the last good result stays while the next is computed.
@@ -34,6 +36,17 @@ struct Running<K, T> {
     key: K,
     progress: Arc<Progress>,
     thread: JoinHandle<Option<T>>,
+    /// Told to stop because something else was asked, not by a person.
+    superseded: bool,
+}
+
+/// Wakes the window when a thread ends, in whatever way.
+struct WakeAtEnd(Wake);
+
+impl Drop for WakeAtEnd {
+    fn drop(&mut self) {
+        (self.0)();
+    }
 }
 
 impl<K, T> Default for Job<K, T> {
@@ -55,9 +68,10 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
         F: FnOnce(&Progress) -> Option<T> + Send + 'static,
     {
         self.take_in();
-        if let Some(running) = &self.running {
-            if running.key != *key {
+        if let Some(running) = &mut self.running {
+            if running.key != *key && !running.progress.is_cancelled() {
                 running.progress.cancel();
+                running.superseded = true;
             }
             return;
         }
@@ -71,16 +85,16 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
         }
         self.stage = Stage::Running(0.0);
         let progress = Arc::new(Progress::default());
-        let (work, watched, wake) = (work(), progress.clone(), wake.clone());
+        let (work, watched, wake) = (work(), progress.clone(), WakeAtEnd(wake.clone()));
         let thread = std::thread::spawn(move || {
-            let found = work(&watched);
-            wake();
-            found
+            let _wake = wake;
+            work(&watched)
         });
         self.running = Some(Running {
             key: key.clone(),
             progress,
             thread,
+            superseded: false,
         });
     }
 
@@ -107,15 +121,21 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
             return;
         };
         let cancelled = running.progress.is_cancelled();
-        // A computation that panicked has no answer; the panic itself was printed.
-        match running.thread.join().ok().flatten() {
-            Some(found) => {
+        self.stage = match running.thread.join() {
+            Ok(Some(found)) => {
                 self.result = Some((running.key, Arc::new(found)));
-                self.stage = Stage::Done;
+                Stage::Done
             }
-            None if cancelled => self.stage = Stage::Cancelled,
-            None => self.stage = Stage::Impossible,
-        }
+            Ok(None) if running.superseded => {
+                // Whoever asks for it again gets it.
+                self.asked = None;
+                Stage::Idle
+            }
+            Ok(None) if cancelled => Stage::Cancelled,
+            Ok(None) => Stage::Impossible,
+            // The panic itself was printed.
+            Err(_) => Stage::Broken,
+        };
     }
 
     /// Stops the computation; the last good result stays.
@@ -246,6 +266,35 @@ mod tests {
         job.ask(&2, &asleep(), || |_: &Progress| Some(2));
         job.finish();
         assert_eq!(job.result_for(&2).map(|r| **r), Some(2));
+    }
+
+    #[test]
+    fn a_question_that_comes_back_while_it_is_being_stopped_is_answered() {
+        let mut job: Job<u8, u8> = Job::default();
+        let (go, wait) = channel::<()>();
+        job.ask(&1, &asleep(), || {
+            move |progress: &Progress| {
+                let _ = wait.recv();
+                (!progress.is_cancelled()).then_some(1)
+            }
+        });
+        job.ask(&2, &asleep(), || |_: &Progress| Some(2));
+        job.ask(&1, &asleep(), || |_: &Progress| Some(1));
+        go.send(()).expect("the worker waits");
+        job.finish();
+        assert_eq!(job.stage(), Stage::Idle, "nobody cancelled it");
+        job.ask(&1, &asleep(), || |_: &Progress| Some(1));
+        job.finish();
+        assert_eq!(job.result_for(&1).map(|r| **r), Some(1));
+    }
+
+    #[test]
+    fn a_computation_that_breaks_down_is_not_an_answer() {
+        let mut job: Job<u8, u8> = Job::default();
+        job.ask(&1, &asleep(), || |_: &Progress| panic!("told on purpose"));
+        job.finish();
+        assert_eq!(job.stage(), Stage::Broken);
+        assert_eq!(job.result(), None);
     }
 
     #[test]

@@ -8,13 +8,12 @@ pub mod paper;
 pub mod take;
 
 pub use about::{About, Same};
-pub use field::{Field, RaceAsk};
+pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake};
 pub use take::take;
 
 use super::{document::Document, pages::FieldChoice, tables::CURVE_ORDER};
 use crate::{
-    io::preset::Shelf,
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, Progress, Race, Sweep,
@@ -96,10 +95,10 @@ impl FieldChoice {
         match self {
             Self::ThisLight => Field::One(Same(document.light.clone())),
             Self::Shipped => Field::Shipped,
-            Self::Standard => Field::Shelf(Shelf::Standard),
-            Self::Led => Field::Shelf(Shelf::Led),
-            Self::Fluorescent => Field::Shelf(Shelf::Fluorescent),
-            Self::Discharge => Field::Shelf(Shelf::Discharge),
+            Self::Smooth => Field::Class(Class::Smooth),
+            Self::Led => Field::Class(Class::Led),
+            Self::Fluorescent => Field::Class(Class::Fluorescent),
+            Self::Discharge => Field::Class(Class::Discharge),
             Self::Own => Field::These(
                 document
                     .own

@@ -87,8 +87,8 @@ pub struct Eq7 {
     pub exact: [f64; 2],
     /// By Eq. 7 with `a0 A0 / 2`.
     pub corrected: [f64; 2],
-    /// By Eq. 7 with `a0 A0 / 4`, as printed.
-    pub printed: [f64; 2],
+    /// By Eq. 7 with `a0 A0 / 4`, as printed; `None` where that is no colour.
+    pub printed: Option<[f64; 2]>,
     /// The lowest of X, Y and Z as printed, as a share of the exact Y: negative is no colour.
     pub lowest_printed: f64,
 }
@@ -160,7 +160,7 @@ impl Eq7 {
         Some(Self {
             exact: xy(harmonics.exact)?,
             corrected: xy(at.running)?,
-            printed: xy(printed)?,
+            printed: xy(printed),
             lowest_printed: lowest / harmonics.exact[1],
         })
     }
@@ -432,6 +432,9 @@ fn five_percent_row(claims: &Claims) -> Row {
         verdict,
         condition: condition.to_owned(),
     };
+    if is_all_in_spikes(claims) {
+        return row(String::new(), Verdict::Open, ALL_IN_SPIKES);
+    }
     let Some(left_out) = all(channels.map(|c| c.at_stated_order)) else {
         return row(String::new(), Verdict::Open, &no_colour_or_short(claims));
     };
@@ -462,7 +465,7 @@ fn five_percent_row(claims: &Claims) -> Row {
         let condition = match premise.filter(|p| !p.meets_eq_11()) {
             Some(slow) => format!(
                 "by measurement, not by Eq. 12, as the light does not fall like 1/n (at n = {} it \
-                 is {} times that)",
+                 is {} times |a0|/n)",
                 slow.order,
                 figure(slow.fall)
             ),
@@ -493,13 +496,24 @@ fn five_percent_row(claims: &Claims) -> Row {
 
 fn no_colour_or_short(claims: &Claims) -> String {
     if claims.harmonics.exact.iter().any(|v| *v <= 0.0) {
-        "there is no visible light in this range".to_owned()
+        NO_COLOUR.to_owned()
     } else {
         format!(
             "this range carries orders up to {} only",
             claims.five_percent.highest_order
         )
     }
+}
+
+/// Why a spectrum has no X, Y, Z to add up to.
+const NO_COLOUR: &str = "X, Y and Z are not all positive in this range";
+
+/// Why a claim about the smooth part says nothing.
+const ALL_IN_SPIKES: &str = "the smooth part is zero: all of it is in the spikes";
+
+/// Whether nothing is left for the smooth part.
+fn is_all_in_spikes(claims: &Claims) -> bool {
+    claims.harmonics.numbers.iter().all(|n| n.light == 0.0)
 }
 
 fn all<T: Copy>(three: [Option<T>; 3]) -> Option<[T; 3]> {
@@ -533,7 +547,7 @@ fn samples_row(claims: &Claims) -> Row {
         if surely == best {
             surely.to_string()
         } else {
-            format!("{surely} ({best} at best)")
+            format!("{surely} ({best} where they happen to fall well)")
         }
     };
     let errors = found.composite;
@@ -563,7 +577,8 @@ fn samples_row(claims: &Claims) -> Row {
     ];
     let judged: Vec<(&str, bool)> = judged
         .into_iter()
-        .filter_map(|(what, m)| Some((what, m?.surely.samples > numbers)))
+        // A count that does as well where the samples happen to fall well is no proof.
+        .filter_map(|(what, m)| Some((what, m?.at_best.samples > numbers)))
         .collect();
     let good: Vec<&str> = judged.iter().filter(|j| j.1).map(|j| j.0).collect();
     let (verdict, condition) = if good.len() == judged.len() {
@@ -722,6 +737,9 @@ fn resampling_row(claims: &Claims) -> Row {
     if !others.is_empty() {
         let _ = write!(measured, " {}.", others.join(", "));
     }
+    if is_all_in_spikes(claims) {
+        return row(String::new(), Verdict::Open, ALL_IN_SPIKES.to_owned());
+    }
     if claims.light_is_dark {
         let why = "the light is zero over the whole range".to_owned();
         return row(String::new(), Verdict::Open, why);
@@ -751,7 +769,7 @@ fn eq_7_row(claims: &Claims) -> Row {
     };
     let Some(found) = claims.eq_7 else {
         let why = if claims.basis == Basis::Fourier {
-            "there is no visible light in this range"
+            NO_COLOUR
         } else {
             "Eq. 7 is written for the Fourier basis"
         };
@@ -763,12 +781,18 @@ fn eq_7_row(claims: &Claims) -> Row {
          {}.",
         claims.order,
         claims.subject,
-        pair(found.printed),
+        found
+            .printed
+            .map_or_else(|| "where there is no colour".to_owned(), pair),
         pair(found.corrected),
         pair(found.exact),
     );
     if found.lowest_printed < 0.0 {
         measured.push_str(" As printed one of X, Y and Z is negative.");
+    }
+    if found.printed == Some(found.corrected) {
+        // Everything is in the spikes: order 0 is zero.
+        return row(measured, Verdict::Open, "order 0 adds nothing here");
     }
     row(
         measured,

@@ -49,22 +49,16 @@ fn edits(ask: &AuctionAsk, auction: &Auction, step: &Step) -> SpikeEdits {
     let about = &ask.about;
     let values = about.subject.0.on_band(about.band);
     let (parts, shapes) = detect_shapes(about.band, &values, about.spikes);
-    let spikes = |bought: bool| {
-        shapes
-            .iter()
-            .enumerate()
-            .filter(move |(line, _)| step.lines.contains(line) == bought)
-            .map(|(_, shape)| shape.spike)
+    // By place: the auction saw the spectrum at another scale, and rounding may change an order.
+    let is_bought = |found: &Spike| {
+        let mut places = step.lines.iter().map(|line| auction.lines[*line].at_nm);
+        places.any(|at_nm| (found.at_nm - at_nm).abs() < SAME_PLACE_NM)
     };
-    let bought: Vec<Spike> = spikes(true).collect();
+    let (bought, others): (Vec<Spike>, Vec<Spike>) =
+        shapes.iter().map(|shape| shape.spike).partition(is_bought);
     let left = SpikeEdits {
         hand: Vec::new(),
-        deleted_nm: spikes(false).map(|spike| spike.at_nm).collect(),
-    };
-    debug_assert_eq!(shapes.len(), auction.lines.len(), "the same lines again");
-    let is_bought = |found: &Spike| {
-        let mut places = bought.iter().map(|spike| spike.at_nm);
-        places.any(|at_nm| (found.at_nm - at_nm).abs() < SAME_PLACE_NM)
+        deleted_nm: others.iter().map(|spike| spike.at_nm).collect(),
     };
     // What is left in changes what is found beside it: a few rounds settle that.
     let settled = |mut edits: SpikeEdits| {

@@ -364,7 +364,7 @@ fn ending(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool
     ui.horizontal_wrapped(|ui| {
         let last = built.auction.steps.len() - 1;
         let taken = built.chosen == Some(last);
-        let button = ui.add_enabled(fresh && !taken, egui::Button::new("Take the last"));
+        let button = ui.add_enabled(fresh && !taken, egui::Button::new("Take this model"));
         if button.clicked() {
             act(context, built, last);
         }

@@ -245,13 +245,13 @@ fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {
     match harmonics.slowest_fall {
         Some(slow) if slow.meets_eq_11() => format!(
             "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do (at most {} \
-             times that, at n = {}).",
+             times |a0|/n, at n = {}).",
             figure(slow.fall),
             slow.order
         ),
         Some(slow) => format!(
             "The bound of Eq. 12 asks that the coefficients fall like 1/n; these do not: at n = {} \
-             they are {} times that.",
+             they are {} times |a0|/n.",
             slow.order,
             figure(slow.fall)
         ),
@@ -318,7 +318,7 @@ fn details(ui: &mut Ui, context: &PageContext<'_>, harmonics: &Harmonics, pointe
             "Term {n} over term 0: {} %; bound {} %, as printed {} %.",
             percent(order.share_of_first[k]),
             percent(bound.channels[k]),
-            percent(2.0 * bound.channels[k]),
+            percent(bound.channels_as_printed[k]),
         ));
     }
 }

@@ -122,6 +122,11 @@ pub fn progress<K: Clone + PartialEq, T: Send + 'static>(
                 }
             });
         }
+        Stage::Broken => {
+            ui.weak(format!(
+                "{what} broke down: a fault of this program, told on its standard error."
+            ));
+        }
         Stage::Impossible => {
             ui.weak(format!(
                 "{what}: there is nothing to measure on this spectrum and range."

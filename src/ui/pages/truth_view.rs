@@ -182,7 +182,7 @@ fn words(ui: &mut Ui, context: &PageContext<'_>, row: &Row) {
     };
     ui.add(egui::Label::new(RichText::new(verdict).color(colour)).wrap());
     ui.add_space(2.0);
-    ui.add(egui::Label::new(RichText::new(format!("Paper: {}", row.paper)).weak()).wrap())
+    ui.add(egui::Label::new(RichText::new(format!("Paper: {}", row.paper)).italics()).wrap())
         .on_hover_text(format!("In the paper: {}.", row.place));
     if !row.measured.is_empty() {
         ui.add(egui::Label::new(format!("Here: {}", row.measured)).wrap());

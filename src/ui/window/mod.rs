@@ -44,6 +44,9 @@ type Channel<T> = (Sender<T>, Receiver<T>);
 /// The right panel's width: its tables fit, so that it does not jump with its content.
 const RIGHT_WIDTH: f32 = 384.0;
 
+/// How often the progress of a computation is looked at.
+const WATCH_EVERY: std::time::Duration = std::time::Duration::from_millis(80);
+
 /// A change is kept on disk this long after it was made, seconds.
 const KEEP_AFTER: f64 = 0.7;
 
@@ -181,7 +184,13 @@ impl Window {
         }
         self.apply(&mut commands);
 
-        Panel::right("model")
+        // Large type needs another width: each keeps its own.
+        let right = if self.preferences.projector {
+            "model, projector"
+        } else {
+            "model"
+        };
+        Panel::right(right)
             .default_size(RIGHT_WIDTH * theme.scale)
             .size_range(RIGHT_WIDTH * theme.scale..=760.0)
             .show(ui, |ui| {
@@ -198,6 +207,9 @@ impl Window {
                 .show(ui, |ui| self.below(ui, theme));
         }
         self.studies.take_in();
+        if self.studies.is_running() {
+            context.request_repaint_after(WATCH_EVERY);
+        }
         egui::CentralPanel::default_margins().show(ui, |ui| {
             pages::tabs(ui, &mut self.preferences.pages.page);
             if !on_spectrum {
@@ -256,8 +268,14 @@ impl Window {
     fn page(&mut self, ui: &mut Ui, theme: Theme) {
         let context = ui.ctx().clone();
         let (mut commands, mut wishes) = (Vec::new(), Vec::new());
-        self.pages.show(
-            ui,
+        // Every page keeps its own place in its scroll area.
+        let salt = self.preferences.pages.page.word();
+        let (pages, page_ui) = (
+            &mut self.pages,
+            &mut ui.new_child(egui::UiBuilder::new().id_salt(salt)),
+        );
+        pages.show(
+            page_ui,
             &mut PageContext {
                 app: &self.app,
                 studies: &mut self.studies,
@@ -380,8 +398,14 @@ impl Window {
                     ui.label("file dialog open");
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let Some(message) = self.app.message() else {
-                        ui.weak("Move N and the threshold; click a patch; drag a spike.");
+                    let Some(message) = self.app.current_message() else {
+                        let page = self.preferences.pages.page;
+                        ui.weak(match page {
+                            Page::Spectrum => {
+                                "Move N and the threshold; click a patch; drag a spike."
+                            }
+                            page => page.meaning(),
+                        });
                         return;
                     };
                     if message.tone == Tone::Problem {

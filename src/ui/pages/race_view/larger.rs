@@ -46,7 +46,7 @@ impl Larger {
     /// The comparison of a race over a whole set; `None` where single lights race.
     pub fn new(ask: &RaceAsk, race: &Race, budget: usize) -> Option<Self> {
         let whole = match ask.field {
-            Field::Shipped | Field::Shelf(_) | Field::Group(_) => true,
+            Field::Shipped | Field::Class(_) | Field::Group(_) => true,
             Field::One(_) | Field::These(_) => false,
         };
         if !whole {

@@ -50,13 +50,31 @@ struct Drawn {
 }
 
 /// What decides how a result is shown.
-#[derive(Clone, PartialEq)]
+#[derive(Clone)]
 struct Key {
-    race: *const Race,
+    /// Held, so that no later race can stand in its place.
+    race: Arc<Race>,
     class: Option<String>,
     budget: usize,
     measure: Measure,
     theme: plot_svg::Theme,
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        let Self {
+            race,
+            class,
+            budget,
+            measure,
+            theme,
+        } = self;
+        Arc::ptr_eq(race, &other.race)
+            && *class == other.class
+            && *budget == other.budget
+            && *measure == other.measure
+            && *theme == other.theme
+    }
 }
 
 impl RaceView {
@@ -142,7 +160,8 @@ impl RaceView {
                 .selected_text(memory.race_measure.title())
                 .width(140.0)
                 .show_ui(ui, |ui| {
-                    for measure in Measure::ALL {
+                    let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
+                    for measure in Measure::ALL.into_iter().filter(decides) {
                         ui.selectable_value(&mut memory.race_measure, measure, measure.title())
                             .on_hover_text(table::meaning(measure));
                     }
@@ -202,7 +221,7 @@ impl RaceView {
             return;
         };
         let key = Key {
-            race: Arc::as_ptr(race),
+            race: race.clone(),
             class: self.class.clone(),
             budget,
             measure: context.memory.race_measure,

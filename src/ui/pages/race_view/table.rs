@@ -113,7 +113,7 @@ impl Table {
         rms.decides = decides == Measure::Rms;
         columns.push(rms);
         columns.push(spent(race, class, budget, rows.len()));
-        costs(&mut columns, &rows, many);
+        costs(&mut columns, &rows, many, &race.cost_of);
         Self {
             racers: race.racers.clone(),
             columns,
@@ -420,12 +420,8 @@ fn spent(race: &Race, class: Option<&str>, budget: usize, racers: usize) -> Colu
     }
 }
 
-fn costs(columns: &mut Vec<Column>, rows: &[Row], many: bool) {
-    let first = if many {
-        " Measured in this run on the first light."
-    } else {
-        " Measured in this run."
-    };
+fn costs(columns: &mut Vec<Column>, rows: &[Row], many: bool, cost_of: &str) {
+    let first = format!(" Measured in this run on {cost_of}, the light with most lines.");
     let mut add =
         |title: &str, tip: String, width: f32, value: Value<'_>, text: &dyn Fn(f64) -> String| {
             let mut cells: Vec<Cell> = rows

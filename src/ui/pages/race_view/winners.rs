@@ -11,7 +11,7 @@ use crate::{
         Command, Entry,
         charts::race::{figure, looks, short_name, shown_factor, spread_of},
         library::{Library, Preset},
-        studies::{Field, RaceAsk},
+        studies::{Class, Field, RaceAsk},
         study_report::sets,
     },
     spectrum::Kind,
@@ -257,14 +257,14 @@ fn entry_of(field: &Field, race: &Race, lamp: usize) -> Option<Arc<Entry>> {
     let shipped = |wanted: &dyn Fn(&Preset) -> bool| {
         let mut called = Library::bundled()
             .presets()
-            .filter(|p| p.kind == Kind::Light && p.name == *name && p.spectrum().is_some())
+            .filter(|p| p.kind == Kind::Light && p.name == *name && p.line_list().is_none())
             .filter(|p| wanted(p));
         Entry::of_preset(called.nth(before)?).map(Arc::new)
     };
     match field {
         Field::One(entry) => Some(entry.0.clone()),
         Field::Shipped => shipped(&|_| true),
-        Field::Shelf(shelf) => shipped(&|p| p.shelf == *shelf),
+        Field::Class(class) => shipped(&|p| Class::of(p) == Some(*class)),
         Field::Group(group) => shipped(&|p| p.group == *group),
         Field::These(entries) => entries
             .iter()
