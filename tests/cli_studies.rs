@@ -383,13 +383,19 @@ fn a_folder_of_lights_races_and_what_cannot_is_told_and_skipped() {
     write("a.csv", light(1.0));
     write("b.csv", light(-0.3));
     write("c.csv", "no spectrum at all\n".to_owned());
+    let dark = (0..=80).map(|i| format!("{},0\n", 380 + 5 * i));
+    write(
+        "dark.csv",
+        format!("nm,irradiance (W/m2/nm)\n{}", dark.collect::<String>()),
+    );
     fs::create_dir(folder.path().join("below")).expect("a folder");
     write("below/d.csv", light(2.0));
     let path = folder.path().to_str().expect("Unicode");
     let told = tell(&["race", "--set", path, "--numbers", "11", "--json"]);
     assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
     assert!(told.err.contains("c.csv"), "{}", told.err);
-    assert!(!told.err.contains("d.csv"), "{}", told.err);
+    assert!(!told.err.contains("/d.csv"), "{}", told.err);
+    assert!(told.err.contains("nothing but zeros"), "{}", told.err);
     let race: Value = serde_json::from_str(&told.out).expect("JSON");
     assert!(
         race["rows"]
@@ -400,6 +406,7 @@ fn a_folder_of_lights_races_and_what_cannot_is_told_and_skipped() {
     );
     fs::remove_file(folder.path().join("a.csv")).expect("it is there");
     fs::remove_file(folder.path().join("b.csv")).expect("it is there");
+    fs::remove_file(folder.path().join("dark.csv")).expect("it is there");
     let told = tell(&["race", "--set", path, "--numbers", "11"]);
     assert_eq!(told.outcome, Outcome::Done(1));
     assert!(told.err.contains("found no light"), "{}", told.err);
@@ -418,7 +425,11 @@ fn what_makes_no_sense_is_refused_in_one_line() {
             "--set",
         ),
         (&["race", "--set", "nosuch", "--numbers", "9"], 1, "nosuch"),
-        (&["race", "--set", "paper", "--numbers", "9"], 1, "paper"),
+        (
+            &["race", "--set", "atomic_lines", "--numbers", "9"],
+            1,
+            "atomic_lines",
+        ),
         (
             &["race", "--set", "cri_tcs", "--numbers", "9"],
             1,

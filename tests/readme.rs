@@ -62,11 +62,25 @@ fn the_two_commands_and_the_picture_are_there() {
 #[test]
 fn the_map_names_every_folder_of_src_and_every_preset_file_has_its_row() {
     let readme = readme();
-    for entry in fs::read_dir(root().join("src")).expect("src") {
-        let entry = entry.expect("an entry");
-        if entry.path().is_dir() {
-            let name = format!("{}/", entry.file_name().to_string_lossy());
-            assert!(readme.contains(&name), "{name} is not on the map");
+    let mut folders = vec![root().join("src")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder of src") {
+            let entry = entry.expect("an entry");
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let is_module = name != "mod.rs" && name.ends_with(".rs");
+            if entry.path().is_dir() && name != "fonts" {
+                assert!(
+                    readme.contains(&format!("{name}/")),
+                    "{name}/ is not on the map"
+                );
+                folders.push(entry.path());
+            } else if is_module && entry.path().ends_with(format!("src/cli/{name}")) {
+                let word = name.trim_end_matches(".rs");
+                assert!(
+                    readme.contains(word),
+                    "the command {word} is not on the map"
+                );
+            }
         }
     }
     let table: BTreeSet<&str> = readme

@@ -72,29 +72,34 @@ pub fn log_ticks(min: f64, max: f64, target: usize) -> Vec<f64> {
         return Vec::new();
     }
     let (first, last) = (exponent(min), exponent(max));
-    let every = ((last - first) as usize).div_ceil(target.max(1)).max(1);
-    let digits: &[f64] = if ((last - first) as usize) * 3 <= target {
-        &[1.0, 2.0, 5.0]
-    } else {
-        &[1.0]
-    };
-    let decades = (first..=last).filter(|decade| decade.rem_euclid(every as i32) == 0);
-    let ticks = decades.flat_map(|decade| {
-        digits.iter().map(move |digit| {
-            if decade < 0 {
-                digit / power_of_ten(-decade)
-            } else {
-                digit * power_of_ten(decade)
-            }
-        })
-    });
     let inside = |tick: &f64| (min * (1.0 - 1e-9)..=max * (1.0 + 1e-9)).contains(tick);
-    let ticks: Vec<f64> = ticks.filter(inside).collect();
-    if ticks.len() < 2 {
-        nice_ticks(min, max, target)
-    } else {
-        ticks
+    let ticks = |every: usize, digits: &[f64]| -> Vec<f64> {
+        let decades = (first..=last).filter(|decade| decade.rem_euclid(every as i32) == 0);
+        let all = decades.flat_map(|decade| {
+            digits.iter().map(move |digit| {
+                if decade < 0 {
+                    digit / power_of_ten(-decade)
+                } else {
+                    digit * power_of_ten(decade)
+                }
+            })
+        });
+        all.filter(inside).collect()
+    };
+    let decades = (last - first) as usize;
+    if decades * 3 <= target {
+        let fine = ticks(1, &[1.0, 2.0, 5.0]);
+        if fine.len() >= 2 {
+            return fine;
+        }
     }
+    // Where every few decades leave fewer than two, more of them.
+    let most = decades.div_ceil(target.max(1)).max(1);
+    let coarse = (1..=most).rev().map(|every| ticks(every, &[1.0]));
+    coarse
+        .chain([ticks(1, &[1.0, 2.0, 5.0])])
+        .find(|ticks| ticks.len() >= 2)
+        .unwrap_or_else(|| nice_ticks(min, max, target))
 }
 
 /// Writes the ticks of a linear axis, all with the same number of decimals.
@@ -229,6 +234,19 @@ mod tests {
                         assert_eq!(tick_labels(&ticks).len(), ticks.len());
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn several_decades_have_powers_of_ten_however_few_ticks_are_wanted() {
+        for (min, max) in [(0.01, 600.0), (3e-4, 25.0), (0.3, 40.0)] {
+            for target in 1..8 {
+                let ticks = log_ticks(min, max, target);
+                assert!(ticks.len() >= 2, "{min} to {max}: {ticks:?}");
+                let ratios = ticks.windows(2).map(|pair| pair[1] / pair[0]);
+                // Of 1, 2 and 5, or whole decades: the ticks never crowd at the upper end.
+                assert!(ratios.fold(f64::INFINITY, f64::min) > 1.9, "{ticks:?}");
             }
         }
     }

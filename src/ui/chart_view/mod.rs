@@ -346,7 +346,7 @@ fn label_room(label: &str, chart: &Chart, line: f32) -> f32 {
 
 /// About how many marks a vertical axis has.
 fn down(height: f32, theme: Theme) -> usize {
-    (height / (48.0 * theme.scale)).clamp(2.0, 10.0) as usize
+    (height / (36.0 * theme.scale)).clamp(3.0, 10.0) as usize
 }
 
 /// Marks of a vertical axis, in coordinates of the plot, and what is written at them.
