@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{
+    cells::{line, number, words},
     chart::{curve_chart, spectrum_chart},
     derived::PatchPair,
     plot_svg::Theme,
@@ -13,7 +14,7 @@ use super::{
 use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,
-        write::{Column, Columns, encode, shortest},
+        write::{Column, Columns, encode},
     },
     spectrum::{NamedSpectrum, Sampled},
 };
@@ -282,23 +283,6 @@ fn table_head(app: &App) -> String {
     out
 }
 
-fn row(cells: &[String]) -> String {
-    let mut line = cells.join(",");
-    line.push('\n');
-    line
-}
-
-fn number(value: Option<f64>) -> String {
-    value
-        .filter(|v| v.is_finite())
-        .map(shortest)
-        .unwrap_or_default()
-}
-
-fn words(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "'"))
-}
-
 /// The patches as a table: names, CIEDE2000, XYZ (Y of the light 100) and screen colours.
 pub fn patches_csv(app: &App) -> String {
     let mut out = table_head(app);
@@ -322,7 +306,7 @@ pub fn patches_csv(app: &App) -> String {
                 .map(|v| number(Some(v))),
         );
         cells.extend([exact_swatch.hex(), model_swatch.hex()]);
-        out.push_str(&row(&cells));
+        out.push_str(&line(cells));
     }
     out
 }
@@ -334,7 +318,7 @@ pub fn spikes_csv(app: &App) -> String {
     let mut out = table_head(app);
     out.push_str("at_nm,weight,share_of_power,width_nm,line,by_hand\n");
     for (spike, name) in derived.parts.spikes.iter().zip(app.spike_names()) {
-        out.push_str(&row(&[
+        out.push_str(&line([
             number(Some(spike.spike.at_nm)),
             number(Some(spike.spike.weight * factor)),
             number(derived.parts.share(spike.spike.weight)),
@@ -351,7 +335,7 @@ pub fn curve_csv(app: &App) -> String {
     let mut out = table_head(app);
     out.push_str("order,numbers,delta_e_own,delta_e_patches_mean,delta_e_patches_max,relative_rms,relative_rms_10nm\n");
     for point in &app.derived().curve {
-        out.push_str(&row(&[
+        out.push_str(&line([
             point.order.to_string(),
             point.numbers.to_string(),
             number(point.own),

@@ -15,6 +15,7 @@ use super::{
     line_names::{ElementLine, LineName, name_spikes},
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
+    studies::about::reflectances,
     tables::{CURVE_ORDER, Tables, Viewing},
 };
 use crate::{
@@ -487,16 +488,10 @@ fn make_tables(wanted: &TablesFor) -> Tables {
         Some(light) => Viewing::under(&light.on_band(band), band, observer),
         None => Viewing::of_light(band, observer),
     };
-    let patches = wanted.patch_set.as_ref().map(|group| {
-        let items = Library::bundled().group(group).map(|g| &g.items[..]);
-        items
-            .unwrap_or_default()
-            .iter()
-            .filter_map(|p| p.spectrum())
-            .filter(|s| s.kind.is_factor())
-            .map(|s| (s.name.clone(), s.samples.on_band(band, s.kind.outside())))
-            .unzip()
-    });
+    let patches = wanted
+        .patch_set
+        .as_ref()
+        .map(|group| reflectances(group, band));
     Tables::new(band, wanted.basis, wanted.order, observer, viewing, patches)
 }
 

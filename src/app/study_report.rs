@@ -9,12 +9,13 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value, json};
 
 use super::{
+    cells::{line, number, words},
     export,
     state::App,
     studies::{AuctionAsk, Field, RaceAsk, SweepAsk, about::About},
 };
 use crate::{
-    io::write::{Provenance, one_line, shortest},
+    io::write::{Provenance, one_line},
     spectrum::{Kind, SpikeSettings},
     study::{
         Auction, Measure, Race, Spread, Sweep, Verdict,
@@ -137,30 +138,6 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
     out
 }
 
-fn number(value: Option<f64>) -> String {
-    value
-        .filter(|v| v.is_finite())
-        .map(shortest)
-        .unwrap_or_default()
-}
-
-/// Text as one cell of a table.
-fn words(text: &str) -> String {
-    let text = one_line(text);
-    let special = text.contains([',', '"', ';']) || text.starts_with(['#', '=', '+', '-', '@']);
-    if special {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text
-    }
-}
-
-fn line(out: &mut String, cells: impl IntoIterator<Item = String>) {
-    let cells: Vec<String> = cells.into_iter().collect();
-    out.push_str(&cells.join(","));
-    out.push('\n');
-}
-
 /// A sweep as JSON.
 pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
     let measure = front_measure(sweep);
@@ -242,7 +219,7 @@ pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
         ];
         cells.extend(figures(&point.verdict).map(|(_, value)| number(value)));
         cells.push(on_front.to_string());
-        line(&mut out, cells);
+        out.push_str(&line(cells));
     }
     out
 }
@@ -435,7 +412,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
             words(&back.join(" and ")),
         ]);
         cells.extend(figures(&step.verdict).map(|(_, value)| number(value)));
-        line(&mut out, cells);
+        out.push_str(&line(cells));
     }
     out
 }
@@ -653,7 +630,7 @@ pub fn race_csv(ask: &RaceAsk, race: &Race) -> String {
             row.racer.is_prefix().to_string(),
             wins.map(|w| w.to_string()).unwrap_or_default(),
         ]);
-        line(&mut out, cells);
+        out.push_str(&line(cells));
     }
     out
 }

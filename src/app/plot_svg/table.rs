@@ -3,7 +3,10 @@
 use std::{collections::BTreeSet, fmt::Write as _};
 
 use super::{Chart, Marks, Series};
-use crate::io::write::{one_line, shortest};
+use crate::{
+    app::cells::{number, words},
+    io::write::one_line,
+};
 
 /// A column of numbers over places of its own.
 struct Column {
@@ -69,14 +72,14 @@ impl Chart {
     }
 
     fn x_title(&self) -> String {
-        quoted(title_or(&self.x_label, "x"))
+        words(title_or(&self.x_label, "x"))
     }
 
     /// The cells that a place takes at the beginning of a line: its number and perhaps its name.
     fn place(&self, x: f64) -> String {
         match self.x_names.is_empty() {
             true => number(x),
-            false => format!("{},{}", number(x), quoted(self.name_at(x).unwrap_or(""))),
+            false => format!("{},{}", number(x), words(self.name_at(x).unwrap_or(""))),
         }
     }
 
@@ -101,7 +104,7 @@ impl Chart {
         if self.x_names.is_empty() {
             return of(&number);
         }
-        let names = of(&|x| quoted(self.name_at(x).unwrap_or_default()))?;
+        let names = of(&|x| words(self.name_at(x).unwrap_or_default()))?;
         let different: BTreeSet<&String> = names.iter().collect();
         (different.len() == names.len()).then_some(names)
     }
@@ -109,7 +112,7 @@ impl Chart {
     fn wide_table(&self, out: &mut String, columns: &[Column], places: &[String]) {
         out.push_str(&self.x_title());
         for column in columns {
-            let _ = write!(out, ",{}", quoted(&column.name));
+            let _ = write!(out, ",{}", words(&column.name));
         }
         out.push('\n');
         for (i, place) in places.iter().enumerate() {
@@ -122,10 +125,10 @@ impl Chart {
     }
 
     fn long_table(&self, out: &mut String, columns: &[Column]) {
-        let y = quoted(title_or(&self.y_label, "y"));
+        let y = words(title_or(&self.y_label, "y"));
         let _ = writeln!(out, "series,{},{y}", self.place_title());
         for column in columns {
-            let name = quoted(&column.name);
+            let name = words(&column.name);
             for &[x, y] in &column.points {
                 let _ = writeln!(out, "{name},{},{}", self.place(x), number(y));
             }
@@ -137,9 +140,9 @@ impl Chart {
         let maps = all().filter_map(|(i, s)| Some((name_of(s, i), s.marks.cells()?)));
         let maps: Vec<_> = maps.collect();
         let alone = maps.len() == 1 && columns.is_empty();
-        let y = quoted(title_or(&self.y_label, "y"));
+        let y = words(title_or(&self.y_label, "y"));
         let value = match &maps[..] {
-            [(_, cells)] => quoted(title_or(&cells.label, "value")),
+            [(_, cells)] => words(title_or(&cells.label, "value")),
             _ => "value".to_owned(),
         };
         if !alone {
@@ -148,7 +151,7 @@ impl Chart {
         let _ = writeln!(out, "{},{y},{value}", self.place_title());
         let mut line = |name: &str, [x, y]: [f64; 2], value: Option<f64>| {
             if !alone {
-                let _ = write!(out, "{},", quoted(name));
+                let _ = write!(out, "{},", words(name));
             }
             let value = value.map(number).unwrap_or_default();
             let _ = writeln!(out, "{},{},{value}", self.place(x), number(y));
@@ -180,26 +183,5 @@ fn title_or<'a>(title: &'a str, otherwise: &'a str) -> &'a str {
         otherwise
     } else {
         title
-    }
-}
-
-/// Nothing where there is no number: tables know neither NaN nor infinity.
-fn number(value: f64) -> String {
-    if value.is_finite() {
-        shortest(value)
-    } else {
-        String::new()
-    }
-}
-
-/// Text as one cell: in quotes where it holds a sign of the table's own or begins like a comment
-/// or a formula.
-fn quoted(text: &str) -> String {
-    let text = one_line(text);
-    let special = text.contains([',', '"', ';']) || text.starts_with(['#', '=', '+', '-', '@']);
-    if special {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text
     }
 }

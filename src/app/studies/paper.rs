@@ -8,7 +8,13 @@
 use std::fmt::Write as _;
 
 use crate::{
-    app::{export::provenance, state::App, tables::Viewing, ticks::short},
+    app::{
+        cells::{line, words},
+        export::provenance,
+        state::App,
+        tables::Viewing,
+        ticks::short,
+    },
     color::{Observer, Xyz, xy_from_xyz},
     io::write::one_line,
     spectrum::{
@@ -355,12 +361,10 @@ pub fn truth_csv(app: &App, claims: &Claims) -> String {
         );
     }
     out.push_str("claim,paper,measured,verdict\n");
-    let cell = |text: &str| format!("\"{}\"", one_line(text).replace('"', "\"\""));
     for row in truth_table(claims) {
         let paper = format!("{} ({})", row.paper, row.place);
-        let cells = [row.claim, &paper, &row.measured, &row.verdict_words()].map(cell);
-        out.push_str(&cells.join(","));
-        out.push('\n');
+        let cells = [row.claim, &paper, &row.measured, &row.verdict_words()].map(words);
+        out.push_str(&line(cells));
     }
     out
 }

@@ -1,0 +1,48 @@
+//! Cells of the tables that the program writes: numbers that read back exactly, and text that
+//! cannot be taken for anything else.
+
+use crate::io::write::{one_line, shortest};
+
+/// A number in the fewest digits that read back to it; nothing where there is none, since tables
+/// know neither NaN nor infinity.
+pub fn number(value: impl Into<Option<f64>>) -> String {
+    value
+        .into()
+        .filter(|v| v.is_finite())
+        .map(shortest)
+        .unwrap_or_default()
+}
+
+/// Text as one cell: in quotes where it holds a sign of the table's own or begins like a comment
+/// or a formula.
+pub fn words(text: &str) -> String {
+    let text = one_line(text);
+    let special = text.contains([',', '"', ';']) || text.starts_with(['#', '=', '+', '-', '@']);
+    if special {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text
+    }
+}
+
+/// A line of a table.
+pub fn line(cells: impl IntoIterator<Item = String>) -> String {
+    let cells: Vec<String> = cells.into_iter().collect();
+    cells.join(",") + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_is_what_was_meant_or_nothing() {
+        assert_eq!(number(0.1), "0.1");
+        assert_eq!(number(f64::NAN), "");
+        assert_eq!(number(None), "");
+        assert_eq!(words("FL2"), "FL2");
+        assert_eq!(words("a, \"b\"\nc"), "\"a, \"\"b\"\" c\"");
+        assert_eq!(words("=1+1"), "\"=1+1\"");
+        assert_eq!(line([number(1.5), words("x")]), "1.5,x\n");
+    }
+}
