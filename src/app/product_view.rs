@@ -35,7 +35,11 @@ impl ProductView {
         let reflectance = patches.reflectances.get(index)?;
         let (smooth, spikes) = match sampling {
             Sampling::Exact => on_grid(&derived.model, reflectance),
-            Sampling::Paper | Sampling::ThreeN | Sampling::FourN | Sampling::Double => {
+            Sampling::Paper
+            | Sampling::ThreeN
+            | Sampling::FourN
+            | Sampling::Double
+            | Sampling::Convolution => {
                 let numbers = derived.model.smooth.coefficients.len();
                 let factor = Series {
                     coefficients: patches.coefficients[index][..numbers].to_vec(),

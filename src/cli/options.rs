@@ -53,7 +53,8 @@ pub struct ModelOptions {
     /// Colour-matching functions: 1931, 1964, 2015-2 or 2015-10 [default: 1931].
     #[arg(long, value_name = "YEAR", value_parser = words::observer)]
     pub observer: Option<Observer>,
-    /// How products with reflectances are formed: paper, 3n, 4n, double or exact [default: exact].
+    /// How products with reflectances are formed: paper, 3n, 4n, double, convolution or exact
+    /// [default: exact].
     #[arg(long, value_name = "POINTS", value_parser = words::sampling)]
     pub sampling: Option<Sampling>,
 }

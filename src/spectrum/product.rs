@@ -33,15 +33,17 @@ pub fn on_grid(light: &Composite, factor: &[f64]) -> (Vec<f64>, Vec<Spike>) {
 /// A light times a smooth factor by resampling: the composite through the products of the points.
 ///
 /// Both series share band and basis; the result has one number per point. With
-/// [`Sampling::Exact`] every order of the product is kept, by coefficient convolution.
+/// [`Sampling::Convolution`] it has as many numbers as the longer factor, with
+/// [`Sampling::Exact`] every order of the product is kept, both by coefficient convolution.
 pub fn resampled(light: &Composite, factor: &Series, sampling: Sampling) -> Composite {
     let numbers = light
         .smooth
         .coefficients
         .len()
         .max(factor.coefficients.len());
-    let smooth = match sampling.points(numbers) {
-        Some(points) => {
+    let whole = || convolve(&light.smooth, factor);
+    let smooth = match (sampling, sampling.points(numbers)) {
+        (_, Some(points)) => {
             let grid = SampleGrid {
                 band: light.band(),
                 basis: light.smooth.basis,
@@ -50,7 +52,8 @@ pub fn resampled(light: &Composite, factor: &Series, sampling: Sampling) -> Comp
             let product = multiply(&grid.sample(&light.smooth), &grid.sample(factor));
             grid.series(&product)
         }
-        None => convolve(&light.smooth, factor),
+        (Sampling::Convolution, None) => whole().truncated(numbers),
+        (_, None) => whole(),
     };
     Composite {
         smooth,

@@ -26,17 +26,20 @@ pub enum Sampling {
     FourN,
     /// Twice as many points as there are numbers: the default for chains.
     Double,
+    /// No points: the coefficients convolved and cut back to as many as there were.
+    Convolution,
     /// No resampling: the product on the 1 nm grid with the factor as measured.
     Exact,
 }
 
 impl Sampling {
-    /// Every way, coarsest first.
-    pub const ALL: [Self; 5] = [
+    /// Every way: those on few points, coarsest first, then those without.
+    pub const ALL: [Self; 6] = [
         Self::Paper,
         Self::ThreeN,
         Self::FourN,
         Self::Double,
+        Self::Convolution,
         Self::Exact,
     ];
 
@@ -47,11 +50,13 @@ impl Sampling {
             Self::ThreeN => "3n",
             Self::FourN => "4n",
             Self::Double => "double",
+            Self::Convolution => "convolution",
             Self::Exact => "exact",
         }
     }
 
-    /// Points for factors of `numbers` coefficients; `None` for the 1 nm product.
+    /// Points for factors of `numbers` coefficients; `None` for the ways without: convolution and
+    /// the 1 nm product.
     pub fn points(self, numbers: usize) -> Option<usize> {
         let order = numbers / 2;
         match self {
@@ -60,7 +65,7 @@ impl Sampling {
             Self::ThreeN => Some((3 * order + 1) | 1),
             Self::FourN => Some(4 * order + 1),
             Self::Double => Some(2 * numbers),
-            Self::Exact => None,
+            Self::Convolution | Self::Exact => None,
         }
     }
 }

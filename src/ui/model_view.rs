@@ -378,6 +378,11 @@ fn sampling_words(sampling: Sampling) -> (&'static str, &'static str) {
             "Products on twice as many points as there are numbers. The reflectance is modelled \
              too.",
         ),
+        Sampling::Convolution => (
+            "convolution",
+            "The coefficients convolved and cut back to order N: nothing folds, all above N is \
+             lost. The reflectance is modelled too.",
+        ),
         Sampling::Exact => (
             "exact, 1 nm",
             "Products on the 1 nm grid with the reflectance as measured; spikes weigh it where \

@@ -12,7 +12,7 @@ use crate::{
         patches::{difference, labs_into},
         srgb::Swatch,
     },
-    spectrum::{SampleGrid, Series, Spike},
+    spectrum::{SampleGrid, Sampling, Series, Spike, product::convolve},
 };
 
 /// One patch under the exact light and under the model.
@@ -60,15 +60,19 @@ impl Fitted {
         let scale = 100.0 / self.white.y;
         let (mut exact, mut model) = (patches.set.buffer(), patches.set.buffer());
         patches.set.xyz_into(question.measured, &mut exact);
-        match question.settings.sampling.points(coefficients.len()) {
-            None => {
+        let sampling = question.settings.sampling;
+        match (sampling, sampling.points(coefficients.len())) {
+            (_, Some(points)) => {
+                self.resampled_patches(question, tables, coefficients, points, &mut model)
+            }
+            (Sampling::Convolution, None) => {
+                self.convolved_patches(question, tables, coefficients, &mut model);
+            }
+            (_, None) => {
                 patches.matrix.xyz_into(coefficients, &mut model);
                 for spike in &self.spikes {
                     patches.set.add_line(spike.at_nm, spike.weight, &mut model);
                 }
-            }
-            Some(points) => {
-                self.resampled_patches(question, tables, coefficients, points, &mut model)
             }
         }
         let (mut exact_labs, mut model_labs) = (
@@ -140,17 +144,49 @@ impl Fitted {
                     *x += s * r * m;
                 }
             }
-            for spike in &self.spikes {
-                let weight = spike.weight * reflectance.at(spike.at_nm);
-                let line = spikes_xyz(
-                    grid.band,
-                    &[Spike { weight, ..*spike }],
-                    &tables.viewing.weights,
-                );
-                for (x, l) in xyz.iter_mut().zip(line.to_array()) {
-                    *x += l;
-                }
-            }
+            self.add_lines(&reflectance, tables, xyz);
+        }
+    }
+
+    /// Patches by convolution of the coefficients, cut back to as many as the light has.
+    fn convolved_patches(
+        &self,
+        question: Question<'_>,
+        tables: &Tables,
+        coefficients: &[f64],
+        out: &mut [[f64; 3]],
+    ) {
+        let Some(patches) = tables.patches.as_ref() else {
+            return;
+        };
+        let numbers = coefficients.len();
+        let series = |coefficients: &[f64]| Series {
+            band: tables.band(),
+            basis: question.settings.basis,
+            coefficients: coefficients.to_vec(),
+        };
+        let light = series(coefficients);
+        for (xyz, reflectance) in out.iter_mut().zip(&patches.coefficients) {
+            let reflectance = series(&reflectance[..numbers]);
+            let product = convolve(&light, &reflectance).truncated(numbers);
+            *xyz = tables.colour.of(&product.coefficients);
+            self.add_lines(&reflectance, tables, xyz);
+        }
+    }
+
+    /// Adds the spikes, each weighed by a reflectance where it stands.
+    fn add_lines(&self, reflectance: &Series, tables: &Tables, xyz: &mut [f64; 3]) {
+        let weighed: Vec<Spike> = self
+            .spikes
+            .iter()
+            .map(|spike| Spike {
+                weight: spike.weight * reflectance.at(spike.at_nm),
+                ..*spike
+            })
+            .collect();
+        let lines = spikes_xyz(reflectance.band, &weighed, &tables.viewing.weights);
+        for (x, l) in xyz.iter_mut().zip(lines.to_array()) {
+            *x += l;
         }
     }
 

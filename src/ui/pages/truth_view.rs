@@ -327,6 +327,7 @@ fn way_name(sampling: Sampling) -> &'static str {
         Sampling::ThreeN => "3N+1",
         Sampling::FourN => "4N+1",
         Sampling::Double => "twice the numbers",
+        Sampling::Convolution => "convolution, cut to N",
         Sampling::Exact => "1 nm",
     }
 }
