@@ -5,6 +5,7 @@
 
 pub mod band;
 pub mod basis;
+pub mod chain;
 pub mod composite;
 pub mod edits;
 pub mod fit;
@@ -18,6 +19,7 @@ pub mod spikes;
 
 pub use band::Band;
 pub use basis::{Basis, BasisTable, Series};
+pub use chain::{ChainTables, Factor, Stage};
 pub use composite::{Composite, Spike};
 pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits};
 pub use fit::{Exactness, InnerProducts};

@@ -166,7 +166,21 @@ fn multiply(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a * b).collect()
 }
 
-fn weigh_spikes(spikes: &[Spike], factor_at: impl Fn(f64) -> f64) -> Vec<Spike> {
+/// Eq. 16 for a count of points that is known when the program is built: no allocation, no test
+/// of a length, so that the compiler writes it out in vector registers.
+#[inline]
+pub fn multiply_points<const POINTS: usize>(
+    a: &[f64; POINTS],
+    b: &[f64; POINTS],
+    out: &mut [f64; POINTS],
+) {
+    for i in 0..POINTS {
+        out[i] = a[i] * b[i];
+    }
+}
+
+/// Spikes weighed by a factor where they stand (Eq. 14).
+pub fn weigh_spikes(spikes: &[Spike], factor_at: impl Fn(f64) -> f64) -> Vec<Spike> {
     spikes
         .iter()
         .map(|s| Spike {
@@ -180,20 +194,53 @@ fn weigh_spikes(spikes: &[Spike], factor_at: impl Fn(f64) -> f64) -> Vec<Spike> 
 ///
 /// Zero when the grid has room for every order.
 pub fn folded_share(a: &Series, b: &Series, points: usize) -> f64 {
-    let full = convolve(a, b);
-    let band: Band = full.band;
+    share_above(&convolve(a, b), points)
+}
+
+/// The same for a chain: behind each factor in turn, the share of the power of the whole product
+/// so far that `points` points fold back.
+pub fn folded_shares(light: &Series, factors: &[Series], points: usize) -> Vec<f64> {
+    let mut product = in_units(light);
+    factors
+        .iter()
+        .map(|factor| {
+            product = in_units(&convolve(&product, &in_units(factor)));
+            share_above(&product, points)
+        })
+        .collect()
+}
+
+/// A series as shares of its largest coefficient, so that no square overflows or vanishes.
+fn in_units(series: &Series) -> Series {
+    let top = series
+        .coefficients
+        .iter()
+        .fold(0.0_f64, |m, c| m.max(c.abs()));
+    let unit = if (1.0 / top).is_finite() {
+        1.0 / top
+    } else {
+        1.0
+    };
+    Series {
+        coefficients: series.coefficients.iter().map(|c| c * unit).collect(),
+        ..*series
+    }
+}
+
+/// Share of a series' power beyond its first `kept` numbers.
+fn share_above(series: &Series, kept: usize) -> f64 {
+    let band: Band = series.band;
     let power = |from: usize| -> f64 {
-        full.coefficients
+        series
+            .coefficients
             .iter()
             .enumerate()
             .skip(from)
-            .map(|(k, c)| c * c * full.basis.norm_squared(k, band))
+            .map(|(k, c)| c * c * series.basis.norm_squared(k, band))
             .sum()
     };
     let all = power(0);
-    if all > 0.0 {
-        power(points.min(full.coefficients.len())) / all
-    } else {
-        0.0
-    }
+    // An empty sum is minus zero.
+    let above = 0.0 + power(kept.min(series.coefficients.len()));
+    if all > 0.0 { above / all } else { 0.0 }
 }

@@ -122,6 +122,40 @@ impl SampleGrid {
         }
     }
 
+    /// One row per point that takes `numbers` coefficients to the value there, rows end to end.
+    pub fn sampling_rows(self, numbers: usize) -> Vec<f64> {
+        (0..self.points)
+            .flat_map(|i| (0..numbers).map(move |k| self.basis.function(k, self.band, self.nm(i))))
+            .collect()
+    }
+
+    /// One row per number that takes values on the grid to a coefficient of
+    /// [`SampleGrid::series`], rows end to end.
+    pub fn series_rows(self) -> Vec<f64> {
+        (0..self.points)
+            .flat_map(|k| {
+                let scale = self.projection_scale(k);
+                (0..self.points).map(move |i| scale * self.basis_at_sample(k, i))
+            })
+            .collect()
+    }
+
+    /// What takes values on the grid to the value of the series through them at a place, so that
+    /// weighing a spike is one sum of products.
+    pub fn row_at(self, at_nm: f64) -> Vec<f64> {
+        (0..self.points)
+            .map(|i| {
+                (0..self.points)
+                    .map(|k| {
+                        self.basis.function(k, self.band, at_nm)
+                            * self.projection_scale(k)
+                            * self.basis_at_sample(k, i)
+                    })
+                    .sum()
+            })
+            .collect()
+    }
+
     /// The matrix that takes values on the grid straight to inner products with three weights
     /// (rows by rows: point, then weight), by way of the interpolating series.
     ///

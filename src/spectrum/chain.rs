@@ -1,0 +1,602 @@
+//! A light through any number of filters and off any number of surfaces, stage by stage.
+//!
+//! Every way of forming a product ([`Sampling`]) is carried through the whole chain:
+//!
+//! ```text
+//! exact          the 1 nm grid, the factors as measured
+//! paper 3n 4n    the factors as short series, all on one sample grid, never cut in between
+//! double         the same on twice the numbers, four times from the fifth factor on
+//! convolution    the factors as short series, coefficients cut back to N at each stage
+//! ```
+//!
+//! The light's spikes are carried exactly in all of them: weight times the factor where they
+//! stand (Eq. 14). A factor's own absorption lines are part of its curve unless they are asked to
+//! be kept ([`Factor::keeping_dips`]): then the light's smooth part gets a negative spike there,
+//! and a line of the light within [`SAME_PLACE_NM`] of a dip, a product that has no finite value,
+//! is multiplied by what the dip lets through, `w (1 - depth)`. [`Stage::met`] says so.
+
+use std::f64::consts::PI;
+
+use super::{
+    band::{Band, dot},
+    basis::{Basis, Series},
+    composite::{Composite, GAUSSIAN_AREA, Spike},
+    product::{chain_points, convolve, folded_shares, weigh_spikes},
+    resampled::{SampleGrid, Sampling},
+    spikes::{SpikeSettings, detect_shapes},
+};
+
+/// A line of the light this close to a factor's dip meets it, nm.
+pub const SAME_PLACE_NM: f64 = 0.5;
+
+/// Transmittance of another thickness of the same glass (Beer-Lambert): `T^(d/d0)`.
+///
+/// `values` are internal transmittances of the thickness `d0`; what noise put below 0 is 0. A
+/// negative or absent ratio is no glass at all.
+pub fn glass(values: &[f64], thickness_ratio: f64) -> Vec<f64> {
+    let ratio = thickness_ratio.max(0.0);
+    // A value above 1 (noise, a wrong unit) may not grow beyond all numbers.
+    let through = |value: &f64| value.max(0.0).powf(ratio).min(f64::MAX);
+    values.iter().map(through).collect()
+}
+
+/// Reflectance of `count` bounces off the same surface: `R^count`.
+pub fn bounces(values: &[f64], count: u32) -> Vec<f64> {
+    let count = i32::try_from(count).unwrap_or(i32::MAX);
+    let off = |value: &f64| value.powi(count).clamp(-f64::MAX, f64::MAX);
+    values.iter().map(off).collect()
+}
+
+/// An absorption line of a filter or surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dip {
+    /// Centroid, nm.
+    pub at_nm: f64,
+    /// What is missing, as a share x nm; negative.
+    pub weight: f64,
+    /// Share of what would pass without it that is missing at its deepest, 0-1.
+    pub depth: f64,
+}
+
+/// What light passes or bounces off: shares on the 1 nm grid of a band.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Factor {
+    values: Vec<f64>,
+    /// What series are fitted to; the values themselves unless dips are kept.
+    background: Option<Vec<f64>>,
+    dips: Vec<Dip>,
+}
+
+impl Factor {
+    /// A factor with its dips, if it has any, as part of the curve.
+    pub fn new(values: Vec<f64>) -> Self {
+        Self {
+            values,
+            background: None,
+            dips: Vec::new(),
+        }
+    }
+
+    /// A factor whose absorption lines are kept as spikes, found as `settings` say.
+    ///
+    /// The exact product on the 1 nm grid has them in the measured curve and needs no spikes.
+    ///
+    /// # Panics
+    /// When `values` does not have [`Band::points`] entries.
+    pub fn keeping_dips(band: Band, values: Vec<f64>, settings: SpikeSettings) -> Self {
+        assert_eq!(values.len(), band.points(), "one value per grid point");
+        let settings = SpikeSettings {
+            dips: true,
+            ..settings
+        };
+        let (_, shapes) = detect_shapes(band, &values, settings);
+        let mut background = values.clone();
+        let mut dips = Vec::new();
+        for shape in shapes.iter().filter(|shape| shape.spike.weight < 0.0) {
+            let window = shape.first..shape.first + shape.residue.len();
+            for (v, r) in background[window.clone()].iter_mut().zip(&shape.residue) {
+                *v -= r;
+            }
+            let share = |(whole, missing): (&f64, &f64)| {
+                let share = -missing / whole;
+                if share.is_finite() { share } else { 0.0 }
+            };
+            let depth = background[window]
+                .iter()
+                .zip(&shape.residue)
+                .map(share)
+                .fold(0.0, f64::max);
+            dips.push(Dip {
+                at_nm: shape.spike.at_nm,
+                weight: shape.spike.weight,
+                depth: depth.min(1.0),
+            });
+        }
+        dips.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+        Self {
+            background: (!dips.is_empty()).then_some(background),
+            values,
+            dips,
+        }
+    }
+
+    /// The measured shares on the grid.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The measured shares without the dips that are kept.
+    pub fn background(&self) -> &[f64] {
+        self.background.as_deref().unwrap_or(&self.values)
+    }
+
+    /// The dips that are kept, by rising wavelength.
+    pub fn dips(&self) -> &[Dip] {
+        &self.dips
+    }
+}
+
+/// A line of the light that stood on a dip of a factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Met {
+    /// Where the line stands, nm.
+    pub line_nm: f64,
+    /// Where the dip stands, nm.
+    pub dip_nm: f64,
+    /// What the line lost to it beside the factor's smooth part, a share.
+    pub depth: f64,
+}
+
+/// The light behind one factor of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// The smooth part on the band's 1 nm grid.
+    pub smooth: Vec<f64>,
+    /// The smooth part if nothing had been folded or cut: the product of the very same factors.
+    pub unfolded: Vec<f64>,
+    /// The spikes, by rising wavelength.
+    pub spikes: Vec<Spike>,
+    /// Lines that stood on a dip.
+    pub met: Vec<Met>,
+    /// Share of the product's power so far, 0-1, in orders that the points fold back (of a
+    /// convolution: that are cut off).
+    pub folded_share: f64,
+    /// Multiplications of this stage: one a point (a convolution: one a pair of numbers) and one
+    /// a spike. Reading the factor where a spike stands is not counted.
+    pub multiplications: usize,
+}
+
+/// What all chains of one way, basis, count of numbers and of factors share.
+#[derive(Clone, Debug)]
+pub struct ChainTables {
+    band: Band,
+    basis: Basis,
+    numbers: usize,
+    sampling: Sampling,
+    /// Points of the sample grid; zero for the ways without.
+    points: usize,
+    /// Basis functions on the 1 nm grid, row by row.
+    functions: Vec<f64>,
+    /// `points` rows that take coefficients to the value at a point.
+    to_points: Vec<f64>,
+    /// `points` rows that take values at the points to a coefficient.
+    to_numbers: Vec<f64>,
+}
+
+impl ChainTables {
+    /// Tables for lights of `numbers` coefficients through up to `factors` factors.
+    pub fn new(
+        band: Band,
+        basis: Basis,
+        numbers: usize,
+        sampling: Sampling,
+        factors: usize,
+    ) -> Self {
+        let numbers = numbers.max(1);
+        let points = match sampling {
+            Sampling::Double => chain_points(numbers, factors),
+            other => other.points(numbers).unwrap_or(0),
+        };
+        let grid = SampleGrid {
+            band,
+            basis,
+            points,
+        };
+        let functions = functions_on_grid(band, basis, points.max(numbers));
+        Self {
+            band,
+            basis,
+            numbers,
+            sampling,
+            points,
+            functions,
+            to_points: grid.sampling_rows(numbers),
+            to_numbers: grid.series_rows(),
+        }
+    }
+
+    /// Tables for a light and a count of factors.
+    pub fn for_light(light: &Composite, sampling: Sampling, factors: usize) -> Self {
+        let Series {
+            band,
+            basis,
+            coefficients,
+        } = &light.smooth;
+        Self::new(*band, *basis, coefficients.len(), sampling, factors)
+    }
+
+    /// How products are formed.
+    pub fn sampling(&self) -> Sampling {
+        self.sampling
+    }
+
+    /// Points of the sample grid; `None` for the ways without.
+    pub fn points(&self) -> Option<usize> {
+        (self.points > 0).then_some(self.points)
+    }
+
+    /// The light behind each factor in turn.
+    ///
+    /// # Panics
+    /// When light and tables differ in band, basis or count of numbers, or a factor does not have
+    /// [`Band::points`] values.
+    pub fn pass(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+        let smooth = &light.smooth;
+        assert!(
+            (smooth.band, smooth.basis, smooth.coefficients.len())
+                == (self.band, self.basis, self.numbers),
+            "tables of the light's own band, basis and numbers"
+        );
+        let points = self.band.points();
+        assert!(
+            factors.iter().all(|f| f.values.len() == points),
+            "one value per grid point"
+        );
+        match self.sampling {
+            Sampling::Exact => self.pass_measured(light, factors),
+            Sampling::Paper
+            | Sampling::ThreeN
+            | Sampling::FourN
+            | Sampling::Double
+            | Sampling::Convolution => self.pass_series(light, factors),
+        }
+    }
+
+    fn pass_measured(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+        let mut smooth = self.evaluate(&light.smooth.coefficients);
+        let mut spikes = light.spikes.clone();
+        let mut stages = Vec::with_capacity(factors.len());
+        for factor in factors {
+            multiply_by(&mut smooth, &factor.values);
+            spikes = weigh_spikes(&spikes, |nm| self.band.interpolate(&factor.values, nm));
+            stages.push(Stage {
+                smooth: smooth.clone(),
+                unfolded: smooth.clone(),
+                met: Vec::new(),
+                folded_share: 0.0,
+                multiplications: self.band.points() + spikes.len(),
+                spikes: spikes.clone(),
+            });
+        }
+        stages
+    }
+
+    fn pass_series(&self, light: &Composite, factors: &[Factor]) -> Vec<Stage> {
+        let series: Vec<Series> = factors
+            .iter()
+            .map(|factor| self.series(self.project(factor.background())))
+            .collect();
+        let kept = if self.points > 0 {
+            self.points
+        } else {
+            self.numbers
+        };
+        let folded = folded_shares(&light.smooth, &series, kept);
+        let mut unfolded = self.evaluate(&light.smooth.coefficients);
+        let mut values = self.sample(&light.smooth.coefficients);
+        let mut product = light.smooth.clone();
+        let mut spikes = light.spikes.clone();
+        let mut stages = Vec::with_capacity(factors.len());
+        for ((factor, short), folded_share) in factors.iter().zip(&series).zip(folded) {
+            let multiplied = spikes.len() + factor.dips.len();
+            let (weighed, met) = through_dips(&spikes, &product, factor, short);
+            spikes = weighed;
+            if self.points > 0 {
+                multiply_by(&mut values, &self.sample(&short.coefficients));
+                let rows = self.to_numbers.chunks_exact(self.points);
+                product.coefficients = rows.map(|row| dot(row, &values)).collect();
+            } else {
+                product = convolve(&product, short).truncated(self.numbers);
+            }
+            multiply_by(&mut unfolded, &self.evaluate(&short.coefficients));
+            stages.push(Stage {
+                smooth: self.evaluate(&product.coefficients),
+                unfolded: unfolded.clone(),
+                spikes: spikes.clone(),
+                met,
+                folded_share,
+                multiplications: multiplied
+                    + if self.points > 0 {
+                        self.points
+                    } else {
+                        self.numbers * self.numbers
+                    },
+            });
+        }
+        stages
+    }
+
+    fn series(&self, coefficients: Vec<f64>) -> Series {
+        Series {
+            band: self.band,
+            basis: self.basis,
+            coefficients,
+        }
+    }
+
+    /// Eq. 5 by the trapezoid rule.
+    fn project(&self, values: &[f64]) -> Vec<f64> {
+        let rows = self.functions.chunks_exact(self.band.points());
+        rows.take(self.numbers)
+            .enumerate()
+            .map(|(k, row)| self.band.inner(row, values) / self.basis.norm_squared(k, self.band))
+            .collect()
+    }
+
+    /// A series on the 1 nm grid.
+    fn evaluate(&self, coefficients: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; self.band.points()];
+        let rows = self.functions.chunks_exact(out.len());
+        for (row, c) in rows.zip(coefficients) {
+            for (o, f) in out.iter_mut().zip(row) {
+                *o += c * f;
+            }
+        }
+        out
+    }
+
+    /// A series on the sample grid.
+    fn sample(&self, coefficients: &[f64]) -> Vec<f64> {
+        let rows = self.to_points.chunks_exact(self.numbers);
+        rows.map(|row| dot(row, coefficients)).collect()
+    }
+}
+
+/// Spikes behind a factor: weighed by its series, and new ones where its dips stand.
+fn through_dips(
+    spikes: &[Spike],
+    before: &Series,
+    factor: &Factor,
+    short: &Series,
+) -> (Vec<Spike>, Vec<Met>) {
+    let mut behind = weigh_spikes(spikes, |nm| short.at(nm));
+    let mut met = Vec::new();
+    for spike in &mut behind {
+        let distance = |dip: &&Dip| (dip.at_nm - spike.at_nm).abs();
+        let nearest = factor
+            .dips
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .filter(|dip| distance(dip) <= SAME_PLACE_NM);
+        if let Some(dip) = nearest {
+            spike.weight *= 1.0 - dip.depth;
+            met.push(Met {
+                line_nm: spike.at_nm,
+                dip_nm: dip.at_nm,
+                depth: dip.depth,
+            });
+        }
+    }
+    for dip in &factor.dips {
+        let weight = before.at(dip.at_nm) * dip.weight;
+        // The second pane of the same glass deepens the line of the first.
+        match behind.iter_mut().find(|spike| spike.at_nm == dip.at_nm) {
+            Some(spike) => spike.weight += weight,
+            None => behind.push(Spike {
+                at_nm: dip.at_nm,
+                weight,
+            }),
+        }
+    }
+    behind.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+    (behind, met)
+}
+
+/// Places (nm) where a negative spike, drawn as a Gaussian of full width `width_nm`, takes the
+/// total below zero.
+///
+/// `smooth` is on the band's grid. A spectrum cannot be negative, so such a dip says that the
+/// model is not to be believed there.
+pub fn below_zero(band: Band, smooth: &[f64], spikes: &[Spike], width_nm: f64) -> Vec<f64> {
+    spikes
+        .iter()
+        .filter(|spike| spike.weight < 0.0)
+        .filter(|spike| {
+            let room = band.interpolate(smooth, spike.at_nm) * GAUSSIAN_AREA * width_nm;
+            spike.weight + room < 0.0
+        })
+        .map(|spike| spike.at_nm)
+        .collect()
+}
+
+fn multiply_by(values: &mut [f64], factor: &[f64]) {
+    for (v, f) in values.iter_mut().zip(factor) {
+        *v *= f;
+    }
+}
+
+/// The first `count` functions of a basis on the band's grid, row by row.
+///
+/// Whole nm are whole fractions of the period, so one turn of the circle serves all orders.
+fn functions_on_grid(band: Band, basis: Basis, count: usize) -> Vec<f64> {
+    let steps = band.steps();
+    let turn = match basis {
+        Basis::Fourier => steps,
+        Basis::Cosine => 2 * steps,
+    };
+    let circle: Vec<(f64, f64)> = (0..turn)
+        .map(|i| (2.0 * PI * i as f64 / turn as f64).sin_cos())
+        .collect();
+    let mut functions = Vec::with_capacity(count * band.points());
+    for k in 0..count {
+        let (order, is_sine) = match basis {
+            Basis::Fourier => (k.div_ceil(2), k > 0 && k % 2 == 0),
+            Basis::Cosine => (k, false),
+        };
+        let whole = if basis == Basis::Fourier && k == 0 {
+            0.5
+        } else {
+            1.0
+        };
+        functions.extend((0..=steps).map(|i| {
+            let (sin, cos) = circle[order * i % turn];
+            whole * if is_sine { sin } else { cos }
+        }));
+    }
+    functions
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::BasisTable;
+
+    const BAND: Band = Band::VISIBLE;
+
+    /// A grey that lets half through but for a Gaussian dip.
+    fn dented(at_nm: f64, depth: f64) -> Vec<f64> {
+        BAND.grid()
+            .map(|nm| 0.5 * (1.0 - depth * (-((nm - at_nm) / 2.0).powi(2)).exp()))
+            .collect()
+    }
+
+    fn flat_light(spikes: Vec<Spike>, basis: Basis) -> Composite {
+        let one = match basis {
+            Basis::Fourier => 2.0,
+            Basis::Cosine => 1.0,
+        };
+        Composite {
+            smooth: Series {
+                band: BAND,
+                basis,
+                coefficients: vec![one, 0.0, 0.0, 0.0, 0.0],
+            },
+            spikes,
+        }
+    }
+
+    #[test]
+    fn functions_read_off_the_circle_are_those_of_the_basis() {
+        for basis in Basis::ALL {
+            let table = BasisTable::new(BAND, basis, 61);
+            let quick = functions_on_grid(BAND, basis, 61);
+            for (k, row) in quick.chunks_exact(BAND.points()).enumerate() {
+                for (a, b) in row.iter().zip(table.row(k)) {
+                    // Angles of up to 60 half turns, rounded once more on the long way.
+                    assert!((a - b).abs() < 1e-13, "{basis:?} {k}: {a} {b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn twice_half_a_thickness_is_the_whole_thickness_and_none_is_nothing() {
+        let pane = [0.0, 1e-30, 0.25, 0.9, 1.0, -0.01];
+        let half = glass(&pane, 0.5);
+        let twice: Vec<f64> = half.iter().map(|v| v * v).collect();
+        for (found, expected) in twice.iter().zip(glass(&pane, 1.0)) {
+            // A square root and a square.
+            assert!((found - expected).abs() <= 1e-15 * expected.abs());
+        }
+        assert_eq!(glass(&pane, 1.0)[..5], pane[..5]);
+        assert_eq!(glass(&pane, 1.0)[5], 0.0);
+        for ratio in [0.0, -3.0, f64::NAN] {
+            assert_eq!(glass(&pane, ratio), [1.0; 6]);
+        }
+        assert!(glass(&[3.0], 1e9)[0].is_finite());
+        assert_eq!(bounces(&pane, 0), [1.0; 6]);
+        assert_eq!(bounces(&[0.5, -0.1], 2)[0], 0.25);
+        assert!(bounces(&[3.0], u32::MAX)[0].is_finite());
+    }
+
+    #[test]
+    fn a_dip_is_part_of_the_curve_unless_it_is_to_be_kept() {
+        let values = dented(500.0, 0.8);
+        assert_eq!(Factor::new(values.clone()).dips(), []);
+        let settings = SpikeSettings::default();
+        let kept = Factor::keeping_dips(BAND, values.clone(), settings);
+        let [dip] = kept.dips() else {
+            panic!("one dip: {:?}", kept.dips());
+        };
+        assert!((dip.at_nm - 500.0).abs() < 1e-6, "{dip:?}");
+        // 0.5 x 0.8 x 2 nm x sqrt(pi); the hull baseline cuts the foot off at under a percent.
+        let area = 0.8 * PI.sqrt();
+        assert!((dip.weight + area).abs() < 0.01 * area, "{dip:?}");
+        assert!((dip.depth - 0.8).abs() < 0.01, "{dip:?}");
+        assert_eq!(kept.values(), values);
+        assert!(kept.background().iter().all(|v| (v - 0.5).abs() < 0.01));
+        let flat = Factor::keeping_dips(BAND, vec![0.5; BAND.points()], settings);
+        assert_eq!(flat, Factor::new(vec![0.5; BAND.points()]));
+    }
+
+    #[test]
+    fn a_dip_takes_the_same_power_as_a_spike_and_in_the_curve() {
+        let values = dented(500.0, 0.8);
+        let exact = BAND.integral(&values);
+        let kept = Factor::keeping_dips(BAND, values, SpikeSettings::default());
+        for basis in Basis::ALL {
+            let light = flat_light(Vec::new(), basis);
+            let stages = ChainTables::for_light(&light, Sampling::Double, 1)
+                .pass(&light, std::slice::from_ref(&kept));
+            let [stage] = &stages[..] else {
+                panic!("one stage")
+            };
+            let power = BAND.integral(&stage.smooth) + stage.spikes[0].weight;
+            // The mean of a projection is exact; the rest is rounding.
+            assert!((power / exact - 1.0).abs() < 1e-12, "{basis:?} {power}");
+            assert_eq!(stage.spikes[0].at_nm, kept.dips()[0].at_nm);
+            // 8 nm of a light of 0.5 are 4; the dip takes 1.4.
+            let wide = below_zero(BAND, &stage.smooth, &stage.spikes, 10.0);
+            assert_eq!(wide, []);
+            let narrow = below_zero(BAND, &stage.smooth, &stage.spikes, 2.0);
+            assert_eq!(narrow, [stage.spikes[0].at_nm]);
+        }
+    }
+
+    #[test]
+    fn a_line_on_a_dip_keeps_what_the_dip_lets_through_and_the_stage_says_so() {
+        let kept = Factor::keeping_dips(BAND, dented(500.0, 0.8), SpikeSettings::default());
+        let depth = kept.dips()[0].depth;
+        let line = |at_nm| Spike { at_nm, weight: 3.0 };
+        let light = flat_light(vec![line(500.4), line(500.6)], Basis::Cosine);
+        let tables = ChainTables::for_light(&light, Sampling::Double, 1);
+        let stages = tables.pass(&light, std::slice::from_ref(&kept));
+        let short = tables.series(tables.project(kept.background()));
+        let weight = |at_nm: f64| {
+            let found = stages[0].spikes.iter().find(|s| s.at_nm == at_nm);
+            found.expect("the line is still there").weight
+        };
+        assert_eq!(weight(500.4), 3.0 * short.at(500.4) * (1.0 - depth));
+        assert_eq!(weight(500.6), 3.0 * short.at(500.6));
+        assert_eq!(stages[0].met.len(), 1);
+        assert_eq!(stages[0].met[0].line_nm, 500.4);
+        assert_eq!(stages[0].spikes.len(), 3);
+        // As measured, the line reads the dip off the curve itself.
+        let exact = ChainTables::for_light(&light, Sampling::Exact, 1).pass(&light, &[kept]);
+        assert_eq!(exact[0].met, []);
+        assert_eq!(exact[0].spikes.len(), 2);
+    }
+
+    #[test]
+    fn two_panes_deepen_the_same_dip() {
+        let kept = Factor::keeping_dips(BAND, dented(500.0, 0.8), SpikeSettings::default());
+        let light = flat_light(Vec::new(), Basis::Cosine);
+        let tables = ChainTables::for_light(&light, Sampling::Double, 2);
+        let stages = tables.pass(&light, &[kept.clone(), kept]);
+        assert_eq!(stages[1].spikes.len(), 1);
+        // Half of the first pane's dip times what the dip lets through, and half a dip more.
+        let (one, two) = (stages[0].spikes[0].weight, stages[1].spikes[0].weight);
+        assert!((two / one - 0.5 * (1.0 + 0.2)).abs() < 0.02, "{one} {two}");
+        assert_eq!(stages[1].met.len(), 1);
+    }
+}
