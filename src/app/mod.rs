@@ -15,6 +15,7 @@ pub mod line_names;
 pub mod open;
 pub mod pages;
 pub mod plot_svg;
+pub mod product_report;
 pub mod product_view;
 pub mod report;
 pub mod scale;

@@ -17,7 +17,6 @@ use crate::spectrum::{Basis, Exactness};
 pub fn json(app: &App) -> Value {
     let (document, derived) = (app.document(), app.derived());
     let subject = document.subject_entry();
-    let settings = document.settings;
     let spectrum = &subject.spectrum;
     let mut notes = spectrum.notes.clone();
     notes.extend(derived.warnings.iter().cloned());
@@ -34,23 +33,7 @@ pub fn json(app: &App) -> Value {
             "source": spectrum.source,
             "notes": notes,
         },
-        "settings": {
-            "basis": settings.basis.word(),
-            "order": settings.order,
-            "spikes": settings.spikes,
-            "threshold_percent": settings.threshold_percent,
-            "max_width_nm": settings.max_width_nm,
-            "dips": settings.dips,
-            "detector": settings.detector,
-            "gradient_percent": settings.gradient_percent,
-            "hand_edits": !document.subject_edits().is_empty(),
-            "colour_exact": settings.colour_exact,
-            "colour_exact_reached": derived.exactness.map(Exactness::is_exact),
-            "range_nm": [settings.band.min_nm(), settings.band.max_nm()],
-            "observer": settings.observer.word(),
-            "sampling": settings.sampling.word(),
-            "light": document.light.name(),
-        },
+        "settings": settings_json(app),
         "model": model_json(app, derived),
         "error": {
             "relative_rms": derived.errors.map(|e| e.relative_rms),
@@ -77,6 +60,29 @@ pub fn json(app: &App) -> Value {
                 "model_hex": p.model_swatch.hex(),
             })).collect::<Vec<_>>(),
         })),
+    })
+}
+
+/// The settings in force.
+pub(super) fn settings_json(app: &App) -> Value {
+    let (document, derived) = (app.document(), app.derived());
+    let settings = document.settings;
+    json!({
+        "basis": settings.basis.word(),
+        "order": settings.order,
+        "spikes": settings.spikes,
+        "threshold_percent": settings.threshold_percent,
+        "max_width_nm": settings.max_width_nm,
+        "dips": settings.dips,
+        "detector": settings.detector,
+        "gradient_percent": settings.gradient_percent,
+        "hand_edits": !document.subject_edits().is_empty(),
+        "colour_exact": settings.colour_exact,
+        "colour_exact_reached": derived.exactness.map(Exactness::is_exact),
+        "range_nm": [settings.band.min_nm(), settings.band.max_nm()],
+        "observer": settings.observer.word(),
+        "sampling": settings.sampling.word(),
+        "light": document.light.name(),
     })
 }
 

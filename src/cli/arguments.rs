@@ -50,6 +50,8 @@ pub enum Command {
     Auction(Auction),
     /// Print the composite beside other representations at equal counts of numbers.
     Race(Race),
+    /// Print a light through filters and off surfaces, exact beside the model.
+    Product(Product),
     /// List the shipped spectra.
     List(List),
     /// Save a picture of the window; needs no display.
@@ -140,6 +142,31 @@ pub struct Race {
     #[command(flatten)]
     pub model: ModelOptions,
     /// Print JSON instead of CSV; its keys are stable.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `product`.
+#[derive(Args, Debug)]
+pub struct Product {
+    /// A light: a file, a preset's name (FL2, "CIE D65") or group/name.
+    #[arg(value_name = "LIGHT")]
+    pub light: String,
+    /// What it passes or falls on, in order: reflectances and transmittances, each a file, a
+    /// preset's name or group/name (colorchecker_ohta/red). One given twice is met twice.
+    #[arg(value_name = "FACTOR")]
+    pub factors: Vec<String>,
+    /// Instead of factors a group of presets (tm30_ces99_5nm): each alone, and their spread.
+    #[arg(long, value_name = "GROUP")]
+    pub set: Option<String>,
+    /// What the files among the factors are: reflectance or transmittance
+    /// [default: as each file says].
+    #[arg(long, value_name = "KIND", value_parser = words::factor_kind)]
+    pub kind: Option<Kind>,
+    /// The model.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// Print JSON; its keys are stable.
     #[arg(long)]
     pub json: bool,
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! spectral-explorer [FILES] [--window]          the window, opened by the caller
-//! spectral-explorer report|sweep|race|list|render ...   one command a file
+//! spectral-explorer report|sweep|race|product|list|render ...   one command a file
 //! ```
 //!
 //! Everything is written to what the caller hands in, and pictures are made by the caller's
@@ -16,6 +16,7 @@ mod list;
 mod no_display;
 mod options;
 mod plot;
+mod product;
 mod race;
 mod refusal;
 mod render;
@@ -110,6 +111,7 @@ fn carry_out(
             Command::Sweep(options) => sweep::run(&options, out, err)?,
             Command::Auction(options) => auction::run(&options, out, err)?,
             Command::Race(options) => race::run(&options, out, err)?,
+            Command::Product(options) => product::run(&options, out)?,
             Command::List(options) => list::run(options, out)?,
             Command::Render(options) => render::run(&options, pictures, out, err)?,
             Command::Plot(options) => plot::run(&options, pictures, out, err)?,

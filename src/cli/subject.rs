@@ -30,7 +30,8 @@ pub fn app(
     model: ModelOptions,
     err: &mut dyn Write,
 ) -> Result<App, Refusal> {
-    let light = pick.light.as_deref().map(light).transpose()?;
+    let named = |name| light("--light", name);
+    let light = pick.light.as_deref().map(named).transpose()?;
     if let Some(restored) = project(Path::new(input))? {
         return of_project(input, restored, pick, light, model, err);
     }
@@ -54,6 +55,13 @@ pub fn app(
     }
     show(&mut app, entry);
     Ok(app)
+}
+
+/// The state about a light and nothing else.
+pub fn about_light(light: Entry, model: ModelOptions) -> App {
+    let mut document = Document::about(light.into());
+    document.settings = model.over(document.settings).clamped();
+    App::with_document(document)
 }
 
 /// The state that the window starts with, under other settings.
@@ -91,13 +99,17 @@ fn show(app: &mut App, entry: Entry) {
 }
 
 /// A light by its name; a file's values are taken as a light whatever they look like.
-fn light(name: &str) -> Result<Entry, Refusal> {
+/// `what` is the word of the command line that named it.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be found or read, or is no light.
+pub fn light(what: &str, name: &str) -> Result<Entry, Refusal> {
     let kind = Path::new(name).is_file().then_some(Kind::Light);
     let entry =
-        open::resolve(name, None, kind).map_err(|why| Refusal::File(format!("--light: {why}")))?;
+        open::resolve(name, None, kind).map_err(|why| Refusal::File(format!("{what}: {why}")))?;
     if entry.kind() != Kind::Light {
         return Err(Refusal::File(format!(
-            "--light: {name}: found {} values, expected a light",
+            "{what}: {name}: found {} values, expected a light",
             entry.kind()
         )));
     }

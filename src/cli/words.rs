@@ -160,6 +160,11 @@ pub fn usable_kind(word: &str) -> Result<Kind, String> {
     one_of(word, &usable, Kind::word)
 }
 
+/// `--kind` of what multiplies a light.
+pub fn factor_kind(word: &str) -> Result<Kind, String> {
+    one_of(word, &[Kind::Reflectance, Kind::Transmittance], Kind::word)
+}
+
 /// `--kind` of a list.
 pub fn any_kind(word: &str) -> Result<Kind, String> {
     one_of(word, &Kind::ALL, Kind::word)

@@ -13,7 +13,10 @@ pub struct Samples {
 
 impl Samples {
     /// Reads `numbers` samples off values on the band's grid; a single one is read in the middle.
-    pub(super) fn fit(band: Band, values: &[f64], numbers: usize) -> Self {
+    ///
+    /// # Panics
+    /// When `values` does not have [`Band::points`] entries.
+    pub fn fit(band: Band, values: &[f64], numbers: usize) -> Self {
         let places = places_nm(band, numbers.clamp(1, band.points()));
         Self {
             band,

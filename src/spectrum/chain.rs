@@ -557,7 +557,7 @@ mod tests {
             assert_eq!(stage.spikes[0].at_nm, kept.dips()[0].at_nm);
             // 8 nm of a light of 0.5 are 4; the dip takes 1.4.
             let wide = below_zero(BAND, &stage.smooth, &stage.spikes, 10.0);
-            assert_eq!(wide, []);
+            assert!(wide.is_empty());
             let narrow = below_zero(BAND, &stage.smooth, &stage.spikes, 2.0);
             assert_eq!(narrow, [stage.spikes[0].at_nm]);
         }

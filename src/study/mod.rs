@@ -5,6 +5,7 @@ pub mod error;
 pub mod harmonics;
 pub mod judge;
 pub mod prepared;
+pub mod products;
 pub mod progress;
 pub mod race;
 pub mod race_reference;

@@ -1,0 +1,169 @@
+//! `product`: a light through filters and off surfaces, in words or as JSON.
+
+use std::{io::Write, path::Path};
+
+use super::{
+    arguments::Product,
+    print,
+    refusal::Refusal,
+    subject::{self, light},
+};
+use crate::{
+    app::{App, Entry, library::Library, open, product_report, studies::about::reflectances},
+    io::error::quoted,
+    spectrum::{Factor, Kind},
+};
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for an input that cannot be read, a factor that is no share of light, and a group
+/// without one.
+pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
+    let Product {
+        light: light_name,
+        factors,
+        set,
+        kind,
+        model,
+        json,
+    } = options;
+    let text = match (&factors[..], set) {
+        ([], None) => {
+            return Err(Refusal::Usage(
+                "found no FACTOR, expected at least one (or --set GROUP)".to_owned(),
+            ));
+        }
+        ([_, ..], Some(_)) => {
+            return Err(Refusal::Usage(
+                "--set: found a FACTOR too, expected one of them".to_owned(),
+            ));
+        }
+        ([], Some(_)) if kind.is_some() => {
+            return Err(Refusal::Usage(
+                "--kind: found --set too, expected files as FACTOR".to_owned(),
+            ));
+        }
+        (factors, None) => {
+            let entries: Vec<Entry> = factors
+                .iter()
+                .map(|name| factor(name, *kind))
+                .collect::<Result<_, _>>()?;
+            let app = subject::about_light(light("LIGHT", light_name)?, *model);
+            let names: Vec<String> = entries.iter().map(|e| e.name().to_owned()).collect();
+            let factors: Vec<Factor> = entries
+                .iter()
+                .map(|entry| product_report::factor_of_entry(&app, entry))
+                .collect();
+            let passage = product_report::product_of(&app).through(&factors);
+            if *json {
+                let json = product_report::chain_json(&app, &names, &passage);
+                format!("{json:#}\n")
+            } else {
+                product_report::chain_text(&app, &names, &passage)
+            }
+        }
+        ([], Some(set)) => {
+            let group = set.trim().to_lowercase();
+            check_group(&group, set)?;
+            let app = subject::about_light(light("LIGHT", light_name)?, *model);
+            of_set(&app, &group, *json)
+        }
+    };
+    print(out, &text)
+}
+
+fn of_set(app: &App, group: &str, json: bool) -> String {
+    let (names, values) = reflectances(group, app.document().settings.band);
+    let factors: Vec<Factor> = values
+        .into_iter()
+        .map(|values| product_report::factor_of(app, values))
+        .collect();
+    let errors = product_report::product_of(app).over(&factors);
+    if json {
+        let json = product_report::set_json(app, group, &names, &errors);
+        format!("{json:#}\n")
+    } else {
+        product_report::set_text(app, group, &errors)
+    }
+}
+
+/// A reflectance or transmittance by its name. Only a file may be told what it is: a shipped
+/// spectrum knows, and so does a file whose unit is one of power.
+fn factor(name: &str, kind: Option<Kind>) -> Result<Entry, Refusal> {
+    let refused = |why: String| Refusal::File(format!("FACTOR: {why}"));
+    let told = kind.filter(|_| Path::new(name).exists());
+    let entry = open::resolve(name, None, told).map_err(refused)?;
+    if entry.kind().is_factor() && (told.is_none() || is_a_share(&entry.spectrum.unit)) {
+        return Ok(entry);
+    }
+    let unit = &entry.spectrum.unit;
+    Err(refused(if told.is_some() && !is_a_share(unit) {
+        format!(
+            "{}: found values in {}, expected shares of light (a light times a light has no \
+             meaning)",
+            entry.name(),
+            quoted(unit)
+        )
+    } else if entry.shelf.is_some() {
+        format!(
+            "{}: found a {}, expected a reflectance or a transmittance",
+            entry.name(),
+            entry.kind()
+        )
+    } else {
+        format!(
+            "{}: found a {}, expected a reflectance or a transmittance (say --kind if it is one)",
+            entry.name(),
+            entry.kind()
+        )
+    }))
+}
+
+/// Whether a unit leaves room for shares: power has watts, lumens, photons or joules in it.
+fn is_a_share(unit: &str) -> bool {
+    const POWER: [&str; 8] = ["w", "mw", "uw", "µw", "kw", "lm", "photons", "j"];
+    let unit = unit.to_lowercase();
+    let mut words = unit.split(|c: char| !c.is_alphabetic());
+    !words.any(|word| POWER.contains(&word) || word.starts_with("watt"))
+}
+
+/// Only reflectances and transmittances can be multiplied with a light.
+fn check_group(group: &str, as_given: &str) -> Result<(), Refusal> {
+    let Some(found) = Library::bundled().group(group) else {
+        return Err(Refusal::File(format!(
+            "--set: found {}, expected a group of reflectances or transmittances (see list)",
+            quoted(as_given)
+        )));
+    };
+    let mut spectra = found.items.iter().filter_map(|preset| preset.spectrum());
+    if spectra.any(|spectrum| spectrum.kind.is_factor()) {
+        return Ok(());
+    }
+    Err(Refusal::File(format!(
+        "--set: found the group {group} without a reflectance or transmittance, expected a group \
+         with one"
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_of_power_is_told_from_a_share() {
+        for share in ["", "1", "fraction", "relative", "%", "fraction, 2 mm"] {
+            assert!(is_a_share(share), "{share}");
+        }
+        for power in [
+            "W/m²/nm",
+            "W m-2 nm-1",
+            "mW/nm",
+            "µW cm^-2",
+            "lm/nm",
+            "Watts",
+        ] {
+            assert!(!is_a_share(power), "{power}");
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! A light through a chain of factors: exact beside model at every stage.
+
+use super::{Colours, difference, multiplied, ratio, xyz};
+use crate::{
+    color::Xyz,
+    spectrum::{
+        Band, ChainTables, Composite, Factor, Sampling, Spike,
+        chain::{Met, below_zero},
+    },
+    study::error::Spread,
+};
+
+/// What is multiplied, and how it is looked at.
+#[derive(Clone, Copy, Debug)]
+pub struct Product<'a> {
+    /// The light as measured, on the band's grid.
+    pub measured: &'a [f64],
+    /// The light's model.
+    pub model: &'a Composite,
+    /// How products are formed.
+    pub sampling: Sampling,
+    /// Colour-matching functions on the band's grid.
+    pub seen: &'a [Vec<f64>; 3],
+    /// Full width with which a spike is drawn, nm: decides which dips go below zero.
+    pub width_nm: f64,
+}
+
+/// The light behind one factor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Measured light times measured factors, on the grid.
+    pub exact: Vec<f64>,
+    /// The model's smooth part on the grid.
+    pub smooth: Vec<f64>,
+    /// The model's spikes, carried exactly.
+    pub spikes: Vec<Spike>,
+    /// Both colours: what the whole model is off by so far.
+    pub colours: Colours,
+    /// CIEDE2000 that forming the products adds: against the exact product of the very same model
+    /// and series.
+    pub added: Option<f64>,
+    /// `Y out / Y in` of this factor, exact and model; `None` where no light comes in.
+    pub transmission: [Option<f64>; 2],
+    /// Share of the product's power that the points fold back (a convolution: cuts off).
+    pub folded_share: f64,
+    /// Multiplications of this factor.
+    pub multiplications: usize,
+    /// Lines of the light that stood on a dip of this factor.
+    pub met: Vec<Met>,
+    /// Places (nm) where a dip takes the total below zero.
+    pub below_zero: Vec<f64>,
+}
+
+/// A light through a whole chain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Passage {
+    /// XYZ of the exact light, value x nm: the white of every difference.
+    pub white: Xyz,
+    /// The light before the first factor.
+    pub light: Colours,
+    /// The light behind each factor in turn.
+    pub steps: Vec<Step>,
+}
+
+/// A chain as one product.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Total {
+    /// Both colours of what comes out.
+    pub colours: Colours,
+    /// CIEDE2000 that forming the products adds.
+    pub added: Option<f64>,
+    /// `Y out / Y in` of the whole chain, exact and model.
+    pub transmission: [Option<f64>; 2],
+    /// Share of the product's power that is folded back or cut off.
+    pub folded_share: f64,
+    /// Multiplications of all factors.
+    pub multiplications: usize,
+}
+
+impl Passage {
+    /// The chain as one product; without factors the light itself.
+    pub fn total(&self) -> Total {
+        let last = self.steps.last();
+        let colours = last.map_or(self.light, |step| step.colours);
+        Total {
+            colours,
+            added: last.map_or(Some(0.0), |step| step.added),
+            transmission: [
+                ratio(colours.exact.y, self.light.exact.y),
+                ratio(colours.model.y, self.light.model.y),
+            ],
+            folded_share: last.map_or(0.0, |step| step.folded_share),
+            multiplications: self.steps.iter().map(|step| step.multiplications).sum(),
+        }
+    }
+}
+
+/// Errors of one light with every factor of a set, each alone behind it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetErrors {
+    /// How many factors were measured.
+    pub count: usize,
+    /// What forming the product adds; `None` when nothing has a colour.
+    pub added: Option<Spread>,
+    /// What the whole model is off by.
+    pub total: Option<Spread>,
+    /// Each factor's added and total CIEDE2000, in the order of the set.
+    pub each: Vec<[Option<f64>; 2]>,
+}
+
+impl Product<'_> {
+    fn band(&self) -> Band {
+        self.model.band()
+    }
+
+    /// XYZ of the exact light.
+    pub fn white(&self) -> Xyz {
+        xyz(self.band(), self.measured, &[], self.seen)
+    }
+
+    /// Sends the light through factors, one after the other.
+    ///
+    /// # Panics
+    /// When a curve does not have [`Band::points`] values.
+    pub fn through(&self, factors: &[Factor]) -> Passage {
+        let tables = ChainTables::for_light(self.model, self.sampling, factors.len());
+        self.through_by(&tables, factors)
+    }
+
+    /// The same with tables that are there already.
+    ///
+    /// # Panics
+    /// As [`ChainTables::pass`].
+    pub fn through_by(&self, tables: &ChainTables, factors: &[Factor]) -> Passage {
+        let band = self.band();
+        let white = self.white();
+        let own = Xyz::from_array(std::array::from_fn(|k| {
+            self.model
+                .integrate(|nm| band.interpolate(&self.seen[k], nm))
+        }));
+        let light = Colours::of(white, own, white);
+        let mut exact = self.measured.to_vec();
+        let mut before = light;
+        let stages = tables.pass(self.model, factors);
+        let steps = stages.into_iter().zip(factors).map(|(stage, factor)| {
+            exact = multiplied(&exact, factor.values());
+            let model = xyz(band, &stage.smooth, &stage.spikes, self.seen);
+            let colours = Colours::of(xyz(band, &exact, &[], self.seen), model, white);
+            let unfolded = xyz(band, &stage.unfolded, &stage.spikes, self.seen);
+            let step = Step {
+                exact: exact.clone(),
+                colours,
+                added: difference(unfolded, model, white),
+                transmission: [
+                    ratio(colours.exact.y, before.exact.y),
+                    ratio(colours.model.y, before.model.y),
+                ],
+                folded_share: stage.folded_share,
+                multiplications: stage.multiplications,
+                below_zero: below_zero(band, &stage.smooth, &stage.spikes, self.width_nm),
+                met: stage.met,
+                smooth: stage.smooth,
+                spikes: stage.spikes,
+            };
+            before = colours;
+            step
+        });
+        Passage {
+            white,
+            light,
+            steps: steps.collect(),
+        }
+    }
+
+    /// The light with each factor of a set alone.
+    ///
+    /// # Panics
+    /// When a curve does not have [`Band::points`] values.
+    pub fn over(&self, set: &[Factor]) -> SetErrors {
+        let tables = ChainTables::for_light(self.model, self.sampling, 1);
+        let each: Vec<[Option<f64>; 2]> = set
+            .iter()
+            .map(|factor| {
+                let passage = self.through_by(&tables, std::slice::from_ref(factor));
+                let total = passage.total();
+                [total.added, total.colours.delta_e_2000]
+            })
+            .collect();
+        let spread = |which: usize| {
+            let found: Vec<f64> = each.iter().filter_map(|errors| errors[which]).collect();
+            Spread::of(&found)
+        };
+        SetErrors {
+            count: set.len(),
+            added: spread(0),
+            total: spread(1),
+            each,
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! The same surfaces under two lights: colour shifts, metameric pairs, metameric blacks.
+
+use super::{multiplied, xyz};
+use crate::{
+    color::{Lab, Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz},
+    spectrum::{Band, Basis},
+};
+
+/// Two surfaces with the same colour are one unless their curves differ by this much (root mean
+/// square over the band): below it they are repeated measurements of the same paint.
+pub const DIFFERENT_RMS: f64 = 0.01;
+
+/// Pairs this close under the first light match: a careful eye sees them side by side as one.
+pub const MATCH_DELTA_E: f64 = 1.0;
+
+/// A surface under two lights, each seen against its own white.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnderBoth {
+    /// XYZ under each light, Y of the light at 100.
+    pub xyz: [Xyz; 2],
+    /// L\*a\*b\* under each.
+    pub labs: [Lab; 2],
+    /// CIEDE2000 between the two: how far the colour moves when the light is changed.
+    pub delta_e_2000: f64,
+}
+
+/// A set of surfaces under two lights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TwoLights {
+    /// XYZ of each light, Y at 100.
+    pub whites: [Xyz; 2],
+    /// The surfaces in their order.
+    pub patches: Vec<UnderBoth>,
+}
+
+/// Two surfaces that match under the first light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MetamericPair {
+    /// Indices in the set, the lower one first.
+    pub pair: [usize; 2],
+    /// CIEDE2000 under each light.
+    pub delta_e_2000: [f64; 2],
+    /// Root mean square difference of the two curves.
+    pub rms: f64,
+}
+
+/// Metameric pairs of a set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Metamers {
+    /// Pairs that match under the first light, those that part most under the second first.
+    pub pairs: Vec<MetamericPair>,
+    /// Metamerism index: mean CIEDE2000 of these pairs under the second; `None` without a pair.
+    pub index: Option<f64>,
+}
+
+/// Shows surfaces (on the band's grid) under two lights (on the same grid).
+///
+/// `None` when one of the lights has no positive Y.
+pub fn two_lights(
+    band: Band,
+    surfaces: &[Vec<f64>],
+    lights: [&[f64]; 2],
+    seen: &[Vec<f64>; 3],
+) -> Option<TwoLights> {
+    let whites = lights.map(|light| xyz(band, light, &[], seen));
+    let scaled = [whites[0].with_y(100.0)?, whites[1].with_y(100.0)?];
+    let patches = surfaces.iter().map(|surface| {
+        let colours = [0, 1].map(|i| {
+            let raw = xyz(band, &multiplied(lights[i], surface), &[], seen);
+            raw * (100.0 / whites[i].y)
+        });
+        let labs = [0, 1].map(|i| lab_from_xyz(colours[i], scaled[i]));
+        UnderBoth {
+            xyz: colours,
+            labs,
+            delta_e_2000: delta_e_2000(labs[0], labs[1]),
+        }
+    });
+    Some(TwoLights {
+        whites: scaled,
+        patches: patches.collect(),
+    })
+}
+
+impl TwoLights {
+    /// Mean CIEDE2000 of all surfaces; `None` without any.
+    pub fn mean(&self) -> Option<f64> {
+        let sum: f64 = self.patches.iter().map(|p| p.delta_e_2000).sum();
+        (!self.patches.is_empty()).then(|| sum / self.patches.len() as f64)
+    }
+}
+
+/// Pairs of different surfaces closer than `match_delta_e` under the first light, the farthest
+/// apart under the second first. `surfaces` are those of `seen`, on the band's grid.
+pub fn metameric_pairs(
+    band: Band,
+    surfaces: &[Vec<f64>],
+    both: &TwoLights,
+    match_delta_e: f64,
+) -> Metamers {
+    let mut pairs = Vec::new();
+    for (i, a) in both.patches.iter().enumerate() {
+        for (j, b) in both.patches.iter().enumerate().skip(i + 1) {
+            // A difference in lightness alone is seen too: no need for the whole formula.
+            if (a.labs[0].l - b.labs[0].l).abs() > 4.0 * match_delta_e {
+                continue;
+            }
+            let first = delta_e_2000(a.labs[0], b.labs[0]);
+            if first >= match_delta_e {
+                continue;
+            }
+            let rms = rms_difference(band, &surfaces[i], &surfaces[j]);
+            if rms >= DIFFERENT_RMS {
+                pairs.push(MetamericPair {
+                    pair: [i, j],
+                    delta_e_2000: [first, delta_e_2000(a.labs[1], b.labs[1])],
+                    rms,
+                });
+            }
+        }
+    }
+    pairs.sort_by(|a, b| b.delta_e_2000[1].total_cmp(&a.delta_e_2000[1]));
+    let sum: f64 = pairs.iter().map(|pair| pair.delta_e_2000[1]).sum();
+    Metamers {
+        index: (!pairs.is_empty()).then(|| sum / pairs.len() as f64),
+        pairs,
+    }
+}
+
+fn rms_difference(band: Band, a: &[f64], b: &[f64]) -> f64 {
+    let rest: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
+    (band.inner(&rest, &rest) / band.length_nm()).sqrt()
+}
+
+/// A reflectance that matches another under a light, made by adding a metameric black.
+///
+/// The black is the one combination of the first four half-range cosines (the lowest order that
+/// leaves any freedom) that the light shows as nothing: orthogonal to the three colour-matching
+/// functions times the light. It is scaled to the most, up or down, that keeps the sum within
+/// 0 to 1. `None` when there is no room (a surface that touches 0 or 1 where the black would
+/// leave), or the light is not seen on this band.
+pub fn metameric_black(
+    band: Band,
+    surface: &[f64],
+    light: &[f64],
+    seen: &[Vec<f64>; 3],
+) -> Option<Vec<f64>> {
+    let cosines: [Vec<f64>; 4] = std::array::from_fn(|k| {
+        let function = |nm| Basis::Cosine.function(k, band, nm);
+        band.grid().map(function).collect()
+    });
+    let mut rows: [[f64; 4]; 3] = [[0.0; 4]; 3];
+    for (row, seen) in rows.iter_mut().zip(seen) {
+        let weight = multiplied(seen, light);
+        *row = std::array::from_fn(|k| band.inner(&weight, &cosines[k]));
+        let length = row.iter().map(|v| v * v).sum::<f64>().sqrt();
+        if !(length > 0.0 && length.is_finite()) {
+            return None;
+        }
+        row.iter_mut().for_each(|v| *v /= length);
+    }
+    let shares = orthogonal_to(rows)?;
+    let mut black = vec![0.0; band.points()];
+    for (share, cosine) in shares.iter().zip(&cosines) {
+        for (b, c) in black.iter_mut().zip(cosine) {
+            *b += share * c;
+        }
+    }
+    // How far the sum can go up and down the black before it leaves 0 to 1.
+    let (mut down, mut up) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (r, b) in surface.iter().zip(&black).filter(|(_, b)| **b != 0.0) {
+        let (to_0, to_1) = (-r / b, (1.0 - r) / b);
+        down = down.max(to_0.min(to_1));
+        up = up.min(to_0.max(to_1));
+    }
+    let scale = if up >= -down { up } else { down };
+    let has_room = down <= 0.0 && up >= 0.0 && scale != 0.0 && scale.is_finite();
+    has_room.then(|| {
+        let sum = surface.iter().zip(&black).map(|(r, b)| r + scale * b);
+        // Where it touches 0 or 1 the last bit may be on the other side.
+        sum.map(|v| v.clamp(0.0, 1.0)).collect()
+    })
+}
+
+/// Least size of the vector that three unit rows leave free, below which they do not tell four
+/// functions apart.
+const INDEPENDENT: f64 = 1e-9;
+
+/// The unit vector orthogonal to three others, by their 3 x 3 minors.
+fn orthogonal_to(rows: [[f64; 4]; 3]) -> Option<[f64; 4]> {
+    let minor = |skip: usize| {
+        let columns: Vec<usize> = (0..4).filter(|k| *k != skip).collect();
+        let at = |i: usize, j: usize| rows[i][columns[j]];
+        at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1))
+            - at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0))
+            + at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0))
+    };
+    let vector = [minor(0), -minor(1), minor(2), -minor(3)];
+    let length = vector.iter().map(|v| v * v).sum::<f64>().sqrt();
+    (length > INDEPENDENT).then(|| vector.map(|v| v / length))
+}

@@ -1,0 +1,93 @@
+//! Light through filters and off surfaces: what the model's products are off by.
+//!
+//! ```text
+//! chain   a light through factors, exact beside model at every stage; sets of factors
+//! growth  error against the number of bounces, every way of forming products
+//! narrow  a band-pass that moves over the light: composite, series alone, plain samples
+//! lights  the same surfaces under two lights; metameric pairs and metameric blacks
+//! check   is this light that one off this surface? (the paper's image understanding)
+//! ```
+//!
+//! Exact is the measured light times the measured factors on the 1 nm grid of the band; the white
+//! of every CIEDE2000 is the exact light. What does not exist (a colour without light) is `None`.
+
+pub mod chain;
+pub mod check;
+pub mod growth;
+pub mod lights;
+pub mod narrow;
+
+pub use chain::{Passage, Product, SetErrors, Step, Total};
+pub use check::{Reflection, reflection_check};
+pub use growth::{Growth, growth};
+pub use lights::{MetamericPair, TwoLights, metameric_black, metameric_pairs, two_lights};
+pub use narrow::{Narrow, NarrowPoint};
+
+use crate::{
+    color::{Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz},
+    spectrum::{Band, Spike},
+};
+
+/// One light as it is and as the model has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Colours {
+    /// Exact, in value x nm.
+    pub exact: Xyz,
+    /// The model's.
+    pub model: Xyz,
+    /// CIEDE2000 between the two; `None` without a white.
+    pub delta_e_2000: Option<f64>,
+    /// `Y model / Y exact - 1`; `None` where the exact Y is not positive.
+    pub luminance_error: Option<f64>,
+}
+
+impl Colours {
+    /// Compares two colours against a white in the same scale.
+    pub fn of(exact: Xyz, model: Xyz, white: Xyz) -> Self {
+        Self {
+            exact,
+            model,
+            delta_e_2000: difference(exact, model, white),
+            luminance_error: ratio(model.y, exact.y).map(|share| share - 1.0),
+        }
+    }
+
+    /// The same, both sides brightened so that the exact one has the Y that `y` says, but by no
+    /// more than `most`; what is too dark to have a colour gets one that way.
+    fn brightened(exact: Xyz, model: Xyz, white: Xyz, y: f64, most: f64) -> Self {
+        let gain = (y / exact.y.max(0.0)).min(most);
+        let gain = if gain.is_finite() { gain } else { 1.0 };
+        Self {
+            delta_e_2000: difference(exact * gain, model * gain, white),
+            ..Self::of(exact, model, white)
+        }
+    }
+}
+
+/// CIEDE2000 of two colours against a white; `None` without light.
+fn difference(first: Xyz, second: Xyz, white: Xyz) -> Option<f64> {
+    let is_light = white.y > 0.0 && white.is_finite() && first.is_finite() && second.is_finite();
+    let found =
+        is_light.then(|| delta_e_2000(lab_from_xyz(first, white), lab_from_xyz(second, white)));
+    found.filter(|found| found.is_finite())
+}
+
+/// A ratio to something that must be positive.
+fn ratio(part: f64, whole: f64) -> Option<f64> {
+    Some(part / whole).filter(|share| whole > 0.0 && share.is_finite())
+}
+
+/// What values on the grid and spikes weigh of three weights, in value x nm.
+fn xyz(band: Band, smooth: &[f64], spikes: &[Spike], seen: &[Vec<f64>; 3]) -> Xyz {
+    Xyz::from_array(std::array::from_fn(|k| {
+        let lines = spikes
+            .iter()
+            .map(|s| s.weight * band.interpolate(&seen[k], s.at_nm));
+        band.inner(smooth, &seen[k]) + lines.sum::<f64>()
+    }))
+}
+
+/// Two curves on the same grid, multiplied.
+fn multiplied(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a * b).collect()
+}
