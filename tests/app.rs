@@ -698,7 +698,12 @@ fn a_selected_patch_gives_the_product_with_the_light() {
     }
     // Products on a few points model the reflectance too, so they differ, each in its own way.
     let mut smooths = vec![product.smooth.clone()];
-    for sampling in [Sampling::Paper, Sampling::Double, Sampling::ThreeN] {
+    for sampling in [
+        Sampling::Paper,
+        Sampling::Double,
+        Sampling::ThreeN,
+        Sampling::Convolution,
+    ] {
         edit(&mut app, |s| s.sampling = sampling);
         let product = app.product().expect("a patch is selected");
         assert_eq!(product.sampling, sampling);
@@ -737,17 +742,18 @@ fn how_products_are_formed_moves_the_patches_but_not_the_curve() {
         assert_eq!(app.derived().curve, curve, "the curve is of 1 nm products");
         mean(&app)
     };
-    let [paper, three, four, double] = [
+    let [paper, three, four, double, convolution] = [
         Sampling::Paper,
         Sampling::ThreeN,
         Sampling::FourN,
         Sampling::Double,
+        Sampling::Convolution,
     ]
     .map(&mut by);
     // 4N + 1 points and the 4N + 2 of twice the numbers both hold every order of a product; only
     // rounding is between them, many times under the least difference of the others.
     assert_abs_diff_eq!(four, double, epsilon = 1e-9);
-    let mut apart = [exact, paper, three, four];
+    let mut apart = [exact, paper, three, four, convolution];
     apart.sort_by(f64::total_cmp);
     assert!(apart.windows(2).all(|w| w[1] - w[0] > 1e-6), "{apart:?}");
     assert_eq!(by(Sampling::Exact), exact);

@@ -508,6 +508,22 @@ fn what_makes_no_sense_is_refused_in_one_line() {
         assert_eq!(found, code, "{args:?}: {told}");
         assert!(told.contains(words), "{args:?}: {told}");
     }
+    for (args, words) in [
+        (["product", "FL2", "no such thing"], "FACTOR: no shipped"),
+        (
+            ["product", "no such thing", "FL2"],
+            "FACTOR: FL2: found a light",
+        ),
+        (
+            ["product", "no such thing", "colorchecker_ohta/red"],
+            "LIGHT: no shipped",
+        ),
+    ] {
+        let told = tell(&args);
+        assert_eq!(told.outcome, Outcome::Done(1), "{args:?}");
+        assert_eq!((told.out.as_str(), told.err.lines().count()), ("", 1));
+        assert!(told.err.contains(words), "{args:?}: {}", told.err);
+    }
 }
 
 #[test]
@@ -568,5 +584,265 @@ fn a_picture_can_be_of_any_page() {
         let told = tell(&["render", "FL2", "--out", out, "--page", page.word()]);
         assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
         assert_eq!(fs::read_to_string(&path).expect("written"), page.word());
+    }
+}
+
+const GLASS: &str = "isuzu IVG550 (Green filter) 2 mm";
+
+#[test]
+fn a_product_has_its_total_and_every_stage_with_its_spikes() {
+    let product = json(&[
+        "product",
+        "FL2",
+        GLASS,
+        "colorchecker_ohta/red",
+        "colorchecker_ohta/red",
+        "--sampling",
+        "double",
+        "--json",
+    ]);
+    has(
+        &product,
+        &[
+            "program",
+            "light",
+            "settings",
+            "sampling",
+            "factors",
+            "delta_e_2000",
+            "luminance_error",
+            "added",
+            "total",
+            "folded_share",
+            "multiplications",
+            "transmission",
+            "exact",
+            "model",
+            "stages",
+            "notes",
+        ],
+    );
+    assert_eq!(product["sampling"], "double");
+    assert_eq!(product["light"]["name"], "FL2");
+    assert_eq!(product["total"], product["delta_e_2000"]);
+    for side in ["exact", "model"] {
+        let xyz = product[side]["xyz"].as_array().expect("XYZ");
+        assert_eq!(xyz.len(), 3);
+        let hex = product[side]["srgb_hex"].as_str().expect("a colour");
+        assert!(hex.starts_with('#') && hex.len() == 7, "{hex}");
+    }
+    let stages = product["stages"].as_array().expect("stages");
+    assert_eq!(stages.len(), 3);
+    for stage in stages {
+        has(
+            stage,
+            &[
+                "name",
+                "delta_e_2000",
+                "luminance_error",
+                "added",
+                "folded_share",
+                "multiplications",
+                "transmission",
+                "exact",
+                "model",
+                "spikes",
+                "lines_on_dips",
+                "below_zero_nm",
+            ],
+        );
+        let spikes = stage["spikes"].as_array().expect("spikes");
+        assert_eq!(spikes.len(), 4);
+        has(&spikes[0], &["at_nm", "weight"]);
+    }
+    assert_eq!(stages[0]["name"], GLASS);
+    // The last stage is the total.
+    for key in ["delta_e_2000", "luminance_error", "added", "exact", "model"] {
+        assert_eq!(stages[2][key], product[key], "{key}");
+    }
+    // The same surface twice takes the same share of every line twice.
+    let weight = |stage: usize, spike: usize| {
+        stages[stage]["spikes"][spike]["weight"]
+            .as_f64()
+            .expect("a weight")
+    };
+    for spike in 0..4 {
+        let (first, second) = (
+            weight(1, spike) / weight(0, spike),
+            weight(2, spike) / weight(1, spike),
+        );
+        // Two quotients of the same factor.
+        assert!((first / second - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn every_way_of_forming_products_may_be_asked_for() {
+    let mut added = BTreeSet::new();
+    for way in ["paper", "3n", "4n", "double", "convolution", "exact"] {
+        let args = ["product", "FL2", "colorchecker_ohta/red", "--json"];
+        let product = json(&[&args[..], &["--sampling", way]].concat());
+        assert_eq!(product["sampling"], way);
+        added.insert(product["added"].to_string());
+    }
+    // Those that fold nothing differ by rounding alone, the others add something each.
+    assert!(added.len() >= 4, "{added:?}");
+    let exact = json(&["product", "FL2", "colorchecker_ohta/red", "--json"]);
+    assert_eq!(exact["sampling"], "exact");
+    assert_eq!(exact["added"], 0.0);
+}
+
+#[test]
+fn a_light_over_a_set_of_factors_is_median_p95_and_worst() {
+    let args = [
+        "product",
+        "CIE D65",
+        "--set",
+        "tm30_ces99_5nm",
+        "--sampling",
+        "paper",
+    ];
+    let set = json(&[&args[..], &["--json"]].concat());
+    has(
+        &set,
+        &["set", "count", "added", "total", "items", "sampling"],
+    );
+    assert_eq!(set["set"], "tm30_ces99_5nm");
+    assert_eq!(set["count"], 99);
+    assert_eq!(set["items"].as_array().expect("items").len(), 99);
+    for spread in ["added", "total"] {
+        let figure = |key: &str| set[spread][key].as_f64().expect("a figure");
+        assert!(0.0 < figure("median") && figure("median") < figure("p95"));
+        assert!(figure("p95") < figure("worst"));
+    }
+    let told = tell(&args);
+    assert_eq!(told.outcome, Outcome::Done(0));
+    for word in ["Light", "Added", "Total", "tm30_ces99_5nm", "99"] {
+        assert!(told.out.contains(word), "{word}: {}", told.out);
+    }
+}
+
+#[test]
+fn a_product_for_people_says_what_passes_and_what_it_costs() {
+    let told = tell(&["product", "FL2", GLASS, "colorchecker_ohta/red"]);
+    assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
+    for word in [
+        "Light     FL2",
+        "Stage 1",
+        "Stage 2",
+        "spike",
+        "Total",
+        "Exact",
+        "Model",
+    ] {
+        assert!(told.out.contains(word), "{word}: {}", told.out);
+    }
+    assert!(!told.out.contains("NaN"));
+}
+
+#[test]
+fn dips_of_a_factor_are_kept_when_they_are_asked_for_and_the_result_says_what_met() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("didymium.csv");
+    let rows: String = (380..=780)
+        .map(|nm| {
+            let x = (f64::from(nm) - 578.0) / 3.0;
+            format!("{nm},{}\n", 0.9 - 0.8 * (-x * x).exp())
+        })
+        .collect();
+    fs::write(&path, rows).expect("a file");
+    let path = path.to_str().expect("UTF-8");
+    let args = ["product", "FL2", path, "--kind", "transmittance", "--json"];
+    let plain = json(&[&args[..], &["--sampling", "double"]].concat());
+    let kept = json(&[&args[..], &["--sampling", "double", "--dips"]].concat());
+    let stage = |product: &Value| product["stages"][0].clone();
+    let negative = |product: &Value| {
+        let spikes = stage(product)["spikes"].as_array().expect("spikes").clone();
+        let weights = spikes.iter().filter_map(|s| s["weight"].as_f64());
+        weights.filter(|weight| *weight < 0.0).count()
+    };
+    assert_eq!(negative(&plain), 0);
+    assert_eq!(stage(&plain)["lines_on_dips"], Value::Array(Vec::new()));
+    assert_eq!(negative(&kept), 1);
+    // Mercury's yellow pair stands in the middle of the dip.
+    let met = stage(&kept)["lines_on_dips"]
+        .as_array()
+        .expect("a list")
+        .clone();
+    assert_eq!(met.len(), 1, "{met:?}");
+    has(&met[0], &["at_nm", "dip_nm", "depth"]);
+    let notes = kept["notes"].to_string();
+    assert!(notes.contains("stands on a dip"), "{notes}");
+}
+
+#[test]
+fn products_that_make_no_sense_are_refused_in_one_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamp = folder.path().join("lamp.csv");
+    let rows: String = (380..=780).map(|nm| format!("{nm},0.5\n")).collect();
+    fs::write(
+        &lamp,
+        format!("# unit: W/m2/nm\nwavelength_nm,irradiance (W/m2/nm)\n{rows}"),
+    )
+    .expect("a file");
+    let lamp = lamp.to_str().expect("UTF-8");
+    for (args, code, words) in [
+        (&["product", "FL2"][..], 2, "FACTOR"),
+        (&["product", "FL2", "CIE A"], 1, "found a light"),
+        (&["product", "FL2", lamp], 1, "found a light"),
+        (
+            &["product", "colorchecker_ohta/red", "colorchecker_ohta/red"],
+            1,
+            "expected a light",
+        ),
+        (
+            &["product", "FL2", "--set", "no_such_group"],
+            1,
+            "no_such_group",
+        ),
+        (
+            &["product", "FL2", "--set", "cie_fluorescent_1nm"],
+            1,
+            "without",
+        ),
+        (
+            &[
+                "product",
+                "FL2",
+                "colorchecker_ohta/red",
+                "--set",
+                "tm30_ces99_5nm",
+            ],
+            2,
+            "--set",
+        ),
+        (
+            &[
+                "product",
+                "FL2",
+                "--set",
+                "tm30_ces99_5nm",
+                "--kind",
+                "reflectance",
+            ],
+            2,
+            "--kind",
+        ),
+        (
+            &[
+                "product",
+                "FL2",
+                "colorchecker_ohta/red",
+                "--sampling",
+                "5n",
+            ],
+            2,
+            "convolution",
+        ),
+        (&["product", "FL2", "CIE A", "--kind", "light"], 2, "--kind"),
+    ] {
+        let (told, found) = refusal(args);
+        assert_eq!(found, code, "{args:?}: {told}");
+        assert!(told.contains(words), "{args:?}: {told}");
     }
 }

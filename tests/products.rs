@@ -247,6 +247,45 @@ fn twice_the_numbers_are_exact_for_one_product_in_both_bases() {
 }
 
 #[test]
+fn a_convolution_cut_back_has_the_lights_own_numbers_and_loses_only_what_is_above() {
+    for basis in Basis::ALL {
+        let light = Composite {
+            smooth: some_series(basis, 15, 0.7),
+            spikes: Vec::new(),
+        };
+        let factor = some_series(basis, 15, 2.2);
+        let product = product::resampled(&light, &factor, Sampling::Convolution);
+        let whole = product::resampled(&light, &factor, Sampling::Exact);
+        assert_eq!(product.smooth, whole.smooth.truncated(15));
+        assert_eq!(product.smooth.coefficients.len(), 15);
+    }
+}
+
+#[test]
+fn the_row_of_a_place_reads_the_series_through_the_points() {
+    for basis in Basis::ALL {
+        let series = some_series(basis, 15, 0.7);
+        for points in [15, 29, 30] {
+            let grid = SampleGrid {
+                band: BAND,
+                basis,
+                points,
+            };
+            let values = grid.sample(&series);
+            for nm in [380.0, 404.7, 546.1, 780.0] {
+                let row = grid.row_at(nm);
+                let read: f64 = row.iter().zip(&values).map(|(r, v)| r * v).sum();
+                // 30 products of numbers near 5.
+                assert!(
+                    (read - series.at(nm)).abs() < 1e-12,
+                    "{basis:?} {points} {nm}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn a_convolution_is_the_pointwise_product_for_factors_of_any_length() {
     for basis in Basis::ALL {
         for (long, short) in [(15, 15), (21, 7), (5, 12), (1, 9), (2, 2)] {
