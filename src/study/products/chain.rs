@@ -132,13 +132,19 @@ impl Product<'_> {
     /// # Panics
     /// As [`ChainTables::pass`].
     pub fn through_by(&self, tables: &ChainTables, factors: &[Factor]) -> Passage {
-        let band = self.band();
+        self.beginning_with(self.light(), tables, factors)
+    }
+
+    /// The light before any factor.
+    fn light(&self) -> Colours {
         let white = self.white();
-        let own = Xyz::from_array(std::array::from_fn(|k| {
-            self.model
-                .integrate(|nm| band.interpolate(&self.seen[k], nm))
-        }));
-        let light = Colours::of(white, own, white);
+        let smooth = self.model.smooth.on_band();
+        let own = xyz(self.band(), &smooth, &self.model.spikes, self.seen);
+        Colours::of(white, own, white)
+    }
+
+    fn beginning_with(&self, light: Colours, tables: &ChainTables, factors: &[Factor]) -> Passage {
+        let (band, white) = (self.band(), light.exact);
         let mut exact = self.measured.to_vec();
         let mut before = light;
         let stages = tables.pass(self.model, factors);
@@ -178,10 +184,11 @@ impl Product<'_> {
     /// When a curve does not have [`Band::points`] values.
     pub fn over(&self, set: &[Factor]) -> SetErrors {
         let tables = ChainTables::for_light(self.model, self.sampling, 1);
+        let light = self.light();
         let each: Vec<[Option<f64>; 2]> = set
             .iter()
             .map(|factor| {
-                let passage = self.through_by(&tables, std::slice::from_ref(factor));
+                let passage = self.beginning_with(light, &tables, std::slice::from_ref(factor));
                 let total = passage.total();
                 [total.added, total.colours.delta_e_2000]
             })

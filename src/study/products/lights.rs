@@ -101,7 +101,8 @@ pub fn metameric_pairs(
     let mut pairs = Vec::new();
     for (i, a) in both.patches.iter().enumerate() {
         for (j, b) in both.patches.iter().enumerate().skip(i + 1) {
-            // A difference in lightness alone is seen too: no need for the whole formula.
+            // CIEDE2000 divides a difference of lightness by less than 2, so that this one alone
+            // is beyond the match: no need for the whole formula.
             if (a.labs[0].l - b.labs[0].l).abs() > 4.0 * match_delta_e {
                 continue;
             }
