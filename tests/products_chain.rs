@@ -298,7 +298,8 @@ fn without_a_light_or_a_factor_there_is_nothing_to_say_and_no_nan() {
     assert_eq!(nothing.total().colours, nothing.light);
     assert_eq!(nothing.total().transmission, [Some(1.0), Some(1.0)]);
     let black = Factor::new(vec![0.0; BAND.points()]);
-    let behind = product(&measured, &model, Sampling::Double, &seen).through(&[black.clone()]);
+    let behind =
+        product(&measured, &model, Sampling::Double, &seen).through(std::slice::from_ref(&black));
     // Black is black in both: there is a colour, but no luminance to compare with.
     assert_eq!(behind.total().colours.luminance_error, None);
     let grown = growth(product(&measured, &model, Sampling::Exact, &seen), &black);
