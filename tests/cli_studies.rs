@@ -649,6 +649,7 @@ fn a_product_has_its_total_and_every_stage_with_its_spikes() {
                 "spikes",
                 "lines_on_dips",
                 "below_zero_nm",
+                "turned_negative_nm",
             ],
         );
         let spikes = stage["spikes"].as_array().expect("spikes");
@@ -656,6 +657,12 @@ fn a_product_has_its_total_and_every_stage_with_its_spikes() {
         has(&spikes[0], &["at_nm", "weight"]);
     }
     assert_eq!(stages[0]["name"], GLASS);
+    // Fifteen numbers of a glass that is black at 404.9 nm ring below zero there.
+    let turned = stages[0]["turned_negative_nm"].as_array().expect("places");
+    assert_eq!(turned.len(), 1);
+    assert_eq!(stages[0]["below_zero_nm"], Value::Array(Vec::new()));
+    let notes = product["notes"].to_string();
+    assert!(notes.contains("turns the line there negative"), "{notes}");
     // The last stage is the total.
     for key in ["delta_e_2000", "luminance_error", "added", "exact", "model"] {
         assert_eq!(stages[2][key], product[key], "{key}");

@@ -125,6 +125,7 @@ fn stage_json(passage: &Passage, name: &str, step: &Step) -> Value {
         multiplications,
         met,
         below_zero,
+        turned,
     } = step;
     json!({
         "name": name,
@@ -145,6 +146,7 @@ fn stage_json(passage: &Passage, name: &str, step: &Step) -> Value {
             .map(|met| json!({ "at_nm": met.line_nm, "dip_nm": met.dip_nm, "depth": met.depth }))
             .collect::<Vec<_>>(),
         "below_zero_nm": below_zero,
+        "turned_negative_nm": turned,
     })
 }
 
@@ -178,7 +180,7 @@ fn scaled(passage: &Passage, xyz: Xyz) -> Option<(Xyz, Swatch)> {
 /// What must be said about the result, a sentence each.
 fn notes(app: &App, names: &[String], passage: &Passage) -> Vec<String> {
     let mut notes = app.derived().warnings.clone();
-    let (mut before, mut said_below) = (&app.derived().measured, Vec::new());
+    let (mut before, mut said) = (&app.derived().measured, Vec::new());
     for (name, step) in names.iter().zip(&passage.steps) {
         let grown = before
             .iter()
@@ -200,13 +202,20 @@ fn notes(app: &App, names: &[String], passage: &Passage) -> Vec<String> {
                 100.0 * met.depth
             ));
         }
-        for nm in &step.below_zero {
-            if !said_below.contains(nm) {
-                said_below.push(*nm);
-                notes.push(format!(
-                    "{name}: the dip at {nm:.1} nm takes the total below zero."
-                ));
+        for nm in step.below_zero.iter().chain(&step.turned) {
+            // What is below zero at one stage is so at the next ones.
+            if said.contains(nm) {
+                continue;
             }
+            said.push(*nm);
+            notes.push(if step.turned.contains(nm) {
+                format!(
+                    "{name}: its series is below zero at {nm:.1} nm and turns the line there \
+                     negative."
+                )
+            } else {
+                format!("{name}: the dip at {nm:.1} nm takes the total below zero.")
+            });
         }
     }
     notes

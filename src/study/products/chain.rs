@@ -49,6 +49,9 @@ pub struct Step {
     pub met: Vec<Met>,
     /// Places (nm) where a dip takes the total below zero.
     pub below_zero: Vec<f64>,
+    /// Places (nm) of lines that the factors' series have turned negative: a short series of a
+    /// dark filter rings below zero.
+    pub turned: Vec<f64>,
 }
 
 /// A light through a whole chain.
@@ -153,6 +156,13 @@ impl Product<'_> {
             let model = xyz(band, &stage.smooth, &stage.spikes, self.seen);
             let colours = Colours::of(xyz(band, &exact, &[], self.seen), model, white);
             let unfolded = xyz(band, &stage.unfolded, &stage.spikes, self.seen);
+            let is_line = |nm: f64| {
+                let mut lines = self.model.spikes.iter().filter(|s| s.weight > 0.0);
+                lines.any(|s| s.at_nm == nm)
+            };
+            let negative = stage.spikes.iter().filter(|s| s.weight < 0.0);
+            let (turned, dips): (Vec<Spike>, Vec<Spike>) =
+                negative.copied().partition(|s| is_line(s.at_nm));
             let step = Step {
                 exact: exact.clone(),
                 colours,
@@ -163,7 +173,8 @@ impl Product<'_> {
                 ],
                 folded_share: stage.folded_share,
                 multiplications: stage.multiplications,
-                below_zero: below_zero(band, &stage.smooth, &stage.spikes, self.width_nm),
+                below_zero: below_zero(band, &stage.smooth, &dips, self.width_nm),
+                turned: turned.iter().map(|s| s.at_nm).collect(),
                 met: stage.met,
                 smooth: stage.smooth,
                 spikes: stage.spikes,
