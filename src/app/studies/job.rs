@@ -193,13 +193,25 @@ impl<K, T> Drop for Job<K, T> {
 mod tests {
     use std::{
         sync::atomic::{AtomicUsize, Ordering},
-        sync::mpsc::channel,
+        sync::mpsc::{Sender, channel},
     };
 
     use super::*;
 
     fn asleep() -> Wake {
         Arc::new(|| {})
+    }
+
+    /// Asks for a key; the answer, the key itself, waits for a word and is none when cancelled.
+    fn ask_and_wait(job: &mut Job<u8, u8>, key: u8) -> Sender<()> {
+        let (go, wait) = channel::<()>();
+        job.ask(&key, &asleep(), || {
+            move |progress: &Progress| {
+                let _ = wait.recv();
+                (!progress.is_cancelled()).then_some(key)
+            }
+        });
+        go
     }
 
     #[test]
@@ -252,13 +264,7 @@ mod tests {
     #[test]
     fn another_question_stops_the_one_before() {
         let mut job: Job<u8, u8> = Job::default();
-        let (go, wait) = channel::<()>();
-        job.ask(&1, &asleep(), || {
-            move |progress: &Progress| {
-                let _ = wait.recv();
-                (!progress.is_cancelled()).then_some(1)
-            }
-        });
+        let go = ask_and_wait(&mut job, 1);
         job.ask(&2, &asleep(), || |_: &Progress| Some(2));
         go.send(()).expect("the worker waits");
         job.finish();
@@ -271,13 +277,7 @@ mod tests {
     #[test]
     fn a_question_that_comes_back_while_it_is_being_stopped_is_answered() {
         let mut job: Job<u8, u8> = Job::default();
-        let (go, wait) = channel::<()>();
-        job.ask(&1, &asleep(), || {
-            move |progress: &Progress| {
-                let _ = wait.recv();
-                (!progress.is_cancelled()).then_some(1)
-            }
-        });
+        let go = ask_and_wait(&mut job, 1);
         job.ask(&2, &asleep(), || |_: &Progress| Some(2));
         job.ask(&1, &asleep(), || |_: &Progress| Some(1));
         go.send(()).expect("the worker waits");

@@ -373,13 +373,12 @@ pub(super) fn eq_7_row(claims: &Claims) -> Row {
     };
     let pair = |[x, y]: [f64; 2]| format!("({x:.3}, {y:.3})");
     let mut measured = format!(
-        "At N = {} it puts {} at xy {} as printed, and at {} with order 0 divided by 2; measured \
-         {}.",
+        "At N = {} it puts {} {} as printed, and at xy {} with order 0 divided by 2; measured {}.",
         claims.order,
         claims.subject,
         found
             .printed
-            .map_or_else(|| "where there is no colour".to_owned(), pair),
+            .map_or_else(|| "nowhere".to_owned(), |xy| format!("at xy {}", pair(xy))),
         pair(found.corrected),
         pair(found.exact),
     );

@@ -1,0 +1,117 @@
+//! The paper's claims, measured again on the spectrum and range at hand.
+//!
+//! Source: Sun, Fracchia, Drew, "A Composite Spectral Model and Its Applications". Each claim has
+//! the paper's own figure as a [`Stated`] and a function that measures the same thing here:
+//!
+//! ```text
+//! five_percent   terms beyond N contribute under 5 %              Eq. 12
+//! samples        400 samples against about 20 numbers             storage of spectral images
+//! eq_17          the factor at a spike by a straight line         Eq. 17, its weights swapped
+//! table_2        three colour-matching functions as four bells    Table 2, Eq. 9
+//! resampling     a product takes 2N+2 multiplications             Eq. 16
+//! ```
+//!
+//! Colour differences are CIEDE2000 against the white that the caller names (the exact light) and
+//! `None` where there is no colour: no light in the visible part of the range.
+
+mod eq_17;
+mod five_percent;
+mod resampling;
+mod samples;
+mod table_2;
+#[cfg(test)]
+mod tests;
+
+pub use eq_17::{Eq17, SpikeReading, StraightLine, eq_17, straight_line};
+pub use five_percent::{ChannelTerms, FivePercent, Neglected, five_percent};
+pub use resampling::{Resampling, ResamplingWay, resampling};
+pub use samples::{
+    Errors, Match, Needed, Question, STEPS_NM, SampledErrors, SamplesAgainstNumbers, samples,
+};
+pub use table_2::{Deviation, Table2, table_2};
+
+use crate::{
+    color::{Xyz, delta_e_2000, gaussian_cmf::NEGLIGIBLE_SHARE, lab_from_xyz},
+    spectrum::{Band, Spike},
+};
+
+/// A figure that the paper states, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stated {
+    /// The figure, in the unit its constant names.
+    pub figure: f64,
+    /// Equation, table or section of the paper.
+    pub place: &'static str,
+}
+
+/// Share of the first term below which a term is neglected, 0-1.
+pub const STATED_SHARE: Stated = Stated {
+    figure: NEGLIGIBLE_SHARE,
+    place: "Eq. 12",
+};
+
+/// The order after which terms are negligible (11 numbers), for a range of 300 nm.
+pub const STATED_ORDER: Stated = Stated {
+    figure: 5.0,
+    place: "Sufficiency of a Low-Dimensional Representation, after Eq. 12",
+};
+
+/// Samples from 380 to 780 nm "to avoid missing any spikes".
+pub const STATED_SAMPLES: Stated = Stated {
+    figure: 400.0,
+    place: STORAGE,
+};
+
+/// Numbers that do the same: [`STATED_BACKGROUND`] and [`STATED_SPIKE_NUMBERS`].
+pub const STATED_NUMBERS: Stated = Stated {
+    figure: TOTAL_NUMBERS as f64,
+    place: STORAGE,
+};
+
+/// Numbers for the smooth background.
+pub const STATED_BACKGROUND: Stated = Stated {
+    figure: (TOTAL_NUMBERS - 2 * MOST_SPIKES) as f64,
+    place: STORAGE,
+};
+
+/// Numbers for the spikes, two each.
+pub const STATED_SPIKE_NUMBERS: Stated = Stated {
+    figure: (2 * MOST_SPIKES) as f64,
+    place: STORAGE,
+};
+
+/// The green mercury line that Eq. 17 is tried on, in nm.
+pub const STATED_LINE_NM: Stated = Stated {
+    figure: 546.1,
+    place: "Table 4",
+};
+
+const STORAGE: &str = "Storage and Communication of Spectral Images";
+const TOTAL_NUMBERS: usize = 20;
+const MOST_SPIKES: usize = 4;
+
+/// Multiplications of a product of two smooth spectra of order N, as Eq. 16 counts them: one for
+/// each of the 2N+2 points, of which the last equals the first.
+pub fn stated_multiplications(order: usize) -> Stated {
+    Stated {
+        figure: (2 * order + 2) as f64,
+        place: "Eq. 16",
+    }
+}
+
+/// What values on the grid and spikes weigh of three weights, in value x nm.
+fn xyz(band: Band, smooth: &[f64], spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
+    Xyz::from_array(std::array::from_fn(|k| {
+        let lines = spikes
+            .iter()
+            .map(|s| s.weight * band.interpolate(&weights[k], s.at_nm));
+        band.inner(smooth, &weights[k]) + lines.sum::<f64>()
+    }))
+}
+
+/// CIEDE2000 of two colours against a white; `None` without light.
+fn difference(first: Xyz, second: Xyz, white: Xyz) -> Option<f64> {
+    let is_light = white.y > 0.0 && white.is_finite();
+    let found = delta_e_2000(lab_from_xyz(first, white), lab_from_xyz(second, white));
+    Some(found).filter(|found| is_light && found.is_finite())
+}

@@ -1,0 +1,94 @@
+//! Eq. 16: a product takes 2N + 2 multiplications.
+
+use super::{difference, eq_17::cut, xyz};
+use crate::{
+    color::Xyz,
+    spectrum::product::{folded_share, resampled},
+    spectrum::{Basis, BasisTable, Composite, Sampling, Series},
+    study::error::height,
+};
+
+/// A product of a light and a factor, each cut to N, formed on a few points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resampling {
+    /// Order N of both factors.
+    pub order: usize,
+    /// Way by way, the paper's first.
+    pub ways: Vec<ResamplingWay>,
+}
+
+/// What forming a product on a number of points costs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResamplingWay {
+    /// The way.
+    pub sampling: Sampling,
+    /// Independent points: one multiplication each.
+    pub points: usize,
+    /// Share of the product's power that these points fold back into lower orders, 0-1 and more.
+    pub folded_share: f64,
+    /// CIEDE2000 of the product against the exact product of the same two series.
+    pub delta_e_2000: Option<f64>,
+}
+
+/// Forms light times factor (values on the grid) in every way that the basis offers.
+///
+/// Arguments as for [`eq_17`]. Spikes are weighed by the factor's series in every way, so that
+/// only the smooth product differs.
+///
+/// # Panics
+/// As [`eq_17`].
+pub fn resampling(
+    light: &Composite,
+    factor: &[f64],
+    table: &BasisTable,
+    weights: &[Vec<f64>; 3],
+    white: Xyz,
+) -> Resampling {
+    let band = table.band();
+    let factor = cut(factor, table, light);
+    let product = |sampling| {
+        let Composite { smooth, spikes } = resampled(light, &factor, sampling);
+        xyz(band, &smooth.on_band(), &spikes, weights)
+    };
+    let exact = product(Sampling::Exact);
+    let numbers = light.smooth.coefficients.len();
+    let (light_unit, factor_unit) = (in_units(&light.smooth), in_units(&factor));
+    Resampling {
+        order: light.smooth.order(),
+        ways: ways(table.basis())
+            .iter()
+            .filter_map(|sampling| {
+                let points = sampling.points(numbers)?;
+                Some(ResamplingWay {
+                    sampling: *sampling,
+                    points,
+                    // An empty sum is minus zero.
+                    folded_share: 0.0 + folded_share(&light_unit, &factor_unit, points),
+                    delta_e_2000: difference(exact, product(*sampling), white),
+                })
+            })
+            .collect(),
+    }
+}
+
+/// The ways that make sense in a basis: 3N+1 and 4N+1 points are for Fourier series.
+pub(super) fn ways(basis: Basis) -> &'static [Sampling] {
+    match basis {
+        Basis::Fourier => &[
+            Sampling::Paper,
+            Sampling::ThreeN,
+            Sampling::FourN,
+            Sampling::Double,
+        ],
+        Basis::Cosine => &[Sampling::Paper, Sampling::Double],
+    }
+}
+
+/// A series as shares of its largest coefficient, so that no square overflows.
+pub(super) fn in_units(series: &Series) -> Series {
+    let unit = height(&series.coefficients).unwrap_or(1.0);
+    Series {
+        coefficients: series.coefficients.iter().map(|c| c * unit).collect(),
+        ..*series
+    }
+}

@@ -1,0 +1,232 @@
+//! Some 400 samples against about 20 numbers.
+
+use super::{MOST_SPIKES, TOTAL_NUMBERS, difference, xyz};
+use crate::{
+    color::Xyz,
+    spectrum::{BasisTable, Spike, spikes::LineShape},
+    study::error::{Blur, spectrum_errors},
+};
+
+/// A spectrum with its lines, and how it is looked at.
+#[derive(Clone, Copy, Debug)]
+pub struct Question<'a> {
+    /// Basis functions, at least the first 20.
+    pub table: &'a BasisTable,
+    /// The blur of 10 nm on the same band.
+    pub blur: &'a Blur,
+    /// The spectrum as measured, on the band's grid.
+    pub measured: &'a [f64],
+    /// Its lines, each with what it takes out of the spectrum.
+    pub lines: &'a [LineShape],
+    /// What X, Y and Z weigh the spectrum with, on the same grid.
+    pub weights: &'a [Vec<f64>; 3],
+    /// XYZ of the exact light in the same unit: the white.
+    pub white: Xyz,
+}
+
+/// "400 samples or about 20 numbers": what each comes to on this spectrum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SamplesAgainstNumbers {
+    /// Numbers for the smooth part of the composite.
+    pub background: usize,
+    /// Spikes of the composite, two numbers each.
+    pub spikes: usize,
+    /// How far the composite is off.
+    pub composite: Errors,
+    /// The spectrum sampled every [`STEPS_NM`], as far as the range holds such a step.
+    pub sampled: Vec<SampledErrors>,
+    /// Every step that was tried, from 1 nm on: the curve to draw.
+    pub tried: Vec<SampledErrors>,
+    /// How finely one must sample to do as well as the composite.
+    pub needed: Needed,
+}
+
+impl SamplesAgainstNumbers {
+    /// Numbers that the composite takes.
+    pub fn numbers(&self) -> usize {
+        self.background + 2 * self.spikes
+    }
+}
+
+/// How far a representation is off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// CIEDE2000 of the spectrum's own colour.
+    pub own: Option<f64>,
+    /// Relative root mean square on the 1 nm grid, which has a spike in its two neighbouring nm: a
+    /// line of some width counts as missed there, however well it is weighed.
+    pub relative_rms: f64,
+    /// The same behind a blur of 10 nm.
+    pub relative_rms_10nm: f64,
+}
+
+/// Samples at even steps, joined by straight lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SampledErrors {
+    /// Distance between samples in nm, counted from the range's first; the last sample stands at
+    /// the range's end, however near.
+    pub step_nm: usize,
+    /// How many samples that makes.
+    pub samples: usize,
+    /// How far the straight lines are off.
+    pub errors: Errors,
+}
+
+/// How finely one must sample to be off by no more than the composite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Needed {
+    /// For the spectrum's own colour; `None` when there is no colour.
+    pub own: Option<Match>,
+    /// For the relative root mean square on the 1 nm grid.
+    pub relative_rms: Match,
+    /// For the same behind a blur of 10 nm.
+    pub relative_rms_10nm: Match,
+}
+
+/// Samplings that are off by no more than the composite.
+///
+/// Which step does depends on where the samples happen to fall, so there are two answers. A step
+/// of 1 nm loses nothing on the grid and is always one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Match {
+    /// The coarsest step that does as well and so does every finer one tried.
+    pub surely: SampledErrors,
+    /// The coarsest step tried that does as well, be it by good fortune.
+    pub at_best: SampledErrors,
+}
+
+/// Steps that tables of spectra have, in nm: 401, 81, 41 and 21 samples from 380 to 780.
+pub const STEPS_NM: [usize; 4] = [1, 5, 10, 20];
+
+/// Sets the paper's 20 numbers (12 for the background and 8 for the four heaviest lines; what
+/// fewer lines leave goes to the background) against samples; `None` for an all-zero spectrum.
+///
+/// The fit is the paper's plain one: made colour-exact, its own colour would have no error to
+/// match.
+///
+/// # Panics
+/// When the measured values or the weights are not on the grid of the table's band.
+pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
+    let heaviest = heaviest(question.lines, MOST_SPIKES);
+    let numbers = TOTAL_NUMBERS - 2 * heaviest.len();
+    let (smooth, background) = background(question, &heaviest, numbers);
+    let spikes: Vec<Spike> = heaviest.iter().map(|line| line.spike).collect();
+    let composite = question.errors(&smooth, &spikes)?;
+    let steps = question.table.band().steps();
+    let sampled = STEPS_NM.into_iter().filter(|step| *step <= steps);
+    let tried: Vec<SampledErrors> = ladder(steps)
+        .map(|step| question.sampled_every(step))
+        .collect::<Option<_>>()?;
+    Some(SamplesAgainstNumbers {
+        background,
+        spikes: spikes.len(),
+        composite,
+        sampled: sampled
+            .map(|step| question.sampled_every(step))
+            .collect::<Option<_>>()?,
+        needed: needed(&tried, composite)?,
+        tried,
+    })
+}
+
+/// The lines of largest weight, at most `most`.
+pub(super) fn heaviest(lines: &[LineShape], most: usize) -> Vec<&LineShape> {
+    let mut by_weight: Vec<&LineShape> = lines.iter().collect();
+    by_weight.sort_by(|a, b| b.spike.weight.abs().total_cmp(&a.spike.weight.abs()));
+    by_weight.truncate(most);
+    by_weight
+}
+
+/// The fitted smooth part without some lines on the grid, and how many numbers it took.
+pub(super) fn background(
+    question: Question<'_>,
+    without: &[&LineShape],
+    numbers: usize,
+) -> (Vec<f64>, usize) {
+    let mut target = question.measured.to_vec();
+    for line in without {
+        for (v, r) in target.iter_mut().skip(line.first).zip(&line.residue) {
+            *v -= r;
+        }
+    }
+    let coefficients = question.table.project(&target, numbers);
+    (question.table.evaluate(&coefficients), coefficients.len())
+}
+
+pub(super) fn needed(tried: &[SampledErrors], composite: Errors) -> Option<Needed> {
+    let own = |errors: Errors| errors.own;
+    let relative_rms = |errors: Errors| Some(errors.relative_rms);
+    let relative_rms_10nm = |errors: Errors| Some(errors.relative_rms_10nm);
+    Some(Needed {
+        own: Match::of(tried, composite, own),
+        relative_rms: Match::of(tried, composite, relative_rms)?,
+        relative_rms_10nm: Match::of(tried, composite, relative_rms_10nm)?,
+    })
+}
+
+/// Steps to try, in nm: every whole one to 20, then a tenth more each time, so that a long range
+/// stays quick; none longer than the range.
+pub(super) fn ladder(longest: usize) -> impl Iterator<Item = usize> {
+    let next = |step: &usize| Some(step + (step / 10).max(1));
+    std::iter::successors(Some(1), next).take_while(move |step| *step <= longest)
+}
+
+impl Match {
+    /// The matches among samplings of rising step; `None` when there is nothing to match.
+    pub(super) fn of(
+        tried: &[SampledErrors],
+        composite: Errors,
+        measure: impl Fn(Errors) -> Option<f64>,
+    ) -> Option<Self> {
+        let limit = measure(composite)?;
+        let does = |s: &&SampledErrors| measure(s.errors).is_some_and(|off| off <= limit);
+        Some(Self {
+            surely: *tried.iter().take_while(does).last()?,
+            at_best: *tried.iter().rfind(does)?,
+        })
+    }
+}
+
+impl Question<'_> {
+    /// Errors of a smooth part on the grid and spikes; `None` for an all-zero spectrum.
+    fn errors(self, smooth: &[f64], spikes: &[Spike]) -> Option<Errors> {
+        let band = self.table.band();
+        let errors = spectrum_errors(self.blur, self.measured, smooth, spikes)?;
+        let exact = xyz(band, self.measured, &[], self.weights);
+        let found = xyz(band, smooth, spikes, self.weights);
+        Some(Errors {
+            own: difference(exact, found, self.white),
+            relative_rms: errors.relative_rms,
+            relative_rms_10nm: errors.relative_rms_10nm,
+        })
+    }
+
+    /// Samples every `step_nm` whole nm, joined by straight lines.
+    fn sampled_every(self, step_nm: usize) -> Option<SampledErrors> {
+        let (lines, samples) = straight_lines(self.measured, step_nm);
+        Some(SampledErrors {
+            step_nm,
+            samples,
+            errors: self.errors(&lines, &[])?,
+        })
+    }
+}
+
+/// Values on a grid read at every `step`-th point and the last one, and the straight lines
+/// between; with the number of points read.
+pub(super) fn straight_lines(values: &[f64], step: usize) -> (Vec<f64>, usize) {
+    let last = values.len() - 1;
+    let samples = last.div_ceil(step) + 1;
+    let lines = (0..=last)
+        .map(|i| {
+            let left = i / step * step;
+            let right = (left + step).min(last);
+            if left == right {
+                return values[left];
+            }
+            let t = (i - left) as f64 / (right - left) as f64;
+            values[left] * (1.0 - t) + values[right] * t
+        })
+        .collect();
+    (lines, samples)
+}
