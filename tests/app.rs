@@ -26,6 +26,10 @@ use spectral_explorer::{
         open::{Loaded, Loader, load_bytes, load_path, resolve},
         pages::{FieldChoice, Page, PageMemory, WaysShown},
         plot_svg::Theme,
+        products::{
+            Link, Part, Products, ProductsMemory,
+            memory::{AbsorptionMemory, ChainMemory, LightsMemory, NarrowMemory},
+        },
         report,
         settings::{Detector, ORDERS},
         spike_hand::SpikeAct,
@@ -380,6 +384,7 @@ fn variant(command: &Command) -> &'static str {
         Command::Scale(_) => "scale",
         Command::WeightFactor(_) => "weight factor",
         Command::View(_) => "view",
+        Command::Products(_) => "products",
         Command::Adopt(_) => "adopt",
         Command::Rename { .. } => "rename",
         Command::SetKind { .. } => "set kind",
@@ -434,6 +439,10 @@ fn session(app: &App) -> Vec<Command> {
             log_axis: true,
             ..view
         }),
+        Command::Products(Products {
+            chain: vec![Link::once(preset(app, RED))],
+            ..Products::first()
+        }),
         Command::Adopt(vec![slope("mine"), slope("mine too")]),
         Command::Rename {
             key: key(),
@@ -453,7 +462,7 @@ fn every_command_is_undone_and_done_again_exactly() {
     let mut app = App::new();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 17, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 18, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);
@@ -1216,6 +1225,21 @@ fn full_document() -> Document {
         log_axis: true,
         adapt_patches: true,
     }));
+    let red = preset(&app, RED);
+    let own = app.document().own[1].clone();
+    app.apply(Command::Products(Products {
+        chain: vec![
+            Link {
+                entry: red.clone(),
+                thickness: 0.1 + 0.2,
+                bounces: 3,
+            },
+            Link::once(red.clone()),
+        ],
+        other_light: Some(own.clone()),
+        surface: Some(red),
+        outgoing: Some(own),
+    }));
     app.document().clone()
 }
 
@@ -1249,6 +1273,17 @@ fn full_preferences() -> Preferences {
                 ..WaysShown::default()
             },
             spend_goal: Some(Goal::SPECTRUM),
+            products: ProductsMemory {
+                part: Part::Lights,
+                chain: ChainMemory { stage: Some(1) },
+                narrow: NarrowMemory {
+                    centre_nm: 500.25,
+                    width_nm: 20.0,
+                    filter: Some(RED.to_owned()),
+                },
+                lights: LightsMemory { patch: 3, pair: 2 },
+                absorption: AbsorptionMemory { example: 1 },
+            },
         },
     }
 }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::{
     document::{Document, Subject, View},
     entry::Entry,
+    products::Products,
     scale::Scale,
     settings::Settings,
 };
@@ -44,6 +45,8 @@ pub enum Command {
     WeightFactor(f64),
     /// What the plot shows.
     View(View),
+    /// What the page `Products` multiplies; clamped when applied.
+    Products(Products),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
     /// A new name for one of the user's own.
@@ -80,7 +83,8 @@ impl Command {
         match (self, before) {
             (Self::Edit(_), Self::Edit(_))
             | (Self::EditSpikes(_), Self::EditSpikes(_))
-            | (Self::WeightFactor(_), Self::WeightFactor(_)) => true,
+            | (Self::WeightFactor(_), Self::WeightFactor(_))
+            | (Self::Products(_), Self::Products(_)) => true,
             (Self::Rename { key: a, .. }, Self::Rename { key: b, .. }) => a == b,
             _ => false,
         }

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use serde::{Deserialize, Serialize};
 
-use super::{entry::Entry, library::Library, scale::Scale, settings::Settings};
+use super::{entry::Entry, library::Library, products::Products, scale::Scale, settings::Settings};
 use crate::spectrum::SpikeEdits;
 
 /// Which of the two selected spectra the model is of.
@@ -93,6 +93,8 @@ pub struct Document {
     pub weight_factor: f64,
     /// What the plot shows.
     pub view: View,
+    /// What the page `Products` multiplies.
+    pub products: Products,
 }
 
 /// The best reading of Table 4's weights: contributions to the mean over the paper's 300 nm.
@@ -118,6 +120,7 @@ impl Document {
             scale: Scale::default(),
             weight_factor: PAPER_WEIGHT_FACTOR,
             view: View::default(),
+            products: Products::first(),
         }
     }
 
@@ -141,6 +144,7 @@ impl Document {
             scale,
             weight_factor,
             view,
+            products,
         } = self;
         Arc::ptr_eq(light, &other.light)
             && same(factor.as_slice(), other.factor.as_slice())
@@ -155,6 +159,7 @@ impl Document {
             && *scale == other.scale
             && *weight_factor == other.weight_factor
             && *view == other.view
+            && products.is_same_as(&other.products)
     }
 
     /// The spectrum that the model is of.

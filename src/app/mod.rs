@@ -17,6 +17,7 @@ pub mod pages;
 pub mod plot_svg;
 pub mod product_report;
 pub mod product_view;
+pub mod products;
 pub mod report;
 pub mod scale;
 pub mod settings;

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::products::ProductsMemory;
 use crate::study::{Goal, Measure};
 
 /// A page of the window: they all show the same document.
@@ -19,18 +20,21 @@ pub enum Page {
     Auction,
     /// The composite against other representations.
     Race,
+    /// Light through filters and off surfaces.
+    Products,
     /// The paper's claims, measured on this spectrum.
     Truth,
 }
 
 impl Page {
     /// Every page, in the order of the tabs.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Spectrum,
         Self::Coefficients,
         Self::Tradeoff,
         Self::Auction,
         Self::Race,
+        Self::Products,
         Self::Truth,
     ];
 
@@ -42,6 +46,7 @@ impl Page {
             Self::Tradeoff => "Trade-off",
             Self::Auction => "Auction",
             Self::Race => "Race",
+            Self::Products => "Products",
             Self::Truth => "Truth",
         }
     }
@@ -57,6 +62,7 @@ impl Page {
             Self::Tradeoff => "Error against numbers: every order, with and without spikes.",
             Self::Auction => "What to buy with the next two numbers: an order or a spike.",
             Self::Race => "The composite against other representations, at equal numbers.",
+            Self::Products => "Light through filters and off surfaces, exact beside model.",
             Self::Truth => "The paper's claims, measured on this spectrum and range.",
         }
     }
@@ -69,6 +75,7 @@ impl Page {
             Self::Tradeoff => "tradeoff",
             Self::Auction => "auction",
             Self::Race => "race",
+            Self::Products => "products",
             Self::Truth => "truth",
         }
     }
@@ -102,6 +109,8 @@ pub struct PageMemory {
     pub race_numbers: usize,
     /// Race: the figure that decides.
     pub race_measure: Measure,
+    /// Products: its parts.
+    pub products: ProductsMemory,
 }
 
 impl Default for PageMemory {
@@ -119,6 +128,7 @@ impl Default for PageMemory {
             field: FieldChoice::ThisLight,
             race_numbers: 20,
             race_measure: Measure::Patches,
+            products: ProductsMemory::default(),
         }
     }
 }
@@ -152,6 +162,7 @@ impl PageMemory {
                 Measure::PatchesWorst => Measure::Patches,
                 measure => measure,
             },
+            products: self.products.clamped(),
             ..self
         }
     }

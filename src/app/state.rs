@@ -271,6 +271,7 @@ impl App {
                 }
             }
             Command::View(view) => self.document.view = view,
+            Command::Products(products) => self.document.products = products.clamped(),
             Command::Adopt(spectra) => self.adopt(spectra),
             Command::Rename { key, name } => {
                 self.change_own(&key, |spectrum| spectrum.name.clone_from(&name));
@@ -394,12 +395,16 @@ impl App {
             .iter_mut()
             .chain(&mut document.overlays)
             .chain(&mut document.factor)
-            .chain(std::iter::once(&mut document.light));
+            .chain(std::iter::once(&mut document.light))
+            .chain(document.products.entries_mut());
         let mut new = None;
         for entry in everywhere.filter(|e| e.key == key) {
             *entry = changed(entry);
             new = Some(entry.clone());
         }
+        // What is no factor any more leaves the chain.
+        let products = std::mem::take(&mut self.document.products);
+        self.document.products = products.clamped();
         // A light that turned into a reflectance changes its place.
         if let Some(entry) = new {
             let is_light = self.document.light.key == key;
@@ -418,6 +423,7 @@ impl App {
         self.document.own.retain(|e| e.key != key);
         self.document.overlays.retain(|e| e.key != key);
         self.document.edits.remove(key);
+        self.document.products.forget(key);
         if self.document.factor.as_ref().is_some_and(|f| f.key == key) {
             self.document.factor = None;
             self.document.subject = Subject::Light;
@@ -493,6 +499,12 @@ fn make_tables(wanted: &TablesFor) -> Tables {
         .as_ref()
         .map(|group| reflectances(group, band));
     Tables::new(band, wanted.basis, wanted.order, observer, viewing, patches)
+}
+
+/// What a document shows, with tables made for it.
+pub fn derived_of(document: &Document) -> (Derived, Tables) {
+    let tables = make_tables(&tables_for(document));
+    (derive(document, &tables), tables)
 }
 
 /// The pure step from a document to what is shown of it.

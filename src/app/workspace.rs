@@ -15,6 +15,7 @@ use super::{
     document::{Document, FIRST_LIGHT, PAPER_WEIGHT_FACTOR, Subject, View, WEIGHT_FACTORS},
     entry::{Entry, bundled_entries},
     pages::PageMemory,
+    products::{Link, Products, Times},
     scale::Scale,
     settings::Settings,
 };
@@ -167,7 +168,65 @@ struct Stored {
     #[serde(default)]
     view: View,
     #[serde(default)]
+    products: Option<StoredProducts>,
+    #[serde(default)]
     preferences: Option<Preferences>,
+}
+
+/// What the page `Products` multiplies, by names.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct StoredProducts {
+    chain: Vec<(String, Times)>,
+    other_light: Option<String>,
+    surface: Option<String>,
+    outgoing: Option<String>,
+}
+
+impl StoredProducts {
+    fn of(products: &Products) -> Self {
+        let Products {
+            chain,
+            other_light,
+            surface,
+            outgoing,
+        } = products;
+        let key = |entry: &Option<Arc<Entry>>| entry.as_ref().map(|e| e.key.clone());
+        let link = |link: &Link| {
+            let Link {
+                entry,
+                thickness,
+                bounces,
+            } = link;
+            let times = Times {
+                thickness: *thickness,
+                bounces: *bounces,
+            };
+            (entry.key.clone(), times)
+        };
+        Self {
+            chain: chain.iter().map(link).collect(),
+            other_light: key(other_light),
+            surface: key(surface),
+            outgoing: key(outgoing),
+        }
+    }
+
+    fn found(self, mut find: impl FnMut(&str) -> Option<Arc<Entry>>) -> Products {
+        let links = self.chain.into_iter().filter_map(|(key, times)| {
+            Some(Link {
+                entry: find(&key)?,
+                thickness: times.thickness,
+                bounces: times.bounces,
+            })
+        });
+        Products {
+            chain: links.collect(),
+            other_light: self.other_light.as_deref().and_then(&mut find),
+            surface: self.surface.as_deref().and_then(&mut find),
+            outgoing: self.outgoing.as_deref().and_then(&mut find),
+        }
+        .clamped()
+    }
 }
 
 /// What came back from a workspace or project.
@@ -197,6 +256,7 @@ pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String
         scale,
         weight_factor,
         view,
+        products,
     } = document;
     let stored = Stored {
         format: FORMAT.to_owned(),
@@ -215,6 +275,7 @@ pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String
         scale: *scale,
         weight_factor: *weight_factor,
         view: *view,
+        products: Some(StoredProducts::of(products)),
         preferences: preferences.cloned(),
     };
     // The structure holds nothing that JSON cannot: no map with other keys than text.
@@ -276,6 +337,9 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
             .weight_factor
             .clamp(*WEIGHT_FACTORS.start(), *WEIGHT_FACTORS.end()),
         view: stored.view,
+        products: stored
+            .products
+            .map_or_else(Products::first, |products| products.found(&mut find)),
     };
     document.weigh_the_papers_lamps();
     Ok(Restored {

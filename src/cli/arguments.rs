@@ -9,7 +9,7 @@ use super::{
     words,
 };
 use crate::{
-    app::{pages::Page, plot_svg::Theme},
+    app::{pages::Page, plot_svg::Theme, products::Part},
     spectrum::Kind,
     study::Goal,
 };
@@ -204,9 +204,10 @@ pub struct Render {
     /// dark or light.
     #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
     pub theme: Theme,
-    /// The page: spectrum, coefficients, tradeoff, auction, race or truth.
+    /// The page: spectrum, coefficients, tradeoff, auction, race, products (or one of its parts:
+    /// products/chain, resampling, bounces, narrow, lights, check, absorption) or truth.
     #[arg(long, value_name = "PAGE", default_value = "spectrum", value_parser = words::page)]
-    pub page: Page,
+    pub page: (Page, Part),
 }
 
 /// Options of `plot`.

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use super::{Pictures, arguments::Render, print, refusal::Refusal, subject};
 use crate::{
-    app::{pages::PageMemory, plot_svg::Theme, workspace::Preferences},
+    app::{pages::PageMemory, plot_svg::Theme, products::ProductsMemory, workspace::Preferences},
     io::atomic::save_atomically,
 };
 
@@ -34,7 +34,11 @@ pub fn run(
     let preferences = Preferences {
         dark: *theme == Theme::Dark,
         pages: PageMemory {
-            page: *page,
+            page: page.0,
+            products: ProductsMemory {
+                part: page.1,
+                ..ProductsMemory::default()
+            },
             ..PageMemory::default()
         },
         ..Preferences::default()

@@ -13,6 +13,7 @@ use crate::{
     app::{
         pages::{Page, SPENDABLE},
         plot_svg::Theme,
+        products::Part,
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
     color::Observer,
@@ -89,8 +90,14 @@ fn mixed_goal(word: &str) -> Option<Goal> {
 }
 
 /// `--page`.
-pub fn page(word: &str) -> Result<Page, String> {
-    one_of(word, &Page::ALL, Page::word)
+pub fn page(word: &str) -> Result<(Page, Part), String> {
+    match word.split_once('/') {
+        Some(("products", part)) => {
+            let part = one_of(part, &Part::ALL, Part::word)?;
+            Ok((Page::Products, part))
+        }
+        _ => Ok((one_of(word, &Page::ALL, Page::word)?, Part::default())),
+    }
 }
 
 /// `--threshold`.

@@ -2,6 +2,7 @@
 
 pub mod auction_view;
 pub mod coefficients_view;
+pub mod products_view;
 pub mod race_view;
 pub mod rows;
 pub mod tradeoff_view;
@@ -57,6 +58,7 @@ pub struct Pages {
     tradeoff: tradeoff_view::TradeoffView,
     auction: auction_view::AuctionView,
     race: race_view::RaceView,
+    products: products_view::ProductsView,
     truth: truth_view::TruthView,
 }
 
@@ -69,6 +71,7 @@ impl Pages {
             Page::Tradeoff => self.tradeoff.show(ui, context),
             Page::Auction => self.auction.show(ui, context),
             Page::Race => self.race.show(ui, context),
+            Page::Products => self.products.show(ui, context),
             Page::Truth => self.truth.show(ui, context),
         }
     }

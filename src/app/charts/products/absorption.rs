@@ -1,0 +1,1 @@
+//! Charts of the part "absorption" of the page "Products": absorption lines.

@@ -1,0 +1,1 @@
+//! Charts of the part "bounces" of the page "Products": error against bounces.

@@ -1,0 +1,1 @@
+//! Charts of the part "check" of the page "Products": the reflection check.

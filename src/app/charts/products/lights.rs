@@ -1,0 +1,1 @@
+//! Charts of the part "lights" of the page "Products": two lights.

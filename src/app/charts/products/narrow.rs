@@ -1,0 +1,1 @@
+//! Charts of the part "narrow" of the page "Products": a narrow band-pass.

@@ -1,0 +1,193 @@
+//! What the page `Products` remembers beside the document; not part of undo.
+
+use serde::{Deserialize, Serialize};
+
+/// A part of the page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Part {
+    /// A light through filters and off surfaces.
+    #[default]
+    Chain,
+    /// The same product formed in every way.
+    Forming,
+    /// Error against the number of bounces.
+    Bounces,
+    /// A narrow band-pass over the light.
+    Narrow,
+    /// The same surfaces under two lights.
+    Lights,
+    /// Is this light that one off this surface?
+    Check,
+    /// Absorption lines as negative spikes.
+    Absorption,
+}
+
+impl Part {
+    /// Every part, in the order of the tabs.
+    pub const ALL: [Self; 7] = [
+        Self::Chain,
+        Self::Forming,
+        Self::Bounces,
+        Self::Narrow,
+        Self::Lights,
+        Self::Check,
+        Self::Absorption,
+    ];
+
+    /// The tab's name.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Chain => "Chain",
+            Self::Forming => "Resampling",
+            Self::Bounces => "Bounces",
+            Self::Narrow => "Narrow filters",
+            Self::Lights => "Two lights",
+            Self::Check => "Same surface?",
+            Self::Absorption => "Absorption",
+        }
+    }
+
+    /// What the part is for, a sentence.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Chain => "The light through filters and off surfaces, exact beside model.",
+            Self::Forming => "One product formed on few points, by convolution and at every nm.",
+            Self::Bounces => "What the ways of forming products cost as bounces add up.",
+            Self::Narrow => "A narrow band-pass moved over the light, at equal numbers.",
+            Self::Lights => "The same surfaces under two lights; metamers found and made.",
+            Self::Check => "Whether a spectrum is the light off a surface: S3 = S1 S2.",
+            Self::Absorption => "Absorption lines kept as negative spikes, and their names.",
+        }
+    }
+
+    /// The word used on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Chain => "chain",
+            Self::Forming => "resampling",
+            Self::Bounces => "bounces",
+            Self::Narrow => "narrow",
+            Self::Lights => "lights",
+            Self::Check => "check",
+            Self::Absorption => "absorption",
+        }
+    }
+}
+
+/// What the page remembers.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ProductsMemory {
+    /// The part shown.
+    pub part: Part,
+    /// Chain: the stage whose spectrum is drawn; beyond the last, what comes out.
+    pub chain: ChainMemory,
+    /// Narrow filters.
+    pub narrow: NarrowMemory,
+    /// Two lights.
+    pub lights: LightsMemory,
+    /// Absorption.
+    pub absorption: AbsorptionMemory,
+}
+
+impl ProductsMemory {
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        Self {
+            narrow: self.narrow.clamped(),
+            ..self
+        }
+    }
+}
+
+/// What the chain remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ChainMemory {
+    /// The stage that is drawn, 0 the first factor; `None` for the last.
+    pub stage: Option<usize>,
+}
+
+/// What the narrow band-pass remembers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct NarrowMemory {
+    /// Centre of the band-pass, nm.
+    pub centre_nm: f64,
+    /// Its full width at half maximum, nm.
+    pub width_nm: f64,
+    /// The key of a real filter that stands in the band-pass's place; `None` for the Gaussian.
+    pub filter: Option<String>,
+}
+
+impl Default for NarrowMemory {
+    fn default() -> Self {
+        Self {
+            centre_nm: 546.0,
+            width_nm: 10.0,
+            filter: None,
+        }
+    }
+}
+
+/// Centres of the band-pass, nm.
+pub const CENTRES_NM: std::ops::RangeInclusive<f64> = 200.0..=20_000.0;
+/// Full widths of the band-pass at half its maximum, nm.
+pub const PASS_WIDTHS_NM: std::ops::RangeInclusive<f64> = 2.0..=100.0;
+
+impl NarrowMemory {
+    fn clamped(self) -> Self {
+        let within = |value: f64, range: std::ops::RangeInclusive<f64>, usual: f64| {
+            if value.is_nan() {
+                usual
+            } else {
+                value.clamp(*range.start(), *range.end())
+            }
+        };
+        let usual = Self::default();
+        Self {
+            centre_nm: within(self.centre_nm, CENTRES_NM, usual.centre_nm),
+            width_nm: within(self.width_nm, PASS_WIDTHS_NM, usual.width_nm),
+            ..self
+        }
+    }
+}
+
+/// What the comparison of two lights remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct LightsMemory {
+    /// The patch whose metamer is made.
+    pub patch: usize,
+    /// The pair that is drawn.
+    pub pair: usize,
+}
+
+/// What the absorption part remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AbsorptionMemory {
+    /// The example that is shown.
+    pub example: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_band_pass_of_no_width_becomes_one_that_can_be_seen() {
+        let nonsense = ProductsMemory {
+            narrow: NarrowMemory {
+                centre_nm: f64::NAN,
+                width_nm: -1.0,
+                filter: None,
+            },
+            ..ProductsMemory::default()
+        };
+        let sound = nonsense.clamped().narrow;
+        assert_eq!((sound.centre_nm, sound.width_nm), (546.0, 2.0));
+    }
+}

@@ -1,0 +1,228 @@
+//! What the page `Products` multiplies: part of the document, so that undo reaches it.
+
+pub mod lit;
+pub mod memory;
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::{entry::Entry, library::Library};
+use crate::spectrum::{
+    Band,
+    chain::{bounces, glass},
+};
+
+pub use lit::Lit;
+pub use memory::{Part, ProductsMemory};
+
+/// Most factors in one chain.
+pub const MOST_LINKS: usize = 16;
+/// Thicknesses of a glass that may be asked for, as multiples of the measured one.
+pub const THICKNESSES: std::ops::RangeInclusive<f64> = 0.0..=20.0;
+/// Bounces off one surface, or passes through one filter.
+pub const BOUNCES: std::ops::RangeInclusive<u32> = 1..=16;
+
+/// One factor of the chain: a filter, a glass or a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// Its spectrum of shares.
+    pub entry: Arc<Entry>,
+    /// Thickness as a multiple of the measured one (Beer-Lambert); 1 is as measured.
+    pub thickness: f64,
+    /// How many times in a row it is met.
+    pub bounces: u32,
+}
+
+/// What is kept of a link beside its entry.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Times {
+    /// As [`Link::thickness`].
+    pub thickness: f64,
+    /// As [`Link::bounces`].
+    pub bounces: u32,
+}
+
+impl Link {
+    /// A factor as measured, met once.
+    pub fn once(entry: Arc<Entry>) -> Self {
+        Self {
+            entry,
+            thickness: 1.0,
+            bounces: 1,
+        }
+    }
+
+    /// Its shares on a band's grid, thickness and bounces applied.
+    pub fn on_band(&self, band: Band) -> Vec<f64> {
+        let mut values = self.entry.on_band(band);
+        if self.thickness != 1.0 {
+            values = glass(&values, self.thickness);
+        }
+        if self.bounces != 1 {
+            values = bounces(&values, self.bounces);
+        }
+        values
+    }
+
+    fn clamped(self) -> Self {
+        let thickness = if self.thickness.is_nan() {
+            1.0
+        } else {
+            self.thickness
+                .clamp(*THICKNESSES.start(), *THICKNESSES.end())
+        };
+        Self {
+            thickness,
+            bounces: self.bounces.clamp(*BOUNCES.start(), *BOUNCES.end()),
+            ..self
+        }
+    }
+}
+
+/// Everything that the page `Products` has chosen from the library.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Products {
+    /// What the light passes or falls on, in its order.
+    pub chain: Vec<Link>,
+    /// The light that the document's own is compared with.
+    pub other_light: Option<Arc<Entry>>,
+    /// The surface of the reflection check, and of the bounces.
+    pub surface: Option<Arc<Entry>>,
+    /// The spectrum that may have come from it.
+    pub outgoing: Option<Arc<Entry>>,
+}
+
+/// The chain that a fresh document shows, as something to change.
+const FIRST_CHAIN: [&str; 2] = [
+    "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm",
+    "colorchecker_ohta/light skin",
+];
+/// The light compared with at first.
+const FIRST_OTHER_LIGHT: &str = "cie_illuminants/CIE D65";
+/// The surface looked at first.
+const FIRST_SURFACE: &str = "colorchecker_ohta/red";
+
+impl Products {
+    /// What a fresh document starts with.
+    pub fn first() -> Self {
+        let find = |key: &str| {
+            let preset = Library::bundled().find(key).ok()?;
+            Entry::of_preset(preset).map(Arc::new)
+        };
+        Self {
+            chain: FIRST_CHAIN
+                .iter()
+                .filter_map(|key| find(key).map(Link::once))
+                .collect(),
+            other_light: find(FIRST_OTHER_LIGHT),
+            surface: find(FIRST_SURFACE),
+            outgoing: None,
+        }
+    }
+
+    /// Every value moved to the nearest one that is allowed, and only what can be multiplied.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let is_factor = |entry: &Arc<Entry>| entry.kind().is_factor();
+        let is_light = |entry: &Arc<Entry>| entry.kind() == crate::spectrum::Kind::Light;
+        let links = self.chain.into_iter().filter(|link| is_factor(&link.entry));
+        Self {
+            chain: links.take(MOST_LINKS).map(Link::clamped).collect(),
+            other_light: self.other_light.filter(is_light),
+            surface: self.surface.filter(is_factor),
+            outgoing: self.outgoing.filter(is_light),
+        }
+    }
+
+    /// Whether both hold the same: spectra are compared by where they are.
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        let same = |a: &Option<Arc<Entry>>, b: &Option<Arc<Entry>>| match (a, b) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        let same_link = |(a, b): (&Link, &Link)| {
+            Arc::ptr_eq(&a.entry, &b.entry) && a.thickness == b.thickness && a.bounces == b.bounces
+        };
+        let Self {
+            chain,
+            other_light,
+            surface,
+            outgoing,
+        } = self;
+        chain.len() == other.chain.len()
+            && chain.iter().zip(&other.chain).all(same_link)
+            && same(other_light, &other.other_light)
+            && same(surface, &other.surface)
+            && same(outgoing, &other.outgoing)
+    }
+
+    /// Every entry that is held, to change it.
+    pub fn entries_mut(&mut self) -> impl Iterator<Item = &mut Arc<Entry>> {
+        let Self {
+            chain,
+            other_light,
+            surface,
+            outgoing,
+        } = self;
+        let links = chain.iter_mut().map(|link| &mut link.entry);
+        links.chain(other_light).chain(surface).chain(outgoing)
+    }
+
+    /// Lets go of an entry that left the library.
+    pub fn forget(&mut self, key: &str) {
+        let Self {
+            chain,
+            other_light,
+            surface,
+            outgoing,
+        } = self;
+        chain.retain(|link| link.entry.key != key);
+        for held in [other_light, surface, outgoing] {
+            if held.as_ref().is_some_and(|entry| entry.key == key) {
+                *held = None;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fresh_document_has_something_to_multiply() {
+        let first = Products::first();
+        assert_eq!(first.chain.len(), FIRST_CHAIN.len());
+        assert!(first.other_light.is_some() && first.surface.is_some());
+        assert!(first.is_same_as(&first.clone().clamped()));
+    }
+
+    #[test]
+    fn twice_the_glass_is_two_of_it_and_two_bounces_are_twice_one() {
+        let mut link = Products::first().chain[0].clone();
+        let band = Band::VISIBLE;
+        let once = link.on_band(band);
+        link.thickness = 2.0;
+        let thick = link.on_band(band);
+        link.thickness = 1.0;
+        link.bounces = 2;
+        for ((o, t), b) in once.iter().zip(&thick).zip(link.on_band(band)) {
+            // Internal transmittances are not negative here, so both are the square.
+            approx::assert_relative_eq!(o * o, *t, max_relative = 1e-12, epsilon = 1e-300);
+            approx::assert_relative_eq!(o * o, b, max_relative = 1e-12, epsilon = 1e-300);
+        }
+    }
+
+    #[test]
+    fn nonsense_in_a_chain_becomes_something_allowed() {
+        let mut products = Products::first();
+        products.chain[0].thickness = f64::NAN;
+        products.chain[1].bounces = 0;
+        products.other_light = products.surface.clone();
+        let sound = products.clamped();
+        assert_eq!((sound.chain[0].thickness, sound.chain[1].bounces), (1.0, 1));
+        assert!(sound.other_light.is_none());
+    }
+}
