@@ -1343,8 +1343,8 @@ fn what_a_version_does_not_know_any_more_is_left_out_and_said() {
     assert!(document.factor.is_none() && document.is_about_light());
     assert_eq!(document.overlays.len(), 1);
     assert_eq!(document.own.len(), 1);
-    assert_eq!(losses.len(), 4, "{losses:?}");
-    for word in ["Lamp", "Paint", "Other", "second"] {
+    assert_eq!(losses.len(), 5, "{losses:?}");
+    for word in ["Lamp", "Paint", "Other", "second", "own/2"] {
         let told = losses
             .iter()
             .filter(|l| l.contains(word) && is_one_line(l))

@@ -314,7 +314,11 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
     let mut find = |key: &str| {
         let found = own.iter().chain(&bundled).find(|e| e.key == key).cloned();
         if found.is_none() {
-            losses.push(format!("{key} is not in this version's library."));
+            let words = format!("{key} is not in this version's library.");
+            // One spectrum may stand in several places.
+            if !losses.contains(&words) {
+                losses.push(words);
+            }
         }
         found
     };
