@@ -18,6 +18,7 @@ pub mod plot_svg;
 pub mod product_report;
 pub mod product_view;
 pub mod products;
+pub mod read_report;
 pub mod report;
 pub mod scale;
 pub mod settings;

@@ -52,6 +52,8 @@ pub enum Command {
     Race(Race),
     /// Print a light through filters and off surfaces, exact beside the model.
     Product(Product),
+    /// Print what files hold and how they were read.
+    Read(Read),
     /// List the shipped spectra.
     List(List),
     /// Save a picture of the window; needs no display.
@@ -60,6 +62,17 @@ pub enum Command {
     Plot(Plot),
     /// Write a spectrum, or its model, in another format.
     Convert(Convert),
+}
+
+/// Options of `read`.
+#[derive(Args, Debug)]
+pub struct Read {
+    /// Files, or folders whose files are read.
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Print JSON, a list with one object a file; its keys are stable.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Options of `report`.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! spectral-explorer [FILES] [--window]          the window, opened by the caller
-//! spectral-explorer report|sweep|race|product|list|render ...   one command a file
+//! spectral-explorer report|sweep|race|product|read|list|render ...   one command a file
 //! ```
 //!
 //! Everything is written to what the caller hands in, and pictures are made by the caller's
@@ -18,6 +18,7 @@ mod options;
 mod plot;
 mod product;
 mod race;
+mod read;
 mod refusal;
 mod render;
 mod report;
@@ -112,6 +113,7 @@ fn carry_out(
             Command::Auction(options) => auction::run(&options, out, err)?,
             Command::Race(options) => race::run(&options, out, err)?,
             Command::Product(options) => product::run(&options, out)?,
+            Command::Read(options) => read::run(&options, out, err)?,
             Command::List(options) => list::run(options, out)?,
             Command::Render(options) => render::run(&options, pictures, out, err)?,
             Command::Plot(options) => plot::run(&options, pictures, out, err)?,
