@@ -7,6 +7,7 @@ use std::{
     collections::BTreeMap,
     path::{Path, PathBuf},
     sync::Arc,
+    time::Duration,
 };
 
 use serde::{Deserialize, Serialize};
@@ -20,7 +21,7 @@ use super::{
     settings::Settings,
 };
 use crate::{
-    io::atomic::save_atomically,
+    io::atomic::{UNFINISHED, save_atomically},
     spectrum::{Kind, NamedSpectrum, Sampled, SpikeEdits},
 };
 
@@ -430,6 +431,23 @@ pub fn save(path: &Path, text: &str) -> Result<(), String> {
             .map_err(|e| format!("workspace not saved: {}: {e}", folder.display()))?;
     }
     save_atomically(path, text.as_bytes()).map_err(|e| format!("workspace not saved: {e}"))
+}
+
+/// Takes away what a save left unfinished when the program was killed, if it is older than `age`:
+/// what is younger may be another window's that is saving just now.
+pub fn sweep_leftovers(path: &Path, age: Duration) {
+    let Some(Ok(folder)) = path.parent().map(std::fs::read_dir) else {
+        return;
+    };
+    for entry in folder.filter_map(Result::ok) {
+        let is_ours = entry.file_name().to_string_lossy().starts_with(UNFINISHED);
+        let modified = entry.metadata().and_then(|about| about.modified());
+        let is_old = modified.is_ok_and(|at| at.elapsed().is_ok_and(|passed| passed >= age));
+        if is_ours && is_old {
+            // Somebody else may have taken it away meanwhile.
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// Loads the workspace; `Ok(None)` when there is none yet.

@@ -9,6 +9,9 @@ use std::path::{Path, PathBuf};
 use super::error::WriteError;
 use super::input::name_of;
 
+/// How the name of a file begins that is not complete yet.
+pub const UNFINISHED: &str = ".saving-";
+
 /// Saves bytes as a file, replacing an old one in a single step.
 ///
 /// A link is followed, and the permissions of a file that is replaced are kept.
@@ -33,7 +36,7 @@ fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
         ));
     }
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".saving-");
+    builder.prefix(UNFINISHED);
     #[cfg(unix)]
     let everyone = {
         use std::os::unix::fs::PermissionsExt;

@@ -14,7 +14,7 @@ use super::layout::{self, Layout};
 use super::pick::{self, NoTable, Table};
 use super::roles::value_columns;
 use super::rows::{AlongRow, read_rows};
-use super::table::BadCell;
+use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
 use super::titles::Titles;
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -40,7 +40,7 @@ fn sniff(input: &Input) -> Confidence {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let dialect = pick::dialect(text);
-    let tables = match pick::tables(text, dialect) {
+    let mut tables = match pick::tables(text, dialect) {
         Ok(tables) => tables,
         // A table with a word in it is a table: read in another way it would be nonsense.
         Err(bad @ NoTable::Bad(_)) => return Err(refusal(input, text, bad)),
@@ -53,7 +53,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let mut reading = Reading::default();
     let several = tables.len() > 1;
-    for (number, table) in tables.iter().enumerate() {
+    for (number, table) in tables.iter_mut().enumerate() {
         let part = if several {
             format!(", table {}", number + 1)
         } else {
@@ -77,9 +77,15 @@ pub fn bad_cell(input: &Input, bad: &BadCell) -> ReadError {
 
 fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
     match why {
-        NoTable::TooMany(too_many) => input
+        NoTable::TooMany(TooMuch::Cells { line }) => input
             .error("more than 64 million numbers", "a smaller table")
-            .at_line(too_many.line),
+            .at_line(line),
+        NoTable::TooMany(TooMuch::Columns { line, found }) => input
+            .error(
+                format!("{found} columns"),
+                format!("at most {MOST_COLUMNS} columns"),
+            )
+            .at_line(line),
         NoTable::Bad(bad) => bad_cell(input, &bad),
         NoTable::NoWavelengths {
             line,
@@ -124,14 +130,15 @@ fn read_table(
     input: &Input,
     text: &str,
     dialect: Dialect,
-    table: &Table,
+    table: &mut Table,
     part: &str,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     reading.notes.extend(table.notes.iter().cloned());
     match &table.layout {
         Layout::Column(wavelength) => {
-            let axis: Vec<f64> = table.block.column(*wavelength).collect();
+            let wavelength = *wavelength;
+            let axis = table.block.column(wavelength).to_vec();
             let runs = layout::runs(&axis);
             let several = runs.len() > 1;
             for (number, run) in runs.into_iter().enumerate() {
@@ -141,7 +148,7 @@ fn read_table(
                     part.to_owned()
                 };
                 let rows = Rows {
-                    wavelength: *wavelength,
+                    wavelength,
                     run,
                     part: run_part,
                 };
@@ -176,7 +183,7 @@ struct Rows {
 fn read_columns(
     input: &Input,
     dialect: Dialect,
-    table: &Table,
+    table: &mut Table,
     axis: &[f64],
     rows: &Rows,
     reading: &mut Reading,
@@ -203,7 +210,15 @@ fn read_columns(
     let says_nm = block.columns[rows.wavelength].nanometres > 0;
     let title = titles.whole(rows.wavelength);
     let stem = header_field(&block.header, "name:").unwrap_or(input.stem());
+    let is_whole = rows.run.len() == block.rows();
     for (number, column) in values.iter().enumerate() {
+        let of_column = &mut block.values[*column];
+        // A long column is moved, not copied.
+        let of_column = if is_whole {
+            std::mem::take(of_column)
+        } else {
+            of_column[rows.run.clone()].to_vec()
+        };
         let name = column_name(titles, *column, values.len(), number);
         let draft = Draft {
             name: name_with_part(stem, &name, &rows.part),
@@ -212,11 +227,7 @@ fn read_columns(
             says_nm,
             header: &block.header,
             axis: &axis[rows.run.clone()],
-            values: block
-                .column(*column)
-                .skip(rows.run.start)
-                .take(rows.run.len())
-                .collect(),
+            values: of_column,
             lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
             percent_signs: block.columns[*column].percents > 0,
             decimal_comma: dialect.decimal_comma,

@@ -1,5 +1,7 @@
 //! A spectrum on its way from a text table to the library: unit, kind, scale, order, notes.
 
+use std::borrow::Cow;
+
 use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::axis::{self, Axis, AxisUnit};
@@ -75,14 +77,15 @@ impl Draft<'_> {
                 unit.word()
             ));
         }
-        let nm: Vec<f64> = match unit {
-            WavelengthUnit::Nanometre => self.axis.to_vec(),
-            _ => self.axis.iter().map(|x| unit.to_nm(*x)).collect(),
+        let nm: Cow<[f64]> = match unit {
+            WavelengthUnit::Nanometre => Cow::Borrowed(self.axis),
+            _ => Cow::Owned(self.axis.iter().map(|x| unit.to_nm(*x)).collect()),
         };
 
         drop_sentinels(&mut self.values, &mut notes);
-        let cleaned =
-            curve::clean(&nm, &self.values).map_err(|trouble| self.trouble(input, trouble))?;
+        let before = reading.spectra.last().map(|spectrum| &spectrum.samples);
+        let cleaned = curve::clean_beside(before, &nm, std::mem::take(&mut self.values))
+            .map_err(|trouble| self.trouble(input, trouble))?;
         notes.extend(cleaned.notes);
         let mut samples = cleaned.samples;
 
@@ -177,6 +180,10 @@ fn extent(axis: &[f64]) -> (f64, f64) {
 
 /// Turns a repeated "not measured" number into gaps, if all other values lie well above it.
 fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
+    // All of them are below this: a long column is looked through once, not four times.
+    if !values.iter().any(|v| *v < -9.0) {
+        return;
+    }
     for sentinel in SENTINELS {
         let count = values.iter().filter(|v| **v == sentinel).count();
         let lowest = values

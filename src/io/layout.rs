@@ -33,6 +33,9 @@ const FEWEST_IN_A_ROW: usize = 5;
 /// Share of rows that must hold a wavelength.
 const FILLED: f64 = 0.9;
 
+/// What a column of nanometres that says so scores.
+const SUREST: u32 = 14;
+
 /// How sure a sequence of numbers is a wavelength axis: 0 is no.
 fn strength(values: impl Iterator<Item = f64> + Clone) -> u32 {
     let mut min = f64::INFINITY;
@@ -89,7 +92,7 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         }
         let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
             || names_wavelength(titles.units.get(column).map_or("", String::as_str));
-        let by_values = strength(block.column(column));
+        let by_values = strength(block.column(column).iter().copied());
         let score = match (by_values, titled || stats.nanometres * 2 > stats.numbers) {
             (0, _) => 0,
             (s, true) => s + 10,
@@ -98,13 +101,16 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         if score > best.1 {
             best = (column, score);
         }
+        if best.1 == SUREST {
+            break;
+        }
     }
     best
 }
 
 /// Wavelengths along the first row of the block: `wavelength, 380, 385, ...`.
 fn wavelength_row(block: &Block) -> Option<(Layout, u32)> {
-    let row = block.row(0);
+    let row = &block.row(0);
     let first = row.iter().position(|v| !v.is_nan())?;
     let last = row.iter().rposition(|v| !v.is_nan())?;
     let axis = &row[first..=last];

@@ -43,9 +43,11 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
             return stated(false, "the header");
         }
     }
-    let mut sorted: Vec<f64> = values.iter().map(|v| v.abs()).collect();
-    sorted.sort_by(f64::total_cmp);
-    let at = |share: f64| sorted.get((share * sorted.len() as f64) as usize).copied();
+    let mut sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
+    let mut at = |share: f64| {
+        let index = (share * sizes.len() as f64) as usize;
+        (index < sizes.len()).then(|| *sizes.select_nth_unstable_by(index, f64::total_cmp).1)
+    };
     let (middle, high) = (at(0.5).unwrap_or(0.0), at(0.99).unwrap_or(0.0));
     let percent = high > 1.5 && (middle > 1.5 || middle < 0.03 * high);
     PercentFound {

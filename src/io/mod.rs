@@ -32,6 +32,7 @@ pub mod layout;
 pub mod meaning;
 pub mod number;
 pub mod pick;
+pub mod plain_row;
 pub mod preset;
 pub mod reading;
 pub mod roles;

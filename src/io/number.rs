@@ -18,7 +18,7 @@ pub enum Cell {
 }
 
 /// Numbers of this size and beyond stand for "not measured" (USGS writes -1.23e34), never for light.
-const ABSURD: f64 = 1e30;
+pub const ABSURD: f64 = 1e30;
 
 /// Words that instruments and programs write where a value is missing (lower case).
 const GAP_WORDS: [&str; 20] = [

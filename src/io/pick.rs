@@ -2,7 +2,7 @@
 
 use super::dialect::Dialect;
 use super::layout::{self, Layout};
-use super::table::{BadCell, Block, Scan, TooManyCells, carries_on, row_gone_wrong_above, scan};
+use super::table::{BadCell, Block, Scan, TooMuch, carries_on, row_gone_wrong_above, scan};
 use super::titles::Titles;
 
 /// How much text decides the dialect, in bytes: many times the longest header.
@@ -34,7 +34,7 @@ pub struct Table<'a> {
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoTable {
     /// More numbers than the program keeps.
-    TooMany(TooManyCells),
+    TooMany(TooMuch),
     /// A word among numbers.
     Bad(BadCell),
     /// Numbers from this line on, but no wavelengths among them.
@@ -132,7 +132,7 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
 /// The first step against the way that most steps of the first column go, if its numbers lie
 /// where wavelengths lie.
 fn step_back(block: &Block) -> Option<(usize, f64, f64)> {
-    let axis: Vec<f64> = block.column(0).collect();
+    let axis = block.column(0);
     if !axis.iter().all(|v| (100.0..=20_000.0).contains(v)) {
         return None;
     }
@@ -172,7 +172,9 @@ fn joined(
             }
             [] => "the table is interrupted once".to_owned(),
         });
-        last.cells.extend(&block.cells);
+        for (column, more) in last.values.iter_mut().zip(&block.values) {
+            column.extend(more);
+        }
         last.lines.extend(&block.lines);
         for (sum, part) in last.columns.iter_mut().zip(&block.columns) {
             sum.numbers += part.numbers;
@@ -197,7 +199,7 @@ fn goes_on(block: &Block, next: &Block) -> bool {
         return false;
     }
     let end = block.rows() - 1;
-    carries_on(block.row(end - 1)[0], block.row(end)[0], next.row(0)[0])
+    carries_on(block.first(end - 1), block.first(end), next.first(0))
 }
 
 #[cfg(test)]

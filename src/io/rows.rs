@@ -52,7 +52,10 @@ pub fn read_rows(
             says_nm: along.says_nm,
             header: &block.header,
             axis: along.axis,
-            values: block.row(row)[columns.clone()].to_vec(),
+            values: block.values[columns.clone()]
+                .iter()
+                .map(|c| c[row])
+                .collect(),
             lines: std::slice::from_ref(&block.lines[row]),
             percent_signs: false,
             decimal_comma: dialect.decimal_comma,

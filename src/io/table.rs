@@ -3,14 +3,23 @@
 //! A row is a line of at least two numbers (or gaps) with no more words than numbers. A block is
 //! a run of rows; blank lines and comments do not end it. Lines that are no rows, and runs of a
 //! single row, are the header of the block that follows. The scan goes once over the text and
-//! keeps one number a cell, so its time and memory grow with the file's length only.
+//! keeps one number a cell, so its time and memory grow with the file's length only. Once a block
+//! has shown its width, rows that are nothing but plain numbers take a short way
+//! ([`plain_row`]); every other line is looked at cell by cell.
 
 use super::dialect::{Dialect, used};
 use super::number::{self, Cell};
-use super::text::lines;
+use super::plain_row::PlainRow;
+use super::text::first_line;
 
 /// Most cells of numbers that one file may hold; 64 million take 512 MiB of memory.
 pub const MOST_CELLS: usize = 64_000_000;
+
+/// Most columns of one table: far more than any instrument writes.
+pub const MOST_COLUMNS: usize = 65_536;
+
+/// Rows after which a block has shown its width.
+const SETTLED: usize = 3;
 
 /// Most header lines kept before a block: the first hundred and the last hundred are enough.
 const HEADER_LINES: usize = 200;
@@ -48,8 +57,8 @@ pub struct Block<'a> {
     pub header: Vec<(usize, &'a str)>,
     /// Cells in a row.
     pub width: usize,
-    /// `width` numbers a row, row after row; NaN where a cell holds none.
-    pub cells: Vec<f64>,
+    /// `width` columns from top to bottom; NaN where a cell holds no number.
+    pub values: Vec<Vec<f64>>,
     /// Line of each row, from 1.
     pub lines: Vec<u32>,
     /// One entry a column.
@@ -60,6 +69,8 @@ pub struct Block<'a> {
     pub ended_by: Option<BadCell>,
     /// Text of the first row, which returns to the header when the block stays a single row.
     first_row: &'a str,
+    /// Plain rows that the columns have not counted yet.
+    uncounted: usize,
 }
 
 impl<'a> Block<'a> {
@@ -67,12 +78,13 @@ impl<'a> Block<'a> {
         Self {
             header,
             width,
-            cells: Vec::new(),
+            values: vec![Vec::new(); width],
             lines: Vec::new(),
             columns: vec![Column::default(); width],
             bad: Vec::new(),
             ended_by: None,
             first_row,
+            uncounted: 0,
         }
     }
 
@@ -82,34 +94,66 @@ impl<'a> Block<'a> {
     }
 
     /// One row's numbers.
-    pub fn row(&self, row: usize) -> &[f64] {
-        &self.cells[row * self.width..(row + 1) * self.width]
+    pub fn row(&self, row: usize) -> Vec<f64> {
+        self.values.iter().map(|column| column[row]).collect()
+    }
+
+    /// The first column's number in a row.
+    pub fn first(&self, row: usize) -> f64 {
+        self.values[0][row]
     }
 
     /// One column's numbers from top to bottom.
-    pub fn column(&self, column: usize) -> impl Iterator<Item = f64> + Clone + '_ {
-        self.cells.iter().skip(column).step_by(self.width).copied()
+    pub fn column(&self, column: usize) -> &[f64] {
+        &self.values[column]
     }
 
     /// Whether a column counts the rows, from 0 or 1.
     pub fn counts_rows(&self, column: usize) -> bool {
-        let first = self.row(0)[column];
+        let first = self.values[column][0];
         (first == 0.0 || first == 1.0)
             && self
                 .column(column)
+                .iter()
                 .enumerate()
-                .all(|(row, v)| v == first + row as f64)
+                .all(|(row, v)| *v == first + row as f64)
     }
 
     /// Whether a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
     /// where the block has shown its width.
     fn takes(&self, used: usize, all: usize) -> bool {
-        used == self.width || used < self.width && (all == self.width || self.rows() >= 3)
+        used == self.width || used < self.width && (all == self.width || self.rows() >= SETTLED)
+    }
+
+    /// Makes room for `rows` more.
+    fn reserve(&mut self, rows: usize) {
+        self.lines.reserve(rows);
+        for column in &mut self.values {
+            column.reserve(rows);
+        }
+    }
+
+    /// A row of `width` plain numbers.
+    fn push_plain(&mut self, line: usize, row: &[f64]) {
+        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+        self.uncounted += 1;
+        for (column, value) in self.values.iter_mut().zip(row) {
+            column.push(*value);
+        }
+    }
+
+    /// Brings the columns' counts up to date after plain rows.
+    fn count(&mut self) {
+        let rows = std::mem::take(&mut self.uncounted);
+        for column in &mut self.columns {
+            column.numbers += rows;
+        }
     }
 
     fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
         self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
-        for (column, stats) in self.columns.iter_mut().enumerate() {
+        let columns = self.columns.iter_mut().zip(&mut self.values);
+        for (column, (stats, values)) in columns.enumerate() {
             let kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
             let value = match kind {
                 Cell::Number(v) => v,
@@ -136,16 +180,18 @@ impl<'a> Block<'a> {
                 }
             };
             stats.numbers += usize::from(!value.is_nan());
-            self.cells.push(value);
+            values.push(value);
         }
     }
 }
 
-/// More cells than [`MOST_CELLS`], found at this line.
+/// More than the program keeps, found at a line of the file (from 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooManyCells {
-    /// Line of the file, from 1.
-    pub line: usize,
+pub enum TooMuch {
+    /// More cells than [`MOST_CELLS`].
+    Cells { line: usize },
+    /// More columns than [`MOST_COLUMNS`].
+    Columns { line: usize, found: usize },
 }
 
 /// What the lines after the last block were, and the blocks.
@@ -160,14 +206,40 @@ pub struct Scan<'a> {
 /// All blocks of at least two rows in a text.
 ///
 /// # Errors
-/// [`TooManyCells`] when the text holds more numbers than the program keeps.
-pub fn scan<'a>(text: &'a str, dialect: Dialect) -> Result<Scan<'a>, TooManyCells> {
+/// [`TooMuch`] when the text holds more numbers than the program keeps.
+pub fn scan<'a>(text: &'a str, dialect: Dialect) -> Result<Scan<'a>, TooMuch> {
     let mut blocks = Vec::new();
     let mut header: Vec<(usize, &str)> = Vec::new();
     let mut block: Option<Block> = None;
     let (mut cells, mut kinds) = (Vec::new(), Vec::new());
-    let mut held = 0;
-    for (line, raw) in lines(text) {
+    let (mut held, mut line) = (0, 0);
+    let mut rest = text;
+    let mut plain = PlainRow::new(dialect);
+    loop {
+        if let Some(open) = &mut block
+            && open.rows() >= SETTLED
+        {
+            let mut is_first = true;
+            while let Some((row, past)) = plain.read(rest, open.width) {
+                if held + open.width > MOST_CELLS {
+                    return Err(TooMuch::Cells { line: line + 1 });
+                }
+                if std::mem::take(&mut is_first) {
+                    // Lines are about as long as the first of them: no array grows twice.
+                    open.reserve((rest.len() / past + 1).min(MOST_CELLS / open.width));
+                }
+                line += 1;
+                held += open.width;
+                open.push_plain(line, row);
+                rest = &rest[past..];
+            }
+            open.count();
+        }
+        let Some((raw, after)) = first_line(rest) else {
+            break;
+        };
+        rest = after;
+        line += 1;
         let content = raw.trim_ascii();
         if content.is_empty() {
             continue;
@@ -177,6 +249,10 @@ pub fn scan<'a>(text: &'a str, dialect: Dialect) -> Result<Scan<'a>, TooManyCell
             continue;
         }
         dialect.split(content_with_tabs(raw), &mut cells);
+        if cells.len() > MOST_COLUMNS {
+            let found = cells.len();
+            return Err(TooMuch::Columns { line, found });
+        }
         kinds.clear();
         kinds.extend(
             cells
@@ -205,7 +281,7 @@ pub fn scan<'a>(text: &'a str, dialect: Dialect) -> Result<Scan<'a>, TooManyCell
             }
         }
         if held > MOST_CELLS {
-            return Err(TooManyCells { line });
+            return Err(TooMuch::Cells { line });
         }
     }
     close(block, &mut blocks, &mut header);
@@ -266,7 +342,7 @@ fn row_gone_wrong(block: &Block, line: usize, cells: &[&str], kinds: &[Cell]) ->
     let certain = match kinds[0] {
         Cell::Number(first) | Cell::Nanometres(first) => {
             let end = block.rows() - 1;
-            if !carries_on(block.row(end - 1)[0], block.row(end)[0], first) {
+            if !carries_on(block.first(end - 1), block.first(end), first) {
                 return None;
             }
             true
@@ -300,7 +376,7 @@ pub fn row_gone_wrong_above(block: &Block, dialect: Dialect) -> Option<BadCell> 
     let Cell::Number(first) = number::parse(cells[..].first()?, dialect.decimal_comma) else {
         return None;
     };
-    if used(&cells) != block.width || !carries_on(block.row(1)[0], block.row(0)[0], first) {
+    if used(&cells) != block.width || !carries_on(block.first(1), block.first(0), first) {
         return None;
     }
     let column = cells
@@ -359,7 +435,7 @@ mod tests {
     fn words_around_a_block_are_its_header() {
         let found = blocks("Lamp A\n# note\nIndex,13,14\nnm,a,b\n380,1,2\n\n385,3,4\n");
         assert_eq!(found.len(), 1);
-        assert_eq!(found[0].cells, [380.0, 1.0, 2.0, 385.0, 3.0, 4.0]);
+        assert_eq!(found[0].values, [[380.0, 385.0], [1.0, 3.0], [2.0, 4.0]]);
         assert_eq!(found[0].lines, [5, 7]);
         assert_eq!(
             found[0].header,
@@ -402,6 +478,37 @@ mod tests {
         assert_eq!((found.len(), found[0].rows()), (1, 4));
         let found = blocks("0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n");
         assert_eq!((found.len(), found[0].rows()), (1, 4));
+    }
+
+    #[test]
+    fn plain_rows_and_others_stand_in_one_block_in_their_order() {
+        let found =
+            blocks("380,1\n385,2\n390,3\n395,4\n400,NaN\n\n405, 6 \r\n410,\"7\"\n# c\n415,8");
+        assert_eq!(found.len(), 1);
+        let values = &found[0].values;
+        assert_eq!(
+            values[0],
+            [380.0, 385.0, 390.0, 395.0, 400.0, 405.0, 410.0, 415.0]
+        );
+        assert_eq!(values[1][..4], [1.0, 2.0, 3.0, 4.0]);
+        assert!(values[1][4].is_nan());
+        assert_eq!(values[1][5..], [6.0, 7.0, 8.0]);
+        assert_eq!(found[0].lines, [1, 2, 3, 4, 5, 7, 8, 10]);
+        assert_eq!(
+            (found[0].columns[0].numbers, found[0].columns[1].numbers),
+            (8, 7)
+        );
+    }
+
+    #[test]
+    fn a_million_columns_are_too_many() {
+        let row = "1,".repeat(1_000_000);
+        let text = format!("{row}\n{row}\n");
+        let found = scan(&text, COMMA).map(|s| s.blocks.len());
+        assert!(
+            matches!(found, Err(TooMuch::Columns { line: 1, .. })),
+            "{found:?}"
+        );
     }
 
     #[test]

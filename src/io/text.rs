@@ -71,7 +71,7 @@ pub fn decode(bytes: &[u8]) -> Text<'_> {
             ),
         },
     };
-    let nuls_dropped = text.bytes().filter(|b| *b == 0).count();
+    let nuls_dropped = memchr::memchr_iter(0, text.as_bytes()).count();
     let text = if nuls_dropped == 0 {
         text
     } else {
@@ -87,7 +87,7 @@ pub fn decode(bytes: &[u8]) -> Text<'_> {
 /// Lines with their numbers from 1, whatever ends them: LF, CR LF or CR alone.
 pub fn lines(text: &str) -> Lines<'_> {
     Lines {
-        rest: Some(text),
+        rest: text,
         number: 0,
     }
 }
@@ -95,7 +95,7 @@ pub fn lines(text: &str) -> Lines<'_> {
 /// Iterator of [`lines`].
 #[derive(Clone, Debug)]
 pub struct Lines<'a> {
-    rest: Option<&'a str>,
+    rest: &'a str,
     number: usize,
 }
 
@@ -103,21 +103,28 @@ impl<'a> Iterator for Lines<'a> {
     type Item = (usize, &'a str);
 
     fn next(&mut self) -> Option<Self::Item> {
-        let rest = self.rest?;
+        let (line, rest) = first_line(self.rest)?;
+        self.rest = rest;
         self.number += 1;
-        let Some(end) = rest.bytes().position(|b| b == b'\n' || b == b'\r') else {
-            self.rest = None;
-            return (!rest.is_empty()).then_some((self.number, rest));
-        };
-        let past = end
-            + if rest[end..].starts_with("\r\n") {
-                2
-            } else {
-                1
-            };
-        self.rest = Some(&rest[past..]);
-        Some((self.number, &rest[..end]))
+        Some((self.number, line))
     }
+}
+
+/// The first line without its end, and the text behind it; `None` at the end of the text.
+pub fn first_line(text: &str) -> Option<(&str, &str)> {
+    if text.is_empty() {
+        return None;
+    }
+    let Some(end) = text.bytes().position(|b| b == b'\n' || b == b'\r') else {
+        return Some((text, ""));
+    };
+    let past = end
+        + if text[end..].starts_with("\r\n") {
+            2
+        } else {
+            1
+        };
+    Some((&text[..end], &text[past..]))
 }
 
 #[cfg(test)]

@@ -1,6 +1,9 @@
 //! A measured spectrum: the table as it was read, never splined.
 
-use std::fmt;
+use std::{
+    fmt,
+    sync::{Arc, OnceLock},
+};
 
 use super::band::Band;
 
@@ -17,10 +20,25 @@ pub enum Outside {
 ///
 /// Between two samples the spectrum is a straight line (CIE 15 recommends linear interpolation
 /// for 1-5 nm tables of light sources).
+///
+/// Spectra of one table share their wavelengths in memory ([`Sampled::sharing`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
-    nm: Vec<f64>,
+    axis: Arc<Axis>,
     values: Vec<f64>,
+}
+
+/// Wavelengths, and their median step once somebody asked for it.
+#[derive(Debug)]
+struct Axis {
+    nm: Vec<f64>,
+    step_nm: OnceLock<f64>,
+}
+
+impl PartialEq for Axis {
+    fn eq(&self, other: &Self) -> bool {
+        self.nm == other.nm
+    }
 }
 
 /// Why a table is not a spectrum.
@@ -100,7 +118,32 @@ impl Sampled {
                 });
             }
         }
-        Ok(Self { nm, values })
+        let axis = Arc::new(Axis {
+            nm,
+            step_nm: OnceLock::new(),
+        });
+        Ok(Self { axis, values })
+    }
+
+    /// A spectrum of other values on the same wavelengths, which are kept in memory once.
+    ///
+    /// # Errors
+    /// As [`Sampled::new`], with the values.
+    pub fn sharing(&self, values: Vec<f64>) -> Result<Self, (SampledError, Vec<f64>)> {
+        if self.axis.nm.len() != values.len() {
+            let error = SampledError::Lengths {
+                wavelengths: self.axis.nm.len(),
+                values: values.len(),
+            };
+            return Err((error, values));
+        }
+        match values.iter().position(|v| !v.is_finite()) {
+            Some(index) => Err((SampledError::NotFinite { index }, values)),
+            None => Ok(Self {
+                axis: self.axis.clone(),
+                values,
+            }),
+        }
     }
 
     /// A spectrum on an even grid: `first_nm`, `first_nm + step_nm`, ...
@@ -116,7 +159,7 @@ impl Sampled {
 
     /// Wavelengths, nm, strictly rising.
     pub fn nm(&self) -> &[f64] {
-        &self.nm
+        &self.axis.nm
     }
 
     /// Values, one per wavelength.
@@ -127,44 +170,46 @@ impl Sampled {
     /// Number of points (at least 2, so there is no `is_empty`).
     #[allow(clippy::len_without_is_empty)]
     pub fn len(&self) -> usize {
-        self.nm.len()
+        self.nm().len()
     }
 
     /// First wavelength, nm.
     pub fn first_nm(&self) -> f64 {
-        self.nm[0]
+        self.nm()[0]
     }
 
     /// Last wavelength, nm.
     pub fn last_nm(&self) -> f64 {
-        self.nm[self.nm.len() - 1]
+        self.nm()[self.nm().len() - 1]
     }
 
     /// The median step between neighbouring wavelengths, nm.
     pub fn step_nm(&self) -> f64 {
-        let mut steps: Vec<f64> = self.nm.windows(2).map(|w| w[1] - w[0]).collect();
-        steps.sort_by(f64::total_cmp);
-        steps[steps.len() / 2]
+        *self.axis.step_nm.get_or_init(|| {
+            let mut steps: Vec<f64> = self.nm().windows(2).map(|w| w[1] - w[0]).collect();
+            let middle = steps.len() / 2;
+            *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+        })
     }
 
     /// Value at a wavelength by straight lines between samples.
     pub fn at(&self, at_nm: f64, outside: Outside) -> f64 {
-        let last = self.nm.len() - 1;
-        if at_nm < self.nm[0] || at_nm > self.nm[last] {
+        let last = self.nm().len() - 1;
+        if at_nm < self.nm()[0] || at_nm > self.nm()[last] {
             return match outside {
                 Outside::Zero => 0.0,
-                Outside::Hold if at_nm < self.nm[0] => self.values[0],
+                Outside::Hold if at_nm < self.nm()[0] => self.values[0],
                 Outside::Hold => self.values[last],
             };
         }
-        let right = self.nm.partition_point(|w| *w < at_nm).clamp(1, last);
+        let right = self.nm().partition_point(|w| *w < at_nm).clamp(1, last);
         self.on_segment(right - 1, at_nm)
     }
 
     /// Every value multiplied by a factor.
     pub fn scaled(&self, factor: f64) -> Self {
         Self {
-            nm: self.nm.clone(),
+            axis: self.axis.clone(),
             values: self.values.iter().map(|v| v * factor).collect(),
         }
     }
@@ -199,7 +244,7 @@ impl Sampled {
 
     /// Whether some step inside the band is finer than the 1 nm grid.
     pub fn is_finer_than_grid(&self, band: Band) -> bool {
-        self.nm
+        self.nm()
             .windows(2)
             .any(|w| w[1] > band.min_nm() && w[0] < band.max_nm() && w[1] - w[0] < FINE_STEP_NM)
     }
@@ -212,18 +257,18 @@ impl Sampled {
         if nm < self.first_nm() || nm > self.last_nm() || hi <= lo {
             return self.at(nm, outside);
         }
-        let first = self.nm.partition_point(|w| *w <= lo).max(1) - 1;
+        let first = self.nm().partition_point(|w| *w <= lo).max(1) - 1;
         let past = self
-            .nm
+            .nm()
             .partition_point(|w| *w < hi)
-            .clamp(first + 1, self.nm.len() - 1);
-        let fine = (first..past).any(|i| self.nm[i + 1] - self.nm[i] < FINE_STEP_NM);
+            .clamp(first + 1, self.nm().len() - 1);
+        let fine = (first..past).any(|i| self.nm()[i + 1] - self.nm()[i] < FINE_STEP_NM);
         if !fine {
             return self.at(nm, outside);
         }
         let area: f64 = (first..past)
             .map(|i| {
-                let (a, b) = (self.nm[i].max(lo), self.nm[i + 1].min(hi));
+                let (a, b) = (self.nm()[i].max(lo), self.nm()[i + 1].min(hi));
                 0.5 * (b - a) * (self.on_segment(i, a) + self.on_segment(i, b))
             })
             .sum();
@@ -231,7 +276,7 @@ impl Sampled {
     }
 
     fn on_segment(&self, left: usize, at_nm: f64) -> f64 {
-        let (a, b) = (self.nm[left], self.nm[left + 1]);
+        let (a, b) = (self.nm()[left], self.nm()[left + 1]);
         let t = (at_nm - a) / (b - a);
         self.values[left] * (1.0 - t) + self.values[left + 1] * t
     }

@@ -57,9 +57,15 @@ const FIRST_SIZE: [f32; 2] = [1280.0, 800.0];
 /// The smallest window that still makes sense, points.
 const LEAST_SIZE: [f32; 2] = [900.0, 560.0];
 
+/// A file that a save left unfinished this long ago is nobody's any more.
+const LEFT_OVER: std::time::Duration = std::time::Duration::from_secs(3600);
+
 /// Program and preferences as they were left, or as they are at a first start.
 pub fn restore(path: Option<&std::path::Path>) -> (App, Preferences) {
     let fresh = || (App::new(), Preferences::default());
+    if let Some(path) = path {
+        workspace::sweep_leftovers(path, LEFT_OVER);
+    }
     match path.map(workspace::load) {
         Some(Ok(Some(restored))) => Window::restored(restored),
         Some(Ok(None)) | None => fresh(),

@@ -1,0 +1,96 @@
+//! Speed of reading files, each figure beside a plain baseline of the same run.
+//!
+//! `cargo bench --bench files`
+
+use std::{fmt::Write as _, fs, hint::black_box, path::PathBuf, time::Duration};
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use spectral_explorer::io::read_path;
+
+/// Files of a folder that is opened at once.
+const FILES: usize = 100;
+/// Columns of values in the long table; one of wavelengths stands before them.
+const COLUMNS: usize = 20;
+/// Size of the long table.
+const LONG_BYTES: usize = 100_000_000;
+
+/// A smooth curve with something of its own in every column, as an instrument writes it.
+fn value(row: usize, column: usize) -> f64 {
+    let x = row as f64 * 1e-3 + column as f64;
+    1.5 + x.sin() + 1e-4 * ((row * 7919 + column * 104_729) % 9973) as f64
+}
+
+fn hundred_files(folder: &std::path::Path) -> Vec<PathBuf> {
+    let one = |file: usize| {
+        let mut text = String::from("wavelength (nm),spectral irradiance (W m-2 nm-1)\n");
+        for row in 0..401 {
+            let _ = writeln!(text, "{},{:.6}", 380 + row, value(row, file));
+        }
+        let path = folder.join(format!("lamp {file:03}.csv"));
+        fs::write(&path, text).expect("a file in a temporary folder");
+        path
+    };
+    (0..FILES).map(one).collect()
+}
+
+fn long_table(folder: &std::path::Path) -> (PathBuf, usize) {
+    let mut text = String::from("nm");
+    for column in 1..COLUMNS {
+        let _ = write!(text, ",lamp {column}");
+    }
+    text.push('\n');
+    let mut row = 0;
+    while text.len() < LONG_BYTES {
+        let _ = write!(text, "{:.4}", 300.0 + row as f64 * 1e-3);
+        for column in 1..COLUMNS {
+            let _ = write!(text, ",{:.6}", value(row, column));
+        }
+        text.push('\n');
+        row += 1;
+    }
+    let path = folder.join("long.csv");
+    fs::write(&path, &text).expect("a file in a temporary folder");
+    (path, text.len())
+}
+
+/// What any program has to do at least: split lines at commas and parse every cell.
+fn plain_loop(path: &PathBuf) -> f64 {
+    let text = fs::read_to_string(path).expect("the file that was written");
+    let rows = text.lines().skip(1);
+    let cells = rows.flat_map(|line| line.split(','));
+    cells.map(|cell| cell.parse::<f64>().unwrap_or(0.0)).sum()
+}
+
+fn files(criterion: &mut Criterion) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let hundred = hundred_files(folder.path());
+    let mut group = criterion.benchmark_group("100 CSV files of 401 points");
+    group.measurement_time(Duration::from_secs(3));
+    group.bench_function("baseline: split and parse", |b| {
+        b.iter(|| hundred.iter().map(plain_loop).sum::<f64>());
+    });
+    group.bench_function("read", |b| {
+        b.iter(|| {
+            for path in &hundred {
+                black_box(read_path(path).expect("a table"));
+            }
+        });
+    });
+    group.finish();
+
+    let (path, bytes) = long_table(folder.path());
+    let mut group = criterion.benchmark_group("100 MB of text in 20 columns");
+    group
+        .sample_size(10)
+        .throughput(Throughput::Bytes(bytes as u64));
+    group.bench_function("baseline: split and parse", |b| {
+        b.iter(|| plain_loop(black_box(&path)));
+    });
+    group.bench_function("read", |b| {
+        b.iter(|| black_box(read_path(&path).expect("a table")));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, files);
+criterion_main!(benches);
