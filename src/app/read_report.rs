@@ -26,6 +26,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 format,
                 spectra,
                 composites,
+                table: _,
                 guesses: _,
                 notes,
             } = reading;

@@ -17,7 +17,7 @@ use super::rows::{AlongRow, read_rows};
 use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
 use super::titles::Titles;
-use super::{Confidence, Format, Input, ReadError, Reading};
+use super::{Confidence, Format, Input, ReadError, Reading, reading::TableFound};
 
 /// Plain columns of numbers.
 pub const FORMAT: Format = Format {
@@ -39,7 +39,7 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let dialect = pick::dialect(text);
+    let dialect = input.choices.dialect.unwrap_or_else(|| pick::dialect(text));
     let mut tables = match pick::tables(text, dialect) {
         Ok(tables) => tables,
         // A table with a word in it is a table: read in another way it would be nonsense.
@@ -52,7 +52,27 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     };
     let mut reading = Reading::default();
+    reading.table = tables.first().map(|table| TableFound {
+        dialect,
+        axis_column: match table.layout {
+            Layout::Column(column) => Some(column),
+            Layout::Row { .. } => None,
+        },
+        width: table.block.width,
+        first_line: table.block.lines[0] as usize,
+    });
     let several = tables.len() > 1;
+    if let Some(column) = input.choices.axis_column {
+        for table in &mut tables {
+            if column >= table.block.width {
+                return Err(input.error(
+                    format!("a table of {} columns", table.block.width),
+                    format!("wavelengths in column {}, as chosen", column + 1),
+                ));
+            }
+            table.layout = Layout::Column(column);
+        }
+    }
     for (number, table) in tables.iter_mut().enumerate() {
         let part = if several {
             format!(", table {}", number + 1)

@@ -6,8 +6,8 @@ use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::axis::{self, Axis, AxisUnit};
 use super::curve::{self, Trouble};
-use super::kinds;
-use super::meaning;
+use super::kinds::{self, KindFound};
+use super::meaning::{self, PercentFound};
 use super::reading::provenance;
 use super::units::WavelengthUnit;
 use super::{Guess, Guessed, Input, ReadError, Reading};
@@ -62,13 +62,20 @@ impl Draft<'_> {
             unit,
             because,
             stated,
-        } = axis::unit(&Axis {
-            title: &self.axis_title,
-            header: self.header,
-            says_nm: self.says_nm,
-            is_dpt: input.has_extension("dpt"),
-            range: extent(self.axis),
-        });
+        } = match input.choices.wavelengths {
+            Some(unit) => AxisUnit {
+                unit,
+                because: "chosen by hand".to_owned(),
+                stated: true,
+            },
+            None => axis::unit(&Axis {
+                title: &self.axis_title,
+                header: self.header,
+                says_nm: self.says_nm,
+                is_dpt: input.has_extension("dpt"),
+                range: extent(self.axis),
+            }),
+        };
         if !stated {
             guess(Guessed::WavelengthUnit, unit.word(), &because, &mut notes);
         } else if unit != WavelengthUnit::Nanometre {
@@ -89,19 +96,33 @@ impl Draft<'_> {
         notes.extend(cleaned.notes);
         let mut samples = cleaned.samples;
 
-        let found = kinds::kind(&self.title, self.header, &input.name, samples.values());
+        let found = match input.choices.kind {
+            Some(kind) => KindFound {
+                kind,
+                because: "chosen by hand".to_owned(),
+                stated: true,
+            },
+            None => kinds::kind(&self.title, self.header, &input.name, samples.values()),
+        };
         if !found.stated {
             guess(Guessed::Kind, found.kind.word(), &found.because, &mut notes);
         }
         let mut scale = 1.0;
         let mut unit_of_values = meaning::unit(&self.title, self.header);
         if found.kind.is_factor() {
-            let percent = meaning::percent(
-                &self.title,
-                self.header,
-                self.percent_signs,
-                samples.values(),
-            );
+            let percent = match input.choices.percent {
+                Some(percent) => PercentFound {
+                    percent,
+                    because: "chosen by hand".to_owned(),
+                    stated: true,
+                },
+                None => meaning::percent(
+                    &self.title,
+                    self.header,
+                    self.percent_signs,
+                    samples.values(),
+                ),
+            };
             if percent.percent {
                 scale = 0.01;
                 samples = samples.scaled(scale);

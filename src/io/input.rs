@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 
+use super::choices::Choices;
 use super::error::ReadError;
 use super::text::{self, Text};
 
@@ -18,6 +19,8 @@ pub struct Input<'a> {
     pub bytes: &'a [u8],
     /// Where it lies, for formats that are a pair of files; `None` when it came another way.
     pub path: Option<PathBuf>,
+    /// What a person decided about it.
+    pub choices: Choices,
     text: OnceCell<Option<Text<'a>>>,
 }
 
@@ -28,6 +31,7 @@ impl<'a> Input<'a> {
             name: name.to_owned(),
             bytes,
             path: None,
+            choices: Choices::default(),
             text: OnceCell::new(),
         }
     }
@@ -37,6 +41,15 @@ impl<'a> Input<'a> {
         Self {
             path: Some(path.to_owned()),
             ..Self::new(&name_of(path), bytes)
+        }
+    }
+
+    /// The same file with decisions about it.
+    #[must_use]
+    pub fn deciding(self, choices: &Choices) -> Self {
+        Self {
+            choices: *choices,
+            ..self
         }
     }
 

@@ -15,6 +15,7 @@
 pub mod alternating;
 pub mod atomic;
 pub mod axis;
+pub mod choices;
 pub mod colorimetry_json;
 pub mod columns;
 pub mod composite_json;
@@ -51,6 +52,8 @@ pub mod write;
 use std::io::Read;
 use std::path::Path;
 
+pub use choices::Choices;
+pub use dialect::Dialect;
 pub use error::{ReadError, WriteError};
 pub use input::Input;
 pub use reading::{CompositeFile, Guess, Guessed, Reading};
@@ -104,6 +107,14 @@ const AT_MOST: &str = "at most 512 MiB in one file";
 /// [`ReadError`] when it cannot be opened, is larger than [`text::MOST_BYTES`], or holds nothing
 /// that the program reads.
 pub fn read_path(path: &Path) -> Result<Reading, ReadError> {
+    read_path_as(path, &Choices::default())
+}
+
+/// Reads a file from disk with decisions about it.
+///
+/// # Errors
+/// As [`read_path`].
+pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
     let name = input::name_of(path);
     let trouble = |error: std::io::Error| {
         let (found, expected) = match error.kind() {
@@ -127,7 +138,7 @@ pub fn read_path(path: &Path) -> Result<Reading, ReadError> {
     file.take(text::MOST_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(trouble)?;
-    read(&Input::at(path, &bytes))
+    read(&Input::at(path, &bytes).deciding(choices))
 }
 
 /// Reads a file that is in memory; `name` is what messages and spectra call it.
@@ -135,7 +146,15 @@ pub fn read_path(path: &Path) -> Result<Reading, ReadError> {
 /// # Errors
 /// [`ReadError`] when it is too large or holds nothing that the program reads.
 pub fn read_bytes(name: &str, bytes: &[u8]) -> Result<Reading, ReadError> {
-    read(&Input::new(name, bytes))
+    read_bytes_as(name, bytes, &Choices::default())
+}
+
+/// Reads a file that is in memory with decisions about it.
+///
+/// # Errors
+/// As [`read_bytes`].
+pub fn read_bytes_as(name: &str, bytes: &[u8], choices: &Choices) -> Result<Reading, ReadError> {
+    read(&Input::new(name, bytes).deciding(choices))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -159,6 +178,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     };
     let mut reading = (format.read)(input)?;
+    input.choices.impose(&mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
     reading.name_apart();

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::{Dialect, units::WavelengthUnit};
 use crate::spectrum::{Composite, NamedSpectrum};
 
 /// What a reader had to guess and a person may flip.
@@ -28,6 +29,30 @@ pub struct Guess {
     pub because: String,
 }
 
+/// How a plain table was taken apart, for a person who wants to look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableFound {
+    /// What stands between cells and marks decimals.
+    pub dialect: Dialect,
+    /// The column of wavelengths, from 0; `None` where they stand in a row.
+    pub axis_column: Option<usize>,
+    /// Cells in a row.
+    pub width: usize,
+    /// Line of the first row, from 1.
+    pub first_line: usize,
+}
+
+impl Guess {
+    /// Whether a person should look: the kind and per cent can hardly be told from numbers, and
+    /// anything but nanometres is rare enough to ask.
+    pub fn is_doubtful(&self) -> bool {
+        match self.what {
+            Guessed::Kind | Guessed::Percent => true,
+            Guessed::WavelengthUnit => self.chosen != WavelengthUnit::Nanometre.word(),
+        }
+    }
+}
+
 /// A composite with what a person needs to know about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CompositeFile {
@@ -52,6 +77,8 @@ pub struct Reading {
     pub spectra: Vec<NamedSpectrum>,
     /// Composite models.
     pub composites: Vec<CompositeFile>,
+    /// How its first plain table was taken apart; `None` for other formats.
+    pub table: Option<TableFound>,
     /// What had to be guessed.
     pub guesses: Vec<Guess>,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the
@@ -60,6 +87,11 @@ pub struct Reading {
 }
 
 impl Reading {
+    /// Whether a person should look at how the file was read.
+    pub fn is_doubtful(&self) -> bool {
+        self.guesses.iter().any(Guess::is_doubtful)
+    }
+
     /// Gives every spectrum a name of its own: doubles get "(2)", "(3)", ...
     pub fn name_apart(&mut self) {
         let mut seen: HashMap<String, usize> = HashMap::new();
