@@ -119,6 +119,7 @@ pub fn spectra_of(reading: Reading) -> Vec<NamedSpectrum> {
         format: _,
         spectra,
         composites,
+        results: _,
         guesses: _,
         notes,
     } = reading;

@@ -15,6 +15,8 @@
 pub mod alternating;
 pub mod atomic;
 pub mod axis;
+pub mod cgats;
+pub mod cgats_tables;
 pub mod colorimetry_json;
 pub mod columns;
 pub mod composite_json;
@@ -27,15 +29,20 @@ pub mod error;
 pub mod foreign_json;
 pub mod input;
 pub mod keyed_json;
+pub mod keyed_lines;
 pub mod kinds;
 pub mod layout;
+pub mod licor_li180;
+pub mod makers_results;
 pub mod meaning;
+pub mod measured;
 pub mod number;
 pub mod pick;
 pub mod preset;
 pub mod reading;
 pub mod roles;
 pub mod rows;
+pub mod sekonic;
 pub mod spd;
 pub mod spdx;
 pub mod spdx_write;
@@ -45,6 +52,7 @@ pub mod text;
 pub mod titles;
 pub mod units;
 pub mod unreadable;
+pub mod uprtek;
 pub mod write;
 
 use std::io::Read;
@@ -90,6 +98,10 @@ pub const FORMATS: &[Format] = &[
     foreign_json::FORMAT,
     spdx::FORMAT,
     spd::FORMAT,
+    cgats::FORMAT,
+    uprtek::FORMAT,
+    licor_li180::FORMAT,
+    sekonic::FORMAT,
     columns::FORMAT,
 ];
 

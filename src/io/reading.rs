@@ -4,6 +4,8 @@ use std::collections::HashMap;
 
 use crate::spectrum::{Composite, NamedSpectrum};
 
+use super::makers_results::MakersResult;
+
 /// What a reader had to guess and a person may flip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Guessed {
@@ -52,6 +54,8 @@ pub struct Reading {
     pub spectra: Vec<NamedSpectrum>,
     /// Composite models.
     pub composites: Vec<CompositeFile>,
+    /// What the instrument itself computed and wrote beside its spectra.
+    pub results: Vec<MakersResult>,
     /// What had to be guessed.
     pub guesses: Vec<Guess>,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the
