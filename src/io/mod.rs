@@ -32,13 +32,17 @@ pub mod keyed_json;
 pub mod keyed_lines;
 pub mod kinds;
 pub mod layout;
+pub mod licor_1800;
 pub mod licor_li180;
+pub mod macam;
 pub mod makers_results;
 pub mod meaning;
 pub mod measured;
 pub mod number;
+pub mod perkin_elmer;
 pub mod pick;
 pub mod preset;
+pub mod raman;
 pub mod reading;
 pub mod roles;
 pub mod rows;
@@ -47,12 +51,17 @@ pub mod spd;
 pub mod spdx;
 pub mod spdx_write;
 pub mod spectrum_json;
+pub mod spotread;
+pub mod svc;
 pub mod table;
 pub mod text;
 pub mod titles;
+pub mod tuv;
 pub mod units;
 pub mod unreadable;
 pub mod uprtek;
+pub mod usgs;
+pub mod wasatch;
 pub mod write;
 
 use std::io::Read;
@@ -102,6 +111,15 @@ pub const FORMATS: &[Format] = &[
     uprtek::FORMAT,
     licor_li180::FORMAT,
     sekonic::FORMAT,
+    licor_1800::FORMAT,
+    svc::FORMAT,
+    usgs::FORMAT,
+    perkin_elmer::FORMAT,
+    tuv::FORMAT,
+    macam::FORMAT,
+    wasatch::FORMAT,
+    spotread::FORMAT,
+    raman::FORMAT,
     columns::FORMAT,
 ];
 
