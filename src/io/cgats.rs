@@ -41,6 +41,9 @@ pub const FORMAT: Format = Format {
 /// Most spectra that one file may hold: each takes memory of its own beside its numbers.
 pub const MOST_SPECTRA: usize = 20_000;
 
+/// Most kinds of columns, told by what their labels have in common, that are looked at.
+const MOST_GROUPS: usize = 1000;
+
 /// Fewest columns of one kind that are a spectrum.
 const FEWEST_BANDS: usize = 3;
 
@@ -138,6 +141,9 @@ fn bands(fields: &[&str]) -> Vec<Bands> {
             _ => continue,
         };
         let next = found.len();
+        if next >= MOST_GROUPS && !groups.contains_key(&word) {
+            continue;
+        }
         let at = *groups.entry(word.clone()).or_insert(next);
         if at == next {
             found.push(Bands {
@@ -314,7 +320,7 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
         // A white that values are counted from makes them factors.
         let white = lower.contains("whitebase") || lower.contains("45/0") || lower.contains("d/8");
         if let Some(kind) = kind.or(white.then_some(Kind::Reflectance)) {
-            return guess(kind, format!("{key}"));
+            return guess(kind, key.to_owned());
         }
     }
     for key in ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"] {
@@ -536,7 +542,8 @@ fn read_group(
 /// The refusal of a file without spectra.
 fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
     const EXPECTED: &str = "columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380";
-    let Some(table) = tables.iter().max_by_key(|t| t.sets()) else {
+    let measured = tables.iter().find(|t| t.kind != "CAL");
+    let Some(table) = measured.or(tables.first()) else {
         let what = match input.head().split_whitespace().next() {
             Some("CCMX") => "an Argyll colorimeter matrix (.ccmx) and no spectral columns",
             Some("CAL") => "an Argyll calibration and no spectral columns",

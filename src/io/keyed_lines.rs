@@ -9,7 +9,7 @@
 //! The separator (TAB, semicolon or comma) is the one that the points use; decimals may be marked
 //! by commas wherever the separator is another.
 
-use super::makers_results::{MOST_RESULTS, MakersResult};
+use super::makers_results::MakersResult;
 use super::number::{self, Cell, label_nm};
 use super::text::lines;
 
@@ -46,6 +46,8 @@ pub struct Setting<'a> {
     pub key: &'a str,
     /// The values, quotes removed.
     pub values: Vec<&'a str>,
+    /// Whether the key names a setting of the instrument rather than a result.
+    pub of_instrument: bool,
 }
 
 /// What a file of keys and values holds.
@@ -140,7 +142,13 @@ impl<'a> KeyedLines<'a> {
             values.pop();
         }
         if self.settings.len() < MOST_SETTINGS {
-            self.settings.push(Setting { line, key, values });
+            let lower: String = key.chars().take(16).collect::<String>().to_lowercase();
+            self.settings.push(Setting {
+                line,
+                key,
+                values,
+                of_instrument: SETTINGS.iter().any(|word| lower.starts_with(word)),
+            });
         }
     }
 
@@ -194,26 +202,29 @@ impl<'a> KeyedLines<'a> {
     }
 
     /// What the maker's software computed for one column: every key with a number that is no
-    /// setting of the instrument.
-    pub fn results(&self, spectrum: Option<usize>, column: usize) -> Vec<MakersResult> {
-        let mut found = Vec::new();
-        for setting in &self.settings {
-            let value = match setting.values.as_slice() {
-                [value] => value,
-                several if several.len() == self.columns => &several[column],
-                _ => continue,
-            };
-            let key = setting.key.to_lowercase();
-            if found.len() < MOST_RESULTS && !SETTINGS.iter().any(|word| key.starts_with(word)) {
-                found.extend(MakersResult::of(
-                    spectrum,
-                    setting.key,
-                    value,
-                    self.decimal_comma,
-                ));
-            }
+    /// setting of the instrument; at most `room` of them.
+    pub fn results(
+        &self,
+        spectrum: Option<usize>,
+        column: usize,
+        room: usize,
+    ) -> Vec<MakersResult> {
+        if room == 0 {
+            return Vec::new();
         }
-        found
+        self.settings
+            .iter()
+            .filter(|setting| !setting.of_instrument)
+            .filter_map(|setting| {
+                let value = match setting.values.as_slice() {
+                    [value] => value,
+                    several if several.len() == self.columns => &several[column],
+                    _ => return None,
+                };
+                MakersResult::of(spectrum, setting.key, value, self.decimal_comma)
+            })
+            .take(room)
+            .collect()
     }
 
     /// The first filled value of a key, upper or lower case.

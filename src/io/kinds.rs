@@ -201,6 +201,18 @@ pub fn kind(title: &str, header: &[(usize, &str)], file: &str, values: &[f64]) -
         because: because.to_owned(),
         stated: false,
     };
+    // ASD's spectrometers are mostly held over leaves and soils; a light is no number near 1.
+    let mut sorted: Vec<f64> = Vec::new();
+    if title.to_lowercase().trim_end().ends_with(".asd") {
+        sorted.extend(values);
+        sorted.sort_by(f64::total_cmp);
+    }
+    if sorted
+        .get(sorted.len() / 2)
+        .is_some_and(|middle| (0.01..=1.5).contains(middle))
+    {
+        return guess(Kind::Reflectance, "an ASD's values of about 0..1");
+    }
     if let Some(kind) = kind_of_name(file) {
         return guess(kind, "the file's name");
     }

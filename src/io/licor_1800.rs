@@ -11,10 +11,10 @@
 
 use super::error::quoted;
 use super::makers_results::{MakersResult, Quantity};
+use super::meaning::{PHOTON_NOTE, PHOTONS};
 use super::measured::Measured;
 use super::number::{self, Cell};
 use super::text::lines;
-use super::uprtek::{PHOTON_NOTE, PHOTONS};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// LI-COR LI-1800 text.

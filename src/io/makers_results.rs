@@ -11,6 +11,11 @@ use super::number::{self, Cell};
 /// Most results kept from one file.
 pub const MOST_RESULTS: usize = 1000;
 
+/// How many more results a file may give that has given so many.
+pub fn room_for(given: usize) -> usize {
+    MOST_RESULTS.saturating_sub(given)
+}
+
 /// A number that the maker's software computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MakersResult {

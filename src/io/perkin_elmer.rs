@@ -8,7 +8,7 @@
 //!                                unit of y: %T, %R, A, INT; empty for intensities
 //! ...
 //! #DATA
-//! 405.000000	27.150000
+//! 405.000000<TAB>27.150000
 //! ```
 
 use crate::spectrum::Kind;

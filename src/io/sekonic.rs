@@ -16,6 +16,7 @@ use std::ops::Range;
 
 use super::error::quoted;
 use super::keyed_lines::{KeyedLines, is_point};
+use super::makers_results::room_for;
 use super::measured::Measured;
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -134,7 +135,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .notes
             .push(format!("{unit} is the meter's unit; the file states none"));
         spectrum.finish(input, &mut reading)?;
-        reading.results.extend(found.results(Some(index), column));
+        let room = room_for(reading.results.len());
+        reading
+            .results
+            .extend(found.results(Some(index), column, room));
     }
     if reading.spectra.is_empty() {
         return Err(input.error(

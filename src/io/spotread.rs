@@ -10,7 +10,7 @@
 //! Without the spectrum it is refused, by what it is.
 
 use super::error::quoted;
-use super::makers_results::MakersResult;
+use super::makers_results::{MakersResult, room_for};
 use super::measured::Measured;
 use super::number::{self, Cell};
 use super::text::lines;
@@ -100,7 +100,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
         if !reading.spectra.is_empty() {
             let spectrum = Some(reading.spectra.len() - 1);
-            let room = super::makers_results::MOST_RESULTS.saturating_sub(reading.results.len());
+            let room = room_for(reading.results.len());
             reading
                 .results
                 .extend(results(spectrum, content).take(room));

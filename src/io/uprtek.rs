@@ -13,7 +13,8 @@
 
 use super::error::quoted;
 use super::keyed_lines::{KeyedLines, is_point};
-use super::makers_results::{MakersResult, Quantity};
+use super::makers_results::{MakersResult, Quantity, room_for};
+use super::meaning::{PHOTON_NOTE, PHOTONS};
 use super::measured::Measured;
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -92,7 +93,7 @@ pub fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadError> {
             continue;
         }
         let index = reading.spectra.len();
-        let results = found.results(Some(index), column);
+        let results = found.results(Some(index), column, room_for(reading.results.len()));
         let unit = unit(&found.nm, &values, &results, makers);
         let name = ["memo", "title", "name"]
             .iter()
@@ -133,13 +134,6 @@ pub fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadError> {
     }
     Ok(reading)
 }
-
-/// Photons in the unit that plant scientists use.
-pub const PHOTONS: &str = "µmol m-2 s-1 nm-1";
-
-/// What is said of a spectrum that counts photons.
-pub const PHOTON_NOTE: &str =
-    "the values count photons, not energy: as a light they weigh long wavelengths too heavily";
 
 /// A unit and what told it.
 struct UnitFound {
