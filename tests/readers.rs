@@ -258,6 +258,7 @@ fn kinds_and_scales_of_real_files_are_told_by_their_words() {
         ("X-Rite_Digital_Colour_Checker.txt", Kind::Reflectance, 1.0),
         ("gr070214_003.sig", Kind::Reflectance, 0.01),
         ("ribb00001.asd.txt", Kind::Reflectance, 1.0),
+        ("asd-e-irrad-sky.csv2", Kind::Light, 1.0),
     ] {
         let reading = read_path(&folder.join(name)).unwrap();
         let first = &reading.spectra[0];

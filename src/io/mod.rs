@@ -7,6 +7,7 @@
 //! ```text
 //! bytes -> text (encoding) -> sniff -> the format's reader -> Reading
 //!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> meaning -> curve
+//!   an instrument's own: keyed_lines, cgats_tables, ... -> measured -> curve; makers_results
 //! ```
 //!
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
@@ -69,6 +70,7 @@ use std::path::Path;
 
 pub use error::{ReadError, WriteError};
 pub use input::Input;
+pub use makers_results::{MakersResult, Quantity};
 pub use reading::{CompositeFile, Guess, Guessed, Reading};
 pub use write::{Provenance, write_as};
 
