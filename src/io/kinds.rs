@@ -204,7 +204,7 @@ pub fn kind(title: &str, header: &[(usize, &str)], file: &str, values: &[f64]) -
     if let Some(kind) = kind_of_name(file) {
         return guess(kind, "the file's name");
     }
-    // ASD's spectrometers are mostly held over leaves and soils; a light is no number near 1.
+    // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
     let mut sorted: Vec<f64> = Vec::new();
     let no_white = lines().any(|line| line.contains("not compared to a white reference"));
     if title.to_lowercase().trim_end().ends_with(".asd") && !no_white {
