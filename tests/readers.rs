@@ -16,7 +16,7 @@ use spectral_explorer::io::{Guessed, Reading, read_bytes, read_path};
 use spectral_explorer::spectrum::{Kind, NamedSpectrum};
 
 /// Files that must read to the reference reading.
-const MUST_MATCH: [&str; 33] = [
+const MUST_MATCH: [&str; 41] = [
     "TM27_Sample_Spectral_Data.spdx",
     "cie.stdillum.F11.spd",
     "macbeth-1.spd",
@@ -50,10 +50,18 @@ const MUST_MATCH: [&str; 33] = [
     "mitsuba_Au.eta.spd",
     "mitsuba_Ag.k.spd",
     "cie_d65_5nm.spdx",
+    "F8.sp",
+    "Office.sp",
+    "example.sp",
+    "argyll_refl_leather.sp",
+    "argyll_amb_copybox.sp",
+    "DELL_UP2516D_i1Pro2.ccss",
+    "CIE-TCS.sp",
+    "RANDOM_001_02._3262K.csv",
 ];
 
 /// Files that must read, with the number of spectra and of points in the first.
-const MUST_READ: [(&str, usize, usize); 17] = [
+const MUST_READ: [(&str, usize, usize); 22] = [
     ("psi-spectrapen-SP.csv", 12, 256),
     ("CIE_a-opic_action_spectra.csv", 5, 226),
     ("linss2_10e_5.csv", 3, 89),
@@ -71,19 +79,24 @@ const MUST_READ: [(&str, usize, usize); 17] = [
     ("iso7589_stutung_380_780_5.json", 1, 81),
     ("licor-li180-irrad.txt", 1, 0),
     ("flu1.txt", 1, 181),
+    ("X-Rite_Digital_Colour_Checker.txt", 10, 36),
+    (
+        "splib07a_Brick_GDS355_Paving_Dk_Gry_ASDFRa_AREF.txt",
+        1,
+        2151,
+    ),
+    ("wasatch-enlighten-scope.json", 1, 1024),
+    ("NeonSNQ043_iR785_OP01.txt", 1, 1006),
+    ("qtuv-default.txt", 4, 140),
 ];
 
 /// Files that hold no spectrum, or one of a format refused by its name, and words of the refusal.
-const MUST_REFUSE: [(&str, &str); 20] = [
+const MUST_REFUSE: [(&str, &str); 17] = [
     ("Invalid.spdx", "expected <IESTM2714>"),
-    ("argyll_output_read1.txt", "expected two or more columns"),
+    ("argyll_output_read1.txt", "what Argyll's spotread printed"),
     ("bad-input-test.txt", "expected"),
-    ("sekonic_c-700_5392K.csv", "expected"),
+    ("sekonic_c-700_5392K.csv", "a Sekonic summary"),
     ("FReDflowerID_157.dx", "web page"),
-    (
-        "splib07a_Brick_GDS355_Paving_Dk_Gry_ASDFRa_AREF.txt",
-        "2151 lines of one number each",
-    ),
     ("FBH450-10.xlsx", "Excel workbook"),
     ("FBH660-10.xlsx", "Excel workbook"),
     ("D65.exr", "OpenEXR"),
@@ -95,9 +108,7 @@ const MUST_REFUSE: [(&str, &str); 20] = [
     ("optimized.sli", "ENVI"),
     ("cubus_gamsberg_subset", "ENVI"),
     ("uv.jdx", "JCAMP-DX"),
-    ("F8.sp", "Argyll"),
-    ("default.ti3", "Argyll"),
-    ("wasatch-enlighten-scope.json", "JSON with the keys"),
+    ("default.ti3", "175 sets with no spectral columns"),
 ];
 
 fn folder() -> Option<PathBuf> {
@@ -238,6 +249,16 @@ fn kinds_and_scales_of_real_files_are_told_by_their_words() {
         ("Au.eta.spd", Kind::Other, 1.0),
         ("mitsuba_Ag.k.spd", Kind::Other, 1.0),
         ("macbeth-1.spd", Kind::Reflectance, 1.0),
+        ("F8.sp", Kind::Light, 1.0 / 30.0),
+        ("example.sp", Kind::Light, 0.01),
+        ("argyll_refl_leather.sp", Kind::Reflectance, 0.01),
+        ("argyll_amb_copybox.sp", Kind::Light, 1.0),
+        ("DELL_UP2516D_i1Pro2.ccss", Kind::Light, 1.0),
+        ("CIE-TCS.sp", Kind::Reflectance, 1.0),
+        ("X-Rite_Digital_Colour_Checker.txt", Kind::Reflectance, 1.0),
+        ("gr070214_003.sig", Kind::Reflectance, 0.01),
+        ("ribb00001.asd.txt", Kind::Reflectance, 1.0),
+        ("asd-e-irrad-sky.csv2", Kind::Light, 1.0),
     ] {
         let reading = read_path(&folder.join(name)).unwrap();
         let first = &reading.spectra[0];
@@ -288,7 +309,15 @@ fn a_large_table_is_read_in_time_that_grows_with_its_length_only() {
 /// Names that lead to each reader.
 fn names() -> impl Strategy<Value = &'static str> {
     prop::sample::select(vec![
-        "a.csv", "a.spd", "a.spdx", "a.json", "a.txt", "a", "a.dpt", "a.spc",
+        "a.csv",
+        "a.spd",
+        "a.spdx",
+        "a.json",
+        "a.txt",
+        "a",
+        "a.dpt",
+        "a.spc",
+        "iR785.txt",
     ])
 }
 
@@ -322,6 +351,28 @@ fn table_like() -> impl Strategy<Value = String> {
         "<IESTM2714>",
         "cs1;",
         "cosine;",
+        "SPECT\n",
+        "SPECTRAL_BANDS 3\nSPECTRAL_START_NM 380\nSPECTRAL_END_NM 390\n",
+        "BEGIN_DATA_FORMAT\n",
+        "SPEC_380 SPEC_385 SPEC_390\n",
+        "SPECTRAL_NM SPECTRAL_PCT ",
+        "END_DATA_FORMAT\n",
+        "BEGIN_DATA\n",
+        "END_DATA\n",
+        "Model Name\tCV600\nI-Time\t1\n",
+        "380nm\t",
+        "381nm\t",
+        "Measuring Mode,Flash\nTcp [K],1\nCRI Ra,2\n",
+        "Spectral Data 380[nm],",
+        "\"LIMS: 1\"\n\"REM: (QNTM)\"\n",
+        "/*** Spectra Vista SIG Data ***/\ndata=\n",
+        " splib07a Record=1: x ASDFRa AREF\n",
+        "PE FL SPECTRUM ASCII\n#GR\nNM\n%T\n#DATA\n",
+        "LOWER WVL  UPPER WVL  A  TOTAL\n",
+        "@1/1/1\n#x\n",
+        "Spectrum from 380.0 to 730.0 nm in 3 steps\n",
+        "Result is XYZ: 1 2 3\n",
+        "Laser 785 nm\nRaman shift\n",
         "1e308",
         "-0",
         "µ",
@@ -438,4 +489,87 @@ fn a_percent_sign_beside_r_is_a_reflectance_in_percent() {
 fn text_that_speaks_of_the_xml_format_is_not_taken_for_it() {
     let why = refused("about.json", "{\"note\": \"see IESTM2714\"}");
     assert!(!why.contains("XML"), "{why}");
+}
+
+#[test]
+fn the_makers_own_results_are_kept() {
+    use spectral_explorer::io::makers_results::Quantity;
+    let Some(folder) = folder() else { return };
+    for (name, quantity, value) in [
+        ("ESPD2021_0104_231446.xls", Quantity::Cct, 5198.0),
+        ("ESPD2021_0104_231446.xls", Quantity::Ra, 92.956993),
+        ("ESPD2021_0104_231446.xls", Quantity::Rf, 87.234917),
+        ("RANDOM_001_02._3262K.csv", Quantity::Cct, 3262.0),
+        ("RANDOM_001_02._3262K.csv", Quantity::R(9), 31.2),
+        ("RANDOM_001_02._3262K.csv", Quantity::Ppfd, 0.4),
+        ("licor-li180-irrad.txt", Quantity::Ppfd, 129.87944),
+        ("licor-li180-irrad.txt", Quantity::Cct, 5465.0),
+        ("licor-li1800-q-irrad.PRN", Quantity::PeakNm, 546.0),
+    ] {
+        let reading = read_path(&folder.join(name)).unwrap();
+        let found = reading.results.iter().find(|r| r.quantity == quantity);
+        assert_eq!(found.map(|r| r.value), Some(value), "{name}: {quantity}");
+    }
+}
+
+#[test]
+fn units_of_instruments_are_known() {
+    let Some(folder) = folder() else { return };
+    for (name, index, unit) in [
+        ("ESPD2021_0104_231446.xls", 0, "mW m-2 nm-1"),
+        ("licor-li180-irrad.txt", 0, "mW m-2 nm-1"),
+        ("RANDOM_001_02._3262K.csv", 0, "W m-2 nm-1"),
+        ("licor-li1800-q-irrad.PRN", 0, "µmol m-2 s-1 nm-1"),
+        ("Osram.HQIT.400W.PRN", 0, "µmol m-2 s-1 nm-1"),
+        ("macam-e-irrad.DTA", 0, "W m-2 nm-1"),
+        ("argyll_amb_copybox.sp", 0, "mW m-2 nm-1"),
+        ("psi-spectrapen-SP.csv", 0, "µW/cm2/nm"),
+        ("psi-spectrapen-SP.csv", 6, "µE/m2/s/nm"),
+        ("qtuv-default.txt", 0, "W m-2 nm-1"),
+        ("wasatch-enlighten-scope.json", 0, "counts"),
+    ] {
+        let reading = read_path(&folder.join(name)).unwrap();
+        assert_eq!(
+            reading.spectra[index].unit, unit,
+            "{name}: {:?}",
+            reading.spectra[index].notes
+        );
+    }
+}
+
+#[test]
+fn huge_and_hostile_instrument_files_end_soon() {
+    let columns: String = (0..300_000).map(|i| format!("a{i}380 ")).collect();
+    let bands: String = (100..300_000).map(|i| format!("nm{i} ")).collect();
+    let ones = "1 ".repeat(300_000);
+    let points = format!("380nm{}\n", "\t1".repeat(100_000));
+    let table = |fields: &str, data: &str| {
+        format!(
+            "SPECT\nBEGIN_DATA_FORMAT\n{fields}\nEND_DATA_FORMAT\nBEGIN_DATA\n{data}\nEND_DATA\n"
+        )
+    };
+    let settings: String = (0..5000).map(|i| format!("k{i}\t1\n")).collect();
+    for text in [
+        table(&columns, &ones),
+        table(&bands, &ones),
+        table("nm380 nm390 nm400", &"1 1e308 NaN\n".repeat(100_000)),
+        table("nm380 nm390 nm400", &ones),
+        format!("Model Name\tX\n{points}{points}{settings}"),
+        format!(
+            "Measuring Mode,Flash\nTcp [K],1\nTitle,x\n{}",
+            "Spectral Data 380[nm],1\n".repeat(200_000)
+        ),
+        format!("/*** Spectra Vista SIG Data ***/\ndata=\n{ones}"),
+        format!("splib07a Record=1: x BECK AREF\n1\n{ones}"),
+        format!("@1\n#x\n{}", "1\n".repeat(500_000)),
+        format!("Spectrum from 380.0 to 730.0 nm in 99999 steps\n{ones}"),
+        format!("Laser 785\nRaman shift\n{ones}"),
+        format!("PE FL ASCII\n#DATA\n{ones}"),
+        format!("LOWER WVL  UPPER WVL\n{ones}"),
+    ] {
+        let start = std::time::Instant::now();
+        let _ = read_bytes("a.txt", text.as_bytes());
+        let took = start.elapsed();
+        assert!(took.as_secs() < 10, "{took:?}: {}", &text[..60]);
+    }
 }

@@ -120,6 +120,7 @@ pub fn spectra_of(reading: Reading) -> Vec<NamedSpectrum> {
         spectra,
         composites,
         table: _,
+        results: _,
         guesses: _,
         notes,
     } = reading;

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::ticks::short;
 use crate::{
-    io::{CompositeFile, ReadError, Reading},
+    io::{CompositeFile, MakersResult, ReadError, Reading},
     spectrum::NamedSpectrum,
 };
 
@@ -27,6 +27,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 spectra,
                 composites,
                 table: _,
+                results,
                 guesses: _,
                 notes,
             } = reading;
@@ -35,6 +36,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 "format": format,
                 "spectra": spectra.iter().map(spectrum_json).collect::<Vec<_>>(),
                 "composites": composites.iter().map(composite_json).collect::<Vec<_>>(),
+                "makers_results": results.iter().map(result_json).collect::<Vec<_>>(),
                 "notes": notes,
                 "error": null,
             })
@@ -81,6 +83,23 @@ fn spectrum_json(spectrum: &NamedSpectrum) -> Value {
         "max_at_nm": highest.map(|(index, _)| samples.nm()[index]),
         "notes": notes,
         "source": source,
+    })
+}
+
+fn result_json(result: &MakersResult) -> Value {
+    let MakersResult {
+        spectrum,
+        quantity,
+        value,
+        unit,
+        as_written,
+    } = result;
+    json!({
+        "spectrum": spectrum.map(|index| index + 1),
+        "quantity": quantity.to_string(),
+        "value": value,
+        "unit": unit,
+        "as_written": as_written,
     })
 }
 

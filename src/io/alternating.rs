@@ -13,10 +13,14 @@ const FEWEST_POINTS: usize = 5;
 #[derive(Debug)]
 pub struct Pairs<'a> {
     header: Vec<(usize, &'a str)>,
-    axis: Vec<f64>,
-    values: Vec<f64>,
-    lines: Vec<u32>,
-    decimal_comma: bool,
+    /// Wavelengths in the file's unit.
+    pub axis: Vec<f64>,
+    /// As many values.
+    pub values: Vec<f64>,
+    /// Line of each value.
+    pub lines: Vec<u32>,
+    /// Whether decimals are marked by commas.
+    pub decimal_comma: bool,
 }
 
 /// The longest run of lines with one number each, its first line, and the lines before it.

@@ -142,6 +142,9 @@ impl Draft<'_> {
             unit_of_values.clear();
         }
 
+        if found.kind == Kind::Light && meaning::counts_photons(&unit_of_values) {
+            notes.push(meaning::PHOTON_NOTE.to_owned());
+        }
         let comma = if self.decimal_comma {
             "decimal comma"
         } else {

@@ -132,7 +132,7 @@ pub fn kind_of_title(title: &str) -> Option<Kind> {
         "t" | "trans" | "tau" => Some(Kind::Transmittance),
         "abs" | "od" => Some(Kind::Absorbance),
         "n" | "k" | "eta" => Some(Kind::Other),
-        "spd" | "power" | "energy" | "irr" => Some(Kind::Light),
+        "spd" | "power" | "energy" | "irr" | "irrad" | "rad" | "dn" => Some(Kind::Light),
         _ => None,
     })
 }
@@ -204,6 +204,19 @@ pub fn kind(title: &str, header: &[(usize, &str)], file: &str, values: &[f64]) -
     if let Some(kind) = kind_of_name(file) {
         return guess(kind, "the file's name");
     }
+    // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
+    let mut sorted: Vec<f64> = Vec::new();
+    let no_white = lines().any(|line| line.contains("not compared to a white reference"));
+    if title.to_lowercase().trim_end().ends_with(".asd") && !no_white {
+        sorted.extend(values);
+        sorted.sort_by(f64::total_cmp);
+    }
+    if sorted
+        .get(sorted.len() / 2)
+        .is_some_and(|middle| (0.01..=1.5).contains(middle))
+    {
+        return guess(Kind::Reflectance, "an ASD's values of about 0..1");
+    }
     if values.iter().all(|v| (-0.05..=1.2).contains(v)) {
         guess(
             Kind::Light,
@@ -236,6 +249,7 @@ mod tests {
             ("irradiance [W m-2 nm-1]", Some(Kind::Light)),
             ("x_bar", Some(Kind::Weighting)),
             ("n", Some(Kind::Other)),
+            ("Rad. (Ref.)", Some(Kind::Light)),
             ("TL01", None),
             ("red", None),
         ] {
@@ -257,6 +271,14 @@ mod tests {
         let found = kind("", &[], "x.csv", &[0.1, 0.5]);
         assert_eq!((found.kind, found.stated), (Kind::Light, false));
         assert!(found.because.contains("may be a reflectance"));
+        assert_eq!(
+            kind("a.asd", &[], "x.txt", &[0.1, 0.5]).kind,
+            Kind::Reflectance
+        );
+        assert_eq!(
+            kind("a.asd", &[], "irrad.txt", &[0.1, 0.5]).kind,
+            Kind::Light
+        );
         assert_eq!(kind("", &[], "Au.eta.spd", &[1.0]).kind, Kind::Other);
     }
 }

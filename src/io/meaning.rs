@@ -2,6 +2,23 @@
 
 use super::kinds::{kind_of_words, states_values};
 
+/// Photons in the unit that plant scientists use.
+pub const PHOTONS: &str = "µmol m-2 s-1 nm-1";
+
+/// What is said of a spectrum that counts photons.
+pub const PHOTON_NOTE: &str =
+    "the values count photons, not energy: as a light they weigh long wavelengths too heavily";
+
+/// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
+pub fn counts_photons(unit: &str) -> bool {
+    let lower = unit.to_lowercase();
+    lower.contains("mol")
+        || lower.contains("photon")
+        || lower.starts_with("ue")
+        || lower.starts_with("µe")
+        || lower.starts_with("μe")
+}
+
 /// Whether values of a factor (reflectance, transmittance) are per cent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PercentFound {

@@ -7,6 +7,7 @@
 //! ```text
 //! bytes -> text (encoding) -> sniff -> the format's reader -> Reading
 //!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> meaning -> curve
+//!   an instrument's own: keyed_lines, cgats_tables, ... -> measured -> curve; makers_results
 //! ```
 //!
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
@@ -15,6 +16,8 @@
 pub mod alternating;
 pub mod atomic;
 pub mod axis;
+pub mod cgats;
+pub mod cgats_tables;
 pub mod choices;
 pub mod colorimetry_json;
 pub mod columns;
@@ -28,25 +31,40 @@ pub mod error;
 pub mod foreign_json;
 pub mod input;
 pub mod keyed_json;
+pub mod keyed_lines;
 pub mod kinds;
 pub mod layout;
+pub mod licor_1800;
+pub mod licor_li180;
+pub mod macam;
+pub mod makers_results;
 pub mod meaning;
+pub mod measured;
 pub mod number;
+pub mod perkin_elmer;
 pub mod pick;
 pub mod plain_row;
 pub mod preset;
+pub mod raman;
 pub mod reading;
 pub mod roles;
 pub mod rows;
+pub mod sekonic;
 pub mod spd;
 pub mod spdx;
 pub mod spdx_write;
 pub mod spectrum_json;
+pub mod spotread;
+pub mod svc;
 pub mod table;
 pub mod text;
 pub mod titles;
+pub mod tuv;
 pub mod units;
 pub mod unreadable;
+pub mod uprtek;
+pub mod usgs;
+pub mod wasatch;
 pub mod write;
 
 use std::io::Read;
@@ -56,6 +74,7 @@ pub use choices::Choices;
 pub use dialect::Dialect;
 pub use error::{ReadError, WriteError};
 pub use input::Input;
+pub use makers_results::{MakersResult, Quantity};
 pub use reading::{CompositeFile, Guess, Guessed, Reading};
 pub use write::{Provenance, write_as};
 
@@ -94,6 +113,19 @@ pub const FORMATS: &[Format] = &[
     foreign_json::FORMAT,
     spdx::FORMAT,
     spd::FORMAT,
+    cgats::FORMAT,
+    uprtek::FORMAT,
+    licor_li180::FORMAT,
+    sekonic::FORMAT,
+    licor_1800::FORMAT,
+    svc::FORMAT,
+    usgs::FORMAT,
+    perkin_elmer::FORMAT,
+    tuv::FORMAT,
+    macam::FORMAT,
+    wasatch::FORMAT,
+    spotread::FORMAT,
+    raman::FORMAT,
     columns::FORMAT,
 ];
 

@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use super::{Dialect, units::WavelengthUnit};
 use crate::spectrum::{Composite, NamedSpectrum};
 
+use super::makers_results::MakersResult;
+
 /// What a reader had to guess and a person may flip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Guessed {
@@ -79,6 +81,8 @@ pub struct Reading {
     pub composites: Vec<CompositeFile>,
     /// How its first plain table was taken apart; `None` for other formats.
     pub table: Option<TableFound>,
+    /// What the instrument itself computed and wrote beside its spectra.
+    pub results: Vec<MakersResult>,
     /// What had to be guessed.
     pub guesses: Vec<Guess>,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the

@@ -37,6 +37,14 @@ pub fn value_columns(
             values.push(column);
         }
     }
+    // The ratio before the readings that it was made of, where all are kept.
+    let made_of = |column: &usize| {
+        let title = titles.whole(*column).to_lowercase();
+        title.contains("(ref") || title.contains("target")
+    };
+    if values.iter().any(made_of) {
+        values.sort_by_key(made_of);
+    }
     (values, notes)
 }
 
@@ -105,6 +113,12 @@ mod tests {
         assert_eq!(columns, [4]);
         assert_eq!(notes.len(), 3);
         assert!(notes[0].contains("Dark"));
+    }
+
+    #[test]
+    fn a_reflectance_comes_before_the_radiances_that_it_was_made_of() {
+        let text = "Wvl;Rad. (Ref.);Rad. (Target);Reflect. %\n350;1;9;50\n351;1;9;40\n";
+        assert_eq!(values(text).0, [3, 1, 2]);
     }
 
     #[test]

@@ -119,29 +119,9 @@ fn known_text(input: &Input) -> Option<(&'static str, &'static str)> {
     let head = input.head();
     let first = head.lines().next().unwrap_or("").trim();
     let lower = head.get(..head.floor_char_boundary(512))?.to_lowercase();
-    let first_word = first.split_whitespace().next().unwrap_or("");
     let (found, expected) =
         if first.starts_with("##") && head.contains('=') && first.contains("TITLE") {
             ("a JCAMP-DX file", NOT_YET)
-        } else if matches!(
-            first_word,
-            "SPECT"
-                | "CCSS"
-                | "CCMX"
-                | "CTI1"
-                | "CTI2"
-                | "CTI3"
-                | "CAL"
-                | "CGATS.17"
-                | "CGATS.5"
-                | "IT8.7/1"
-                | "IT8.7/2"
-                | "IT8.7/3"
-                | "IT8.7/4"
-        ) || first.starts_with("LGOROWLENGTH")
-            || head.contains("BEGIN_DATA_FORMAT")
-        {
-            ("an Argyll or CGATS file", NOT_YET)
         } else if first == "ENVI" {
             ("an ENVI header", NOT_YET)
         } else if head.contains("SPDXVersion")
@@ -188,8 +168,6 @@ mod tests {
             ("a.spc", b"\0\x4b\x01\x02\x03\x04\x05\x06\0", "Galactic"),
             ("a.sli", b"\0\x01\x02\x03\x04\x05\x06\0\0", "ENVI"),
             ("a.jdx", b"##TITLE= x\n##JCAMP-DX= 5\n", "JCAMP-DX"),
-            ("a.sp", b"SPECT  \n\nDESCRIPTOR \"x\"\n", "Argyll"),
-            ("a.txt", b"380 1\nBEGIN_DATA_FORMAT\n", "Argyll"),
             ("a.hdr", b"ENVI\nsamples = 3\n", "ENVI"),
             ("a.spdx", b"SPDXVersion: SPDX-2.3\n", "software licence"),
             ("a.dx", b"<br />\n<b>Warning</b>", "web page"),

@@ -1,0 +1,332 @@
+//! Files of one key and one or more values a line, as light meters write them.
+//!
+//! ```text
+//! CCT<TAB>5198.0                    a setting or a result
+//! 380nm<TAB>0.030267                a point: the key is a wavelength with its unit
+//! Spectral Data 380[nm],0.000012    the same in other words
+//! ```
+//!
+//! The separator (TAB, semicolon or comma) is the one that the points use; decimals may be marked
+//! by commas wherever the separator is another.
+
+use super::makers_results::MakersResult;
+use super::number::{self, Cell, label_nm};
+use super::text::lines;
+
+/// Most settings kept; further ones are passed over.
+const MOST_SETTINGS: usize = 5000;
+
+/// Most columns of values, that is, measurements side by side in one file.
+const MOST_COLUMNS: usize = 1000;
+
+/// Beginnings of keys that are settings of an instrument and no results (lower case).
+const SETTINGS: [&str; 14] = [
+    "i-time",
+    "integration",
+    "model",
+    "serial",
+    "time",
+    "date",
+    "memo",
+    "title",
+    "name",
+    "measuring",
+    "viewing",
+    "firmware",
+    "version",
+    "average",
+];
+
+/// A key and its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting<'a> {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// The key, quotes removed.
+    pub key: &'a str,
+    /// The values, quotes removed.
+    pub values: Vec<&'a str>,
+    /// Whether the key names a setting of the instrument rather than a result.
+    pub of_instrument: bool,
+}
+
+/// What a file of keys and values holds.
+#[derive(Clone, Debug, Default)]
+pub struct KeyedLines<'a> {
+    /// Lines whose key is no wavelength.
+    pub settings: Vec<Setting<'a>>,
+    /// Wavelengths of the points, nm.
+    pub nm: Vec<f64>,
+    /// Line of each point.
+    pub lines: Vec<u32>,
+    /// Values side by side.
+    pub columns: usize,
+    /// `columns` values a point; NaN where one is missing.
+    pub values: Vec<f64>,
+    /// Whether decimals are marked by commas.
+    pub decimal_comma: bool,
+}
+
+/// A value of a point that is no number.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadValue {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// What stands there.
+    pub text: String,
+}
+
+/// The wavelength that a key tells, unit included.
+pub fn point_nm(key: &str) -> Option<f64> {
+    label_nm(key).filter(|(_, says_nm)| *says_nm).map(|l| l.0)
+}
+
+/// Whether a line is a point: a wavelength with its unit, a separator, a number.
+pub fn is_point(line: &str) -> bool {
+    let Some((mark, at)) = separator(line) else {
+        return false;
+    };
+    let value = line[at + 1..].trim();
+    point_nm(unquoted(&line[..at])).is_some()
+        && value.split(mark).next().is_some_and(|v| {
+            v.trim()
+                .starts_with(|c: char| c.is_ascii_digit() || "+-.\"".contains(c))
+        })
+}
+
+/// The first TAB, else semicolon, else comma.
+fn separator(line: &str) -> Option<(char, usize)> {
+    ['\t', ';', ',']
+        .into_iter()
+        .find_map(|mark| line.find(mark).map(|at| (mark, at)))
+}
+
+fn unquoted(cell: &str) -> &str {
+    cell.trim().trim_matches('"').trim()
+}
+
+impl<'a> KeyedLines<'a> {
+    /// Splits a text.
+    ///
+    /// # Errors
+    /// [`BadValue`] for a point whose value is a word.
+    pub fn of(text: &'a str) -> Result<Self, BadValue> {
+        let mark = mark_of_points(text);
+        let mut out = Self {
+            decimal_comma: mark.1,
+            ..Self::default()
+        };
+        let (mark, comma) = mark;
+        for (line, content) in lines(text) {
+            let content = content.trim_matches(' ');
+            if content.trim().is_empty() {
+                continue;
+            }
+            let Some(at) = content.find(mark) else {
+                out.setting(line, content, Vec::new());
+                continue;
+            };
+            let (key, rest) = (unquoted(&content[..at]), &content[at + 1..]);
+            let Some(nm) = point_nm(key) else {
+                let cells = rest.split(mark).take(MOST_COLUMNS).map(unquoted).collect();
+                out.setting(line, key, cells);
+                continue;
+            };
+            out.point(line, nm, rest, mark, comma)?;
+        }
+        Ok(out)
+    }
+
+    fn setting(&mut self, line: usize, key: &'a str, mut values: Vec<&'a str>) {
+        while values.last().is_some_and(|v| v.is_empty()) {
+            values.pop();
+        }
+        if self.settings.len() < MOST_SETTINGS {
+            let lower: String = key.chars().take(16).collect::<String>().to_lowercase();
+            self.settings.push(Setting {
+                line,
+                key,
+                values,
+                of_instrument: SETTINGS.iter().any(|word| lower.starts_with(word)),
+            });
+        }
+    }
+
+    fn point(
+        &mut self,
+        line: usize,
+        nm: f64,
+        rest: &str,
+        mark: char,
+        comma: bool,
+    ) -> Result<(), BadValue> {
+        // Comma between key and value and in the value: 0,000012 is one number.
+        let joined = comma && mark == ',';
+        let cells = rest.split(if joined { '\u{0}' } else { mark });
+        if self.nm.is_empty() {
+            let filled = rest.trim_matches([mark, ' ']);
+            self.columns = if joined {
+                1
+            } else {
+                filled.split(mark).count().min(MOST_COLUMNS)
+            };
+        }
+        self.nm.push(nm);
+        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+        let before = self.values.len();
+        for cell in cells.take(self.columns) {
+            let value = match number::parse(unquoted(cell), comma) {
+                Cell::Number(v) | Cell::Percent(v) | Cell::Nanometres(v) => v,
+                Cell::Empty | Cell::Gap => f64::NAN,
+                Cell::Text => {
+                    return Err(BadValue {
+                        line,
+                        text: cell.to_owned(),
+                    });
+                }
+            };
+            self.values.push(value);
+        }
+        self.values.resize(before + self.columns, f64::NAN);
+        Ok(())
+    }
+
+    /// The values of one column.
+    pub fn column(&self, column: usize) -> Vec<f64> {
+        self.values
+            .iter()
+            .skip(column)
+            .step_by(self.columns.max(1))
+            .copied()
+            .collect()
+    }
+
+    /// What the maker's software computed for one column: every key with a number that is no
+    /// setting of the instrument; at most `room` of them.
+    pub fn results(
+        &self,
+        spectrum: Option<usize>,
+        column: usize,
+        room: usize,
+    ) -> Vec<MakersResult> {
+        if room == 0 {
+            return Vec::new();
+        }
+        self.settings
+            .iter()
+            .filter(|setting| !setting.of_instrument)
+            .filter_map(|setting| {
+                let value = match setting.values.as_slice() {
+                    [value] => value,
+                    several if several.len() == self.columns => &several[column],
+                    _ => return None,
+                };
+                MakersResult::of(spectrum, setting.key, value, self.decimal_comma)
+            })
+            .take(room)
+            .collect()
+    }
+
+    /// The first filled value of a key, upper or lower case.
+    pub fn get(&self, key: &str) -> Option<&'a str> {
+        self.get_of(key, 0)
+    }
+
+    /// A column's value of a key; the first column's where there is one only.
+    pub fn get_of(&self, key: &str, column: usize) -> Option<&'a str> {
+        self.settings
+            .iter()
+            .filter(|s| s.key.eq_ignore_ascii_case(key))
+            .find_map(|s| s.values.get(column).or(s.values.first()))
+            .copied()
+            .filter(|v| !v.is_empty())
+    }
+}
+
+/// The separator of the points, and whether their decimals are marked by commas.
+fn mark_of_points(text: &str) -> (char, bool) {
+    let mut points = lines(text).filter(|(_, line)| is_point(line)).take(50);
+    let Some((_, first)) = points.next() else {
+        let mark = ['\t', ';', ','].into_iter().find(|mark| {
+            lines(text)
+                .take(50)
+                .filter(|(_, l)| l.contains(*mark))
+                .count()
+                >= 2
+        });
+        return (
+            mark.unwrap_or(','),
+            mark == Some(';') && !text.contains('.'),
+        );
+    };
+    let mark = separator(first).map_or(',', |s| s.0);
+    let (mut points_seen, mut commas_seen, mut in_two) = (0, 0, 0);
+    for (_, line) in std::iter::once((0, first)).chain(points) {
+        let value = line.split_once(mark).map_or("", |(_, v)| v);
+        points_seen += usize::from(value.contains('.'));
+        commas_seen += usize::from(value.contains(','));
+        in_two += usize::from(value.matches(',').count() == 1);
+    }
+    let comma = match mark {
+        ',' => points_seen == 0 && commas_seen > 0 && commas_seen == in_two,
+        _ => commas_seen > points_seen,
+    };
+    (mark, comma)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_and_points_are_told_apart() {
+        let found =
+            KeyedLines::of("Model Name\tX\nCCT\t5198.5\n380nm\t0.5\n381nm\t0.25\nR1\t9\n").unwrap();
+        assert_eq!(found.nm, [380.0, 381.0]);
+        assert_eq!(found.values, [0.5, 0.25]);
+        assert_eq!(found.get("cct"), Some("5198.5"));
+        assert_eq!(found.settings.len(), 3);
+    }
+
+    #[test]
+    fn decimal_commas_and_columns_side_by_side_are_read() {
+        for (text, columns, values) in [
+            ("380nm;0,5\n381nm;0,25\n", 1, vec![0.5, 0.25]),
+            (
+                "380nm\t0,5\t1,5\n381nm\t0,25\t\n",
+                2,
+                vec![0.5, 1.5, 0.25, f64::NAN],
+            ),
+            ("A 380[nm],0,5\nA 381[nm],0,25\n", 1, vec![0.5, 0.25]),
+            (
+                "380nm,0.5,1.5\n381nm,0.25,2.5\n",
+                2,
+                vec![0.5, 1.5, 0.25, 2.5],
+            ),
+            (
+                "\"380 nm\",\"0.5\"\n\"381 nm\",\"0.25\"\n",
+                1,
+                vec![0.5, 0.25],
+            ),
+        ] {
+            let found = KeyedLines::of(text).unwrap();
+            assert_eq!(found.columns, columns, "{text}");
+            let same = found
+                .values
+                .iter()
+                .zip(&values)
+                .all(|(a, b)| a == b || a.is_nan() && b.is_nan());
+            assert!(
+                same && found.values.len() == values.len(),
+                "{text} {:?}",
+                found.values
+            );
+        }
+    }
+
+    #[test]
+    fn a_word_in_a_point_is_an_error_with_its_line() {
+        let bad = KeyedLines::of("380nm\t1\n381nm\tabc\n").unwrap_err();
+        assert_eq!((bad.line, bad.text.as_str()), (2, "abc"));
+    }
+}
