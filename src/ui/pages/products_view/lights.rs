@@ -107,24 +107,20 @@ impl LightsView {
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         head(ui, context);
         self.rebuild(context);
-        let Some(built) = &self.built else {
-            return;
-        };
-        let Some(sheet) = &built.sheet else {
-            ui.add_space(8.0);
-            ui.label("Choose a second light above to see the patches under both.");
-            return;
-        };
-        let ask = pairs_ask(context);
-        if let Some(ask) = &ask {
+        if let Some(ask) = &pairs_ask(context) {
             context.studies.surfaces.pairs.ask(ask, context.wake, || {
                 let ask = ask.clone();
                 move |progress: &Progress| ask.answer(progress)
             });
         }
         self.rebuild_pairs(context);
-        let built = self.built.as_ref();
-        let (Some(built), made, found) = (built, &self.made, &self.found) else {
+        let Self { built, made, found } = self;
+        let Some(built) = built else {
+            return;
+        };
+        let Some(sheet) = &built.sheet else {
+            ui.add_space(8.0);
+            ui.label("Choose a second light above to see the patches under both.");
             return;
         };
         let room = ui.available_size();
