@@ -1284,11 +1284,11 @@ fn full_preferences() -> Preferences {
                 lights: LightsMemory {
                     patch: 3,
                     pair: 2,
-                    everywhere: true,
+                    everywhere: false,
                     room_percent: -40,
                 },
                 check: CheckMemory {
-                    everywhere: true,
+                    everywhere: false,
                     twice: true,
                 },
                 absorption: AbsorptionMemory { example: 1 },

@@ -177,7 +177,7 @@ impl Default for LightsMemory {
         Self {
             patch: 0,
             pair: 0,
-            everywhere: false,
+            everywhere: true,
             room_percent: *ROOM_PERCENT.end(),
         }
     }
@@ -198,13 +198,22 @@ impl LightsMemory {
 }
 
 /// What the check remembers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct CheckMemory {
     /// The best surface is looked for among all shipped reflectances, not the patches alone.
     pub everywhere: bool,
     /// The example's light meets its surface twice.
     pub twice: bool,
+}
+
+impl Default for CheckMemory {
+    fn default() -> Self {
+        Self {
+            everywhere: true,
+            twice: false,
+        }
+    }
 }
 
 /// What the absorption part remembers.

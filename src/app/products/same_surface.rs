@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use serde_json::{Value, json};
+
 use super::{Lit, Products, two_lights::modelled};
 use crate::{
     app::{
@@ -9,11 +11,13 @@ use crate::{
         cells::{line, number, words},
         document::Document,
         entry::Entry,
+        report::settings_json,
         state::App,
         studies::{RankAsk, Same, surfaces::Ranked},
+        ticks::short,
     },
     spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, chain::bounces},
-    study::products::{Checker, Compared, Sameness, measured_check},
+    study::products::{Checker, Compared, Sameness, check::SAME_RESIDUAL, measured_check},
 };
 
 /// A light, a surface and an outgoing spectrum compared.
@@ -82,6 +86,55 @@ impl CheckSheet {
             group: (!everywhere).then(|| document.patch_set.clone()),
         })
     }
+}
+
+/// The check as JSON; the keys are stable, a number that does not exist is `null`.
+pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
+    let of = |compared: &Option<Compared>| {
+        let found = compared.as_ref().map(|c| c.reflection);
+        json!({
+            "residual": found.map(|f| f.residual),
+            "threshold": SAME_RESIDUAL,
+            "verdict": Sameness::of(found).words(),
+            "factor": found.map(|f| f.factor),
+        })
+    };
+    let mut value = of(&sheet.model);
+    if let Value::Object(all) = &mut value {
+        let light = &app.document().light.spectrum;
+        all.insert("measured".to_owned(), of(&sheet.measured));
+        all.insert(
+            "light".to_owned(),
+            json!({ "name": light.name, "source": light.source }),
+        );
+        all.insert("factors".to_owned(), json!(factors));
+        all.insert("outgoing".to_owned(), json!({ "name": sheet.names[2] }));
+        all.insert("numbers".to_owned(), json!(sheet.numbers));
+        all.insert("settings".to_owned(), settings_json(app));
+    }
+    value
+}
+
+/// The check for people.
+pub fn check_text(sheet: &CheckSheet) -> String {
+    let [light, surface, outgoing] = &sheet.names;
+    let line = |what: &str, compared: &Option<Compared>| {
+        let found = compared.as_ref().map(|c| c.reflection);
+        let figure =
+            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
+        format!(
+            "{what:<9} {}: residual {} (holds up to {}), factor {}\n",
+            Sameness::of(found).words(),
+            figure(found.map(|f| f.residual)),
+            short(SAME_RESIDUAL),
+            figure(found.map(|f| f.factor)),
+        )
+    };
+    format!(
+        "Check     is {outgoing} = {light} x {surface}?\n{}{}",
+        line("Model", &sheet.model),
+        line("Measured", &sheet.measured)
+    )
 }
 
 /// The ranking as a table.

@@ -8,7 +8,10 @@ use egui::{
     pos2, vec2,
 };
 
-use super::picker::{self, Picker};
+use super::{
+    lights::column,
+    picker::{self, Picker},
+};
 use crate::{
     app::{
         Command,
@@ -109,9 +112,11 @@ impl CheckView {
                 ui.set_max_width(width);
                 if width >= WIDE * scale {
                     ui.columns(2, |columns| {
-                        verdicts(&mut columns[0], context, sheet);
-                        columns[0].add_space(6.0);
-                        ranking(&mut columns[0], context, sheet, room.y - 260.0 * scale);
+                        column(&mut columns[0], |ui| {
+                            verdicts(ui, context, sheet);
+                            ui.add_space(6.0);
+                            ranking(ui, context, sheet, room.y - 270.0 * scale);
+                        });
                         let height = (0.5 * room.y - 12.0).max(240.0 * scale);
                         for (chart, id) in built.charts.iter().zip(["model", "measured"]) {
                             let size = vec2(columns[1].available_width(), height);

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use eframe::egui;
 use egui::{
-    Align2, Button, ComboBox, Rect, RichText, ScrollArea, Sense, Slider, Stroke, TextStyle, Ui,
-    Vec2, pos2, vec2,
+    Align, Align2, Button, ComboBox, CornerRadius, Layout, Rect, RichText, ScrollArea, Sense,
+    Slider, Stroke, TextStyle, Ui, Vec2, pos2, vec2,
 };
 
 use super::picker::{self, Picker};
@@ -134,14 +134,20 @@ impl LightsView {
                 let width = ui.available_width() - 10.0;
                 ui.set_max_width(width);
                 if width >= WIDE * scale {
-                    let chart = (0.5 * room.y - 150.0 * scale).clamp(180.0, 420.0) * scale;
+                    let chart =
+                        (0.5 * (room.y - 400.0 * scale)).clamp(180.0 * scale, 400.0 * scale);
+                    let lights = (room.y - 250.0 * scale).clamp(chart, 520.0 * scale);
                     ui.columns(2, |columns| {
-                        patches(&mut columns[0], context, built, sheet);
-                        columns[0].add_space(6.0);
-                        spectra(&mut columns[0], context, built, chart + 60.0 * scale);
-                        made_section(&mut columns[1], context, sheet, made, chart);
-                        columns[1].add_space(6.0);
-                        found_section(&mut columns[1], context, sheet, found, chart);
+                        column(&mut columns[0], |ui| {
+                            patches(ui, context, built, sheet);
+                            ui.add_space(6.0);
+                            spectra(ui, context, built, lights);
+                        });
+                        column(&mut columns[1], |ui| {
+                            made_section(ui, context, sheet, made, chart);
+                            ui.add_space(6.0);
+                            found_section(ui, context, sheet, found, chart);
+                        });
                     });
                 } else {
                     let chart = (0.34 * room.y).clamp(170.0 * scale, 240.0 * scale);
@@ -219,6 +225,11 @@ impl LightsView {
             pairs: pairs.clone(),
         });
     }
+}
+
+/// A column whose text is ragged: columns are justified otherwise.
+pub(super) fn column(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    ui.with_layout(Layout::top_down(Align::Min), add);
 }
 
 fn adaptation(context: &PageContext<'_>) -> Adaptation {
@@ -451,11 +462,19 @@ impl Field<'_> {
         let text = ui.text_style_height(&TextStyle::Small);
         let colours = rect.with_max_y(rect.bottom() - 2.0 * text - 2.0);
         let seam = (colours.top() + 0.7 * colours.height()).round();
-        let (upper, lower) = colours.split_top_bottom_at_y(seam);
-        for (part, pair) in [(upper, exact), (lower, model)] {
-            let [left, right] = pair.map(|s| swatch::colour(s.rgb8));
-            swatch::paint_split(ui, part, left, right);
-        }
+        let lower = colours.with_min_y(seam);
+        let [left, right] = exact.map(|s| swatch::colour(s.rgb8));
+        swatch::paint_split(ui, colours, left, right);
+        // No corners where the two parts meet: what differs is seen as a step.
+        let [left, right] = model.map(|s| swatch::colour(s.rgb8));
+        let (l, r) = lower.split_left_right_at_x(lower.center().x.round());
+        let corner = |sw, se| CornerRadius {
+            sw,
+            se,
+            ..CornerRadius::ZERO
+        };
+        ui.painter().rect_filled(l, corner(3, 0), left);
+        ui.painter().rect_filled(r, corner(0, 3), right);
         for (side, x) in [(0, rect.left() + 9.0), (1, rect.right() - 9.0)] {
             if !exact[side].in_gamut {
                 swatch::out_of_gamut_mark(ui, pos2(x, rect.top() + 8.0));
