@@ -9,6 +9,7 @@ use crate::{
     app::{
         Command,
         cells::{line, number, words},
+        derived::Derived,
         document::Document,
         entry::Entry,
         report::settings_json,
@@ -31,6 +32,8 @@ pub struct CheckSheet {
     pub models: Arc<[Composite; 2]>,
     /// Numbers of the two models.
     pub numbers: [usize; 2],
+    /// What the two models leave out themselves: relative RMS behind a 10 nm blur.
+    pub left_out: [f64; 2],
     /// The check in the model's numbers; `None` when one of the spectra is dark.
     pub model: Option<Compared>,
     /// The check on measured curves.
@@ -52,27 +55,32 @@ impl CheckSheet {
     pub fn against(app: &App, surface: &[f64], outgoing: &Arc<Entry>) -> Self {
         let lit = Lit::of(app);
         let band = lit.band();
-        let (found, found_model) = modelled(app, &lit, outgoing);
+        let found = modelled(app, &lit, outgoing);
         let light = &lit.derived;
+        let left_out = |of: &Derived| of.errors.map_or(0.0, |e| e.relative_rms_10nm);
         let light_name = app.document().light.name().to_owned();
         Self {
             band,
             names: [light_name, String::new(), outgoing.name().to_owned()],
-            model: Checker::new(&light.model, &found_model).against(surface),
-            measured: measured_check(band, &light.measured, surface, &found),
-            numbers: [light.model.numbers(), found_model.numbers()],
-            models: Arc::new([light.model.clone(), found_model]),
+            model: Checker::new(&light.model, &found.model).against(surface),
+            measured: measured_check(band, &light.measured, surface, &found.measured),
+            numbers: [light.model.numbers(), found.model.numbers()],
+            left_out: [left_out(light), left_out(&found)],
+            models: Arc::new([light.model.clone(), found.model]),
         }
     }
 
     /// The verdict in the model's numbers.
     pub fn verdict(&self) -> Sameness {
-        Sameness::of(self.model.as_ref().map(|c| c.reflection))
+        Sameness::of(
+            self.model.as_ref().map(|c| c.reflection),
+            self.left_out.iter().sum(),
+        )
     }
 
     /// The verdict on measured curves.
     pub fn measured_verdict(&self) -> Sameness {
-        Sameness::of(self.measured.as_ref().map(|c| c.reflection))
+        Sameness::of(self.measured.as_ref().map(|c| c.reflection), 0.0)
     }
 
     /// What a search for the best surface would ask.
@@ -81,6 +89,7 @@ impl CheckSheet {
         Some(RankAsk {
             measured: [Same(document.light.clone()), Same(outgoing)],
             models: self.models.clone(),
+            left_out: self.left_out.iter().sum(),
             band: self.band,
             observer: document.settings.observer,
             group: (!everywhere).then(|| document.patch_set.clone()),
@@ -90,19 +99,21 @@ impl CheckSheet {
 
 /// The check as JSON; the keys are stable, a number that does not exist is `null`.
 pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
-    let of = |compared: &Option<Compared>| {
+    let of = |compared: &Option<Compared>, verdict: Sameness| {
         let found = compared.as_ref().map(|c| c.reflection);
         json!({
             "residual": found.map(|f| f.residual),
             "threshold": SAME_RESIDUAL,
-            "verdict": Sameness::of(found).words(),
+            "verdict": verdict.words(),
             "factor": found.map(|f| f.factor),
         })
     };
-    let mut value = of(&sheet.model);
+    let mut value = of(&sheet.model, sheet.verdict());
+    let measured = of(&sheet.measured, sheet.measured_verdict());
     if let Value::Object(all) = &mut value {
         let light = &app.document().light.spectrum;
-        all.insert("measured".to_owned(), of(&sheet.measured));
+        all.insert("left_out".to_owned(), json!(sheet.left_out));
+        all.insert("measured".to_owned(), measured);
         all.insert(
             "light".to_owned(),
             json!({ "name": light.name, "source": light.source }),
@@ -118,13 +129,13 @@ pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
 /// The check for people.
 pub fn check_text(sheet: &CheckSheet) -> String {
     let [light, surface, outgoing] = &sheet.names;
-    let line = |what: &str, compared: &Option<Compared>| {
+    let line = |what: &str, compared: &Option<Compared>, verdict: Sameness| {
         let found = compared.as_ref().map(|c| c.reflection);
         let figure =
             |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
         format!(
             "{what:<9} {}: residual {} (holds up to {}), factor {}\n",
-            Sameness::of(found).words(),
+            verdict.words(),
             figure(found.map(|f| f.residual)),
             short(SAME_RESIDUAL),
             figure(found.map(|f| f.factor)),
@@ -132,8 +143,8 @@ pub fn check_text(sheet: &CheckSheet) -> String {
     };
     format!(
         "Check     is {outgoing} = {light} x {surface}?\n{}{}",
-        line("Model", &sheet.model),
-        line("Measured", &sheet.measured)
+        line("Model", &sheet.model, sheet.verdict()),
+        line("Measured", &sheet.measured, sheet.measured_verdict())
     )
 }
 
@@ -154,7 +165,7 @@ pub fn ranking_csv(names: &[String; 3], ranked: &[Ranked]) -> String {
             words(&r.key),
             number(r.model.map(|m| m.residual)),
             number(r.model.map(|m| m.factor)),
-            Sameness::of(r.model).words().to_owned(),
+            r.verdict.words().to_owned(),
             number(r.measured.map(|m| m.residual)),
             number(r.measured.map(|m| m.factor)),
         ]);

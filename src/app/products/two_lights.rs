@@ -6,6 +6,7 @@ use super::Lit;
 use crate::{
     app::{
         cells::{line, number, words},
+        derived::Derived,
         document::{Document, Subject},
         entry::Entry,
         state::{App, derive},
@@ -13,7 +14,7 @@ use crate::{
         ticks::short,
     },
     color::{Adaptation, Swatch, delta_e_2000},
-    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled},
+    spectrum::{Band, Kind, NamedSpectrum, Sampled},
     study::products::{Black, TwoLights, black_of, two_lights, two_modelled_lights},
 };
 
@@ -38,15 +39,14 @@ pub struct LightsSheet {
     pub seen: [Vec<f64>; 3],
 }
 
-/// A light that is not the document's own, as its settings model it: values on the grid and model.
-pub fn modelled(app: &App, lit: &Lit, light: &Arc<Entry>) -> (Vec<f64>, Composite) {
+/// A light that is not the document's own, as its settings model it.
+pub fn modelled(app: &App, lit: &Lit, light: &Arc<Entry>) -> Derived {
     let document = Document {
         light: light.clone(),
         subject: Subject::Light,
         ..app.document().clone()
     };
-    let derived = derive(&document, &lit.tables);
-    (derived.measured, derived.model)
+    derive(&document, &lit.tables)
 }
 
 impl LightsSheet {
@@ -56,12 +56,12 @@ impl LightsSheet {
         let other = document.products.other_light.as_ref()?;
         let lit = Lit::of(app);
         let band = lit.band();
-        let (second, second_model) = modelled(app, &lit, other);
-        let values = [lit.derived.measured.clone(), second];
+        let second = modelled(app, &lit, other);
+        let values = [lit.derived.measured.clone(), second.measured];
         let (names, surfaces) = reflectances(&document.patch_set, band);
         let seen = lit.tables.viewing.weights.clone();
         let lights = [&values[0][..], &values[1][..]];
-        let models = [&lit.derived.model, &second_model];
+        let models = [&lit.derived.model, &second.model];
         Some(Self {
             band,
             lights: [document.light.name().to_owned(), other.name().to_owned()],
@@ -157,8 +157,8 @@ impl NoMetamer {
                 "One of the lights is not seen on this range, so every surface matches every other."
             }
             Self::NoRoom => {
-                "There is no room: the patch touches 0 or 1 where the black would take it below or \
-                 above."
+                "There is no room: the patch touches 0 or 1 where a black would take it beyond, or \
+                 the light has too little colour on this range to have a black."
             }
         }
     }

@@ -11,7 +11,7 @@ use crate::{
     study::{
         Progress,
         products::{
-            Checker, Metamers, Reflection, TwoLights,
+            Checker, Metamers, Reflection, Sameness, TwoLights,
             lights::{MATCH_DELTA_E, metameric_pairs_unless_cancelled},
             measured_check, two_lights,
         },
@@ -135,6 +135,8 @@ pub struct RankAsk {
     pub measured: [Same; 2],
     /// The same in the model's numbers.
     pub models: Arc<[Composite; 2]>,
+    /// What the two models leave out themselves, as [`Sameness::of`] takes it.
+    pub left_out: f64,
     /// The range.
     pub band: Band,
     /// Whose colour-matching functions, for the swatches.
@@ -154,6 +156,8 @@ pub struct Ranked {
     pub swatch: Swatch,
     /// The check in the model's numbers.
     pub model: Option<Reflection>,
+    /// Its verdict.
+    pub verdict: Sameness,
     /// The check on measured curves.
     pub measured: Option<Reflection>,
 }
@@ -183,9 +187,11 @@ impl RankAsk {
                 .map(|(l, r)| l * r)
                 .collect();
             let measured = measured_check(band, &light, &surface.values, &outgoing);
+            let model = checker.against(&surface.values).map(|c| c.reflection);
             ranked.push(Ranked {
                 swatch: Swatch::of_patch(weigh(&lit), white, Adaptation::None),
-                model: checker.against(&surface.values).map(|c| c.reflection),
+                verdict: Sameness::of(model, self.left_out),
+                model,
                 measured: measured.map(|c| c.reflection),
                 key: surface.key,
                 name: surface.name,

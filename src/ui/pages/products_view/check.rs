@@ -306,7 +306,15 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &CheckSheet) {
     let sentence = match verdict {
         Sameness::Holds => format!("{outgoing} can be {light} off {surface}."),
         Sameness::DoesNotHold => format!("{outgoing} is not {light} off {surface}."),
-        Sameness::Unknown => "One of the spectra is dark on this range.".to_owned(),
+        Sameness::Unknown if sheet.model.is_none() => {
+            "One of the spectra is dark on this range.".to_owned()
+        }
+        Sameness::Unknown => format!(
+            "The models are too short to tell: behind 10 nm they leave out {:.1} % of S1 and {:.1} \
+             % of S3 themselves. More numbers may decide.",
+            100.0 * sheet.left_out[0],
+            100.0 * sheet.left_out[1]
+        ),
     };
     Frame::new()
         .fill(ui.visuals().faint_bg_color)
@@ -326,7 +334,7 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &CheckSheet) {
                         ("", ""),
                         ("residual", RESIDUAL_MEANS),
                         ("factor", FACTOR_MEANS),
-                        ("verdict", "Up to the threshold it holds."),
+                        ("verdict", "Up to the threshold it holds; see below."),
                     ] {
                         let label = ui.label(RichText::new(head).small());
                         if !meaning.is_empty() {
@@ -356,8 +364,9 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &CheckSheet) {
                     }
                 });
             ui.weak(format!(
-                "It holds up to a residual of {}. In tests with shipped lights off shipped \
-                 surfaces 95 of 100 right surfaces stayed below it, and 2 of 100 wrong ones.",
+                "It holds up to a residual of {}, and does not hold beyond that plus what the models \
+                 leave out themselves. In tests with shipped lights off shipped surfaces 95 of 100 \
+                 right surfaces stayed below it, and 2 of 100 wrong ones.",
                 short(SAME_RESIDUAL)
             ));
         });
@@ -430,13 +439,16 @@ fn ranking(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &CheckSheet, heigh
     else {
         return;
     };
-    let holding = ranked
-        .iter()
-        .filter(|r| Sameness::of(r.model) == Sameness::Holds)
-        .count();
+    let count = |verdict: Sameness| ranked.iter().filter(|r| r.verdict == verdict).count();
+    let (holding, open) = (count(Sameness::Holds), count(Sameness::Unknown));
     ui.label(format!(
-        "In the model's numbers {holding} of {} hold{}",
+        "In the model's numbers {holding} of {} hold{}{}",
         ranked.len(),
+        if open > 0 {
+            format!(", of {open} it cannot be said")
+        } else {
+            String::new()
+        },
         if 3 * holding > ranked.len() {
             ": this light tells surfaces badly apart."
         } else {
@@ -498,7 +510,7 @@ fn rank_head(ui: &mut Ui, width: f32) {
 }
 
 fn rank_row(ui: &mut Ui, size: Vec2, ranked: &Ranked, index: usize, chosen: bool) -> bool {
-    let verdict = Sameness::of(ranked.model);
+    let verdict = ranked.verdict;
     let residual = figure(ranked.model.map(|m| m.residual));
     let measured = figure(ranked.measured.map(|m| m.residual));
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());

@@ -97,6 +97,8 @@ struct MadeBuilt {
 /// The pairs found: swatches of all surfaces and the chosen pair's chart.
 struct FoundBuilt {
     pairs: Arc<Pairs>,
+    /// The lights that they were found under.
+    lights: [String; 2],
     of: (Adaptation, plot_svg::Theme, usize),
     swatches: Vec<[Swatch; 2]>,
     chart: Option<Chart>,
@@ -146,7 +148,7 @@ impl LightsView {
                         column(&mut columns[1], |ui| {
                             made_section(ui, context, sheet, made, chart);
                             ui.add_space(6.0);
-                            found_section(ui, context, sheet, found, chart);
+                            found_section(ui, context, found, chart);
                         });
                     });
                 } else {
@@ -157,7 +159,7 @@ impl LightsView {
                     ui.add_space(6.0);
                     made_section(ui, context, sheet, made, chart);
                     ui.add_space(6.0);
-                    found_section(ui, context, sheet, found, chart);
+                    found_section(ui, context, found, chart);
                 }
             });
     }
@@ -218,6 +220,7 @@ impl LightsView {
         self.found = Some(FoundBuilt {
             of,
             swatches: swatches(&pairs.both, of.0),
+            lights: [0, 1].map(|i| ask.lights[i].0.name().to_owned()),
             chart: pair.map(|pair| {
                 let pair = pair.pair.map(|i| &pairs.surfaces[i]);
                 pair_chart(context.app, ask.band, pair, of.1)
@@ -603,14 +606,13 @@ fn made_section(
 fn found_section(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    sheet: &LightsSheet,
     found: &Option<FoundBuilt>,
     height: f32,
 ) {
     let csv = || {
         found
             .as_ref()
-            .map_or_else(String::new, |found| pairs_csv(&sheet.lights, &found.pairs))
+            .map_or_else(String::new, |found| pairs_csv(&found.lights, &found.pairs))
     };
     title(ui, "Metamers found", Some((names::COPY_PAIRS, &csv)));
     ui.horizontal_wrapped(|ui| {
@@ -633,11 +635,12 @@ fn found_section(
             progress(ui, &mut context.studies.surfaces.pairs, "The pairs");
         }
     });
-    let Some(found) = found else {
+    let possible = context.studies.surfaces.pairs.stage() != Stage::Impossible;
+    let Some(found) = found.as_ref().filter(|_| possible) else {
         return;
     };
     let pairs = &found.pairs.metamers.pairs;
-    let [first, second] = &sheet.lights;
+    let [first, second] = &found.lights;
     let Some(index) = found.pairs.metamers.index else {
         ui.label(format!(
             "No two of {} surfaces match under {first} (ΔE00 below {MATCH_DELTA_E}) without being \
@@ -665,14 +668,13 @@ fn found_section(
     let mut clicked = None;
     let rows = pairs.len().min(PAIR_ROWS) as f32;
     let width = ui.available_width();
-    pair_head(ui, width, sheet);
+    pair_head(ui, width, &found.lights);
     ScrollArea::vertical()
         .id_salt("pairs")
         .max_height(rows * size)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            ui.style_mut().spacing.item_spacing.y = 0.0;
             ui.set_width(width);
             let height = size;
             let all = pairs.len();
@@ -703,7 +705,7 @@ fn found_section(
 /// their figures.
 const COLUMNS: [f32; 5] = [0.0, 0.58, 0.69, 0.79, 0.90];
 
-fn pair_head(ui: &mut Ui, width: f32, sheet: &LightsSheet) {
+fn pair_head(ui: &mut Ui, width: f32, lights: &[String; 2]) {
     let height = ui.text_style_height(&TextStyle::Small) + 3.0;
     let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
     let font = TextStyle::Small.resolve(ui.style());
@@ -720,7 +722,7 @@ fn pair_head(ui: &mut Ui, width: f32, sheet: &LightsSheet) {
     response.on_hover_text(format!(
         "Each pair side by side under {} and under {}, with its CIEDE2000 there; those that part \
          most stand first.",
-        sheet.lights[0], sheet.lights[1]
+        lights[0], lights[1]
     ));
 }
 
@@ -730,7 +732,7 @@ fn pair_row(ui: &mut Ui, size: Vec2, found: &FoundBuilt, index: usize) -> bool {
     let names = pair.pair.map(|i| &found.pairs.surfaces[i]);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let said = format!(
-        "{} and {}: {:.2} under the first light, {:.2} under the second",
+        "Pair: {} and {}, {:.2} under the first light, {:.2} under the second",
         names[0].name, names[1].name, pair.delta_e_2000[0], pair.delta_e_2000[1]
     );
     response.widget_info(|| {
