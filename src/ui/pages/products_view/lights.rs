@@ -585,15 +585,12 @@ fn made_section(
     };
     let scale = context.theme.scale;
     ui.horizontal_wrapped(|ui| {
-        for i in 0..2 {
+        for (i, light) in sheet.lights.iter().enumerate() {
             let size = vec2(74.0, 26.0) * scale;
-            let name = format!("Patch and metamer under {}", sheet.lights[i]);
+            let name = format!("Patch and metamer under {light}");
             swatch::split(ui, size, &shown[0][i], &shown[1][i], &name)
                 .on_hover_text(format!("{name}: left the patch, right the metamer."));
-            ui.label(format!(
-                "ΔE00 {:.2} under {}",
-                made.delta_e_2000[i], sheet.lights[i]
-            ));
+            ui.label(format!("ΔE00 {:.2} under {light}", made.delta_e_2000[i]));
             ui.add_space(8.0);
         }
     });
