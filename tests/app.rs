@@ -28,7 +28,7 @@ use spectral_explorer::{
         plot_svg::Theme,
         products::{
             Link, Part, Products, ProductsMemory,
-            memory::{AbsorptionMemory, ChainMemory, LightsMemory, NarrowMemory},
+            memory::{AbsorptionMemory, ChainMemory, CheckMemory, LightsMemory, NarrowMemory},
         },
         report,
         settings::{Detector, ORDERS},
@@ -1281,7 +1281,16 @@ fn full_preferences() -> Preferences {
                     width_nm: 20.0,
                     filter: Some(RED.to_owned()),
                 },
-                lights: LightsMemory { patch: 3, pair: 2 },
+                lights: LightsMemory {
+                    patch: 3,
+                    pair: 2,
+                    everywhere: false,
+                    room_percent: -40,
+                },
+                check: CheckMemory {
+                    everywhere: false,
+                    twice: true,
+                },
                 absorption: AbsorptionMemory { example: 1 },
             },
         },

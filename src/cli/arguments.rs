@@ -172,6 +172,10 @@ pub struct Product {
     /// Instead of factors a group of presets (tm30_ces99_5nm): each alone, and their spread.
     #[arg(long, value_name = "GROUP")]
     pub set: Option<String>,
+    /// Instead of the product: whether this spectrum is the light off the factors, up to a
+    /// factor, in the model's numbers. A file, a preset's name or group/name.
+    #[arg(long, value_name = "OUTGOING")]
+    pub check: Option<String>,
     /// What the files among the factors are: reflectance or transmittance
     /// [default: as each file says].
     #[arg(long, value_name = "KIND", value_parser = words::factor_kind)]

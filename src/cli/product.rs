@@ -9,7 +9,13 @@ use super::{
     subject::{self, light},
 };
 use crate::{
-    app::{App, Entry, library::Library, open, product_report, studies::about::reflectances},
+    app::{
+        App, Entry,
+        library::Library,
+        open, product_report,
+        products::same_surface::{CheckSheet, check_json, check_text},
+        studies::about::reflectances,
+    },
     io::error::quoted,
     spectrum::{Factor, Kind},
 };
@@ -24,10 +30,16 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
         light: light_name,
         factors,
         set,
+        check,
         kind,
         model,
         json,
     } = options;
+    if set.is_some() && check.is_some() {
+        return Err(Refusal::Usage(
+            "--check: found --set too, expected FACTORs".to_owned(),
+        ));
+    }
     let text = match (&factors[..], set) {
         ([], None) => {
             return Err(Refusal::Usage(
@@ -51,6 +63,10 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
                 .collect::<Result<_, _>>()?;
             let app = subject::about_light(light("LIGHT", light_name)?, *model);
             let names: Vec<String> = entries.iter().map(|e| e.name().to_owned()).collect();
+            if let Some(outgoing) = check {
+                let outgoing = light("--check", outgoing)?;
+                return print(out, &of_check(&app, &entries, &names, outgoing, *json));
+            }
             let factors: Vec<Factor> = entries
                 .iter()
                 .map(|entry| product_report::factor_of_entry(&app, entry))
@@ -71,6 +87,24 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
         }
     };
     print(out, &text)
+}
+
+/// The reflection check; several factors are one surface after the other.
+fn of_check(app: &App, factors: &[Entry], names: &[String], found: Entry, json: bool) -> String {
+    let band = app.document().settings.band;
+    let mut surface = vec![1.0; band.points()];
+    for factor in factors {
+        for (s, f) in surface.iter_mut().zip(factor.on_band(band)) {
+            *s *= f;
+        }
+    }
+    let mut sheet = CheckSheet::against(app, &surface, &found.into());
+    sheet.names[1] = names.join(", ");
+    if json {
+        format!("{:#}\n", check_json(app, names, &sheet))
+    } else {
+        check_text(&sheet)
+    }
 }
 
 fn of_set(app: &App, group: &str, json: bool) -> String {

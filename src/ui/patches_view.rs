@@ -160,7 +160,7 @@ fn delta_words(delta: f64, worst: bool) -> String {
 }
 
 /// A patch set's short title for the menu.
-fn set_title(id: &str) -> String {
+pub(super) fn set_title(id: &str) -> String {
     let known = match id {
         "colorchecker_ohta" => "ColorChecker 24",
         "tm30_ces99_5nm" => "TM-30, 99 samples",

@@ -87,6 +87,8 @@ pub struct ProductsMemory {
     pub narrow: NarrowMemory,
     /// Two lights.
     pub lights: LightsMemory,
+    /// Same surface?
+    pub check: CheckMemory,
     /// Absorption.
     pub absorption: AbsorptionMemory,
 }
@@ -97,6 +99,7 @@ impl ProductsMemory {
     pub fn clamped(self) -> Self {
         Self {
             narrow: self.narrow.clamped(),
+            lights: self.lights.clamped(),
             ..self
         }
     }
@@ -156,13 +159,61 @@ impl NarrowMemory {
 }
 
 /// What the comparison of two lights remembers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct LightsMemory {
     /// The patch whose metamer is made.
     pub patch: usize,
     /// The pair that is drawn.
     pub pair: usize,
+    /// Pairs are looked for among all shipped reflectances, not the patches alone.
+    pub everywhere: bool,
+    /// Part of the room that the metameric black takes, percent; below 0 the other way.
+    pub room_percent: i32,
+}
+
+impl Default for LightsMemory {
+    fn default() -> Self {
+        Self {
+            patch: 0,
+            pair: 0,
+            everywhere: true,
+            room_percent: *ROOM_PERCENT.end(),
+        }
+    }
+}
+
+/// Parts of the room that may be asked for, percent.
+pub const ROOM_PERCENT: std::ops::RangeInclusive<i32> = -100..=100;
+
+impl LightsMemory {
+    fn clamped(self) -> Self {
+        Self {
+            room_percent: self
+                .room_percent
+                .clamp(*ROOM_PERCENT.start(), *ROOM_PERCENT.end()),
+            ..self
+        }
+    }
+}
+
+/// What the check remembers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct CheckMemory {
+    /// The best surface is looked for among all shipped reflectances, not the patches alone.
+    pub everywhere: bool,
+    /// The example's light meets its surface twice.
+    pub twice: bool,
+}
+
+impl Default for CheckMemory {
+    fn default() -> Self {
+        Self {
+            everywhere: true,
+            twice: false,
+        }
+    }
 }
 
 /// What the absorption part remembers.

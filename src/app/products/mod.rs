@@ -2,6 +2,8 @@
 
 pub mod lit;
 pub mod memory;
+pub mod same_surface;
+pub mod two_lights;
 
 use std::sync::Arc;
 

@@ -5,11 +5,13 @@ pub mod about;
 pub mod field;
 pub mod job;
 pub mod paper;
+pub mod surfaces;
 pub mod take;
 
 pub use about::{About, Same};
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake};
+pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
 use super::{document::Document, pages::FieldChoice, tables::CURVE_ORDER};
@@ -129,6 +131,8 @@ pub struct Studies {
     pub spend: Job<AuctionAsk, Auction>,
     /// The race.
     pub race: Job<RaceAsk, Race>,
+    /// Searches of the library's surfaces.
+    pub surfaces: Surfaces,
 }
 
 impl Studies {
@@ -139,11 +143,13 @@ impl Studies {
             auction,
             spend,
             race,
+            surfaces,
         } = self;
         sweep.take_in();
         auction.take_in();
         spend.take_in();
         race.take_in();
+        surfaces.take_in();
     }
 
     /// Whether anything is being computed.
@@ -153,8 +159,13 @@ impl Studies {
             auction,
             spend,
             race,
+            surfaces,
         } = self;
-        sweep.is_running() || auction.is_running() || spend.is_running() || race.is_running()
+        sweep.is_running()
+            || auction.is_running()
+            || spend.is_running()
+            || race.is_running()
+            || surfaces.is_running()
     }
 
     /// Waits for everything.
@@ -164,10 +175,12 @@ impl Studies {
             auction,
             spend,
             race,
+            surfaces,
         } = self;
         sweep.finish();
         auction.finish();
         spend.finish();
         race.finish();
+        surfaces.finish();
     }
 }

@@ -7,6 +7,7 @@
 //! on both. Both are compared behind a 10 nm blur up to a factor: how much of the light goes which
 //! way is geometry and says nothing about the surface.
 
+use super::multiplied;
 use crate::{
     spectrum::{Band, BasisTable, Composite, Sampling, Series, Spike, product::resampled},
     study::error::{BLUR_NM, Blur, height, spikes_times, times},
@@ -36,7 +37,109 @@ impl Reflection {
     }
 }
 
-/// Tests `outgoing = light x reflectance` (reflectance on the band's grid).
+/// What the check says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sameness {
+    /// The spectrum is the light off the surface.
+    Holds,
+    /// It is not.
+    DoesNotHold,
+    /// The models are too short to tell, or there is no light to compare.
+    Unknown,
+}
+
+impl Sameness {
+    /// The verdict on a check, or on none.
+    ///
+    /// `left_out` is what the models of light and outgoing spectrum leave out themselves: the sum
+    /// of their relative RMS errors behind the same blur, 0 for measured curves. A residual that
+    /// is above the threshold by no more than that may come from the models alone.
+    pub fn of(check: Option<Reflection>, left_out: f64) -> Self {
+        match check {
+            Some(check) if check.holds() => Self::Holds,
+            Some(check) if check.factor > 0.0 && check.residual - left_out <= SAME_RESIDUAL => {
+                Self::Unknown
+            }
+            Some(_) => Self::DoesNotHold,
+            None => Self::Unknown,
+        }
+    }
+
+    /// In words, as they also stand in JSON.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::DoesNotHold => "does not hold",
+            Self::Unknown => "cannot be said",
+        }
+    }
+
+    /// A sign that goes before the words.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::Holds => "✔",
+            Self::DoesNotHold => "✘",
+            Self::Unknown => "?",
+        }
+    }
+}
+
+/// The two curves that were compared and what came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// Residual and factor.
+    pub reflection: Reflection,
+    /// Light times surface behind the blur, times the factor, on the grid. Both curves are in
+    /// shares of the largest value of the outgoing spectrum.
+    pub expected: Vec<f64>,
+    /// The outgoing spectrum behind the blur.
+    pub found: Vec<f64>,
+}
+
+/// A light and an outgoing spectrum in the model's numbers, ready for any surface.
+#[derive(Clone, Debug)]
+pub struct Checker<'a> {
+    light: &'a Composite,
+    outgoing: &'a Composite,
+    table: BasisTable,
+    blur: Blur,
+}
+
+impl<'a> Checker<'a> {
+    /// Both composites share band and basis.
+    pub fn new(light: &'a Composite, outgoing: &'a Composite) -> Self {
+        let (band, numbers) = (light.band(), light.smooth.coefficients.len());
+        Self {
+            light,
+            outgoing,
+            table: BasisTable::new(band, light.smooth.basis, numbers),
+            blur: Blur::new(band, BLUR_NM),
+        }
+    }
+
+    /// Tests `outgoing = light x reflectance` (reflectance on the band's grid); `None` when one
+    /// of them is dark.
+    ///
+    /// # Panics
+    /// When `reflectance` does not have [`Band::points`] values.
+    pub fn against(&self, reflectance: &[f64]) -> Option<Compared> {
+        let (light, outgoing) = (self.light, self.outgoing);
+        let surface = Series {
+            coefficients: self.table.project(reflectance, self.table.numbers()),
+            ..light.smooth.clone()
+        };
+        let product = resampled(light, &surface, Sampling::Double);
+        let product = Composite {
+            smooth: product.smooth.truncated(outgoing.smooth.coefficients.len()),
+            ..product
+        };
+        let expected = blurred(&self.blur, &shared_lines(&product, outgoing))?;
+        let found = blurred(&self.blur, &shared_lines(outgoing, &product))?;
+        compared(light.band(), expected, found)
+    }
+}
+
+/// Tests `outgoing = light x reflectance` in the model's numbers.
 ///
 /// Both composites share band and basis. `None` when one of them is dark.
 ///
@@ -47,34 +150,48 @@ pub fn reflection_check(
     reflectance: &[f64],
     outgoing: &Composite,
 ) -> Option<Reflection> {
-    let band: Band = light.band();
-    let numbers = light.smooth.coefficients.len();
-    let table = BasisTable::new(band, light.smooth.basis, numbers);
-    let surface = Series {
-        coefficients: table.project(reflectance, numbers),
-        ..light.smooth.clone()
-    };
-    let product = resampled(light, &surface, Sampling::Double);
-    let product = Composite {
-        smooth: product.smooth.truncated(outgoing.smooth.coefficients.len()),
-        ..product
-    };
+    let compared = Checker::new(light, outgoing).against(reflectance)?;
+    Some(compared.reflection)
+}
+
+/// The same test on measured curves on the band's grid, behind the same blur.
+///
+/// `None` when one of them is dark.
+pub fn measured_check(
+    band: Band,
+    light: &[f64],
+    reflectance: &[f64],
+    outgoing: &[f64],
+) -> Option<Compared> {
     let blur = Blur::new(band, BLUR_NM);
-    let (expected, expected_unit) = blurred(&blur, &shared_lines(&product, outgoing))?;
-    let (found, found_unit) = blurred(&blur, &shared_lines(outgoing, &product))?;
+    let one = |values: &[f64]| {
+        let unit = height(values)?;
+        Some((blur.values(&times(values, unit)), unit))
+    };
+    compared(band, one(&multiplied(light, reflectance))?, one(outgoing)?)
+}
+
+/// Finds the best factor between two curves, each given with what it was multiplied by.
+fn compared(
+    band: Band,
+    (expected, expected_unit): (Vec<f64>, f64),
+    (found, found_unit): (Vec<f64>, f64),
+) -> Option<Compared> {
     let (own, whole) = (band.inner(&expected, &expected), band.inner(&found, &found));
     let scale = band.inner(&expected, &found) / own;
-    let rest: Vec<f64> = found
-        .iter()
-        .zip(&expected)
-        .map(|(f, e)| f - scale * e)
-        .collect();
+    let expected = times(&expected, scale);
+    let rest: Vec<f64> = found.iter().zip(&expected).map(|(f, e)| f - e).collect();
     let reflection = Reflection {
         residual: (band.inner(&rest, &rest) / whole).sqrt(),
         // Both were brought to 1 at their highest.
         factor: scale * expected_unit / found_unit,
     };
-    (reflection.residual.is_finite() && reflection.factor.is_finite()).then_some(reflection)
+    let is_sound = reflection.residual.is_finite() && reflection.factor.is_finite();
+    is_sound.then_some(Compared {
+        reflection,
+        expected,
+        found,
+    })
 }
 
 /// Two spikes closer than this stand for the same line, nm: the detector's centroid moves with

@@ -3,7 +3,8 @@
 use super::{multiplied, xyz};
 use crate::{
     color::{Lab, Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz},
-    spectrum::{Band, Basis},
+    spectrum::{Band, Basis, Composite, Spike, product::weigh_spikes},
+    study::Progress,
 };
 
 /// Two surfaces with the same colour are one unless their curves differ by this much (root mean
@@ -62,11 +63,40 @@ pub fn two_lights(
     lights: [&[f64]; 2],
     seen: &[Vec<f64>; 3],
 ) -> Option<TwoLights> {
+    let lamps = lights.map(|light| (light, &[][..]));
+    under(band, surfaces, lamps, lights, seen)
+}
+
+/// The same surfaces under the lights' models; the whites are still those of the measured lights.
+///
+/// The spikes are carried exactly: weight times the surface where the line stands.
+pub fn two_modelled_lights(
+    band: Band,
+    surfaces: &[Vec<f64>],
+    models: [&Composite; 2],
+    lights: [&[f64]; 2],
+    seen: &[Vec<f64>; 3],
+) -> Option<TwoLights> {
+    let smooth = models.map(|model| model.smooth.on_band());
+    let lamps = [0, 1].map(|i| (&smooth[i][..], &models[i].spikes[..]));
+    under(band, surfaces, lamps, lights, seen)
+}
+
+/// Surfaces under two lamps, each a curve on the grid and spikes, against the whites of `lights`.
+fn under(
+    band: Band,
+    surfaces: &[Vec<f64>],
+    lamps: [(&[f64], &[Spike]); 2],
+    lights: [&[f64]; 2],
+    seen: &[Vec<f64>; 3],
+) -> Option<TwoLights> {
     let whites = lights.map(|light| xyz(band, light, &[], seen));
     let scaled = [whites[0].with_y(100.0)?, whites[1].with_y(100.0)?];
     let patches = surfaces.iter().map(|surface| {
         let colours = [0, 1].map(|i| {
-            let raw = xyz(band, &multiplied(lights[i], surface), &[], seen);
+            let (curve, spikes) = lamps[i];
+            let lines = weigh_spikes(spikes, |nm| band.interpolate(surface, nm));
+            let raw = xyz(band, &multiplied(curve, surface), &lines, seen);
             raw * (100.0 / whites[i].y)
         });
         let labs = [0, 1].map(|i| lab_from_xyz(colours[i], scaled[i]));
@@ -88,6 +118,12 @@ impl TwoLights {
         let sum: f64 = self.patches.iter().map(|p| p.delta_e_2000).sum();
         (!self.patches.is_empty()).then(|| sum / self.patches.len() as f64)
     }
+
+    /// Index of the surface that moves most; `None` without any.
+    pub fn worst(&self) -> Option<usize> {
+        let moves = self.patches.iter().map(|p| p.delta_e_2000).enumerate();
+        moves.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    }
 }
 
 /// Pairs of different surfaces closer than `match_delta_e` under the first light, the farthest
@@ -98,8 +134,27 @@ pub fn metameric_pairs(
     both: &TwoLights,
     match_delta_e: f64,
 ) -> Metamers {
+    metameric_pairs_unless_cancelled(band, surfaces, both, match_delta_e, &Progress::default())
+        .unwrap_or(Metamers {
+            pairs: Vec::new(),
+            index: None,
+        })
+}
+
+/// The same for many surfaces: a step of progress each; `None` when it was cancelled.
+pub fn metameric_pairs_unless_cancelled(
+    band: Band,
+    surfaces: &[Vec<f64>],
+    both: &TwoLights,
+    match_delta_e: f64,
+    progress: &Progress,
+) -> Option<Metamers> {
     let mut pairs = Vec::new();
     for (i, a) in both.patches.iter().enumerate() {
+        if progress.is_cancelled() {
+            return None;
+        }
+        progress.step();
         for (j, b) in both.patches.iter().enumerate().skip(i + 1) {
             // CIEDE2000 divides a difference of lightness by less than 2, so that this one alone
             // is beyond the match: no need for the whole formula.
@@ -122,10 +177,10 @@ pub fn metameric_pairs(
     }
     pairs.sort_by(|a, b| b.delta_e_2000[1].total_cmp(&a.delta_e_2000[1]));
     let sum: f64 = pairs.iter().map(|pair| pair.delta_e_2000[1]).sum();
-    Metamers {
+    Some(Metamers {
         index: (!pairs.is_empty()).then(|| sum / pairs.len() as f64),
         pairs,
-    }
+    })
 }
 
 fn rms_difference(band: Band, a: &[f64], b: &[f64]) -> f64 {
@@ -133,19 +188,55 @@ fn rms_difference(band: Band, a: &[f64], b: &[f64]) -> f64 {
     (band.inner(&rest, &rest) / band.length_nm()).sqrt()
 }
 
-/// A reflectance that matches another under a light, made by adding a metameric black.
+/// A curve that a light shows as nothing, and how much of it a surface has room for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Black {
+    /// The curve on the grid.
+    pub curve: Vec<f64>,
+    /// How many times it may be added before the sum leaves 0 to 1: down (not above 0) and up
+    /// (not below 0).
+    pub room: [f64; 2],
+}
+
+impl Black {
+    /// A surface with a share of the room used: -1 all the way down, 0 the surface itself, 1 all
+    /// the way up.
+    pub fn added(&self, surface: &[f64], share: f64) -> Vec<f64> {
+        let share = share.clamp(-1.0, 1.0);
+        let scale = if share < 0.0 {
+            -share * self.room[0]
+        } else {
+            share * self.room[1]
+        };
+        let sum = surface.iter().zip(&self.curve).map(|(r, b)| r + scale * b);
+        // Where it touches 0 or 1 the last bit may be on the other side.
+        sum.map(|v| v.clamp(0.0, 1.0)).collect()
+    }
+}
+
+/// A reflectance that matches another under a light, made by adding as much as there is room for
+/// of a metameric black.
 ///
-/// The black is the one combination of the first four half-range cosines (the lowest order that
-/// leaves any freedom) that the light shows as nothing: orthogonal to the three colour-matching
-/// functions times the light. It is scaled to the most, up or down, that keeps the sum within
-/// 0 to 1. `None` when there is no room (a surface that touches 0 or 1 where the black would
-/// leave), or the light is not seen on this band.
+/// The side with more room is taken. `None` when there is no room, or the light is not seen on
+/// this band.
 pub fn metameric_black(
     band: Band,
     surface: &[f64],
     light: &[f64],
     seen: &[Vec<f64>; 3],
 ) -> Option<Vec<f64>> {
+    let black = black_of(band, surface, light, seen)?;
+    let [down, up] = black.room;
+    Some(black.added(surface, if up >= -down { 1.0 } else { -1.0 }))
+}
+
+/// The metameric black of a light, with its room on a surface.
+///
+/// The black is the one combination of the first four half-range cosines (the lowest order that
+/// leaves any freedom) that the light shows as nothing: orthogonal to the three colour-matching
+/// functions times the light. `None` when there is no room (a surface that touches 0 or 1 where
+/// the black would leave), or the light is not seen on this band.
+pub fn black_of(band: Band, surface: &[f64], light: &[f64], seen: &[Vec<f64>; 3]) -> Option<Black> {
     let cosines: [Vec<f64>; 4] = std::array::from_fn(|k| {
         let function = |nm| Basis::Cosine.function(k, band, nm);
         band.grid().map(function).collect()
@@ -161,25 +252,23 @@ pub fn metameric_black(
         row.iter_mut().for_each(|v| *v /= length);
     }
     let shares = orthogonal_to(rows)?;
-    let mut black = vec![0.0; band.points()];
+    let mut curve = vec![0.0; band.points()];
     for (share, cosine) in shares.iter().zip(&cosines) {
-        for (b, c) in black.iter_mut().zip(cosine) {
+        for (b, c) in curve.iter_mut().zip(cosine) {
             *b += share * c;
         }
     }
     // How far the sum can go up and down the black before it leaves 0 to 1.
     let (mut down, mut up) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (r, b) in surface.iter().zip(&black).filter(|(_, b)| **b != 0.0) {
+    for (r, b) in surface.iter().zip(&curve).filter(|(_, b)| **b != 0.0) {
         let (to_0, to_1) = (-r / b, (1.0 - r) / b);
         down = down.max(to_0.min(to_1));
         up = up.min(to_0.max(to_1));
     }
-    let scale = if up >= -down { up } else { down };
-    let has_room = down <= 0.0 && up >= 0.0 && scale != 0.0 && scale.is_finite();
-    has_room.then(|| {
-        let sum = surface.iter().zip(&black).map(|(r, b)| r + scale * b);
-        // Where it touches 0 or 1 the last bit may be on the other side.
-        sum.map(|v| v.clamp(0.0, 1.0)).collect()
+    let is_sound = down <= 0.0 && up >= 0.0 && down.is_finite() && up.is_finite();
+    (is_sound && up > down).then_some(Black {
+        curve,
+        room: [down, up],
     })
 }
 

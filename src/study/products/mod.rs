@@ -18,9 +18,12 @@ pub mod lights;
 pub mod narrow;
 
 pub use chain::{Passage, Product, SetErrors, Step, Total};
-pub use check::{Reflection, reflection_check};
+pub use check::{Checker, Compared, Reflection, Sameness, measured_check, reflection_check};
 pub use growth::{Growth, growth};
-pub use lights::{MetamericPair, TwoLights, metameric_black, metameric_pairs, two_lights};
+pub use lights::{
+    Black, MetamericPair, Metamers, TwoLights, black_of, metameric_black, metameric_pairs,
+    two_lights, two_modelled_lights,
+};
 pub use narrow::{Narrow, NarrowPoint};
 
 use crate::{

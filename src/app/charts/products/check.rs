@@ -1,1 +1,59 @@
-//! Charts of the part "check" of the page "Products": the reflection check.
+//! The reflection check as a chart: what was expected and what was found, as they were compared.
+
+use crate::{
+    app::{
+        chart::{Inks, provenance},
+        plot_svg::{Chart, Dash, Panel, Series, Theme},
+        products::same_surface::CheckSheet,
+        state::App,
+    },
+    study::products::Compared,
+};
+
+/// One of the two checks; `what` says whose numbers were compared.
+pub fn check_chart(
+    app: &App,
+    sheet: &CheckSheet,
+    compared: &Compared,
+    what: &str,
+    theme: Theme,
+) -> Chart {
+    let inks = Inks::of(theme);
+    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
+        let grid = sheet.band.grid();
+        grid.zip(values).map(|(nm, v)| [nm, *v]).collect()
+    };
+    let Compared {
+        reflection,
+        expected,
+        found,
+    } = compared;
+    let rest: Vec<f64> = found.iter().zip(expected).map(|(f, e)| f - e).collect();
+    let [light, surface, outgoing] = &sheet.names;
+    Chart {
+        title: what.to_owned(),
+        x_label: "Wavelength (nm)".to_owned(),
+        y_label: "share of the largest value, behind 10 nm".to_owned(),
+        x_range: [sheet.band.min_nm(), sheet.band.max_nm()],
+        series: vec![
+            Series::line("found: S3", inks.measured, curve(found)),
+            Series::line("expected: S1 S2", inks.spikes, curve(expected)).dashed(Dash::Dashed),
+        ],
+        residual: Some(Panel {
+            y_label: "found - expected".to_owned(),
+            series: vec![Series::line("difference", inks.residual, curve(&rest))],
+            ..Panel::default()
+        }),
+        notes: {
+            let mut notes = vec![format!(
+                "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {:.4}; residual \
+                 {:.4}.",
+                reflection.factor, reflection.residual
+            )];
+            notes.extend(provenance(app));
+            notes
+        },
+        theme,
+        ..Chart::default()
+    }
+}

@@ -1,0 +1,223 @@
+//! The part `Same surface?` as figures: is this spectrum the light off that surface?
+
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+
+use super::{Lit, Products, two_lights::modelled};
+use crate::{
+    app::{
+        Command,
+        cells::{line, number, words},
+        derived::Derived,
+        document::Document,
+        entry::Entry,
+        report::settings_json,
+        state::App,
+        studies::{RankAsk, Same, surfaces::Ranked},
+        ticks::short,
+    },
+    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, chain::bounces},
+    study::products::{Checker, Compared, Sameness, check::SAME_RESIDUAL, measured_check},
+};
+
+/// A light, a surface and an outgoing spectrum compared.
+#[derive(Clone, Debug)]
+pub struct CheckSheet {
+    /// The grid.
+    pub band: Band,
+    /// Names of light, surface and outgoing spectrum.
+    pub names: [String; 3],
+    /// Light and outgoing spectrum in the model's numbers.
+    pub models: Arc<[Composite; 2]>,
+    /// Numbers of the two models.
+    pub numbers: [usize; 2],
+    /// What the two models leave out themselves: relative RMS behind a 10 nm blur.
+    pub left_out: [f64; 2],
+    /// The check in the model's numbers; `None` when one of the spectra is dark.
+    pub model: Option<Compared>,
+    /// The check on measured curves.
+    pub measured: Option<Compared>,
+}
+
+impl CheckSheet {
+    /// The check of a state; `None` without a surface or an outgoing spectrum.
+    pub fn of(app: &App) -> Option<Self> {
+        let document = app.document();
+        let surface = document.products.surface.as_ref()?;
+        let outgoing = document.products.outgoing.as_ref()?;
+        let mut sheet = Self::against(app, &surface.on_band(document.settings.band), outgoing);
+        sheet.names[1] = surface.name().to_owned();
+        Some(sheet)
+    }
+
+    /// The check of the state's light off any surface (on the band's grid).
+    pub fn against(app: &App, surface: &[f64], outgoing: &Arc<Entry>) -> Self {
+        let lit = Lit::of(app);
+        let band = lit.band();
+        let found = modelled(app, &lit, outgoing);
+        let light = &lit.derived;
+        let left_out = |of: &Derived| of.errors.map_or(0.0, |e| e.relative_rms_10nm);
+        let light_name = app.document().light.name().to_owned();
+        Self {
+            band,
+            names: [light_name, String::new(), outgoing.name().to_owned()],
+            model: Checker::new(&light.model, &found.model).against(surface),
+            measured: measured_check(band, &light.measured, surface, &found.measured),
+            numbers: [light.model.numbers(), found.model.numbers()],
+            left_out: [left_out(light), left_out(&found)],
+            models: Arc::new([light.model.clone(), found.model]),
+        }
+    }
+
+    /// The verdict in the model's numbers.
+    pub fn verdict(&self) -> Sameness {
+        Sameness::of(
+            self.model.as_ref().map(|c| c.reflection),
+            self.left_out.iter().sum(),
+        )
+    }
+
+    /// The verdict on measured curves.
+    pub fn measured_verdict(&self) -> Sameness {
+        Sameness::of(self.measured.as_ref().map(|c| c.reflection), 0.0)
+    }
+
+    /// What a search for the best surface would ask.
+    pub fn ranking(&self, document: &Document, everywhere: bool) -> Option<RankAsk> {
+        let outgoing = document.products.outgoing.clone()?;
+        Some(RankAsk {
+            measured: [Same(document.light.clone()), Same(outgoing)],
+            models: self.models.clone(),
+            left_out: self.left_out.iter().sum(),
+            band: self.band,
+            observer: document.settings.observer,
+            group: (!everywhere).then(|| document.patch_set.clone()),
+        })
+    }
+}
+
+/// The check as JSON; the keys are stable, a number that does not exist is `null`.
+pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
+    let of = |compared: &Option<Compared>, verdict: Sameness| {
+        let found = compared.as_ref().map(|c| c.reflection);
+        json!({
+            "residual": found.map(|f| f.residual),
+            "threshold": SAME_RESIDUAL,
+            "verdict": verdict.words(),
+            "factor": found.map(|f| f.factor),
+        })
+    };
+    let mut value = of(&sheet.model, sheet.verdict());
+    let measured = of(&sheet.measured, sheet.measured_verdict());
+    if let Value::Object(all) = &mut value {
+        let light = &app.document().light.spectrum;
+        all.insert("left_out".to_owned(), json!(sheet.left_out));
+        all.insert("measured".to_owned(), measured);
+        all.insert(
+            "light".to_owned(),
+            json!({ "name": light.name, "source": light.source }),
+        );
+        all.insert("factors".to_owned(), json!(factors));
+        all.insert("outgoing".to_owned(), json!({ "name": sheet.names[2] }));
+        all.insert("numbers".to_owned(), json!(sheet.numbers));
+        all.insert("settings".to_owned(), settings_json(app));
+    }
+    value
+}
+
+/// The check for people.
+pub fn check_text(sheet: &CheckSheet) -> String {
+    let [light, surface, outgoing] = &sheet.names;
+    let line = |what: &str, compared: &Option<Compared>, verdict: Sameness| {
+        let found = compared.as_ref().map(|c| c.reflection);
+        let figure =
+            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.4}"));
+        format!(
+            "{what:<9} {}: residual {} (holds up to {}), factor {}\n",
+            verdict.words(),
+            figure(found.map(|f| f.residual)),
+            short(SAME_RESIDUAL),
+            figure(found.map(|f| f.factor)),
+        )
+    };
+    format!(
+        "Check     is {outgoing} = {light} x {surface}?\n{}{}",
+        line("Model", &sheet.model, sheet.verdict()),
+        line("Measured", &sheet.measured, sheet.measured_verdict())
+    )
+}
+
+/// The ranking as a table.
+pub fn ranking_csv(names: &[String; 3], ranked: &[Ranked]) -> String {
+    let mut out = format!("# {} as {} off each surface\n", names[2], names[0]);
+    let heads = [
+        "surface",
+        "residual model",
+        "factor model",
+        "verdict",
+        "residual measured",
+        "factor measured",
+    ];
+    out += &line(heads.map(str::to_owned));
+    for r in ranked {
+        out += &line([
+            words(&r.key),
+            number(r.model.map(|m| m.residual)),
+            number(r.model.map(|m| m.factor)),
+            r.verdict.words().to_owned(),
+            number(r.measured.map(|m| m.residual)),
+            number(r.measured.map(|m| m.factor)),
+        ]);
+    }
+    out
+}
+
+/// The state's light off a surface, once or twice, as a spectrum of its own; `None` when there is
+/// nothing of it that could be kept.
+pub fn example(app: &App, surface: &Entry, twice: bool) -> Option<NamedSpectrum> {
+    let light = &app.document().light;
+    let table = &light.spectrum.samples;
+    // The light's own range, so that the example serves under another range of the model too.
+    let band = Band::new(table.first_nm().ceil(), table.last_nm().floor())
+        .unwrap_or(app.document().settings.band);
+    let count = if twice { 2 } else { 1 };
+    let shares = bounces(&surface.on_band(band), count);
+    let lit = light
+        .on_band(band)
+        .iter()
+        .zip(&shares)
+        .map(|(l, r)| l * r)
+        .collect();
+    let times = if twice { " twice" } else { "" };
+    let name = format!("{} off {}{times}", light.name(), surface.name());
+    Some(NamedSpectrum {
+        kind: Kind::Light,
+        unit: light.spectrum.unit.clone(),
+        scale: 1.0,
+        samples: Sampled::even(band.min_nm(), 1.0, lit).ok()?,
+        notes: vec![format!(
+            "Made as an example: {} ({}) times {} ({}){times}, at every nm.",
+            light.name(),
+            light.key,
+            surface.name(),
+            surface.key,
+        )],
+        source: format!("made from {} and {}", light.name(), surface.name()),
+        name,
+    })
+}
+
+/// Takes a spectrum in as the user's own and as the outgoing one, in one step of undo; the light
+/// stays what it is.
+pub fn take_as_outgoing(app: &App, spectrum: NamedSpectrum) -> Command {
+    let mut document = app.document().clone();
+    let entry = Arc::new(Entry::own(document.next_own, spectrum));
+    document.next_own = document.next_own.saturating_add(1);
+    document.own.push(entry.clone());
+    document.products = Products {
+        outgoing: Some(entry),
+        ..document.products
+    };
+    Command::Replace(Box::new(document))
+}
