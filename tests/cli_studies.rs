@@ -799,7 +799,11 @@ fn thickness_times_and_the_spectrum_of_a_file_stand_behind_a_factors_name() {
     }
     assert!((passes(&[GLASS, GLASS]) / thick - 1.0).abs() < 1e-12);
     let told = tell(&["product", "FL2", &format!("{GLASS}@3mm*2")]);
-    assert!(told.out.contains("2 mm, 3 mm thick, 2 times"), "{}", told.out);
+    assert!(
+        told.out.contains("2 mm, 3 mm thick, 2 times"),
+        "{}",
+        told.out
+    );
 
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("two@x3.csv");
@@ -846,7 +850,13 @@ fn a_light_that_is_zero_everywhere_is_refused_and_one_out_of_sight_says_so() {
         assert_eq!(code, 1);
         assert!(told.contains("found zero"), "{told}");
     }
-    let told = tell(&["product", "CIE A", "colorchecker_ohta/red", "--range", "800:830"]);
+    let told = tell(&[
+        "product",
+        "CIE A",
+        "colorchecker_ohta/red",
+        "--range",
+        "800:830",
+    ]);
     assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
     assert!(!told.out.contains("NaN"));
 }
@@ -870,7 +880,10 @@ fn dips_of_holmium_and_of_the_sun_are_named() {
     ]);
     let spikes = product["stages"][0]["spikes"].as_array().expect("spikes");
     let names: Vec<&str> = spikes.iter().filter_map(|s| s["name"].as_str()).collect();
-    assert!(names.iter().any(|name| name.starts_with("Ho ")), "{names:?}");
+    assert!(
+        names.iter().any(|name| name.starts_with("Ho ")),
+        "{names:?}"
+    );
 }
 
 #[test]

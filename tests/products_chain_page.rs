@@ -79,11 +79,14 @@ fn all_sorts() -> Vec<(&'static str, App)> {
         ("infrared", infrared),
         (
             "sun",
-            with(about("solar_astm_g173/ASTM G173-03 global tilt AM1.5G"), |s| {
-                s.dips = true;
-                s.threshold_percent = 0.1;
-                s.max_width_nm = 4.5;
-            }),
+            with(
+                about("solar_astm_g173/ASTM G173-03 global tilt AM1.5G"),
+                |s| {
+                    s.dips = true;
+                    s.threshold_percent = 0.1;
+                    s.max_width_nm = 4.5;
+                },
+            ),
         ),
     ]
 }
@@ -117,7 +120,10 @@ fn app<'a>(ui: &'a Harness<'_, Shown>) -> &'a App {
 
 fn order(ui: &Harness<'_, Shown>) -> Vec<String> {
     let chain = &app(ui).document().products.chain;
-    chain.iter().map(|link| link.entry.name().to_owned()).collect()
+    chain
+        .iter()
+        .map(|link| link.entry.name().to_owned())
+        .collect()
 }
 
 fn card(ui: &Harness<'_, Shown>, start: &str) -> egui::Rect {
@@ -174,7 +180,10 @@ fn a_card_is_dragged_below_another_and_undo_brings_it_back() {
     let (first, last) = (card(&ui, "Stage 1:"), card(&ui, "Stage 3:"));
     let from = pos2(first.left() + 12.0, first.top() + 14.0);
     drag(&mut ui, from, pos2(from.x, last.bottom() - 4.0));
-    assert_eq!(order(&ui), [&before[1], &before[2], &before[0]].map(Clone::clone));
+    assert_eq!(
+        order(&ui),
+        [&before[1], &before[2], &before[0]].map(Clone::clone)
+    );
     ui.state_mut().0.app.apply(Command::Undo);
     ui.run();
     assert_eq!(order(&ui), before);
@@ -206,7 +215,11 @@ fn arrows_move_a_stage_and_the_drawn_spectrum_goes_with_it() {
 
 #[test]
 fn a_glass_of_2_mm_is_typed_in_mm_and_bounces_in_times() {
-    let mut ui = open(chained(about("FL2"), &[GLASS]), Part::Chain, [1280.0, 800.0]);
+    let mut ui = open(
+        chained(about("FL2"), &[GLASS]),
+        Part::Chain,
+        [1280.0, 800.0],
+    );
     for (name, typed) in [("Thickness of stage 1", "5"), ("Bounces of stage 1", "3")] {
         ui.get_by_role_and_label(Role::SpinButton, name).click();
         ui.run();
@@ -223,9 +236,11 @@ fn a_glass_of_2_mm_is_typed_in_mm_and_bounces_in_times() {
 #[test]
 fn the_ways_of_forming_are_those_of_the_settings() {
     let mut ui = open(about("FL2"), Part::Chain, [1280.0, 800.0]);
-    ui.get_by_role_and_label(Role::ComboBox, chain::names::WAY).click();
+    ui.get_by_role_and_label(Role::ComboBox, chain::names::WAY)
+        .click();
     ui.run();
-    ui.get_by_role_and_label(Role::Button, "paper's points").click();
+    ui.get_by_role_and_label(Role::Button, "paper's points")
+        .click();
     ui.run();
     assert_eq!(app(&ui).document().settings.sampling, Sampling::Paper);
 }
@@ -237,7 +252,10 @@ fn stages_and_spikes_are_copied_as_tables() {
     let rows: Vec<&str> = stages.lines().filter(|l| !l.starts_with('#')).collect();
     assert_eq!(rows.len(), 1 + 1 + 2, "{stages}");
     let cells = rows[0].split(',').count();
-    assert!(rows.iter().all(|row| row.split(',').count() == cells), "{stages}");
+    assert!(
+        rows.iter().all(|row| row.split(',').count() == cells),
+        "{stages}"
+    );
     let spikes = copied(&mut ui, chain::names::COPY_SPIKES);
     assert!(spikes.contains("Hg 435.8"), "{spikes}");
     assert!(spikes.contains("# behind: light skin"), "{spikes}");
@@ -246,7 +264,9 @@ fn stages_and_spikes_are_copied_as_tables() {
 #[test]
 fn what_goes_wrong_at_a_stage_is_told_on_its_card() {
     // Fifteen numbers of a glass that is black at 404.9 nm ring below zero there.
-    let app = with(chained(about("FL2"), &[GLASS]), |s| s.sampling = Sampling::Double);
+    let app = with(chained(about("FL2"), &[GLASS]), |s| {
+        s.sampling = Sampling::Double
+    });
     let ui = open(app, Part::Chain, [1280.0, 800.0]);
     ui.get_by_label_contains("turns the line there negative");
 }
@@ -260,7 +280,12 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
     assert!(app(&ui).document().settings.dips);
     let rows = dip_rows(app(&ui));
     let named: Vec<&str> = rows.iter().filter_map(|d| d.name.as_deref()).collect();
-    for name in ["G band 430.8", "Mg b 517-518", "H-alpha 656.3", "O2 A 759-762"] {
+    for name in [
+        "G band 430.8",
+        "Mg b 517-518",
+        "H-alpha 656.3",
+        "O2 A 759-762",
+    ] {
         assert!(named.contains(&name), "{name}: {named:?}");
     }
     for row in &rows {
@@ -268,7 +293,10 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
         assert!((0.0..=1.0).contains(&depth) && row.spike.weight < 0.0);
     }
     let table = copied(&mut ui, absorption::names::COPY);
-    assert!(table.contains("place nm,weight,depth,name,below zero"), "{table}");
+    assert!(
+        table.contains("place nm,weight,depth,name,below zero"),
+        "{table}"
+    );
     assert!(table.contains("Mg b 517-518"), "{table}");
 }
 

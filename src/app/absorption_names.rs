@@ -125,6 +125,12 @@ const FAMILIES: [&Family; 3] = [&SUN, &HOLMIUM, &NEODYMIUM];
 /// From this depth on a feature is deep: no family is there without it.
 const DEEP: f64 = 0.2;
 
+/// Largest ratio of the highest to the median value on a side of a deep feature.
+const UNEVEN: f64 = 1.7;
+
+/// Largest ratio of the medians of both sides.
+const UNLIKE: f64 = 3.0;
+
 /// Share of a family's witnesses in the range that must be seen.
 const MOST_OF_THEM: f64 = 0.75;
 
@@ -157,8 +163,8 @@ impl<'a> Curve<'a> {
 
     /// Whether there is a dip in the curve at a feature: lower than what stands on both sides.
     ///
-    /// A deep one must be lower than most of what stands there: a valley between two emission
-    /// lines is lower than these alone.
+    /// Beside a deep one the curve must be even, and alike on both sides: a valley between two
+    /// lines of a lamp is deep too.
     fn shows(&self, family: &Family, feature: &Feature, least: f64) -> bool {
         let [from, to] = feature.nm;
         let (from, to) = (from - family.reach_nm, to + family.reach_nm);
@@ -169,25 +175,26 @@ impl<'a> Curve<'a> {
             values.sort_by(f64::total_cmp);
             values
         };
+        // Median and largest.
         let beside = |low: f64, high: f64| {
             let values = sorted(low, high);
-            let index = if least >= DEEP {
-                values.len() / 2
-            } else {
-                values.len().saturating_sub(1)
-            };
-            values.get(index).copied()
+            Some([*values.get(values.len() / 2)?, *values.last()?])
         };
         let bottom = sorted(from, to).first().copied();
         let left = beside(from - family.shoulder_nm, from);
         let right = beside(to, to + family.shoulder_nm);
-        match (bottom, left, right) {
-            (Some(bottom), Some(left), Some(right)) => {
-                let beside = left.min(right);
-                beside > 0.0 && bottom < (1.0 - least) * beside
-            }
-            _ => false,
+        let (Some(bottom), Some(left), Some(right)) = (bottom, left, right) else {
+            return false;
+        };
+        let is_deep = least >= DEEP;
+        let uneven = |[median, largest]: [f64; 2]| largest > UNEVEN * median;
+        let unlike = left[0].max(right[0]) > UNLIKE * left[0].min(right[0]);
+        if is_deep && (uneven(left) || uneven(right) || unlike) {
+            return false;
         }
+        let which = usize::from(!is_deep);
+        let beside = left[which].min(right[which]);
+        beside > 0.0 && bottom < (1.0 - least) * beside
     }
 
     /// Whether most of a family's lines are in the curve, its deep ones all.

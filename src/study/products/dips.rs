@@ -45,11 +45,7 @@ mod tests {
             .map(|nm| 2.0 - 1.5 * (-((nm - 500.0) / 3.0).powi(2)).exp())
             .collect();
         let spike = |at_nm, weight| Spike { at_nm, weight };
-        let spikes = [
-            spike(500.4, -8.0),
-            spike(600.0, 1.0),
-            spike(900.0, -1.0),
-        ];
+        let spikes = [spike(500.4, -8.0), spike(600.0, 1.0), spike(900.0, -1.0)];
         let found = depths(band, &measured, &background, &spikes);
         assert_eq!(found, [Some(0.75), None, None]);
         let dark = vec![0.0; band.points()];

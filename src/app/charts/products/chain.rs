@@ -3,7 +3,7 @@
 use crate::{
     app::{
         chart::Inks,
-        plot_svg::{Chart, Dash, Marks, Rgb, Series, Theme},
+        plot_svg::{Chart, Marks, Rgb, Series, Theme},
         products::KnownLines,
         ticks::short,
     },
@@ -18,8 +18,6 @@ pub struct StageDrawn<'a> {
     pub title: &'a str,
     /// The grid.
     pub band: Band,
-    /// The light before this stage, on the grid; `None` for the light itself.
-    pub before: Option<&'a [f64]>,
     /// The exact light on the grid.
     pub exact: &'a [f64],
     /// The model's smooth part on the grid.
@@ -45,26 +43,15 @@ pub fn stage_chart(stage: StageDrawn<'_>, theme: Theme) -> Chart {
         let scaled = values.iter().map(|v| v * factor);
         band.grid().zip(scaled).map(|(nm, v)| [nm, v]).collect()
     };
-    let mut series = Vec::new();
-    if let Some(before) = stage.before {
-        series.push(Series::new(
-            "before it",
-            inks.residual,
-            Marks::Line {
-                points: curve(before),
-                width: 1.2,
-                dash: Dash::Dotted,
-            },
-        ));
-    }
-    series.push(Series::line("exact", inks.measured, curve(stage.exact)));
-    series.push(Series::line(
-        "smooth part",
-        inks.smooth,
-        curve(stage.smooth),
-    ));
+    let mut series = vec![
+        Series::line("exact", inks.measured, curve(stage.exact)),
+        Series::line("smooth part", inks.smooth, curve(stage.smooth)),
+    ];
     let (up, down): (Vec<Spike>, Vec<Spike>) = stage.spikes.iter().partition(|s| s.weight >= 0.0);
-    for (name, ink, spikes) in [("spikes", inks.spikes, up), ("dips", inks.product, down)] {
+    for (name, ink, spikes) in [
+        ("spikes", inks.spikes, up),
+        ("negative spikes", inks.product, down),
+    ] {
         if !spikes.is_empty() {
             series.push(stems(name, ink, &spikes, stage));
         }

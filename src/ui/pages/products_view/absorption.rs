@@ -274,9 +274,7 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
         )
         .labelled_by(label.id)
         .on_hover_text("Least share of the total power that a line must carry or lack, percent.")
-        .widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, names::THRESHOLD)
-        });
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, names::THRESHOLD));
         let label = ui.label("up to");
         ui.add(
             DragValue::new(&mut settings.max_width_nm)
@@ -368,7 +366,11 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
     }
     let columns = [
         Column::numbers("nm", "Centroid of the dip, nm.", 0.8),
-        Column::numbers("weight", "Power that is missing, in the plot's unit × nm.", 1.0),
+        Column::numbers(
+            "weight",
+            "Power that is missing, in the plot's unit × nm.",
+            1.0,
+        ),
         Column::numbers(
             "depth",
             "Share of the background that is missing at its deepest, percent.",

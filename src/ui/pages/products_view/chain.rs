@@ -545,7 +545,7 @@ fn stage_card(ui: &mut Ui, context: &mut PageContext<'_>, passed: &Passed, index
                 move_link(context, index, index - 1);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let name = RichText::new(link.entry.name()).strong();
+                let name = RichText::new(format!("{number}  {}", link.entry.name())).strong();
                 ui.add(Label::new(name).truncate()).on_hover_text(format!(
                     "{}\n{}",
                     link.entry.key, link.entry.spectrum.source
@@ -682,10 +682,16 @@ fn figures(
     let [exact, model] = [colours.exact, colours.model].map(y);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
+        let font = egui::TextStyle::Small.resolve(ui.style());
+        let inks = [context.theme.faint, ui.visuals().text_color()];
         let mut pair = |what: &str, text: String, meaning: &str| {
-            let response = ui.label(RichText::new(what).small().color(context.theme.faint));
-            response.on_hover_text(meaning);
-            ui.label(RichText::new(text).small()).on_hover_text(meaning);
+            // One text, so that a figure is never parted from its name.
+            let mut job = egui::text::LayoutJob::default();
+            for (text, colour) in [what, &text].into_iter().zip(inks) {
+                let format = egui::TextFormat::simple(font.clone(), colour);
+                job.append(text, if job.text.is_empty() { 0.0 } else { 4.0 }, format);
+            }
+            ui.add(Label::new(job).extend()).on_hover_text(meaning);
             ui.add_space(4.0);
         };
         if let Some([exact, model]) = passes {
@@ -779,19 +785,14 @@ fn chart(context: &PageContext<'_>, passed: &Passed, card: Card) -> Chart {
     let light = &document.light;
     let steps = &passed.told.passage.steps;
     let derived = &passed.lit.derived;
-    let (title, before, exact, smooth) = match card {
+    let (title, exact, smooth) = match card {
         Card::Light => (
             format!("The light: {}", light.name()),
-            None,
             &derived.measured,
             &derived.smooth,
         ),
         Card::Stage(index) => (
             format!("Behind stage {}: {}", index + 1, passed.told.names[index]),
-            Some(match index.checked_sub(1) {
-                Some(before) => &steps[before].exact[..],
-                None => &derived.measured,
-            }),
             &steps[index].exact,
             &steps[index].smooth,
         ),
@@ -804,7 +805,6 @@ fn chart(context: &PageContext<'_>, passed: &Passed, card: Card) -> Chart {
         StageDrawn {
             title: &title,
             band: derived.band,
-            before,
             exact,
             smooth,
             spikes: passed.spikes(card),
@@ -922,10 +922,8 @@ fn percent(share: Option<f64>, signed: bool) -> String {
     };
     // Adding zero turns -0 into 0.
     let value = (1e4 * share).round() / 1e2 + 0.0;
-    let small = share != 0.0 && value == 0.0;
-    match (small, signed) {
-        (true, true) => "<.01 %".to_owned(),
-        (true, false) => format!("{} %", short(100.0 * share)),
+    match (share != 0.0 && value == 0.0, signed) {
+        (true, _) => "<.01 %".to_owned(),
         (false, true) => format!("{value:+.2} %"),
         (false, false) => format!("{value:.2} %"),
     }
