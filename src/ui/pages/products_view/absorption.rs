@@ -140,7 +140,11 @@ impl AbsorptionView {
         if wide {
             ui.horizontal_top(|ui| {
                 let chart = vec2((0.62 * size.x).floor(), size.y - 4.0);
-                draw(ui, context, &found, chart);
+                // A chart's names of series stand below its title only in a column.
+                ui.vertical(|ui| {
+                    ui.set_width(chart.x);
+                    draw(ui, context, &found, chart);
+                });
                 ui.add_space(6.0);
                 ui.vertical(|ui| beside(ui, context, &found));
             });
