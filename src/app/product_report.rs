@@ -429,7 +429,12 @@ pub fn chain_text(app: &App, told: &Told) -> String {
         for spike in &step.spikes {
             line(format!(
                 "  {:<7} {:7.2} nm  {:>11}{}",
-                if spike.weight < 0.0 { "dip" } else { "spike" },
+                // A line that a ringing series turned negative is no dip.
+                if spike.weight < 0.0 && !step.turned.contains(&spike.at_nm) {
+                    "dip"
+                } else {
+                    "spike"
+                },
                 spike.at_nm,
                 short(spike.weight),
                 known
