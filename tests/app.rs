@@ -1275,7 +1275,10 @@ fn full_preferences() -> Preferences {
             spend_goal: Some(Goal::SPECTRUM),
             products: ProductsMemory {
                 part: Part::Lights,
-                chain: ChainMemory { stage: Some(1) },
+                chain: ChainMemory {
+                    stage: Some(1),
+                    light: true,
+                },
                 narrow: NarrowMemory {
                     centre_nm: 500.25,
                     width_nm: 20.0,

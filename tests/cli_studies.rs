@@ -654,7 +654,8 @@ fn a_product_has_its_total_and_every_stage_with_its_spikes() {
         );
         let spikes = stage["spikes"].as_array().expect("spikes");
         assert_eq!(spikes.len(), 4);
-        has(&spikes[0], &["at_nm", "weight"]);
+        has(&spikes[0], &["at_nm", "weight", "name"]);
+        assert_eq!(spikes[1]["name"], "Hg 435.8");
     }
     assert_eq!(stages[0]["name"], GLASS);
     // Fifteen numbers of a glass that is black at 404.9 nm ring below zero there.
@@ -777,9 +778,112 @@ fn dips_of_a_factor_are_kept_when_they_are_asked_for_and_the_result_says_what_me
         .expect("a list")
         .clone();
     assert_eq!(met.len(), 1, "{met:?}");
-    has(&met[0], &["at_nm", "dip_nm", "depth"]);
+    has(&met[0], &["at_nm", "dip_nm", "depth", "name", "dip_name"]);
+    assert_eq!(met[0]["name"], "Hg 577/579");
+    // One dip is no neodymium.
+    assert!(met[0]["dip_name"].is_null());
     let notes = kept["notes"].to_string();
     assert!(notes.contains("stands on a dip"), "{notes}");
+}
+
+#[test]
+fn thickness_times_and_the_spectrum_of_a_file_stand_behind_a_factors_name() {
+    let passes = |args: &[&str]| {
+        let product = json(&[&["product", "FL2"], args, &["--json"]].concat());
+        product["transmission"]["exact"].as_f64().expect("a share")
+    };
+    let thick = passes(&[&format!("{GLASS}@4mm")]);
+    for same in [format!("{GLASS}@x2"), format!("{GLASS}*2")] {
+        // Two powers of the same shares.
+        assert!((passes(&[&same]) / thick - 1.0).abs() < 1e-12, "{same}");
+    }
+    assert!((passes(&[GLASS, GLASS]) / thick - 1.0).abs() < 1e-12);
+    let told = tell(&["product", "FL2", &format!("{GLASS}@3mm*2")]);
+    assert!(
+        told.out.contains("2 mm, 3 mm thick, 2 times"),
+        "{}",
+        told.out
+    );
+
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("two@x3.csv");
+    let rows: String = (380..=780).map(|nm| format!("{nm},0.5,0.25\n")).collect();
+    fs::write(&path, format!("wavelength_nm,half,quarter\n{rows}")).expect("a file");
+    let path = path.to_str().expect("UTF-8");
+    for (word, share) in [
+        (path.to_owned(), 0.5),
+        (format!("{path}#2"), 0.25),
+        (format!("{path}#quarter"), 0.25),
+        (format!("{path}#1@x2*2"), 0.0625),
+    ] {
+        let found = passes(&[&word, "--kind", "transmittance"]);
+        assert!((found - share).abs() < 1e-9, "{word}: {found}");
+    }
+    // Of a file of lights too.
+    let light = format!("{path}#quarter");
+    let product = json(&["product", &light, "colorchecker_ohta/red", "--json"]);
+    assert_eq!(product["light"]["name"], "quarter");
+
+    for (word, code, words) in [
+        ("colorchecker_ohta/red*17", 2, "1 to 16"),
+        ("colorchecker_ohta/red@2", 2, "4mm"),
+        ("colorchecker_ohta/red@4mm", 2, "tells no thickness"),
+        ("colorchecker_ohta/red@x21", 2, "0 to 20"),
+        ("colorchecker_ohta/red#2", 1, "found a preset"),
+        (&format!("{path}#3"), 1, "found no spectrum"),
+    ] {
+        let (told, found) = refusal(&["product", "FL2", word]);
+        assert_eq!(found, code, "{word}: {told}");
+        assert!(told.contains(words), "{word}: {told}");
+    }
+}
+
+#[test]
+fn a_light_that_is_zero_everywhere_is_refused_and_one_out_of_sight_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let dark = folder.path().join("dark.csv");
+    let rows: String = (380..=780).map(|nm| format!("{nm},0\n")).collect();
+    fs::write(&dark, rows).expect("a file");
+    let dark = dark.to_str().expect("UTF-8");
+    for rest in [&["colorchecker_ohta/red"][..], &["--set", "cri_tcs"]] {
+        let (told, code) = refusal(&[&["product", dark], rest].concat());
+        assert_eq!(code, 1);
+        assert!(told.contains("found zero"), "{told}");
+    }
+    let told = tell(&[
+        "product",
+        "CIE A",
+        "colorchecker_ohta/red",
+        "--range",
+        "800:830",
+    ]);
+    assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
+    assert!(!told.out.contains("NaN"));
+}
+
+#[test]
+fn dips_of_holmium_and_of_the_sun_are_named() {
+    let product = json(&[
+        "product",
+        "ASTM G173-03 global tilt AM1.5G",
+        "usgs_splib07/Holmium oxide powder (USGS splib07a Record 18789)",
+        "--range",
+        "380:700",
+        "--dips",
+        "--threshold",
+        "0.15",
+        "--max-width",
+        "25",
+        "--sampling",
+        "double",
+        "--json",
+    ]);
+    let spikes = product["stages"][0]["spikes"].as_array().expect("spikes");
+    let names: Vec<&str> = spikes.iter().filter_map(|s| s["name"].as_str()).collect();
+    assert!(
+        names.iter().any(|name| name.starts_with("Ho ")),
+        "{names:?}"
+    );
 }
 
 #[test]

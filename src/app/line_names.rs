@@ -3,7 +3,8 @@
 //! A wrong name is worse than none. A spike gets an element's name only when the element is one
 //! that lamps are made of, the spike stands within reach of a principal line of it, and another of
 //! its lines is there too, or the spike is nearly all of the light. Any other line near by
-//! is only told on hover.
+//! is only told on hover. What hangs down is no line of a lamp: dips have names of their own
+//! (`absorption_names`) and are no witnesses here.
 
 use crate::spectrum::Spike;
 
@@ -92,12 +93,16 @@ pub fn name_spikes(
         .iter()
         .enumerate()
         .map(|(index, spike)| {
+            if spike.weight < 0.0 {
+                return LineName::default();
+            }
             let safe = places
                 .iter()
                 .filter(|p| p.principal && hit(p, spike))
                 .filter(|p| {
                     let witnessed = spikes.iter().enumerate().any(|(other, s)| {
                         other != index
+                            && s.weight > 0.0
                             && places.iter().any(|w| {
                                 w.element == p.element
                                     && w.relative >= WITNESS
@@ -243,6 +248,15 @@ mod tests {
         assert_eq!(names[0].safe.as_deref(), Some("Hg 404.7"));
         assert_eq!(names[2].safe, None);
         assert_eq!(names[2].near.as_deref(), Some("near Hg 709.2"));
+    }
+
+    #[test]
+    fn a_dip_is_neither_named_after_a_lamp_nor_a_witness_of_one() {
+        let mut dipped = spikes(&[404.9, 435.8]);
+        dipped[0].weight = -1.0;
+        let names = name_spikes(&dipped, 1.0, 100.0, &table());
+        assert_eq!(names[0], LineName::default());
+        assert_eq!(names[1].safe, None);
     }
 
     #[test]

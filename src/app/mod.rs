@@ -1,5 +1,6 @@
 //! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
 
+pub mod absorption_names;
 pub mod cells;
 pub mod chart;
 pub mod charts;

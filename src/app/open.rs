@@ -307,7 +307,7 @@ fn from_library(input: &str, path: &Path, pick: Option<&str>) -> Result<Entry, S
     };
     if pick.is_some() {
         return Err(format!(
-            "{input}: found a preset, expected a file where --spectrum is given"
+            "{input}: found a preset, expected a file where one of several spectra is named"
         ));
     }
     match &preset.body {

@@ -7,9 +7,17 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use super::{entry::Entry, report::settings_json, state::App, ticks::short};
+use super::{
+    cells::{self, words},
+    export::provenance,
+    products::{KnownLines, Link, Lit},
+    report::settings_json,
+    state::App,
+    ticks::short,
+};
 use crate::{
     color::{Adaptation, Xyz, srgb::Swatch},
+    io::write::one_line,
     spectrum::{Factor, Spike},
     study::{
         Spread,
@@ -43,18 +51,126 @@ pub fn factor_of(app: &App, values: Vec<f64>) -> Factor {
     }
 }
 
-/// A reflectance or transmittance as a factor of the state's light.
-pub fn factor_of_entry(app: &App, entry: &Entry) -> Factor {
-    factor_of(app, entry.on_band(app.document().settings.band))
+/// A light through a chain, with what is told beside its figures.
+#[derive(Clone, Debug)]
+pub struct Told {
+    /// Names of the factors, in their order.
+    pub names: Vec<String>,
+    /// Names of lines and dips.
+    pub known: KnownLines,
+    /// The light behind each factor.
+    pub passage: Passage,
 }
 
-/// A chain as JSON; `names` are those of the factors, in their order.
-pub fn chain_json(app: &App, names: &[String], passage: &Passage) -> Value {
+impl Told {
+    /// Sends a light through a chain.
+    pub fn of(app: &App, lit: &Lit, chain: &[Link]) -> Self {
+        let band = lit.band();
+        let on_band = chain.iter().map(|link| link.on_band(band));
+        let factors: Vec<Factor> = on_band.map(|values| lit.factor(values)).collect();
+        Self {
+            names: chain.iter().map(Link::words).collect(),
+            known: KnownLines::of(
+                band,
+                &lit.derived.model.spikes,
+                &lit.spike_names(app),
+                chain.iter().map(|link| &*link.entry).zip(&factors),
+            ),
+            passage: lit.product().through(&factors),
+        }
+    }
+}
+
+/// A chain as a table: what comes out of each stage.
+pub fn stages_csv(app: &App, told: &Told, chain: &[Link]) -> String {
+    let mut out = csv_head(app);
+    out.push_str(
+        "stage,name,thickness,times,passes exact,passes model,Y exact,Y model,CIEDE2000,\
+         luminance error,CIEDE2000 added,folded share,multiplications\n",
+    );
+    let passage = &told.passage;
+    let row = |stage: usize,
+               name: &str,
+               link: Option<&Link>,
+               passes: [Option<f64>; 2],
+               colours: &Colours,
+               forming: [Option<f64>; 3]| {
+        let y = |xyz: Xyz| number_cell(scaled(passage, xyz).map(|(xyz, _)| xyz.y));
+        let mut cells = vec![
+            stage.to_string(),
+            words(name),
+            number_cell(link.map(|l| l.thickness)),
+            number_cell(link.map(|l| f64::from(l.bounces))),
+        ];
+        cells.extend(passes.map(number_cell));
+        cells.extend([y(colours.exact), y(colours.model)]);
+        cells.extend([colours.delta_e_2000, colours.luminance_error].map(number_cell));
+        cells.extend(forming.map(number_cell));
+        cells::line(cells)
+    };
+    let light = app.document().light.name();
+    let none = [None; 3];
+    out += &row(0, light, None, [None; 2], &passage.light, none);
+    for (i, (link, step)) in chain.iter().zip(&passage.steps).enumerate() {
+        let forming = [
+            step.added,
+            Some(step.folded_share),
+            Some(step.multiplications as f64),
+        ];
+        out += &row(
+            i + 1,
+            link.entry.name(),
+            Some(link),
+            step.transmission,
+            &step.colours,
+            forming,
+        );
+    }
+    out
+}
+
+/// The spikes behind a stage as a table, in the light's own unit x nm.
+pub fn spikes_csv(app: &App, stage: &str, spikes: &[Spike], known: &KnownLines) -> String {
+    let mut out = csv_head(app);
+    let _ = writeln!(out, "# behind: {}", one_line(stage));
+    out.push_str("place nm,weight,name\n");
+    for spike in spikes {
+        out += &cells::line([
+            number_cell(Some(spike.at_nm)),
+            number_cell(Some(spike.weight)),
+            words(known.safe(spike.at_nm).unwrap_or_default()),
+        ]);
+    }
+    out
+}
+
+fn number_cell(value: Option<f64>) -> String {
+    cells::number(value)
+}
+
+/// Comments over a table: the light, its source and how products are formed.
+fn csv_head(app: &App) -> String {
+    let mut out = String::new();
+    for (key, value) in provenance(app).of(&app.document().light.spectrum) {
+        let _ = writeln!(out, "# {key}: {value}");
+    }
+    let way = app.document().settings.sampling.word();
+    let _ = writeln!(out, "# products: {way}");
+    out
+}
+
+/// A chain as JSON.
+pub fn chain_json(app: &App, told: &Told) -> Value {
+    let Told {
+        names,
+        known,
+        passage,
+    } = told;
     let total = passage.total();
     let stages: Vec<Value> = names
         .iter()
         .zip(&passage.steps)
-        .map(|(name, step)| stage_json(passage, name, step))
+        .map(|(name, step)| stage_json(passage, name, step, known))
         .collect();
     let mut value = head_json(app);
     add(
@@ -71,7 +187,7 @@ pub fn chain_json(app: &App, names: &[String], passage: &Passage) -> Value {
             "exact": colour_json(passage, total.colours.exact),
             "model": colour_json(passage, total.colours.model),
             "stages": stages,
-            "notes": notes(app, names, passage),
+            "notes": notes(app, told),
         }),
     );
     value
@@ -113,7 +229,7 @@ fn add(value: &mut Value, more: Value) {
     }
 }
 
-fn stage_json(passage: &Passage, name: &str, step: &Step) -> Value {
+fn stage_json(passage: &Passage, name: &str, step: &Step, known: &KnownLines) -> Value {
     let Step {
         exact: _,
         smooth: _,
@@ -139,11 +255,21 @@ fn stage_json(passage: &Passage, name: &str, step: &Step) -> Value {
         "model": colour_json(passage, colours.model),
         "spikes": spikes
             .iter()
-            .map(|Spike { at_nm, weight }| json!({ "at_nm": at_nm, "weight": weight }))
+            .map(|Spike { at_nm, weight }| {
+                json!({ "at_nm": at_nm, "weight": weight, "name": known.safe(*at_nm) })
+            })
             .collect::<Vec<_>>(),
         "lines_on_dips": met
             .iter()
-            .map(|met| json!({ "at_nm": met.line_nm, "dip_nm": met.dip_nm, "depth": met.depth }))
+            .map(|met| {
+                json!({
+                    "at_nm": met.line_nm,
+                    "dip_nm": met.dip_nm,
+                    "depth": met.depth,
+                    "name": known.safe(met.line_nm),
+                    "dip_name": known.safe(met.dip_nm),
+                })
+            })
             .collect::<Vec<_>>(),
         "below_zero_nm": below_zero,
         "turned_negative_nm": turned,
@@ -170,7 +296,9 @@ fn colour_json(passage: &Passage, xyz: Xyz) -> Value {
     json!({ "xyz": xyz.to_array(), "srgb_hex": swatch.hex() })
 }
 
-fn scaled(passage: &Passage, xyz: Xyz) -> Option<(Xyz, Swatch)> {
+/// A colour of a passage with the exact light's Y at 100, and what the screen shows of it; `None`
+/// without a white.
+pub fn scaled(passage: &Passage, xyz: Xyz) -> Option<(Xyz, Swatch)> {
     let white = passage.white.with_y(100.0)?;
     let xyz = xyz * (100.0 / passage.white.y);
     xyz.is_finite()
@@ -178,27 +306,45 @@ fn scaled(passage: &Passage, xyz: Xyz) -> Option<(Xyz, Swatch)> {
 }
 
 /// What must be said about the result, a sentence each.
-fn notes(app: &App, names: &[String], passage: &Passage) -> Vec<String> {
+fn notes(app: &App, told: &Told) -> Vec<String> {
     let mut notes = app.derived().warnings.clone();
-    let (mut before, mut said) = (&app.derived().measured, Vec::new());
-    for (name, step) in names.iter().zip(&passage.steps) {
+    let of_stages = stage_notes(&app.derived().measured, &told.passage, &told.known);
+    for (name, sentences) in told.names.iter().zip(of_stages) {
+        let sentences = sentences.into_iter();
+        notes.extend(sentences.map(|sentence| format!("{name}: {sentence}")));
+    }
+    notes
+}
+
+/// What must be said about each stage, a sentence each, without the stage's name. What is said of
+/// one stage and holds for those behind it is not said again.
+///
+/// `measured` is the light before the first factor, on the grid.
+pub fn stage_notes(measured: &[f64], passage: &Passage, known: &KnownLines) -> Vec<Vec<String>> {
+    let named = |nm: f64| match known.safe(nm) {
+        Some(name) => format!("{nm:.1} nm ({name})"),
+        None => format!("{nm:.1} nm"),
+    };
+    let (mut before, mut said) = (measured, Vec::new());
+    let mut all = Vec::with_capacity(passage.steps.len());
+    for step in &passage.steps {
+        let mut notes = Vec::new();
         let grown = before
             .iter()
             .zip(&step.exact)
             .any(|(before, after)| *before > 0.0 && *after > LARGEST_SHARE * before);
         if grown {
             notes.push(format!(
-                "{name}: values above {LARGEST_SHARE}: a share of light is at most 1. Are they \
-                 per cent?"
+                "values above {LARGEST_SHARE}: a share of light is at most 1. Are they per cent?"
             ));
         }
         before = &step.exact;
         for met in &step.met {
             notes.push(format!(
-                "{name}: the line at {:.1} nm stands on a dip at {:.1} nm {:.0} % deep; it is \
-                 multiplied by what the dip lets through.",
-                met.line_nm,
-                met.dip_nm,
+                "the line at {} stands on a dip at {} {:.0} % deep; it is multiplied by what the \
+                 dip lets through.",
+                named(met.line_nm),
+                named(met.dip_nm),
                 100.0 * met.depth
             ));
         }
@@ -208,17 +354,16 @@ fn notes(app: &App, names: &[String], passage: &Passage) -> Vec<String> {
                 continue;
             }
             said.push(*nm);
+            let place = named(*nm);
             notes.push(if step.turned.contains(nm) {
-                format!(
-                    "{name}: its series is below zero at {nm:.1} nm and turns the line there \
-                     negative."
-                )
+                format!("its series is below zero at {place} and turns the line there negative.")
             } else {
-                format!("{name}: the dip at {nm:.1} nm takes the total below zero.")
+                format!("the dip at {place} takes the total below zero.")
             });
         }
+        all.push(notes);
     }
-    notes
+    all
 }
 
 fn number(value: Option<f64>, digits: usize) -> String {
@@ -250,7 +395,12 @@ fn head_text(app: &App) -> String {
 }
 
 /// A chain for people.
-pub fn chain_text(app: &App, names: &[String], passage: &Passage) -> String {
+pub fn chain_text(app: &App, told: &Told) -> String {
+    let Told {
+        names,
+        known,
+        passage,
+    } = told;
     let mut out = head_text(app);
     // Writing to a String cannot fail.
     let mut line = |text: String| {
@@ -278,9 +428,18 @@ pub fn chain_text(app: &App, names: &[String], passage: &Passage) -> String {
         ));
         for spike in &step.spikes {
             line(format!(
-                "  spike   {:7.2} nm  {:>11}",
+                "  {:<7} {:7.2} nm  {:>11}{}",
+                // A line that a ringing series turned negative is no dip.
+                if spike.weight < 0.0 && !step.turned.contains(&spike.at_nm) {
+                    "dip"
+                } else {
+                    "spike"
+                },
                 spike.at_nm,
-                short(spike.weight)
+                short(spike.weight),
+                known
+                    .safe(spike.at_nm)
+                    .map_or_else(String::new, |name| format!("  {name}"))
             ));
         }
     }
@@ -310,7 +469,7 @@ pub fn chain_text(app: &App, names: &[String], passage: &Passage) -> String {
             ));
         }
     }
-    for note in notes(app, names, passage) {
+    for note in notes(app, told) {
         line(format!("Note      {note}"));
     }
     out

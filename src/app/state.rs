@@ -6,13 +6,14 @@ use std::{
 };
 
 use super::{
+    absorption_names::names_of,
     command::Command,
     derived::{Derived, Question},
     document::{Document, FIRST_LIGHT, Subject, WEIGHT_FACTORS},
     entry::{Entry, bundled_entries},
     history::History,
     library::Library,
-    line_names::{ElementLine, LineName, name_spikes},
+    line_names::{ElementLine, LineName},
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     studies::about::reflectances,
@@ -20,7 +21,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
-    spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, SpikeEdits},
+    spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeEdits},
 };
 
 /// How weighty a message is.
@@ -451,12 +452,7 @@ impl App {
         }
         self.derived = Arc::new(derive(&self.document, &self.tables));
         let spectrum = &self.document.subject_entry().spectrum;
-        self.names = name_spikes(
-            &self.derived.model.spikes,
-            mean_step_nm(&spectrum.samples),
-            self.derived.parts.power,
-            &self.lines,
-        );
+        self.names = names_of(self.document.subject_entry(), &self.derived, &self.lines);
         self.product = self.document.patch.and_then(|index| {
             let patches = self.tables.patches.as_ref()?;
             let sampling = self.document.settings.sampling;
@@ -468,11 +464,6 @@ impl App {
         self.took = start.elapsed();
         self.revision += 1;
     }
-}
-
-/// The table's mean step, nm: the median would have to sort a large table at every move.
-fn mean_step_nm(samples: &Sampled) -> f64 {
-    (samples.last_nm() - samples.first_nm()) / (samples.len() - 1) as f64
 }
 
 fn tables_for(document: &Document) -> TablesFor {

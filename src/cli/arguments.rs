@@ -162,11 +162,15 @@ pub struct Race {
 /// Options of `product`.
 #[derive(Args, Debug)]
 pub struct Product {
-    /// A light: a file, a preset's name (FL2, "CIE D65") or group/name.
+    /// A light: a file (lamps.csv#2 is the second of several spectra), a preset's name (FL2,
+    /// "CIE D65") or group/name.
     #[arg(value_name = "LIGHT")]
     pub light: String,
     /// What it passes or falls on, in order: reflectances and transmittances, each a file, a
-    /// preset's name or group/name (colorchecker_ohta/red). One given twice is met twice.
+    /// preset's name or group/name (colorchecker_ohta/red). One given twice is met twice. What
+    /// may follow the name: #SPECTRUM which one of a file, by name or number from 1; @4mm or @x2
+    /// how thick a glass is, in mm where its name tells them or as a multiple; *3 how many times
+    /// in a row it is met ("isuzu IVG550 (Green filter) 2 mm@4mm", "red*3", glasses.csv#2@x1.5).
     #[arg(value_name = "FACTOR")]
     pub factors: Vec<String>,
     /// Instead of factors a group of presets (tm30_ces99_5nm): each alone, and their spread.

@@ -12,6 +12,7 @@
 mod arguments;
 mod auction;
 mod convert;
+mod factor;
 mod list;
 mod no_display;
 mod options;

@@ -1,9 +1,11 @@
 //! `product`: a light through filters and off surfaces, in words or as JSON.
 
-use std::{io::Write, path::Path};
+use std::{io::Write, path::Path, sync::Arc};
 
 use super::{
     arguments::Product,
+    factor::FactorWord,
+    options::ModelOptions,
     print,
     refusal::Refusal,
     subject::{self, light},
@@ -12,9 +14,14 @@ use crate::{
     app::{
         App, Entry,
         library::Library,
-        open, product_report,
-        products::same_surface::{CheckSheet, check_json, check_text},
+        open,
+        product_report::{self, Told},
+        products::{
+            Link, Lit,
+            same_surface::{CheckSheet, check_json, check_text},
+        },
         studies::about::reflectances,
+        ticks::short,
     },
     io::error::quoted,
     spectrum::{Factor, Kind},
@@ -57,32 +64,28 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
             ));
         }
         (factors, None) => {
-            let entries: Vec<Entry> = factors
+            let chain: Vec<Link> = factors
                 .iter()
-                .map(|name| factor(name, *kind))
+                .map(|word| link(word, *kind))
                 .collect::<Result<_, _>>()?;
-            let app = subject::about_light(light("LIGHT", light_name)?, *model);
-            let names: Vec<String> = entries.iter().map(|e| e.name().to_owned()).collect();
+            let app = about(light_name, *model)?;
             if let Some(outgoing) = check {
-                let outgoing = light("--check", outgoing)?;
-                return print(out, &of_check(&app, &entries, &names, outgoing, *json));
+                let (name, spectrum) = named_spectrum(outgoing);
+                let outgoing = light("--check", name, spectrum)?;
+                return print(out, &of_check(&app, &chain, outgoing, *json));
             }
-            let factors: Vec<Factor> = entries
-                .iter()
-                .map(|entry| product_report::factor_of_entry(&app, entry))
-                .collect();
-            let passage = product_report::product_of(&app).through(&factors);
+            let told = Told::of(&app, &Lit::of(&app), &chain);
             if *json {
-                let json = product_report::chain_json(&app, &names, &passage);
+                let json = product_report::chain_json(&app, &told);
                 format!("{json:#}\n")
             } else {
-                product_report::chain_text(&app, &names, &passage)
+                product_report::chain_text(&app, &told)
             }
         }
         ([], Some(set)) => {
             let group = set.trim().to_lowercase();
             check_group(&group, set)?;
-            let app = subject::about_light(light("LIGHT", light_name)?, *model);
+            let app = about(light_name, *model)?;
             of_set(&app, &group, *json)
         }
     };
@@ -90,18 +93,19 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
 }
 
 /// The reflection check; several factors are one surface after the other.
-fn of_check(app: &App, factors: &[Entry], names: &[String], found: Entry, json: bool) -> String {
+fn of_check(app: &App, chain: &[Link], found: Entry, json: bool) -> String {
     let band = app.document().settings.band;
+    let names: Vec<String> = chain.iter().map(Link::words).collect();
     let mut surface = vec![1.0; band.points()];
-    for factor in factors {
-        for (s, f) in surface.iter_mut().zip(factor.on_band(band)) {
+    for link in chain {
+        for (s, f) in surface.iter_mut().zip(link.on_band(band)) {
             *s *= f;
         }
     }
     let mut sheet = CheckSheet::against(app, &surface, &found.into());
     sheet.names[1] = names.join(", ");
     if json {
-        format!("{:#}\n", check_json(app, names, &sheet))
+        format!("{:#}\n", check_json(app, &names, &sheet))
     } else {
         check_text(&sheet)
     }
@@ -122,12 +126,45 @@ fn of_set(app: &App, group: &str, json: bool) -> String {
     }
 }
 
+/// The state about a light that has something to multiply.
+fn about(word: &str, model: ModelOptions) -> Result<App, Refusal> {
+    let (name, spectrum) = named_spectrum(word);
+    let app = subject::about_light(light("LIGHT", name, spectrum)?, model);
+    let derived = app.derived();
+    if derived.errors.is_some() {
+        return Ok(app);
+    }
+    Err(Refusal::File(format!(
+        "LIGHT: {}: found zero at every wavelength from {} to {} nm, expected a light (nothing \
+         times a factor is nothing)",
+        app.document().light.name(),
+        short(derived.band.min_nm()),
+        short(derived.band.max_nm())
+    )))
+}
+
+/// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
+fn named_spectrum(word: &str) -> (&str, Option<&str>) {
+    let is_there = Path::new(word).exists() || Library::bundled().find(word).is_ok();
+    match word.rsplit_once('#') {
+        Some((name, spectrum)) if !is_there => (name, Some(spectrum)),
+        _ => (word, None),
+    }
+}
+
+/// A factor with its thickness and times.
+fn link(word: &str, kind: Option<Kind>) -> Result<Link, Refusal> {
+    let parts = FactorWord::of(word)?;
+    let entry = factor(parts.name, parts.spectrum, kind)?;
+    parts.over(Link::once(Arc::new(entry)))
+}
+
 /// A reflectance or transmittance by its name. Only a file may be told what it is: a shipped
 /// spectrum knows, and so does a file whose unit is one of power.
-fn factor(name: &str, kind: Option<Kind>) -> Result<Entry, Refusal> {
+fn factor(name: &str, spectrum: Option<&str>, kind: Option<Kind>) -> Result<Entry, Refusal> {
     let refused = |why: String| Refusal::File(format!("FACTOR: {why}"));
     let told = kind.filter(|_| Path::new(name).exists());
-    let entry = open::resolve(name, None, told).map_err(refused)?;
+    let entry = open::resolve(name, spectrum, told).map_err(refused)?;
     if entry.kind().is_factor() && (told.is_none() || is_a_share(&entry.spectrum.unit)) {
         return Ok(entry);
     }

@@ -30,7 +30,7 @@ pub fn app(
     model: ModelOptions,
     err: &mut dyn Write,
 ) -> Result<App, Refusal> {
-    let named = |name| light("--light", name);
+    let named = |name| light("--light", name, None);
     let light = pick.light.as_deref().map(named).transpose()?;
     if let Some(restored) = project(Path::new(input))? {
         return of_project(input, restored, pick, light, model, err);
@@ -99,14 +99,14 @@ fn show(app: &mut App, entry: Entry) {
 }
 
 /// A light by its name; a file's values are taken as a light whatever they look like.
-/// `what` is the word of the command line that named it.
+/// `what` is the word of the command line that named it, `spectrum` which one of a file it is.
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be found or read, or is no light.
-pub fn light(what: &str, name: &str) -> Result<Entry, Refusal> {
+pub fn light(what: &str, name: &str, spectrum: Option<&str>) -> Result<Entry, Refusal> {
     let kind = Path::new(name).is_file().then_some(Kind::Light);
-    let entry =
-        open::resolve(name, None, kind).map_err(|why| Refusal::File(format!("{what}: {why}")))?;
+    let entry = open::resolve(name, spectrum, kind)
+        .map_err(|why| Refusal::File(format!("{what}: {why}")))?;
     if entry.kind() != Kind::Light {
         return Err(Refusal::File(format!(
             "{what}: {name}: found {} values, expected a light",

@@ -358,7 +358,7 @@ fn weight_factor_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
 }
 
 /// How products of light and reflectance are formed, in words.
-fn sampling_words(sampling: Sampling) -> (&'static str, &'static str) {
+pub(super) fn sampling_words(sampling: Sampling) -> (&'static str, &'static str) {
     match sampling {
         Sampling::Paper => (
             "paper's points",

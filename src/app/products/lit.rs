@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use super::super::{
+    absorption_names::names_of,
     derived::Derived,
     document::{Document, Subject},
+    line_names::LineName,
     state::{App, derived_of},
     tables::Tables,
 };
@@ -49,6 +51,14 @@ impl Lit {
     /// The grid.
     pub fn band(&self) -> Band {
         self.derived.band
+    }
+
+    /// What the light's spikes are called, in their order.
+    pub fn spike_names(&self, app: &App) -> Vec<LineName> {
+        if app.document().is_about_light() {
+            return app.spike_names().to_vec();
+        }
+        names_of(&app.document().light, &self.derived, app.element_lines())
     }
 
     /// Ready to be multiplied as the settings say.

@@ -111,6 +111,8 @@ impl ProductsMemory {
 pub struct ChainMemory {
     /// The stage that is drawn, 0 the first factor; `None` for the last.
     pub stage: Option<usize>,
+    /// The light before any factor is drawn, whatever stage is remembered.
+    pub light: bool,
 }
 
 /// What the narrow band-pass remembers.

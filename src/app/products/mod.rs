@@ -1,5 +1,7 @@
 //! What the page `Products` multiplies: part of the document, so that undo reaches it.
 
+pub mod known_lines;
+mod link_words;
 pub mod lit;
 pub mod memory;
 pub mod same_surface;
@@ -15,6 +17,7 @@ use crate::spectrum::{
     chain::{bounces, glass},
 };
 
+pub use known_lines::KnownLines;
 pub use lit::Lit;
 pub use memory::{Part, ProductsMemory};
 

@@ -6,6 +6,7 @@
 //! narrow  a band-pass that moves over the light: composite, series alone, plain samples
 //! lights  the same surfaces under two lights; metameric pairs and metameric blacks
 //! check   is this light that one off this surface? (the paper's image understanding)
+//! dips    how deep the absorption lines of a spectrum are
 //! ```
 //!
 //! Exact is the measured light times the measured factors on the 1 nm grid of the band; the white
@@ -13,6 +14,7 @@
 
 pub mod chain;
 pub mod check;
+pub mod dips;
 pub mod growth;
 pub mod lights;
 pub mod narrow;

@@ -1,14 +1,517 @@
-//! The part "absorption" of the page "Products".
+//! The part "absorption" of the page "Products": dips as negative spikes, and their names.
 
-use eframe::egui::Ui;
+use std::{fmt::Write as _, sync::Arc};
 
-use crate::ui::pages::PageContext;
+use eframe::egui;
+use egui::{DragValue, Label, RichText, ScrollArea, Ui, vec2};
+
+use super::picker::Picker;
+use crate::{
+    app::{
+        App, Command, Entry, Settings,
+        cells::{line, number, words},
+        charts::products::absorption::{DipRow, absorption_chart, dip_rows},
+        export::provenance,
+        plot_svg::{self, Chart},
+        product_report::Told,
+        products::Lit,
+        settings::{Detector, THRESHOLDS_PERCENT, WIDTHS_NM},
+        ticks::short,
+    },
+    spectrum::{Band, chain::SAME_PLACE_NM},
+    ui::{
+        chart_view::ChartView,
+        pages::{
+            PageContext,
+            rows::{Column, Row, table},
+        },
+    },
+};
+
+/// Names of controls, shared with the tests that move them.
+pub mod names {
+    /// Any other spectrum.
+    pub const OTHER: &str = "Another light, glass or surface";
+    /// The absorption switch.
+    pub const DIPS: &str = "Look for dips";
+    /// The threshold.
+    pub const THRESHOLD: &str = "Least share of a dip";
+    /// The widest dip.
+    pub const WIDTH: &str = "Widest dip";
+    /// The button that copies the table.
+    pub const COPY: &str = "Copy as CSV";
+    /// What the part says when dips are not looked for.
+    pub const OFF: &str = "Dips are not looked for";
+}
+
+/// From this width on the table stands beside the chart, points.
+const WIDE: f32 = 900.0;
+
+/// Something worth looking at, with knobs that suit it.
+struct Example {
+    title: &'static str,
+    meaning: &'static str,
+    key: &'static str,
+    threshold_percent: f64,
+    max_width_nm: f64,
+    band_nm: [f64; 2],
+}
+
+const EXAMPLES: [Example; 4] = [
+    Example {
+        title: "Sun on the ground",
+        meaning: "ASTM G173 global tilt: Fraunhofer's lines, and the oxygen of the air.",
+        key: "solar_astm_g173/ASTM G173-03 global tilt AM1.5G",
+        threshold_percent: 0.1,
+        max_width_nm: 4.5,
+        band_nm: [380.0, 780.0],
+    },
+    Example {
+        title: "Sun in space",
+        meaning: "ASTM G173 extraterrestrial: the sun's own lines alone.",
+        key: "solar_astm_g173/ASTM G173-03 extraterrestrial",
+        threshold_percent: 0.05,
+        max_width_nm: 3.0,
+        band_nm: [380.0, 780.0],
+    },
+    Example {
+        title: "Holmium oxide",
+        meaning: "The powder's reflectance: bands so wide that few pass for lines.",
+        key: "usgs_splib07/Holmium oxide powder (USGS splib07a Record 18789)",
+        threshold_percent: 0.15,
+        max_width_nm: 25.0,
+        band_nm: [380.0, 700.0],
+    },
+    Example {
+        title: "Neodymium lamp",
+        meaning: "An incandescent lamp with neodymium in its bulb, a table of 5 nm.",
+        key: "lamps_nist_traditional/Neodimium Incandescent",
+        threshold_percent: 0.15,
+        max_width_nm: 30.0,
+        band_nm: [380.0, 780.0],
+    },
+];
 
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct AbsorptionView;
+pub struct AbsorptionView {
+    found: Option<Found>,
+}
+
+/// What was found in the subject.
+struct Found {
+    of: (u64, plot_svg::Theme),
+    dips: Vec<DipRow>,
+    chart: Chart,
+    rows: Vec<Row>,
+    csv: String,
+    /// Lines of the present light that stand on dips of the present chain, a sentence each.
+    met: Vec<String>,
+}
+
+impl Found {
+    fn of(app: &App, of: (u64, plot_svg::Theme)) -> Self {
+        let dips = dip_rows(app);
+        Self {
+            of,
+            chart: absorption_chart(app, &dips, of.1),
+            rows: dips.iter().map(|dip| row(app, dip)).collect(),
+            csv: csv(app, &dips),
+            met: met(app),
+            dips,
+        }
+    }
+}
 
 impl AbsorptionView {
     /// Draws the part.
-    pub fn show(&mut self, _ui: &mut Ui, _context: &mut PageContext<'_>) {}
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let of = (context.app.revision(), context.chart_theme());
+        let found = match self.found.take() {
+            Some(found) if found.of == of => found,
+            _ => Found::of(context.app, of),
+        };
+        examples(ui, context);
+        knobs(ui, context);
+        warnings(ui, context, &found);
+        ui.add_space(2.0);
+        let size = ui.available_size();
+        let wide = size.x >= WIDE * context.theme.scale;
+        if wide {
+            ui.horizontal_top(|ui| {
+                let chart = vec2((0.62 * size.x).floor(), size.y - 4.0);
+                // A chart's names of series stand below its title only in a column.
+                ui.vertical(|ui| {
+                    ui.set_width(chart.x);
+                    draw(ui, context, &found, chart);
+                });
+                ui.add_space(6.0);
+                ui.vertical(|ui| beside(ui, context, &found));
+            });
+        } else {
+            let chart = vec2(size.x, (0.54 * size.y).floor());
+            draw(ui, context, &found, chart);
+            beside(ui, context, &found);
+        }
+        self.found = Some(found);
+    }
+}
+
+fn draw(ui: &mut Ui, context: &mut PageContext<'_>, found: &Found, size: egui::Vec2) {
+    let shown = ChartView::show(ui, &found.chart, "absorption", size, context.theme);
+    context.wishes.extend(shown.wish);
+}
+
+/// Table and rule.
+fn beside(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
+    ScrollArea::vertical()
+        .id_salt("dips")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            ui.set_max_width(ui.available_width() - 8.0);
+            dip_table(ui, context, found);
+            ui.add_space(8.0);
+            rule(ui, context, found);
+        });
+}
+
+fn examples(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let app = context.app;
+    let subject = app.document().subject_entry();
+    ui.horizontal_wrapped(|ui| {
+        for (index, example) in EXAMPLES.iter().enumerate() {
+            let is_shown = subject.key == example.key;
+            let response = ui.selectable_label(is_shown, example.title);
+            if response
+                .on_hover_text(format!(
+                    "{} Shows it with dips of at least {} % of the power, up to {} nm wide, on \
+                     {}-{} nm.",
+                    example.meaning,
+                    short(example.threshold_percent),
+                    short(example.max_width_nm),
+                    short(example.band_nm[0]),
+                    short(example.band_nm[1]),
+                ))
+                .clicked()
+                && let Some(entry) = app.entry(example.key)
+            {
+                context.memory.products.absorption.example = index;
+                context.commands.push(Command::Show(entry));
+                context
+                    .commands
+                    .push(Command::Edit(example.over(app.document().settings)));
+            }
+        }
+        let other = Picker {
+            name: names::OTHER,
+            meaning: "Any light, filter, glass or surface, shipped or your own; it becomes what \
+                      the window shows.",
+            says: if EXAMPLES.iter().any(|e| e.key == subject.key) {
+                "Another …"
+            } else {
+                subject.name()
+            },
+            offers: Entry::is_usable,
+            width: 150.0 * context.theme.scale,
+        };
+        if let Some(entry) = other.show(ui, app) {
+            context.commands.push(Command::Show(entry));
+        }
+    });
+}
+
+impl Example {
+    fn over(&self, settings: Settings) -> Settings {
+        let [min, max] = self.band_nm;
+        Settings {
+            threshold_percent: self.threshold_percent,
+            max_width_nm: self.max_width_nm,
+            band: Band::new(min, max).unwrap_or(settings.band),
+            ..looking(settings)
+        }
+    }
+}
+
+/// The same settings with dips looked for: only one of the detectors can.
+fn looking(settings: Settings) -> Settings {
+    Settings {
+        dips: true,
+        spikes: true,
+        detector: Detector::Energy,
+        ..settings
+    }
+}
+
+fn looks(settings: Settings) -> bool {
+    settings.dips && settings.spikes && settings.detector == Detector::Energy
+}
+
+fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let before = context.app.document().settings;
+    let mut settings = before;
+    ui.horizontal_wrapped(|ui| {
+        let mut on = looks(before);
+        if ui
+            .checkbox(&mut on, names::DIPS)
+            .on_hover_text(
+                "Absorption lines become spikes of negative weight. Needs spikes by energy, which \
+                 it switches on.",
+            )
+            .changed()
+        {
+            settings = if on {
+                looking(settings)
+            } else {
+                Settings {
+                    dips: false,
+                    ..settings
+                }
+            };
+        }
+        let label = ui.label("of at least");
+        ui.add(
+            DragValue::new(&mut settings.threshold_percent)
+                .range(THRESHOLDS_PERCENT)
+                .speed(0.01)
+                .custom_formatter(|v, _| short(v))
+                .suffix(" %"),
+        )
+        .labelled_by(label.id)
+        .on_hover_text("Least share of the total power that a line must carry or lack, percent.")
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, names::THRESHOLD));
+        let label = ui.label("up to");
+        ui.add(
+            DragValue::new(&mut settings.max_width_nm)
+                .range(WIDTHS_NM)
+                .speed(0.1)
+                .custom_formatter(|v, _| short(v))
+                .suffix(" nm"),
+        )
+        .labelled_by(label.id)
+        .on_hover_text("Widest line, full width at half maximum, nm.")
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, names::WIDTH));
+        ui.label("wide");
+    });
+    if settings != before {
+        context.commands.push(Command::Edit(settings));
+    }
+}
+
+fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
+    let settings = context.app.document().settings;
+    let mut warn = |text: String| {
+        ui.horizontal_top(|ui| {
+            ui.colored_label(context.theme.warning, "▲");
+            ui.add(Label::new(text).wrap());
+        });
+    };
+    if context.app.derived().errors.is_none() {
+        warn("The spectrum is zero over the whole range: there is nothing to miss.".to_owned());
+    } else if !looks(settings) {
+        warn(format!(
+            "{}: switch them on above, or choose an example.",
+            names::OFF
+        ));
+    }
+    let below: Vec<String> = found
+        .dips
+        .iter()
+        .filter(|dip| dip.below_zero)
+        .map(|dip| format!("{:.1}", dip.spike.at_nm))
+        .collect();
+    if !below.is_empty() {
+        warn(format!(
+            "The model's total goes below zero at {} nm: drawn {} nm wide, {} more than the \
+             smooth part has there. Not to be believed at {}.",
+            below.join(", "),
+            short(settings.max_width_nm),
+            if below.len() == 1 {
+                "the dip takes"
+            } else {
+                "these dips take"
+            },
+            if below.len() == 1 {
+                "this place"
+            } else {
+                "these places"
+            },
+        ));
+    }
+}
+
+fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
+    ui.horizontal(|ui| {
+        let count = found.dips.len();
+        ui.strong(match count {
+            0 => "No dips".to_owned(),
+            1 => "1 dip".to_owned(),
+            _ => format!("{count} dips"),
+        });
+        if count > 0 {
+            let named = found.dips.iter().filter(|dip| dip.name.is_some()).count();
+            ui.weak(format!("{named} named")).on_hover_text(
+                "A dip has a name only where it stands at a known line and most other lines of \
+                 the same family are in the measured curve too.",
+            );
+            if ui
+                .small_button(names::COPY)
+                .on_hover_text("Copies places, weights, depths and names as a table.")
+                .clicked()
+            {
+                ui.ctx().copy_text(found.csv.clone());
+            }
+        }
+    });
+    if found.dips.is_empty() {
+        if looks(context.app.document().settings) {
+            ui.weak("Nothing narrow enough is missing. Lower the share or allow wider dips.");
+        }
+        return;
+    }
+    let columns = [
+        Column::numbers("nm", "Centroid of the dip, nm.", 0.8),
+        Column::numbers(
+            "weight",
+            "Power that is missing, in the plot's unit × nm.",
+            1.0,
+        ),
+        Column::numbers(
+            "depth",
+            "Share of the background that is missing at its deepest, percent.",
+            0.9,
+        ),
+        Column::words(
+            "line",
+            "Named only where it is safe; otherwise the nearest line.",
+            1.6,
+        ),
+    ];
+    table(ui, &columns, &found.rows, None, false, context.theme);
+}
+
+fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
+    ui.strong("A line on a line");
+    let sentence = format!(
+        "A spike times a spike at the same place has no finite product. A line of the light \
+         within {SAME_PLACE_NM} nm of a dip of a factor is therefore multiplied by what the dip \
+         lets through: w (1 − depth), times the factor's series there."
+    );
+    ui.add(Label::new(sentence).wrap());
+    if found.met.is_empty() {
+        let document = context.app.document();
+        let light = document.light.name();
+        let text = if !looks(document.settings) {
+            "With dips switched on, the present light and chain are tried here.".to_owned()
+        } else {
+            format!(
+                "{light} through the present chain ({} factor{}): no line stands on a dip.",
+                document.products.chain.len(),
+                if document.products.chain.len() == 1 {
+                    ""
+                } else {
+                    "s"
+                }
+            )
+        };
+        ui.add(Label::new(RichText::new(text).weak()).wrap());
+    }
+    for sentence in &found.met {
+        ui.horizontal_top(|ui| {
+            ui.colored_label(context.theme.warning, "▲");
+            ui.add(Label::new(sentence.as_str()).wrap());
+        });
+    }
+}
+
+/// Lines of the light that stand on dips of the chain, with their weights before and after.
+fn met(app: &App) -> Vec<String> {
+    let document = app.document();
+    if !looks(document.settings) || document.products.chain.is_empty() {
+        return Vec::new();
+    }
+    let lit = Lit::of(app);
+    let told = Told::of(app, &lit, &document.products.chain);
+    let factor = document.scale.factor(&document.light.spectrum);
+    let factor = factor.unwrap_or(1.0);
+    let mut before = &lit.derived.model.spikes;
+    let mut all = Vec::new();
+    for (name, step) in told.names.iter().zip(&told.passage.steps) {
+        let weight = |spikes: &[crate::spectrum::Spike], nm: f64| {
+            let found = spikes.iter().find(|s| s.at_nm == nm);
+            found.map_or_else(|| "–".to_owned(), |s| short(factor * s.weight))
+        };
+        let called = |nm: f64| match told.known.safe(nm) {
+            Some(name) => format!("{nm:.1} nm ({name})"),
+            None => format!("{nm:.1} nm"),
+        };
+        for met in &step.met {
+            all.push(format!(
+                "{} in {name}: the line at {} stands on a dip at {}, {:.0} % deep. Its weight \
+                 goes from {} to {}.",
+                document.light.name(),
+                called(met.line_nm),
+                called(met.dip_nm),
+                100.0 * met.depth,
+                weight(before, met.line_nm),
+                weight(&step.spikes, met.line_nm),
+            ));
+        }
+        before = &step.spikes;
+    }
+    all
+}
+
+fn row(app: &App, dip: &DipRow) -> Row {
+    let depth = dip
+        .depth
+        .map_or_else(|| "–".to_owned(), |depth| format!("{:.1} %", 100.0 * depth));
+    let name = dip.name.clone().or_else(|| dip.near.clone());
+    let mut name = name.unwrap_or_else(|| "–".to_owned());
+    if dip.below_zero {
+        name = format!("▲ {name}");
+    }
+    let cells = vec![
+        format!("{:.1}", dip.spike.at_nm),
+        short(app.scale_factor() * dip.spike.weight),
+        depth,
+        name.clone(),
+    ];
+    Row {
+        name: format!("Dip at {} nm, depth {}, {name}", cells[0], cells[2]),
+        note: if dip.below_zero {
+            "The dip takes the model's total below zero.".to_owned()
+        } else {
+            String::new()
+        },
+        cells,
+    }
+}
+
+/// The dips as a table, weights in the subject's own unit x nm.
+fn csv(app: &App, dips: &[DipRow]) -> String {
+    let mut out = String::new();
+    let spectrum = &app.document().subject_entry().spectrum;
+    for (key, value) in provenance(app).of(spectrum) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "# {key}: {value}");
+    }
+    out.push_str("place nm,weight,depth,name,below zero\n");
+    for dip in dips {
+        out += &line([
+            number(dip.spike.at_nm),
+            number(dip.spike.weight),
+            number(dip.depth),
+            words(dip.name.as_deref().unwrap_or_default()),
+            if dip.below_zero { "yes" } else { "no" }.to_owned(),
+        ]);
+    }
+    out
+}
+
+/// The examples' spectra, for tests.
+pub fn example_entries(app: &App) -> Vec<(&'static str, Option<Arc<Entry>>)> {
+    EXAMPLES
+        .iter()
+        .map(|example| (example.title, app.entry(example.key)))
+        .collect()
 }

@@ -1,0 +1,53 @@
+//! How thick a glass is and how often it is met, in words.
+
+use super::Link;
+use crate::app::ticks::short;
+
+impl Link {
+    /// The thickness that the factor was measured at, mm, where its name says so ("... 2 mm").
+    pub fn measured_mm(&self) -> Option<f64> {
+        let words: Vec<&str> = self.entry.name().split_whitespace().collect();
+        let stated = words.windows(2).rev().find(|pair| pair[1] == "mm")?;
+        let mm: f64 = stated[0].parse().ok()?;
+        (mm > 0.0 && mm.is_finite()).then_some(mm)
+    }
+
+    /// Its name, and what was made of it: "red, 3 times", "glass 2 mm, 4 mm thick".
+    pub fn words(&self) -> String {
+        let mut words = self.entry.name().to_owned();
+        if self.thickness != 1.0 {
+            words += &match self.measured_mm() {
+                Some(mm) => format!(", {} mm thick", short(mm * self.thickness)),
+                None => format!(", {} times as thick", short(self.thickness)),
+            };
+        }
+        if self.bounces != 1 {
+            words += &format!(", {} times", self.bounces);
+        }
+        words
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::app::products::Products;
+
+    #[test]
+    fn a_glass_tells_its_thickness_in_mm_where_its_name_does_and_else_as_a_multiple() {
+        let mut links = Products::first().chain;
+        let [glass, skin] = &mut links[..] else {
+            panic!("two of them")
+        };
+        assert_eq!((glass.measured_mm(), skin.measured_mm()), (Some(2.0), None));
+        assert_eq!(glass.words(), glass.entry.name());
+        glass.thickness = 1.5;
+        skin.thickness = 2.0;
+        skin.bounces = 3;
+        assert!(
+            glass.words().ends_with("2 mm, 3 mm thick"),
+            "{}",
+            glass.words()
+        );
+        assert_eq!(skin.words(), "light skin, 2 times as thick, 3 times");
+    }
+}

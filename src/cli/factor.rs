@@ -1,0 +1,219 @@
+//! A factor on the command line: which spectrum, how thick and how often it is met.
+//!
+//! ```text
+//! NAME[#SPECTRUM][@THICKNESS][*TIMES]
+//!
+//! glasses.csv#3                      the third spectrum of a file, or #its name
+//! "isuzu IVG550 (Green filter) 2 mm@4mm"   a glass whose name tells its thickness
+//! glasses.csv#3@x1.5                 any other glass, as a multiple
+//! "colorchecker_ohta/red*3"          three bounces
+//! ```
+//!
+//! No shipped name has one of the three signs (a test), and a file whose own name has them is
+//! taken as it stands.
+
+use std::path::Path;
+
+use super::refusal::Refusal;
+use crate::{
+    app::{
+        library::Library,
+        products::{BOUNCES, Link, THICKNESSES},
+        ticks::short,
+    },
+    io::error::quoted,
+};
+
+/// A word taken apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FactorWord<'a> {
+    /// A file, a preset's name or group/name.
+    pub name: &'a str,
+    /// Which spectrum of the file, by name or number from 1.
+    pub spectrum: Option<&'a str>,
+    /// How thick.
+    pub thickness: Option<Thickness>,
+    /// How many times in a row it is met.
+    pub times: Option<u32>,
+}
+
+/// How thick a glass is to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Thickness {
+    /// In mm.
+    Mm(f64),
+    /// As a multiple of the measured one.
+    Times(f64),
+}
+
+impl<'a> FactorWord<'a> {
+    /// Takes a word apart.
+    ///
+    /// # Errors
+    /// [`Refusal::Usage`] for a sign with something else behind it.
+    pub fn of(word: &'a str) -> Result<Self, Refusal> {
+        Self::within(word, &|name| {
+            Path::new(name).exists() || Library::bundled().find(name).is_ok()
+        })
+    }
+
+    fn within(word: &'a str, exists: &dyn Fn(&str) -> bool) -> Result<Self, Refusal> {
+        let mut found = Self {
+            name: word,
+            ..Self::default()
+        };
+        while !exists(found.name) {
+            let Some(at) = found.name.rfind(['#', '@', '*']) else {
+                break;
+            };
+            let (name, rest) = found.name.split_at(at);
+            let (sign, value) = rest.split_at(1);
+            let refused = |expected: String| {
+                Refusal::Usage(format!(
+                    "FACTOR: {word}: found {} after {sign}, expected {expected}",
+                    quoted(value)
+                ))
+            };
+            let again = match sign {
+                "#" => {
+                    if value.is_empty() {
+                        return Err(refused("a spectrum's name or number".to_owned()));
+                    }
+                    found.spectrum.replace(value).is_some()
+                }
+                "@" => {
+                    let thickness = thickness(value).ok_or_else(|| {
+                        refused("a thickness such as 4mm, or a multiple such as x2".to_owned())
+                    })?;
+                    found.thickness.replace(thickness).is_some()
+                }
+                _ => {
+                    let times = value.parse().ok().filter(|times| BOUNCES.contains(times));
+                    let times = times.ok_or_else(|| {
+                        let (least, most) = (BOUNCES.start(), BOUNCES.end());
+                        refused(format!("a whole number from {least} to {most}"))
+                    })?;
+                    found.times.replace(times).is_some()
+                }
+            };
+            if again {
+                return Err(Refusal::Usage(format!(
+                    "FACTOR: {word}: found {sign} twice, expected it once"
+                )));
+            }
+            found.name = name;
+        }
+        Ok(found)
+    }
+
+    /// The same thickness and times for a link.
+    ///
+    /// # Errors
+    /// [`Refusal::Usage`] for mm of a factor whose name tells none, and for a thickness beyond
+    /// what may be asked for.
+    pub fn over(self, mut link: Link) -> Result<Link, Refusal> {
+        let refused = |found: String, expected: String| {
+            let name = link.entry.name();
+            Refusal::Usage(format!(
+                "FACTOR: {name}: found {found}, expected {expected}"
+            ))
+        };
+        let ratio = match self.thickness {
+            None => 1.0,
+            Some(Thickness::Times(ratio)) => ratio,
+            Some(Thickness::Mm(mm)) => match link.measured_mm() {
+                Some(measured) => mm / measured,
+                None => {
+                    return Err(refused(
+                        format!("a thickness of {} mm", short(mm)),
+                        "a multiple such as x2 where the name tells no thickness in mm".to_owned(),
+                    ));
+                }
+            },
+        };
+        if !THICKNESSES.contains(&ratio) {
+            return Err(refused(
+                format!("{} times the measured thickness", short(ratio)),
+                format!("{} to {}", THICKNESSES.start(), THICKNESSES.end()),
+            ));
+        }
+        link.thickness = ratio;
+        link.bounces = self.times.unwrap_or(1);
+        Ok(link)
+    }
+}
+
+fn thickness(word: &str) -> Option<Thickness> {
+    let number = |text: &str| {
+        let number: f64 = text.trim().parse().ok()?;
+        (number >= 0.0 && number.is_finite()).then_some(number)
+    };
+    let word = word.trim();
+    if let Some(mm) = word.strip_suffix("mm") {
+        return number(mm).map(Thickness::Mm);
+    }
+    number(word.strip_prefix('x')?).map(Thickness::Times)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn taken_apart(word: &str) -> FactorWord<'_> {
+        FactorWord::within(word, &|name| name == "a@x2.csv").unwrap()
+    }
+
+    #[test]
+    fn no_shipped_name_has_a_sign_of_the_factors_in_it() {
+        for preset in Library::bundled().presets() {
+            let id = preset.id();
+            assert!(!id.contains(['#', '@', '*']), "{id}");
+        }
+    }
+
+    #[test]
+    fn a_word_is_a_name_a_spectrum_a_thickness_and_times_of_which_only_the_name_must_be() {
+        let plain = |name| FactorWord {
+            name,
+            ..FactorWord::default()
+        };
+        assert_eq!(taken_apart("a b (c) 2 mm"), plain("a b (c) 2 mm"));
+        assert_eq!(
+            taken_apart("f.csv#red 2@4mm*3"),
+            FactorWord {
+                name: "f.csv",
+                spectrum: Some("red 2"),
+                thickness: Some(Thickness::Mm(4.0)),
+                times: Some(3),
+            }
+        );
+        assert_eq!(
+            taken_apart("glass*2@x1.5").thickness,
+            Some(Thickness::Times(1.5))
+        );
+        // A file's own name comes first.
+        assert_eq!(taken_apart("a@x2.csv"), plain("a@x2.csv"));
+        assert_eq!(taken_apart("a@x2.csv*2").name, "a@x2.csv");
+    }
+
+    #[test]
+    fn signs_without_sense_are_refused() {
+        for word in [
+            "red*",
+            "red*0",
+            "red*17",
+            "red*x",
+            "red@",
+            "red@2",
+            "red@xmm",
+            "red@-1mm",
+            "red@xNaN",
+            "f#",
+            "red*2*2",
+            "red@x1@x2",
+        ] {
+            let refused = FactorWord::within(word, &|_| false);
+            assert!(matches!(refused, Err(Refusal::Usage(_))), "{word}");
+        }
+    }
+}
