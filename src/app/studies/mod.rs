@@ -18,6 +18,7 @@ use crate::{
     study::{
         Auction, Goal, Progress, Race, Sweep,
         auction::{self, Terms},
+        products::{ProductTime, Sizes, product_times},
         race,
     },
 };
@@ -118,6 +119,22 @@ impl RaceAsk {
     }
 }
 
+/// What the times of products are about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimingAsk {
+    /// How large the products are.
+    pub sizes: Sizes,
+    /// Which measurement it is: asking again is another one.
+    pub turn: u32,
+}
+
+impl TimingAsk {
+    /// The answer; `None` when it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Vec<ProductTime>> {
+        product_times(self.sizes, progress)
+    }
+}
+
 /// All jobs of a window.
 #[derive(Default)]
 pub struct Studies {
@@ -129,6 +146,8 @@ pub struct Studies {
     pub spend: Job<AuctionAsk, Auction>,
     /// The race.
     pub race: Job<RaceAsk, Race>,
+    /// What one product takes.
+    pub timing: Job<TimingAsk, Vec<ProductTime>>,
 }
 
 impl Studies {
@@ -139,11 +158,13 @@ impl Studies {
             auction,
             spend,
             race,
+            timing,
         } = self;
         sweep.take_in();
         auction.take_in();
         spend.take_in();
         race.take_in();
+        timing.take_in();
     }
 
     /// Whether anything is being computed.
@@ -153,8 +174,13 @@ impl Studies {
             auction,
             spend,
             race,
+            timing,
         } = self;
-        sweep.is_running() || auction.is_running() || spend.is_running() || race.is_running()
+        sweep.is_running()
+            || auction.is_running()
+            || spend.is_running()
+            || race.is_running()
+            || timing.is_running()
     }
 
     /// Waits for everything.
@@ -164,10 +190,12 @@ impl Studies {
             auction,
             spend,
             race,
+            timing,
         } = self;
         sweep.finish();
         auction.finish();
         spend.finish();
         race.finish();
+        timing.finish();
     }
 }
