@@ -12,7 +12,9 @@ pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake};
 pub use take::take;
 
-use super::{document::Document, pages::FieldChoice, tables::CURVE_ORDER};
+use super::{
+    charts::products::bounces::Bounced, document::Document, pages::FieldChoice, tables::CURVE_ORDER,
+};
 use crate::{
     spectrum::{Basis, Kind},
     study::{
@@ -148,6 +150,8 @@ pub struct Studies {
     pub race: Job<RaceAsk, Race>,
     /// What one product takes.
     pub timing: Job<TimingAsk, Vec<ProductTime>>,
+    /// Error against bounces, by the program's revision.
+    pub bounces: Job<u64, Bounced>,
 }
 
 impl Studies {
@@ -159,12 +163,14 @@ impl Studies {
             spend,
             race,
             timing,
+            bounces,
         } = self;
         sweep.take_in();
         auction.take_in();
         spend.take_in();
         race.take_in();
         timing.take_in();
+        bounces.take_in();
     }
 
     /// Whether anything is being computed.
@@ -175,12 +181,14 @@ impl Studies {
             spend,
             race,
             timing,
+            bounces,
         } = self;
         sweep.is_running()
             || auction.is_running()
             || spend.is_running()
             || race.is_running()
             || timing.is_running()
+            || bounces.is_running()
     }
 
     /// Waits for everything.
@@ -191,11 +199,13 @@ impl Studies {
             spend,
             race,
             timing,
+            bounces,
         } = self;
         sweep.finish();
         auction.finish();
         spend.finish();
         race.finish();
         timing.finish();
+        bounces.finish();
     }
 }

@@ -35,10 +35,14 @@ pub struct Bounced {
 impl Bounced {
     /// Follows the document's light off a surface.
     pub fn of(app: &App, surface: &Entry) -> Self {
-        let lit = Lit::of(app);
+        Self::lit(&Lit::of(app), app.document().light.name(), surface)
+    }
+
+    /// The same for a light that was taken out of the document, with its name.
+    pub fn lit(lit: &Lit, light: &str, surface: &Entry) -> Self {
         let factor = lit.factor(surface.on_band(lit.band()));
         Self {
-            light: app.document().light.name().to_owned(),
+            light: light.to_owned(),
             surface: surface.name().to_owned(),
             ways: growth(lit.product(), &factor),
         }

@@ -7,6 +7,7 @@ use crate::{
         chart::{Inks, provenance},
         plot_svg::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
         products::Lit,
+        ticks::extent,
     },
     spectrum::{Band, Sampling},
     study::products::{Formed, Forming, ProductTime, Sizes, SpikeCosts, forming, spike_costs},
@@ -19,7 +20,7 @@ pub fn way_name(sampling: Sampling) -> &'static str {
         Sampling::ThreeN => "3N+1 points",
         Sampling::FourN => "4N+1 points",
         Sampling::Double => "twice the numbers",
-        Sampling::Convolution => "convolution, cut",
+        Sampling::Convolution => "cut convolution",
         Sampling::Exact => "1 nm, as measured",
     }
 }
@@ -133,6 +134,7 @@ impl Bench {
             off.push(thin(name, ink, curve(&differences), dash));
         }
         series.extend(self.stems(inks));
+        let y_range = without_tall_lines(&series);
         let mut notes = vec![
             format!("Light: {}. Factor: {}.", self.light, self.factor),
             "Below: way minus the product of the same two series with every order kept.".to_owned(),
@@ -141,8 +143,13 @@ impl Bench {
         Chart {
             title: "The product by every way".to_owned(),
             x_label: "Wavelength (nm)".to_owned(),
-            y_label: "light × factor".to_owned(),
+            y_label: if y_range.is_some() {
+                "light × factor (measured lines leave the picture)".to_owned()
+            } else {
+                "light × factor".to_owned()
+            },
             x_range: [self.band.min_nm(), self.band.max_nm()],
+            y_range,
             series,
             residual: (!off.is_empty()).then(|| Panel {
                 y_label: "what folds or is cut".to_owned(),
@@ -251,6 +258,21 @@ impl Bench {
         }
         out
     }
+}
+
+/// Lines of the measured curve this many times as high as all else are cut off: the ways would
+/// lie flat on the axis.
+const TALL: f64 = 1.5;
+
+/// The range of everything but the measured curve, which comes first, where that is far higher.
+fn without_tall_lines(series: &[Series]) -> Option<[f64; 2]> {
+    let range = |series: &[Series]| {
+        let points = series.iter().flat_map(|s| s.marks.points());
+        extent(points.map(|point| point[1]))
+    };
+    let (measured, rest) = (range(&series[..1])?, range(&series[1..])?);
+    (rest[1] > 0.0 && measured[1] > TALL * rest[1])
+        .then(|| [rest[0].min(measured[0]).min(0.0), 1.15 * rest[1]])
 }
 
 /// The measured time of a way.

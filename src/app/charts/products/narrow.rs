@@ -9,8 +9,9 @@ use crate::{
         App, Entry,
         cells::{line, number, words},
         chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Marks, Rgb, Series, Shape, Theme},
+        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
         products::Lit,
+        ticks::extent,
     },
     color::{Adaptation, Srgb, Swatch, srgb_from_wavelength_over},
     io::preset::Shelf,
@@ -31,12 +32,12 @@ pub const WAY_MEANINGS: [&str; 3] = [
 /// Most band-passes that a curve has: wide ranges are walked in steps of several nm.
 const MOST_CENTRES: usize = 801;
 
-/// How a representation is drawn: ink, dash and form.
-fn looks(way: usize, inks: Inks) -> (Rgb, Dash, Shape) {
+/// How a representation is drawn: ink and dash.
+fn looks(way: usize, inks: Inks) -> (Rgb, Dash) {
     match way {
-        0 => (inks.spikes, Dash::Solid, Shape::Dot),
-        1 => (inks.smooth, Dash::Dashed, Shape::Square),
-        _ => (inks.product, Dash::Dotted, Shape::Triangle),
+        0 => (inks.spikes, Dash::Solid),
+        1 => (inks.smooth, Dash::Dashed),
+        _ => (inks.product, Dash::Dotted),
     }
 }
 
@@ -271,26 +272,21 @@ impl Behind {
             if luminance {
                 Some(100.0 * colours.luminance_error?)
             } else {
-                colours.delta_e_2000
+                Some(colours.delta_e_2000?.max(SMALLEST))
             }
         };
         let mut series = Vec::new();
         // The composite is drawn last, on top.
         for way in [2, 1, 0] {
-            let (ink, dash, _) = looks(way, inks);
+            let (ink, dash) = looks(way, inks);
             let points = curve
                 .iter()
                 .map(|point| [point.centre_nm, error(&of(point, way)).unwrap_or(f64::NAN)])
                 .collect();
             series.push(thin(WAYS[way], ink, points, dash));
         }
-        let y_range = luminance
-            .then(|| within(&series, LUMINANCE_SHOWN))
-            .flatten();
+        let [low, high] = range(&series, luminance);
         if let Some(centre_nm) = marked {
-            let tops = series.iter().flat_map(|s| s.marks.points());
-            let own = crate::app::ticks::extent(tops.map(|p| p[1])).unwrap_or([0.0, 1.0]);
-            let [low, high] = y_range.unwrap_or([own[0].min(0.0), own[1]]);
             let foot_to_top = vec![[centre_nm, low], [centre_nm, high]];
             series.push(thin("", inks.residual, foot_to_top, Dash::Solid));
         }
@@ -308,7 +304,12 @@ impl Behind {
                 "ΔE00".to_owned()
             },
             x_range: [self.band.min_nm(), self.band.max_nm()],
-            y_range,
+            y_range: Some([low, high]),
+            y_scale: if luminance {
+                Scale::Linear
+            } else {
+                Scale::Log10
+            },
             series,
             notes: self.notes(app),
             theme,
@@ -353,11 +354,20 @@ impl Behind {
 /// next to nothing, a share of it means little.
 const LUMINANCE_SHOWN: f64 = 100.0;
 
-/// The range of the series, cut at a size on both sides; `None` when they stay inside.
-fn within(series: &[Series], size: f64) -> Option<[f64; 2]> {
+/// Errors of colour below this are drawn at it: the axis is logarithmic.
+const SMALLEST: f64 = 0.1;
+
+/// What the vertical axis shows.
+fn range(series: &[Series], luminance: bool) -> [f64; 2] {
     let points = series.iter().flat_map(|s| s.marks.points());
-    let [low, high] = crate::app::ticks::extent(points.map(|p| p[1]))?;
-    (low < -size || high > size).then_some([low.clamp(-size, 0.0), high.clamp(0.0, size)])
+    let [low, high] = extent(points.map(|p| p[1])).unwrap_or([0.0; 2]);
+    if !luminance {
+        return [SMALLEST, (1.2 * high).max(10.0 * SMALLEST)];
+    }
+    [
+        low.clamp(-LUMINANCE_SHOWN, -1.0),
+        high.clamp(1.0, LUMINANCE_SHOWN),
+    ]
 }
 
 /// One of the three, by its place in [`WAYS`].

@@ -1,5 +1,7 @@
 //! The part "Bounces" of the page "Products": error against the number of bounces.
 
+use std::sync::Arc;
+
 use eframe::egui;
 use egui::{ScrollArea, Ui, vec2};
 
@@ -11,13 +13,14 @@ use crate::{
             forming::{way_meaning, way_name},
         },
         plot_svg::{self, Chart},
-        products::memory::BouncesMemory,
-        studies::paper::delta_e,
+        products::{Lit, memory::BouncesMemory},
+        studies::{Stage, paper::delta_e},
     },
+    study::Progress,
     ui::{
         chart_view::ChartView,
         pages::{
-            PageContext,
+            PageContext, progress,
             rows::{Column, Row, table},
         },
     },
@@ -37,11 +40,25 @@ pub mod names {
     pub const COPY: &str = "Copy bounces as CSV";
 }
 
+/// What the chart was built from.
+struct Of {
+    bounced: Arc<Bounced>,
+    memory: BouncesMemory,
+    theme: plot_svg::Theme,
+}
+
+impl PartialEq for Of {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.bounced, &other.bounced)
+            && self.memory == other.memory
+            && self.theme == other.theme
+    }
+}
+
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct BouncesView {
-    bounced: Option<(u64, Bounced)>,
-    chart: Option<((u64, BouncesMemory, plot_svg::Theme), Chart)>,
+    chart: Option<(Of, Chart)>,
 }
 
 impl BouncesView {
@@ -71,16 +88,28 @@ impl BouncesView {
             ui.weak("Choose the surface that the light bounces off.");
             return;
         };
-        if self.bounced.as_ref().is_none_or(|(of, _)| *of != revision) {
-            self.bounced = Some((revision, Bounced::of(app, &surface)));
+        let job = &mut context.studies.bounces;
+        job.ask(&revision, context.wake, || {
+            let (lit, light) = (Lit::of(app), app.document().light.name().to_owned());
+            move |progress: &Progress| {
+                let found = Bounced::lit(&lit, &light, &surface);
+                (!progress.is_cancelled()).then_some(found)
+            }
+        });
+        if !matches!(job.stage(), Stage::Done | Stage::Running(_)) {
+            progress(ui, job, "Error against bounces");
         }
-        let Some((_, bounced)) = &self.bounced else {
+        let Some(bounced) = job.result().cloned() else {
             return;
         };
-        let memory = context.memory.products.bounces;
-        let of = (revision, memory, context.chart_theme());
+        let of = Of {
+            bounced: bounced.clone(),
+            memory: context.memory.products.bounces,
+            theme: context.chart_theme(),
+        };
+        let memory = of.memory;
         if self.chart.as_ref().is_none_or(|(known, _)| *known != of) {
-            let chart = bounced.chart(app, memory.added, memory.log, of.2);
+            let chart = bounced.chart(app, memory.added, memory.log, of.theme);
             self.chart = Some((of, chart));
         }
         let Some((_, chart)) = &self.chart else {
@@ -101,7 +130,7 @@ impl BouncesView {
             let shown = ChartView::show(ui, chart, "bounces", vec2(width, height), context.theme);
             context.wishes.extend(shown.wish);
             ui.add_space(4.0);
-            figures(ui, context, bounced, memory.added);
+            figures(ui, context, &bounced, memory.added);
         });
     }
 }
@@ -140,7 +169,10 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
         .zip(&stays)
         .map(|(way, (below, seen))| {
             let errors = errors(way, added);
-            let told = TOLD.map(|k| delta_e(errors.get(k - 1).copied().flatten()));
+            let told = TOLD.map(|k| match errors.get(k - 1).copied().flatten() {
+                Some(0.0) => "0".to_owned(),
+                error => delta_e(error),
+            });
             let name = way_name(way.sampling);
             let until = match below {
                 _ if *seen == 0 => "–".to_owned(),

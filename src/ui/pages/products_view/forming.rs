@@ -305,7 +305,10 @@ fn row(way: &Formed, times: Option<&[ProductTime]>) -> Row {
         way_name(way.sampling).to_owned(),
         way.points.map_or_else(|| "–".to_owned(), |p| p.to_string()),
         delta_e(step.colours.delta_e_2000),
-        delta_e(step.added),
+        match step.added {
+            Some(0.0) => "0".to_owned(),
+            added => delta_e(added),
+        },
         share_words(step.folded_share),
         step.multiplications.to_string(),
         time.map_or_else(|| "–".to_owned(), |time| whole(time.ns)),
@@ -469,7 +472,7 @@ fn eq_17(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
         ),
         Column::numbers("ΔE00", COST, 1.2),
         Column::numbers(
-            "Eq. 17 right",
+            "corrected",
             "Eq. 17 with its two weights exchanged: the straight line between two of the paper's \
              points.",
             1.3,

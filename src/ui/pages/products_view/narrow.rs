@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{CursorIcon, DragValue, RichText, ScrollArea, Slider, Ui, Vec2, pos2, vec2};
+use egui::{CursorIcon, DragValue, RichText, ScrollArea, Sense, Slider, Ui, Vec2, pos2, vec2};
 
 use super::{forming::head, picker::Picker};
 use crate::{
@@ -19,6 +19,7 @@ use crate::{
     study::products::NarrowPoint,
     ui::{
         chart_view::{ChartResponse, ChartView},
+        model_view::named,
         pages::{
             PageContext,
             rows::{Column, Row, table},
@@ -317,7 +318,7 @@ fn errors(ui: &mut Ui, context: &mut PageContext<'_>, band: Band, chart: &Chart,
         ui.label("Error of");
         ui.selectable_value(&mut memory.luminance, false, names::COLOUR)
             .on_hover_text(
-                "CIEDE2000; both sides brightened so that the exact light behind the filter has \
+                "CIEDE2000, what is below 0.1 at the foot of the axis; both sides brightened so that the exact light behind the filter has \
                  half the whole light's Y, by at most fifty times.",
             );
         ui.selectable_value(&mut memory.luminance, true, names::LUMINANCE)
@@ -419,8 +420,14 @@ fn field(ui: &mut Ui, size: Vec2, colour: &Swatch, name: &str, words: &str, mean
         } else {
             " The screen cannot show it; the nearest it can.".to_owned()
         };
-        swatch::split(ui, size, colour, colour, &told)
-            .on_hover_text(format!("{meaning}\nsRGB {hex}.{mapping}"));
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+        named(&response, egui::Role::Image, &told);
+        let shown = swatch::colour(colour.rgb8);
+        swatch::paint_split(ui, rect, shown, shown);
+        if !colour.in_gamut {
+            swatch::out_of_gamut_mark(ui, rect.left_top() + vec2(9.0, 8.0));
+        }
+        response.on_hover_text(format!("{meaning}\nsRGB {hex}.{mapping}"));
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.add(egui::Label::new(RichText::new(name).small()).truncate());
