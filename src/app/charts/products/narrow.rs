@@ -258,6 +258,7 @@ impl Behind {
     }
 
     /// What the three are off by for every centre of the band-pass; `marked` is the present one.
+    /// Without visible light there is nothing to be off by, and no range.
     pub fn error_chart(
         &self,
         app: &App,
@@ -304,7 +305,7 @@ impl Behind {
                 "ΔE00".to_owned()
             },
             x_range: [self.band.min_nm(), self.band.max_nm()],
-            y_range: Some([low, high]),
+            y_range: self.has_colour().then_some([low, high]),
             y_scale: if luminance {
                 Scale::Linear
             } else {

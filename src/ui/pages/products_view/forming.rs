@@ -45,11 +45,19 @@ pub mod names {
     pub const AGAIN: &str = "Measure again";
 }
 
+/// What the chart was built from.
+#[derive(PartialEq)]
+struct Of {
+    revision: u64,
+    hidden: Vec<Sampling>,
+    theme: plot_svg::Theme,
+}
+
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct FormingView {
     bench: Option<(u64, Bench)>,
-    chart: Option<((u64, Vec<Sampling>, plot_svg::Theme), Chart)>,
+    chart: Option<(Of, Chart)>,
     /// How often the times were asked for.
     turn: u32,
 }
@@ -87,9 +95,13 @@ impl FormingView {
         let times = self.times(context, bench);
         shown_ways(ui, context);
         let hidden = &context.memory.products.forming.hidden;
-        let of = (revision, hidden.clone(), context.chart_theme());
+        let of = Of {
+            revision,
+            hidden: hidden.clone(),
+            theme: context.chart_theme(),
+        };
         if self.chart.as_ref().is_none_or(|(known, _)| *known != of) {
-            let chart = bench.chart(app, hidden, of.2);
+            let chart = bench.chart(app, hidden, of.theme);
             self.chart = Some((of, chart));
         }
         let Some((_, chart)) = &self.chart else {
@@ -108,7 +120,7 @@ impl FormingView {
                         columns[0].available_width(),
                         (room.y - 8.0).max(380.0 * scale),
                     );
-                    let size = vec2(size.x, size.y.min(0.85 * size.x));
+                    let size = vec2(size.x, size.y.min(1.25 * size.x));
                     draw(&mut columns[0], context, chart, size);
                     asked_again = figures(&mut columns[1], context, bench, times);
                     eq_17(&mut columns[1], context, bench);
@@ -282,7 +294,7 @@ fn columns() -> Vec<Column> {
             "folded",
             "Alias meter: share of the product's power in orders that the points fold back, or \
              that the convolution cuts off. The bar is logarithmic, from 0.0001 % to 100 %.",
-            1.75,
+            1.95,
         ),
         Column::numbers(
             "mult.",
@@ -363,7 +375,7 @@ fn share_words(share: f64) -> String {
 }
 
 /// Part of its cell that the meter's bar takes.
-const BAR: f32 = 0.42;
+const BAR: f32 = 0.36;
 
 /// A bar for a share, logarithmic from [`LEAST_SHARE`] to everything.
 fn alias_meter(ui: &Ui, cell: Rect, share: f64, theme: Theme) {

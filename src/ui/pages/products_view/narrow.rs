@@ -312,6 +312,9 @@ fn inside(nm: f64, band: Band) -> f64 {
 
 /// Errors against the centre; a click or a drag takes the band-pass there.
 fn errors(ui: &mut Ui, context: &mut PageContext<'_>, band: Band, chart: &Chart, size: Vec2) {
+    if chart.y_range.is_none() {
+        return;
+    }
     let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
     ui.horizontal_wrapped(|ui| {
         let memory = &mut context.memory.products.narrow;
@@ -477,7 +480,10 @@ fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[
                 note: format!("{name}\nClick to put it over the light."),
                 cells: [
                     name.to_owned(),
-                    format!("{} %", percent(row.figures.luminance)),
+                    match row.figures.luminance {
+                        Some(share) => format!("{} %", percent(share)),
+                        None => "–".to_owned(),
+                    },
                 ]
                 .into_iter()
                 .chain(errors)
