@@ -28,7 +28,10 @@ use spectral_explorer::{
         plot_svg::Theme,
         products::{
             Link, Part, Products, ProductsMemory,
-            memory::{AbsorptionMemory, ChainMemory, CheckMemory, LightsMemory, NarrowMemory},
+            memory::{
+                AbsorptionMemory, BouncesMemory, ChainMemory, CheckMemory, FormingMemory,
+                LightsMemory, NarrowMemory,
+            },
         },
         report,
         settings::{Detector, ORDERS},
@@ -1283,6 +1286,14 @@ fn full_preferences() -> Preferences {
                     centre_nm: 500.25,
                     width_nm: 20.0,
                     filter: Some(RED.to_owned()),
+                    luminance: true,
+                },
+                forming: FormingMemory {
+                    hidden: vec![Sampling::ThreeN],
+                },
+                bounces: BouncesMemory {
+                    added: true,
+                    log: false,
                 },
                 lights: LightsMemory {
                     patch: 3,

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::spectrum::Sampling;
+
 /// A part of the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -83,6 +85,10 @@ pub struct ProductsMemory {
     pub part: Part,
     /// Chain: the stage whose spectrum is drawn; beyond the last, what comes out.
     pub chain: ChainMemory,
+    /// Resampling.
+    pub forming: FormingMemory,
+    /// Bounces.
+    pub bounces: BouncesMemory,
     /// Narrow filters.
     pub narrow: NarrowMemory,
     /// Two lights.
@@ -98,6 +104,7 @@ impl ProductsMemory {
     #[must_use]
     pub fn clamped(self) -> Self {
         Self {
+            forming: self.forming.clamped(),
             narrow: self.narrow.clamped(),
             lights: self.lights.clamped(),
             ..self
@@ -115,6 +122,43 @@ pub struct ChainMemory {
     pub light: bool,
 }
 
+/// What the resampling bench remembers.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct FormingMemory {
+    /// Ways whose curves are not drawn.
+    pub hidden: Vec<Sampling>,
+}
+
+impl FormingMemory {
+    fn clamped(mut self) -> Self {
+        self.hidden = Sampling::ALL
+            .into_iter()
+            .filter(|way| self.hidden.contains(way))
+            .collect();
+        self
+    }
+}
+
+/// What the bounces remember.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct BouncesMemory {
+    /// Whether only what forming the products adds is told.
+    pub added: bool,
+    /// Whether the vertical axis is logarithmic.
+    pub log: bool,
+}
+
+impl Default for BouncesMemory {
+    fn default() -> Self {
+        Self {
+            added: false,
+            log: true,
+        }
+    }
+}
+
 /// What the narrow band-pass remembers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -125,6 +169,8 @@ pub struct NarrowMemory {
     pub width_nm: f64,
     /// The key of a real filter that stands in the band-pass's place; `None` for the Gaussian.
     pub filter: Option<String>,
+    /// Whether errors of luminance are drawn instead of those of colour.
+    pub luminance: bool,
 }
 
 impl Default for NarrowMemory {
@@ -133,6 +179,7 @@ impl Default for NarrowMemory {
             centre_nm: 546.0,
             width_nm: 10.0,
             filter: None,
+            luminance: false,
         }
     }
 }
@@ -236,11 +283,16 @@ mod tests {
             narrow: NarrowMemory {
                 centre_nm: f64::NAN,
                 width_nm: -1.0,
-                filter: None,
+                ..NarrowMemory::default()
+            },
+            forming: FormingMemory {
+                hidden: vec![Sampling::Exact, Sampling::Paper, Sampling::Exact],
             },
             ..ProductsMemory::default()
         };
-        let sound = nonsense.clamped().narrow;
+        let sound = nonsense.clamped();
+        assert_eq!(sound.forming.hidden, [Sampling::Paper, Sampling::Exact]);
+        let sound = sound.narrow;
         assert_eq!((sound.centre_nm, sound.width_nm), (546.0, 2.0));
     }
 }

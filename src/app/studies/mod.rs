@@ -14,12 +14,15 @@ pub use job::{Job, Stage, Wake};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
-use super::{document::Document, pages::FieldChoice, tables::CURVE_ORDER};
+use super::{
+    charts::products::bounces::Bounced, document::Document, pages::FieldChoice, tables::CURVE_ORDER,
+};
 use crate::{
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, Progress, Race, Sweep,
         auction::{self, Terms},
+        products::{ProductTime, Sizes, product_times},
         race,
     },
 };
@@ -120,6 +123,22 @@ impl RaceAsk {
     }
 }
 
+/// What the times of products are about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimingAsk {
+    /// How large the products are.
+    pub sizes: Sizes,
+    /// Which measurement it is: asking again is another one.
+    pub turn: u32,
+}
+
+impl TimingAsk {
+    /// The answer; `None` when it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Vec<ProductTime>> {
+        product_times(self.sizes, progress)
+    }
+}
+
 /// All jobs of a window.
 #[derive(Default)]
 pub struct Studies {
@@ -133,6 +152,10 @@ pub struct Studies {
     pub race: Job<RaceAsk, Race>,
     /// Searches of the library's surfaces.
     pub surfaces: Surfaces,
+    /// What one product takes.
+    pub timing: Job<TimingAsk, Vec<ProductTime>>,
+    /// Error against bounces, by the program's revision.
+    pub bounces: Job<u64, Bounced>,
 }
 
 impl Studies {
@@ -144,12 +167,16 @@ impl Studies {
             spend,
             race,
             surfaces,
+            timing,
+            bounces,
         } = self;
         sweep.take_in();
         auction.take_in();
         spend.take_in();
         race.take_in();
         surfaces.take_in();
+        timing.take_in();
+        bounces.take_in();
     }
 
     /// Whether anything is being computed.
@@ -160,12 +187,16 @@ impl Studies {
             spend,
             race,
             surfaces,
+            timing,
+            bounces,
         } = self;
         sweep.is_running()
             || auction.is_running()
             || spend.is_running()
             || race.is_running()
             || surfaces.is_running()
+            || timing.is_running()
+            || bounces.is_running()
     }
 
     /// Waits for everything.
@@ -176,11 +207,15 @@ impl Studies {
             spend,
             race,
             surfaces,
+            timing,
+            bounces,
         } = self;
         sweep.finish();
         auction.finish();
         spend.finish();
         race.finish();
         surfaces.finish();
+        timing.finish();
+        bounces.finish();
     }
 }

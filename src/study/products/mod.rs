@@ -2,6 +2,8 @@
 //!
 //! ```text
 //! chain   a light through factors, exact beside model at every stage; sets of factors
+//! forming one product formed in every way; the factor at the spikes by Eq. 17
+//! timing  what one product takes on this machine
 //! growth  error against the number of bounces, every way of forming products
 //! narrow  a band-pass that moves over the light: composite, series alone, plain samples
 //! lights  the same surfaces under two lights; metameric pairs and metameric blacks
@@ -15,18 +17,22 @@
 pub mod chain;
 pub mod check;
 pub mod dips;
+pub mod forming;
 pub mod growth;
 pub mod lights;
 pub mod narrow;
+pub mod timing;
 
 pub use chain::{Passage, Product, SetErrors, Step, Total};
 pub use check::{Checker, Compared, Reflection, Sameness, measured_check, reflection_check};
+pub use forming::{Formed, Forming, SpikeCosts, forming, spike_costs};
 pub use growth::{Growth, growth};
 pub use lights::{
     Black, MetamericPair, Metamers, TwoLights, black_of, metameric_black, metameric_pairs,
     two_lights, two_modelled_lights,
 };
 pub use narrow::{Narrow, NarrowPoint};
+pub use timing::{ProductTime, Sizes, product_times};
 
 use crate::{
     color::{Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz},

@@ -5,11 +5,13 @@
 //! are brightened so that the exact light behind it has half the Y of the whole light (by at most
 //! fifty times as much as when the light has Y = 100), as in every figure "behind narrow filters".
 
-use super::{Colours, multiplied, xyz};
+use std::ops::Range;
+
+use super::{Colours, xyz};
 use crate::{
     color::Xyz,
     rivals::{Representation, Samples},
-    spectrum::{Band, BasisTable, Composite, InnerProducts, Spike},
+    spectrum::{Band, BasisTable, Composite, InnerProducts, Spike, band::dot},
 };
 
 /// Y that the light behind the filter is brought to, of the whole light's 1.
@@ -22,15 +24,22 @@ const MOST_GAIN: f64 = 50.0;
 /// of the 1 nm grid on which the exact light is summed.
 pub const NARROWEST_NM: f64 = 2.0;
 
+/// Beyond this many widths a Gaussian is below 1e-19 of its top and not summed.
+const REACH_WIDTHS: f64 = 4.0;
+
+/// Values on the grid times each of three weights and the trapezoid rule's own.
+type Weighed = [Vec<f64>; 3];
+
 /// A light in three representations of equal size.
 #[derive(Clone, Debug)]
 pub struct Narrow {
     band: Band,
     seen: [Vec<f64>; 3],
     white: Xyz,
-    measured: Vec<f64>,
-    /// Smooth values on the grid with their spikes.
-    ways: [(Vec<f64>, Vec<Spike>); 3],
+    /// The exact light, weighed.
+    exact: Weighed,
+    /// The smooth parts, weighed, with their spikes.
+    ways: [(Weighed, Vec<Spike>); 3],
     numbers: usize,
 }
 
@@ -66,17 +75,38 @@ impl Narrow {
             InnerProducts::new(&table, seen).make_exact(&mut series, totals);
         }
         let samples = Samples::fit(band, measured, numbers);
+        let weighed = |values: &[f64]| {
+            seen.each_ref().map(|weight| {
+                let products = values.iter().zip(weight).enumerate();
+                products.map(|(i, (v, w))| v * w * band.weight(i)).collect()
+            })
+        };
         Self {
             band,
             white: xyz(band, measured, &[], seen),
             seen: seen.clone(),
-            measured: measured.to_vec(),
+            exact: weighed(measured),
             ways: [
-                (model.smooth.on_band(), model.spikes.clone()),
-                (table.evaluate(&series), Vec::new()),
-                (samples.on_band(), Vec::new()),
+                (weighed(&model.smooth.on_band()), model.spikes.clone()),
+                (weighed(&table.evaluate(&series)), Vec::new()),
+                (weighed(&samples.on_band()), Vec::new()),
             ],
             numbers,
+        }
+    }
+
+    /// XYZ of the exact light, value x nm: the white of every difference.
+    pub fn white(&self) -> Xyz {
+        self.white
+    }
+
+    /// What both sides are brightened by behind a filter that leaves `exact` of the light.
+    pub fn gain(&self, exact: Xyz) -> f64 {
+        let gain = BRIGHT * self.white.y / exact.y.max(0.0);
+        if gain.is_nan() {
+            1.0
+        } else {
+            gain.min(MOST_GAIN)
         }
     }
 
@@ -93,7 +123,10 @@ impl Narrow {
             let x = (nm - centre_nm) / width_nm;
             (-4.0 * std::f64::consts::LN_2 * x * x).exp()
         };
-        let [composite, series, samples] = self.through(bell);
+        let index = |nm: f64| (nm - self.band.min_nm()).clamp(0.0, self.band.points() as f64);
+        let first = index((centre_nm - REACH_WIDTHS * width_nm).floor()) as usize;
+        let beyond = index((centre_nm + REACH_WIDTHS * width_nm).ceil() + 1.0) as usize;
+        let [composite, series, samples] = self.within(bell, first..beyond.max(first));
         NarrowPoint {
             centre_nm,
             composite,
@@ -105,23 +138,21 @@ impl Narrow {
     /// The three behind any filter, given by its transmittance (0-1) at a wavelength in nm:
     /// composite, series alone, samples.
     pub fn through(&self, filter: impl Fn(f64) -> f64) -> [Colours; 3] {
-        let on_grid: Vec<f64> = self.band.grid().map(&filter).collect();
-        let product = |smooth: &[f64], spikes: &[Spike]| {
-            let behind: Vec<Spike> = spikes
-                .iter()
-                .map(|s| Spike {
-                    weight: s.weight * filter(s.at_nm),
-                    ..*s
-                })
-                .collect();
-            xyz(
-                self.band,
-                &multiplied(smooth, &on_grid),
-                &behind,
-                &self.seen,
-            )
+        self.within(filter, 0..self.band.points())
+    }
+
+    /// The same for a filter that is dark but in some points of the grid.
+    fn within(&self, filter: impl Fn(f64) -> f64, range: Range<usize>) -> [Colours; 3] {
+        let on_grid: Vec<f64> = range.clone().map(|i| filter(self.band.nm(i))).collect();
+        let product = |smooth: &Weighed, spikes: &[Spike]| {
+            Xyz::from_array(std::array::from_fn(|k| {
+                let lines = spikes.iter().map(|s| {
+                    s.weight * filter(s.at_nm) * self.band.interpolate(&self.seen[k], s.at_nm)
+                });
+                dot(&smooth[k][range.clone()], &on_grid) + lines.sum::<f64>()
+            }))
         };
-        let exact = product(&self.measured, &[]);
+        let exact = product(&self.exact, &[]);
         self.ways.each_ref().map(|(smooth, spikes)| {
             let model = product(smooth, spikes);
             let y = BRIGHT * self.white.y;

@@ -3,7 +3,8 @@
 //!
 //! egui_plot has the grid, the vertical axis, panning and zooming; the marks are painted here, so
 //! that heat maps, forms and dashes look as they do in files. A drag pans, Ctrl and the wheel
-//! zoom, the right button zooms into a box, a double click shows everything again.
+//! zoom, the right button zooms into a box, a double click shows everything again. In a chart
+//! whose page has something to drag ([`ChartView::held`]) a drag is the page's and pans nothing.
 
 mod bar;
 mod edge;
@@ -52,6 +53,8 @@ pub struct ChartResponse {
     pub pointed: Option<Hit>,
     /// What the menu was asked for; for [`Window::save_chart`](super::Window::save_chart).
     pub wish: Option<ChartWish>,
+    /// Where the pointer drags the main panel, in the units of the axes.
+    pub dragged: Option<[f64; 2]>,
     /// The main panel, called like the chart.
     pub response: Response,
     /// From screen to the main panel and back; on logarithmic axes of decimal logarithms.
@@ -67,14 +70,45 @@ impl ChartView {
         size: Vec2,
         theme: Theme,
     ) -> ChartResponse {
-        draw(ui, chart, Id::unique(("chart", id)), size, theme, false)
+        draw(ui, chart, Id::unique(("chart", id)), size, theme, LIVE)
+    }
+
+    /// The same with drags left to the page: they do not pan.
+    pub fn held(
+        ui: &mut Ui,
+        chart: &Chart,
+        id: impl std::hash::Hash + std::fmt::Debug,
+        size: Vec2,
+        theme: Theme,
+    ) -> ChartResponse {
+        let how = How {
+            pans: false,
+            ..LIVE
+        };
+        draw(ui, chart, Id::unique(("chart", id)), size, theme, how)
     }
 
     /// Draws a chart with its notes and without its menu, for pictures.
     pub fn bare(ui: &mut Ui, chart: &Chart, size: Vec2, theme: Theme) -> ChartResponse {
-        draw(ui, chart, Id::unique("bare chart"), size, theme, true)
+        let how = How { bare: true, ..LIVE };
+        draw(ui, chart, Id::unique("bare chart"), size, theme, how)
     }
 }
+
+/// How a chart is drawn.
+#[derive(Clone, Copy)]
+struct How {
+    /// With its notes and without its menu.
+    bare: bool,
+    /// Whether a drag pans.
+    pans: bool,
+}
+
+/// As charts in the window are.
+const LIVE: How = How {
+    bare: false,
+    pans: true,
+};
 
 /// What is shown of the main panel, in plot coordinates: `[x, y]` from low to high.
 type Bounds = [[f64; 2]; 2];
@@ -87,7 +121,8 @@ struct Zoom {
     shown: Bounds,
 }
 
-fn draw(ui: &mut Ui, chart: &Chart, id: Id, size: Vec2, theme: Theme, bare: bool) -> ChartResponse {
+fn draw(ui: &mut Ui, chart: &Chart, id: Id, size: Vec2, theme: Theme, how: How) -> ChartResponse {
+    let How { bare, pans } = how;
     let (whole, _) = ui.allocate_exact_size(size.max(LEAST_SIZE), Sense::hover());
     let mut area = whole;
     let mut ui = ui.new_child(UiBuilder::new().max_rect(whole).id_salt(id));
@@ -109,10 +144,13 @@ fn draw(ui: &mut Ui, chart: &Chart, id: Id, size: Vec2, theme: Theme, bare: bool
         chart.y_limits().map(|y| coordinate(y, chart.y_scale)),
     ];
     let bounds = zoom.map_or(own, |zoom| zoom.shown);
-    let main = layout.panel(&mut ui, chart, "main", bounds, theme);
+    let main = layout.panel(&mut ui, chart, ("main", pans), bounds, theme);
     let lower = chart.residual.as_ref().map(|panel| {
         let bounds = [bounds[0], panel.y_limits()];
-        (panel, layout.panel(&mut ui, chart, "lower", bounds, theme))
+        (
+            panel,
+            layout.panel(&mut ui, chart, ("lower", false), bounds, theme),
+        )
     });
     remember(&ui, key, of, &main);
 
@@ -163,7 +201,13 @@ fn draw(ui: &mut Ui, chart: &Chart, id: Id, size: Vec2, theme: Theme, bare: bool
         }
     }
     let pointed = pointed.map(|(hit, _)| hit);
+    let dragged = main
+        .response
+        .dragged_by(egui::PointerButton::Primary)
+        .then(|| main.response.interact_pointer_pos())
+        .flatten();
     ChartResponse {
+        dragged: dragged.map(|at| place.values(at)),
         clicked: pointed.filter(|_| response.clicked()),
         pointed,
         wish,
@@ -260,7 +304,14 @@ impl Layout {
     }
 
     /// An empty panel: grid and vertical axis.
-    fn panel(&self, ui: &mut Ui, chart: &Chart, name: &str, bounds: Bounds, theme: Theme) -> Drawn {
+    fn panel(
+        &self,
+        ui: &mut Ui,
+        chart: &Chart,
+        (name, pans): (&str, bool),
+        bounds: Bounds,
+        theme: Theme,
+    ) -> Drawn {
         let is_main = name == "main";
         let rect = if is_main {
             self.main
@@ -282,7 +333,7 @@ impl Layout {
             .show_x(false)
             .show_y(false)
             .show_crosshair(false)
-            .allow_drag(is_main)
+            .allow_drag(pans)
             .allow_zoom(is_main)
             .allow_boxed_zoom(is_main)
             .allow_scroll(false)

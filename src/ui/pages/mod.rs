@@ -38,6 +38,8 @@ pub struct PageContext<'a> {
     pub commands: &'a mut Vec<Command>,
     /// Charts to copy or save.
     pub wishes: &'a mut Vec<ChartWish>,
+    /// Whether what changes from run to run (times) is left out, for pictures.
+    pub quiet: bool,
 }
 
 impl PageContext<'_> {

@@ -62,6 +62,19 @@ pub fn table(
     enabled: bool,
     theme: Theme,
 ) -> Option<usize> {
+    table_with(ui, columns, rows, (chosen, enabled), theme, |_, _, _| {})
+}
+
+/// The same with something painted into cells beside their text: `paint` gets row and column and
+/// the cell's box, once for every cell that is seen.
+pub fn table_with(
+    ui: &mut Ui,
+    columns: &[Column],
+    rows: &[Row],
+    (chosen, enabled): (Option<usize>, bool),
+    theme: Theme,
+    mut paint: impl FnMut(&Ui, [usize; 2], Rect),
+) -> Option<usize> {
     let height = ui.text_style_height(&TextStyle::Body) + 5.0;
     let width = ui.available_width();
     let borders = borders(columns, width);
@@ -106,6 +119,9 @@ pub fn table(
         ui.painter().rect_filled(rect, 2.0, fill);
         for ((column, cell), text) in columns.iter().zip(cells(rect, &borders)).zip(&row.cells) {
             write(ui, cell, column.right, text);
+        }
+        for (column, cell) in cells(rect, &borders).enumerate() {
+            paint(ui, [index, column], cell);
         }
         if response.clicked() {
             clicked = Some(index);

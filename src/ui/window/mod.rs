@@ -284,6 +284,7 @@ impl Window {
                 wake: &theme::waker(&context),
                 commands: &mut commands,
                 wishes: &mut wishes,
+                quiet: self.quiet,
             },
         );
         for wish in wishes {

@@ -1,1 +1,176 @@
-//! Charts of the part "bounces" of the page "Products": error against bounces.
+//! Error against the number of bounces, for every way of forming products.
+
+use super::forming::{thin, way_looks, way_name};
+use crate::{
+    app::{
+        App, Entry,
+        cells::{line, number, words},
+        chart::{Inks, provenance},
+        plot_svg::{Chart, Dash, Scale, Series, Theme},
+        products::Lit,
+    },
+    study::products::{Growth, growth, growth::MOST_BOUNCES},
+};
+
+/// Differences of colour below this are not seen: what the sentence asks for.
+pub const UNSEEN: f64 = 1.0;
+
+/// Errors below this are drawn at it on a logarithmic axis.
+const SMALLEST: f64 = 1e-3;
+
+/// Bounces that the table tells.
+pub const TOLD: [usize; 5] = [1, 2, 4, 8, 16];
+
+/// Every way of forming products over bounces off one surface.
+#[derive(Clone, Debug)]
+pub struct Bounced {
+    /// The light's name.
+    pub light: String,
+    /// The surface's name.
+    pub surface: String,
+    /// Way by way.
+    pub ways: Vec<Growth>,
+}
+
+impl Bounced {
+    /// Follows the document's light off a surface.
+    pub fn of(app: &App, surface: &Entry) -> Self {
+        Self::lit(&Lit::of(app), app.document().light.name(), surface)
+    }
+
+    /// The same for a light that was taken out of the document, with its name.
+    pub fn lit(lit: &Lit, light: &str, surface: &Entry) -> Self {
+        let factor = lit.factor(surface.on_band(lit.band()));
+        Self {
+            light: light.to_owned(),
+            surface: surface.name().to_owned(),
+            ways: growth(lit.product(), &factor),
+        }
+    }
+
+    /// Whether there is any colour to be off by.
+    pub fn has_colour(&self) -> bool {
+        let mut all = self.ways.iter().flat_map(|way| &way.total);
+        all.any(Option::is_some)
+    }
+
+    /// The chart: total errors, or what forming the products adds.
+    pub fn chart(&self, app: &App, added: bool, log: bool, theme: Theme) -> Chart {
+        let inks = Inks::of(theme);
+        let last = MOST_BOUNCES as f64;
+        let mut series = vec![thin(
+            "ΔE00 = 1",
+            inks.measured,
+            vec![[1.0, UNSEEN], [last, UNSEEN]],
+            Dash::Dashed,
+        )];
+        for way in &self.ways {
+            let (ink, dash, shape) = way_looks(way.sampling, inks);
+            let points: Vec<[f64; 2]> = errors(way, added)
+                .iter()
+                .enumerate()
+                .filter_map(|(i, error)| {
+                    let error = (*error)?;
+                    let shown = if log { error.max(SMALLEST) } else { error };
+                    Some([(i + 1) as f64, shown])
+                })
+                .collect();
+            let name = way_name(way.sampling);
+            series.push(thin("", ink, points.clone(), dash));
+            series.push(Series::points(name, ink, shape, points));
+        }
+        let mut notes = vec![format!(
+            "Light: {}. Surface: {}. Both sides brightened to half the light's Y.",
+            self.light, self.surface
+        )];
+        notes.extend(provenance(app));
+        Chart {
+            title: "Error against bounces".to_owned(),
+            x_label: "Bounces K".to_owned(),
+            y_label: if added {
+                "ΔE00 added by forming the products".to_owned()
+            } else {
+                "ΔE00 against the exact product".to_owned()
+            },
+            x_range: [1.0, last],
+            y_scale: if log { Scale::Log10 } else { Scale::Linear },
+            series,
+            notes,
+            theme,
+            ..Chart::default()
+        }
+    }
+
+    /// Up to which bounce each way stays below a ΔE00 of 1, and for which there is a colour.
+    pub fn stays(&self, added: bool) -> Vec<(usize, usize)> {
+        let told = |way: &Growth| {
+            let errors = errors(way, added);
+            let seen = errors.iter().take_while(|e| e.is_some()).count();
+            let below = |e: &&Option<f64>| e.is_some_and(|e| e < UNSEEN);
+            (errors.iter().take_while(below).count(), seen)
+        };
+        self.ways.iter().map(told).collect()
+    }
+
+    /// Which way stays below a ΔE00 of 1 for how long.
+    pub fn sentence(&self, added: bool) -> String {
+        if !self.has_colour() {
+            return "There is no visible light to be off by.".to_owned();
+        }
+        let stays = self.stays(added);
+        let ways = || self.ways.iter().map(|w| way_name(w.sampling)).zip(&stays);
+        let most = stays.iter().map(|(below, _)| *below).max().unwrap_or(0);
+        let names = |wanted: usize| -> Vec<&str> {
+            let found = ways().filter(|(_, (below, _))| *below == wanted);
+            found.map(|(name, _)| name).collect()
+        };
+        let what = if added { "added ΔE00" } else { "ΔE00" };
+        if most == 0 {
+            return format!("No way stays below {what} 1, not for one bounce.");
+        }
+        let mut lengths: Vec<usize> = stays.iter().map(|(below, _)| *below).collect();
+        lengths.sort_unstable();
+        lengths.dedup();
+        let told: Vec<String> = lengths
+            .iter()
+            .rev()
+            .map(|length| {
+                let whole = stays.iter().all(|(_, seen)| seen == length);
+                let length_words = match (length, whole) {
+                    (0, _) => "not for one bounce".to_owned(),
+                    (length, true) => format!("through all {length} bounces"),
+                    (1, false) => "for 1 bounce".to_owned(),
+                    (length, false) => format!("up to {length} bounces"),
+                };
+                format!("{length_words}: {}", names(*length).join(", "))
+            })
+            .collect();
+        format!("Below {what} 1 {}.", told.join("; "))
+    }
+
+    /// All errors as a table.
+    pub fn csv(&self, app: &App) -> String {
+        let mut out = format!("# light: {}\n# surface: {}\n", self.light, self.surface);
+        for note in provenance(app) {
+            out += &format!("# {note}\n");
+        }
+        let heads = ["way", "bounces", "delta_e_2000_total", "delta_e_2000_added"];
+        out += &line(heads.map(str::to_owned));
+        for way in &self.ways {
+            for (i, (total, added)) in way.total.iter().zip(&way.added).enumerate() {
+                out += &line([
+                    words(way_name(way.sampling)),
+                    number((i + 1) as f64),
+                    number(*total),
+                    number(*added),
+                ]);
+            }
+        }
+        out
+    }
+}
+
+/// The errors of a way, K = 1 first.
+pub fn errors(way: &Growth, added: bool) -> &[Option<f64>] {
+    if added { &way.added } else { &way.total }
+}

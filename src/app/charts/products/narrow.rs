@@ -1,1 +1,403 @@
-//! Charts of the part "narrow" of the page "Products": a narrow band-pass.
+//! The light behind a narrow band-pass: its spectrum with the filter over it, and what three
+//! representations of equal size are off by for every place of the band-pass.
+
+use std::sync::Arc;
+
+use super::forming::thin;
+use crate::{
+    app::{
+        App, Entry,
+        cells::{line, number, words},
+        chart::{Inks, provenance},
+        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
+        products::Lit,
+        ticks::extent,
+    },
+    color::{Adaptation, Srgb, Swatch, srgb_from_wavelength_over},
+    io::preset::Shelf,
+    spectrum::{Band, Kind},
+    study::products::{Colours, Narrow, NarrowPoint},
+};
+
+/// The three representations, in the order of every table.
+pub const WAYS: [&str; 3] = ["composite", "series only", "plain samples"];
+
+/// What each of them is.
+pub const WAY_MEANINGS: [&str; 3] = [
+    "The model: a series for the smooth part and a place and a weight for each spike.",
+    "The same basis with all numbers spent on orders, no spikes.",
+    "Plain point samples joined by straight lines.",
+];
+
+/// Most band-passes that a curve has: wide ranges are walked in steps of several nm.
+const MOST_CENTRES: usize = 801;
+
+/// How a representation is drawn: ink and dash.
+fn looks(way: usize, inks: Inks) -> (Rgb, Dash) {
+    match way {
+        0 => (inks.spikes, Dash::Solid),
+        1 => (inks.smooth, Dash::Dashed),
+        _ => (inks.product, Dash::Dotted),
+    }
+}
+
+/// What stands over the light.
+#[derive(Clone, Debug)]
+pub enum Filter {
+    /// A Gaussian of a centre and a full width at half its maximum, nm.
+    Gaussian {
+        /// Centre, nm.
+        centre_nm: f64,
+        /// Full width, nm.
+        width_nm: f64,
+    },
+    /// A measured one.
+    Real(Arc<Entry>),
+}
+
+impl Filter {
+    /// Its share at each point of the grid.
+    pub fn on_band(&self, band: Band) -> Vec<f64> {
+        match self {
+            Self::Gaussian {
+                centre_nm,
+                width_nm,
+            } => band
+                .grid()
+                .map(|nm| {
+                    let x = (nm - centre_nm) / width_nm;
+                    (-4.0 * std::f64::consts::LN_2 * x * x).exp()
+                })
+                .collect(),
+            Self::Real(entry) => entry.on_band(band),
+        }
+    }
+}
+
+/// The light as measured and in three representations of equal size.
+#[derive(Clone, Debug)]
+pub struct Behind {
+    /// The light's name.
+    pub light: String,
+    /// The grid.
+    pub band: Band,
+    lit: Lit,
+    narrow: Narrow,
+    width_nm: f64,
+}
+
+/// What one filter leaves of the light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figures {
+    /// The three representations.
+    pub ways: [Colours; 3],
+    /// `Y` behind the filter over that of the light; `None` without light.
+    pub luminance: Option<f64>,
+}
+
+/// A filter of the table.
+#[derive(Clone, Debug)]
+pub struct FilterRow {
+    /// The filter.
+    pub entry: Arc<Entry>,
+    /// What it leaves.
+    pub figures: Figures,
+}
+
+impl Behind {
+    /// The document's light.
+    pub fn of(app: &App) -> Self {
+        let lit = Lit::of(app);
+        let settings = app.document().settings;
+        let narrow = Narrow::new(
+            &lit.derived.measured,
+            &lit.derived.model,
+            settings.colour_exact,
+            &lit.tables.viewing.weights,
+        );
+        Self {
+            light: app.document().light.name().to_owned(),
+            band: lit.band(),
+            narrow,
+            width_nm: settings.max_width_nm,
+            lit,
+        }
+    }
+
+    /// Numbers that each representation takes.
+    pub fn numbers(&self) -> usize {
+        self.narrow.numbers()
+    }
+
+    /// Whether there is any visible light.
+    pub fn has_colour(&self) -> bool {
+        let white = self.narrow.white();
+        white.y > 0.0 && white.is_finite()
+    }
+
+    /// What a filter leaves.
+    pub fn figures(&self, filter: &Filter) -> Figures {
+        let ways = match filter {
+            Filter::Gaussian {
+                centre_nm,
+                width_nm,
+            } => {
+                let point = self.narrow.behind(*centre_nm, *width_nm);
+                [point.composite, point.series, point.samples]
+            }
+            Filter::Real(entry) => {
+                let values = entry.on_band(self.band);
+                self.narrow.through(|nm| self.band.interpolate(&values, nm))
+            }
+        };
+        let share = ways[0].exact.y / self.narrow.white().y;
+        Figures {
+            luminance: Some(share).filter(|share| self.has_colour() && share.is_finite()),
+            ways,
+        }
+    }
+
+    /// The exact light and the three representations behind a filter, as bright as they are
+    /// compared: exact first. And what they are brightened by.
+    pub fn swatches(&self, figures: &Figures) -> ([Swatch; 4], f64) {
+        let white = self.narrow.white();
+        let exact = figures.ways[0].exact;
+        let gain = self.narrow.gain(exact);
+        let scale = 100.0 / white.y;
+        let light = white * scale;
+        let seen = |xyz: crate::color::Xyz| {
+            Swatch::of_patch(xyz * (gain * scale), light, Adaptation::None)
+        };
+        let [a, b, c] = figures.ways.map(|way| seen(way.model));
+        ([seen(exact), a, b, c], gain)
+    }
+
+    /// The band-pass at every place of the band.
+    pub fn curve(&self, width_nm: f64) -> Vec<NarrowPoint> {
+        let step = self.band.points().div_ceil(MOST_CENTRES);
+        self.narrow.curve(width_nm, step)
+    }
+
+    /// Every shipped filter glass and every transmittance of the user's own.
+    pub fn table(&self, app: &App) -> Vec<FilterRow> {
+        let own = app.document().own.iter();
+        own.chain(app.bundled())
+            .filter(|entry| is_filter(entry))
+            .map(|entry| FilterRow {
+                figures: self.figures(&Filter::Real(entry.clone())),
+                entry: entry.clone(),
+            })
+            .collect()
+    }
+
+    /// The light, its model and the filter over them.
+    pub fn light_chart(&self, app: &App, filter: &Filter, theme: Theme) -> Chart {
+        let inks = Inks::of(theme);
+        let (band, derived) = (self.band, &self.lit.derived);
+        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
+            band.grid().zip(values).map(|(nm, v)| [nm, *v]).collect()
+        };
+        let smooth = derived.model.smooth.on_band();
+        let spikes = &derived.model.spikes;
+        let base: Vec<f64> = spikes
+            .iter()
+            .map(|s| band.interpolate(&smooth, s.at_nm))
+            .collect();
+        let tops: Vec<[f64; 2]> = spikes
+            .iter()
+            .zip(&base)
+            .map(|(s, b)| [s.at_nm, b + s.stem_height(self.width_nm)])
+            .collect();
+        let highest = derived
+            .measured
+            .iter()
+            .copied()
+            .chain(tops.iter().map(|top| top[1]))
+            .filter(|v| v.is_finite())
+            .fold(0.0, f64::max);
+        let unit = if highest > 0.0 { highest } else { 1.0 };
+        let through = filter.on_band(band).into_iter().map(|v| unit * v);
+        let over: Vec<[f64; 2]> = band.grid().zip(through).map(|(nm, v)| [nm, v]).collect();
+        let area = Marks::Area {
+            points: over.clone(),
+            base: Vec::new(),
+        };
+        let mut series = vec![
+            Series::new("filter, 1 at the top", inks.residual, area),
+            thin("", inks.residual, over, Dash::Solid),
+            thin(
+                "measured",
+                inks.measured,
+                curve(&derived.measured),
+                Dash::Solid,
+            ),
+            thin("smooth part", inks.smooth, curve(&smooth), Dash::Dashed),
+        ];
+        if !tops.is_empty() {
+            let marks = Marks::Stems {
+                points: tops,
+                base,
+                labels: Vec::new(),
+            };
+            series.push(Series::new("spikes", inks.spikes, marks));
+        }
+        Chart {
+            title: "The light and the filter over it".to_owned(),
+            x_label: "Wavelength (nm)".to_owned(),
+            y_label: match derived_unit(app) {
+                "" => "value".to_owned(),
+                unit => unit.to_owned(),
+            },
+            x_range: [band.min_nm(), band.max_nm()],
+            series,
+            strip: strip(band, theme),
+            notes: self.notes(app),
+            theme,
+            ..Chart::default()
+        }
+    }
+
+    /// What the three are off by for every centre of the band-pass; `marked` is the present one.
+    /// Without visible light there is nothing to be off by, and no range.
+    pub fn error_chart(
+        &self,
+        app: &App,
+        curve: &[NarrowPoint],
+        luminance: bool,
+        width_nm: f64,
+        marked: Option<f64>,
+        theme: Theme,
+    ) -> Chart {
+        let inks = Inks::of(theme);
+        let error = |colours: &Colours| {
+            if luminance {
+                Some(100.0 * colours.luminance_error?)
+            } else {
+                Some(colours.delta_e_2000?.max(SMALLEST))
+            }
+        };
+        let mut series = Vec::new();
+        // The composite is drawn last, on top.
+        for way in [2, 1, 0] {
+            let (ink, dash) = looks(way, inks);
+            let points = curve
+                .iter()
+                .map(|point| [point.centre_nm, error(&of(point, way)).unwrap_or(f64::NAN)])
+                .collect();
+            series.push(thin(WAYS[way], ink, points, dash));
+        }
+        let [low, high] = range(&series, luminance);
+        if let Some(centre_nm) = marked {
+            let foot_to_top = vec![[centre_nm, low], [centre_nm, high]];
+            series.push(thin("", inks.residual, foot_to_top, Dash::Solid));
+        }
+        series.reverse();
+        Chart {
+            title: if luminance {
+                format!("Luminance error behind {width_nm:.1} nm")
+            } else {
+                format!("Colour error behind {width_nm:.1} nm")
+            },
+            x_label: "Centre of the band-pass (nm)".to_owned(),
+            y_label: if luminance {
+                "luminance error (%)".to_owned()
+            } else {
+                "ΔE00".to_owned()
+            },
+            x_range: [self.band.min_nm(), self.band.max_nm()],
+            y_range: self.has_colour().then_some([low, high]),
+            y_scale: if luminance {
+                Scale::Linear
+            } else {
+                Scale::Log10
+            },
+            series,
+            notes: self.notes(app),
+            theme,
+            ..Chart::default()
+        }
+    }
+
+    fn notes(&self, app: &App) -> Vec<String> {
+        let mut notes = vec![format!(
+            "Light: {}. Three representations of {} numbers each; the filter is exact.",
+            self.light,
+            self.numbers()
+        )];
+        notes.extend(provenance(app));
+        notes
+    }
+
+    /// The filters as a table.
+    pub fn csv(&self, app: &App, rows: &[FilterRow]) -> String {
+        let mut out = format!("# light: {}\n# numbers: {}\n", self.light, self.numbers());
+        for note in provenance(app) {
+            out += &format!("# {note}\n");
+        }
+        let heads = [
+            "filter",
+            "luminance_share",
+            "composite_delta_e_2000",
+            "series_delta_e_2000",
+            "samples_delta_e_2000",
+        ];
+        out += &line(heads.map(str::to_owned));
+        for row in rows {
+            let errors = row.figures.ways.map(|way| number(way.delta_e_2000));
+            let first = [words(row.entry.name()), number(row.figures.luminance)];
+            out += &line(first.into_iter().chain(errors));
+        }
+        out
+    }
+}
+
+/// Luminance errors beyond this many percent leave the picture: behind a filter where a light has
+/// next to nothing, a share of it means little.
+const LUMINANCE_SHOWN: f64 = 100.0;
+
+/// Errors of colour below this are drawn at it: the axis is logarithmic.
+const SMALLEST: f64 = 0.1;
+
+/// What the vertical axis shows.
+fn range(series: &[Series], luminance: bool) -> [f64; 2] {
+    let points = series.iter().flat_map(|s| s.marks.points());
+    let [low, high] = extent(points.map(|p| p[1])).unwrap_or([0.0; 2]);
+    if !luminance {
+        return [SMALLEST, (1.2 * high).max(10.0 * SMALLEST)];
+    }
+    [
+        low.clamp(-LUMINANCE_SHOWN, -1.0),
+        high.clamp(1.0, LUMINANCE_SHOWN),
+    ]
+}
+
+/// One of the three, by its place in [`WAYS`].
+pub fn of(point: &NarrowPoint, way: usize) -> Colours {
+    match way {
+        0 => point.composite,
+        1 => point.series,
+        _ => point.samples,
+    }
+}
+
+/// Shipped filter glasses, and the user's own transmittances.
+pub fn is_filter(entry: &Entry) -> bool {
+    entry.kind() == Kind::Transmittance && entry.shelf.is_none_or(|shelf| shelf == Shelf::Filters)
+}
+
+fn derived_unit(app: &App) -> &str {
+    &app.document().light.spectrum.unit
+}
+
+/// The visible colours along the axis.
+fn strip(band: Band, theme: Theme) -> Option<Vec<[u8; 3]>> {
+    let ground = match theme {
+        Theme::Dark => Srgb([27, 27, 27]),
+        Theme::Light => Srgb([255, 255, 255]),
+    };
+    (band.min_nm() < 830.0 && band.max_nm() > 360.0).then(|| {
+        band.grid()
+            .map(|nm| srgb_from_wavelength_over(nm, ground).0)
+            .collect()
+    })
+}

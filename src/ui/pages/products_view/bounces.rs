@@ -1,14 +1,208 @@
-//! The part "bounces" of the page "Products".
+//! The part "Bounces" of the page "Products": error against the number of bounces.
 
-use eframe::egui::Ui;
+use std::sync::Arc;
 
-use crate::ui::pages::PageContext;
+use eframe::egui;
+use egui::{ScrollArea, Ui, vec2};
+
+use super::forming::{head, surface_picker, take_way};
+use crate::{
+    app::{
+        charts::products::{
+            bounces::{Bounced, TOLD, UNSEEN, errors},
+            forming::{way_meaning, way_name},
+        },
+        plot_svg::{self, Chart},
+        products::{Lit, memory::BouncesMemory},
+        studies::{Stage, paper::delta_e},
+    },
+    study::Progress,
+    ui::{
+        chart_view::ChartView,
+        pages::{
+            PageContext, progress,
+            rows::{Column, Row, table},
+        },
+    },
+};
+
+/// What people and tests call the controls.
+pub mod names {
+    /// The list of surfaces.
+    pub const SURFACE: &str = "Surface";
+    /// The whole error.
+    pub const TOTAL: &str = "total";
+    /// What forming the products adds.
+    pub const ADDED: &str = "added by forming";
+    /// The axis.
+    pub const LOG: &str = "logarithmic";
+    /// Copies all errors.
+    pub const COPY: &str = "Copy bounces as CSV";
+}
+
+/// What the chart was built from.
+struct Of {
+    bounced: Arc<Bounced>,
+    memory: BouncesMemory,
+    theme: plot_svg::Theme,
+}
+
+impl PartialEq for Of {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.bounced, &other.bounced)
+            && self.memory == other.memory
+            && self.theme == other.theme
+    }
+}
 
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct BouncesView;
+pub struct BouncesView {
+    chart: Option<(Of, Chart)>,
+}
 
 impl BouncesView {
     /// Draws the part.
-    pub fn show(&mut self, _ui: &mut Ui, _context: &mut PageContext<'_>) {}
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let (app, revision) = (context.app, context.app.revision());
+        ui.horizontal_wrapped(|ui| {
+            surface_picker(ui, context, names::SURFACE);
+            ui.separator();
+            let memory = &mut context.memory.products.bounces;
+            ui.label("ΔE00");
+            ui.selectable_value(&mut memory.added, false, names::TOTAL)
+                .on_hover_text(
+                    "CIEDE2000 of the model against measured light times the measured surface.",
+                );
+            ui.selectable_value(&mut memory.added, true, names::ADDED)
+                .on_hover_text(
+                    "CIEDE2000 against the exact product of the very same series: what forming \
+                     the products adds. At 1 nm nothing is added.",
+                );
+            ui.separator();
+            ui.checkbox(&mut memory.log, names::LOG).on_hover_text(
+                "A logarithmic vertical axis; errors below 0.001 stand at its foot.",
+            );
+        });
+        let Some(surface) = app.document().products.surface.clone() else {
+            ui.weak("Choose the surface that the light bounces off.");
+            return;
+        };
+        let job = &mut context.studies.bounces;
+        job.ask(&revision, context.wake, || {
+            let (lit, light) = (Lit::of(app), app.document().light.name().to_owned());
+            move |progress: &Progress| {
+                let found = Bounced::lit(&lit, &light, &surface);
+                (!progress.is_cancelled()).then_some(found)
+            }
+        });
+        if !matches!(job.stage(), Stage::Done | Stage::Running(_)) {
+            progress(ui, job, "Error against bounces");
+        }
+        let Some(bounced) = job.result().cloned() else {
+            return;
+        };
+        let of = Of {
+            bounced: bounced.clone(),
+            memory: context.memory.products.bounces,
+            theme: context.chart_theme(),
+        };
+        let memory = of.memory;
+        if self.chart.as_ref().is_none_or(|(known, _)| *known != of) {
+            let chart = bounced.chart(app, memory.added, memory.log, of.theme);
+            self.chart = Some((of, chart));
+        }
+        let Some((_, chart)) = &self.chart else {
+            return;
+        };
+        let room = ui.available_size();
+        let scale = context.theme.scale;
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            let width = ui.available_width() - 8.0;
+            ui.set_max_width(width);
+            ui.add(egui::Label::new(bounced.sentence(memory.added)).wrap())
+                .on_hover_text(
+                    "Measured on this light and surface. Both sides are brightened so that the \
+                     exact product has half the light's Y.",
+                );
+            let below = 9.0 * (ui.spacing().interact_size.y + 3.0) + 40.0 * scale;
+            let height = (room.y - below).max(300.0 * scale);
+            let shown = ChartView::show(ui, chart, "bounces", vec2(width, height), context.theme);
+            context.wishes.extend(shown.wish);
+            ui.add_space(4.0);
+            figures(ui, context, &bounced, memory.added);
+        });
+    }
+}
+
+/// Errors behind a few counts of bounces.
+fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added: bool) {
+    let title = if added {
+        "ΔE00 added by forming the products, behind K bounces"
+    } else {
+        "ΔE00 behind K bounces"
+    };
+    let app = context.app;
+    let copied = "Copies total and added errors behind every number of bounces as a table.";
+    head(ui, title, names::COPY, copied, || bounced.csv(app));
+    let mut columns = vec![Column::words(
+        "way",
+        "How products are formed. Click a row to form all products so.",
+        2.2,
+    )];
+    columns.extend(TOLD.map(|k| {
+        Column::numbers(
+            &format!("K = {k}"),
+            &format!("CIEDE2000 behind {k} bounces, the white is the light."),
+            1.2,
+        )
+    }));
+    columns.push(Column::numbers(
+        "below 1 up to",
+        &format!("The last bounce of those from the first on whose ΔE00 stay below {UNSEEN}."),
+        1.3,
+    ));
+    let stays = bounced.stays(added);
+    let rows: Vec<Row> = bounced
+        .ways
+        .iter()
+        .zip(&stays)
+        .map(|(way, (below, seen))| {
+            let errors = errors(way, added);
+            let told = TOLD.map(|k| match errors.get(k - 1).copied().flatten() {
+                Some(0.0) => "0".to_owned(),
+                error => delta_e(error),
+            });
+            let name = way_name(way.sampling);
+            let until = match below {
+                _ if *seen == 0 => "–".to_owned(),
+                0 => "none".to_owned(),
+                below if below == seen && *below == errors.len() => format!("all {below}"),
+                below => format!("K = {below}"),
+            };
+            Row {
+                name: format!("{name}: below 1 up to {until}"),
+                note: format!(
+                    "{}\nClick to form all products so.",
+                    way_meaning(way.sampling)
+                ),
+                cells: std::iter::once(name.to_owned())
+                    .chain(told)
+                    .chain([until])
+                    .collect(),
+            }
+        })
+        .collect();
+    let settings = app.document().settings;
+    let chosen = bounced
+        .ways
+        .iter()
+        .position(|way| way.sampling == settings.sampling);
+    let theme = context.theme;
+    let clicked = ui
+        .scope(|ui| table(ui, &columns, &rows, chosen, true, theme))
+        .inner;
+    if let Some(way) = clicked.and_then(|row| bounced.ways.get(row)) {
+        take_way(context, way.sampling);
+    }
 }
