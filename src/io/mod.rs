@@ -15,6 +15,7 @@
 pub mod alternating;
 pub mod atomic;
 pub mod axis;
+pub mod budget;
 pub mod colorimetry_json;
 pub mod columns;
 pub mod composite_json;
@@ -23,6 +24,7 @@ pub mod csv;
 pub mod curve;
 pub mod dialect;
 pub mod draft;
+pub mod envi;
 pub mod error;
 pub mod foreign_json;
 pub mod input;
@@ -39,6 +41,7 @@ pub mod rows;
 pub mod spd;
 pub mod spdx;
 pub mod spdx_write;
+pub mod spectral_image;
 pub mod spectrum_json;
 pub mod table;
 pub mod text;
@@ -83,6 +86,7 @@ pub struct Format {
 
 /// Every format, the special before the general.
 pub const FORMATS: &[Format] = &[
+    envi::FORMAT,
     unreadable::FORMAT,
     composite_json::FORMAT,
     composite_line::FORMAT,

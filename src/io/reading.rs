@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::spectrum::{Composite, NamedSpectrum};
+use crate::spectrum::{Composite, NamedSpectrum, SpectralImage};
 
 /// What a reader had to guess and a person may flip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +52,8 @@ pub struct Reading {
     pub spectra: Vec<NamedSpectrum>,
     /// Composite models.
     pub composites: Vec<CompositeFile>,
+    /// Images whose pixels are spectra.
+    pub images: Vec<SpectralImage>,
     /// What had to be guessed.
     pub guesses: Vec<Guess>,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the
