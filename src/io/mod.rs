@@ -28,6 +28,7 @@ pub mod envi;
 pub mod error;
 pub mod foreign_json;
 pub mod input;
+pub mod jcamp;
 pub mod keyed_json;
 pub mod kinds;
 pub mod layout;
@@ -87,6 +88,7 @@ pub struct Format {
 /// Every format, the special before the general.
 pub const FORMATS: &[Format] = &[
     envi::FORMAT,
+    jcamp::FORMAT,
     unreadable::FORMAT,
     composite_json::FORMAT,
     composite_line::FORMAT,
