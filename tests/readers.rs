@@ -13,10 +13,18 @@ use proptest::prelude::*;
 use root::root;
 use serde_json::Value;
 use spectral_explorer::io::{Guessed, Reading, read_bytes, read_path};
-use spectral_explorer::spectrum::{Kind, NamedSpectrum};
+use spectral_explorer::spectrum::{Kind, NamedSpectrum, SpectralImage};
 
 /// Files that must read to the reference reading.
-const MUST_MATCH: [&str; 33] = [
+const MUST_MATCH: [&str; 41] = [
+    "library_berlin.hdr",
+    "library_berlin.sli",
+    "optimized.sli.hdr",
+    "optimized.sli",
+    "cubus_gamsberg_subset.hdr",
+    "uv.jdx",
+    "uv_ACD.jdx",
+    "OceanOptics_period.jdx",
     "TM27_Sample_Spectral_Data.spdx",
     "cie.stdillum.F11.spd",
     "macbeth-1.spd",
@@ -53,7 +61,17 @@ const MUST_MATCH: [&str; 33] = [
 ];
 
 /// Files that must read, with the number of spectra and of points in the first.
-const MUST_READ: [(&str, usize, usize); 17] = [
+const MUST_READ: [(&str, usize, usize); 27] = [
+    ("library_berlin.sli", 75, 177),
+    ("optimized.sli", 313, 180),
+    ("cubus_gamsberg_subset", 0, 0),
+    ("D65.exr", 1, 97),
+    ("Ohta1997.exr", 24, 16),
+    ("BiSpectral.exr", 0, 0),
+    ("FBH450-10.xlsx", 2, 0),
+    ("FBH660-10.xlsx", 2, 0),
+    ("HELIFURC_BR_278_282.jdx", 3, 3648),
+    ("Johnson.yml", 3, 49),
     ("psi-spectrapen-SP.csv", 12, 256),
     ("CIE_a-opic_action_spectra.csv", 5, 226),
     ("linss2_10e_5.csv", 3, 89),
@@ -74,7 +92,7 @@ const MUST_READ: [(&str, usize, usize); 17] = [
 ];
 
 /// Files that hold no spectrum, or one of a format refused by its name, and words of the refusal.
-const MUST_REFUSE: [(&str, &str); 20] = [
+const MUST_REFUSE: [(&str, &str); 11] = [
     ("Invalid.spdx", "expected <IESTM2714>"),
     ("argyll_output_read1.txt", "expected two or more columns"),
     ("bad-input-test.txt", "expected"),
@@ -84,17 +102,8 @@ const MUST_REFUSE: [(&str, &str); 20] = [
         "splib07a_Brick_GDS355_Paving_Dk_Gry_ASDFRa_AREF.txt",
         "2151 lines of one number each",
     ),
-    ("FBH450-10.xlsx", "Excel workbook"),
-    ("FBH660-10.xlsx", "Excel workbook"),
-    ("D65.exr", "OpenEXR"),
-    ("Ohta1997.exr", "OpenEXR"),
-    ("BiSpectral.exr", "OpenEXR"),
     ("OceanOptics.spc", "Galactic"),
-    ("library_berlin.sli", "ENVI"),
-    ("library_berlin.hdr", "ENVI"),
-    ("optimized.sli", "ENVI"),
-    ("cubus_gamsberg_subset", "ENVI"),
-    ("uv.jdx", "JCAMP-DX"),
+    ("difdup_example.jdx", "MILLISECONDS"),
     ("F8.sp", "Argyll"),
     ("default.ti3", "Argyll"),
     ("wasatch-enlighten-scope.json", "JSON with the keys"),
@@ -134,7 +143,13 @@ fn verdict(reading: &Reading, expected: &Value) -> &'static str {
     match expected["series"].as_array() {
         None => "no reference",
         Some(series) => {
-            let found = |one| reading.spectra.iter().any(|s| matches(s, one));
+            let probes: Vec<_> = reading
+                .images
+                .iter()
+                .flat_map(SpectralImage::probes)
+                .collect();
+            let all = || reading.spectra.iter().chain(&probes);
+            let found = |one| all().any(|s| matches(s, one));
             if !series.is_empty() && series.iter().all(found) {
                 "matches"
             } else {
@@ -288,7 +303,8 @@ fn a_large_table_is_read_in_time_that_grows_with_its_length_only() {
 /// Names that lead to each reader.
 fn names() -> impl Strategy<Value = &'static str> {
     prop::sample::select(vec![
-        "a.csv", "a.spd", "a.spdx", "a.json", "a.txt", "a", "a.dpt", "a.spc",
+        "a.csv", "a.spd", "a.spdx", "a.json", "a.txt", "a", "a.dpt", "a.spc", "a.hdr", "a.jdx",
+        "a.yml", "a.cxf",
     ])
 }
 
@@ -320,6 +336,12 @@ fn table_like() -> impl Strategy<Value = String> {
         "]",
         ":",
         "<IESTM2714>",
+        "<CxF>",
+        "##TITLE=",
+        "##XYDATA=(X++(Y..Y))",
+        "##XUNITS=NM",
+        "DATA:",
+        "type: tabulated nk",
         "cs1;",
         "cosine;",
         "1e308",
@@ -339,7 +361,10 @@ fn is_refused_well(name: &str, bytes: &[u8]) -> Result<(), TestCaseError> {
     match read_bytes(name, bytes) {
         Ok(reading) => {
             prop_assert!(!reading.notes.is_empty());
-            prop_assert!(!reading.spectra.is_empty() || !reading.composites.is_empty());
+            let holds_some = !reading.spectra.is_empty()
+                || !reading.composites.is_empty()
+                || !reading.images.is_empty();
+            prop_assert!(holds_some);
         }
         Err(refusal) => {
             let line = refusal.to_string();

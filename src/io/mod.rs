@@ -13,6 +13,7 @@
 //! Nothing here touches colour or the window.
 
 pub mod alternating;
+pub mod archive;
 pub mod atomic;
 pub mod axis;
 pub mod budget;
@@ -22,11 +23,14 @@ pub mod composite_json;
 pub mod composite_line;
 pub mod csv;
 pub mod curve;
+pub mod cxf;
 pub mod dialect;
 pub mod draft;
 pub mod envi;
 pub mod error;
 pub mod foreign_json;
+pub mod gdtf;
+pub mod guarded;
 pub mod input;
 pub mod jcamp;
 pub mod keyed_json;
@@ -36,12 +40,15 @@ pub mod meaning;
 pub mod number;
 pub mod pick;
 pub mod preset;
+pub mod procspec;
 pub mod reading;
+pub mod refractive_yaml;
 pub mod roles;
 pub mod rows;
 pub mod spd;
 pub mod spdx;
 pub mod spdx_write;
+pub mod spectral_exr;
 pub mod spectral_image;
 pub mod spectrum_json;
 pub mod table;
@@ -50,6 +57,8 @@ pub mod titles;
 pub mod units;
 pub mod unreadable;
 pub mod write;
+pub mod xlsx;
+pub mod xml;
 
 use std::io::Read;
 use std::path::Path;
@@ -88,7 +97,13 @@ pub struct Format {
 /// Every format, the special before the general.
 pub const FORMATS: &[Format] = &[
     envi::FORMAT,
+    spectral_exr::FORMAT,
+    gdtf::FORMAT,
+    xlsx::FORMAT,
+    procspec::FORMAT,
     jcamp::FORMAT,
+    cxf::FORMAT,
+    refractive_yaml::FORMAT,
     unreadable::FORMAT,
     composite_json::FORMAT,
     composite_line::FORMAT,

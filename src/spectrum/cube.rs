@@ -143,7 +143,10 @@ impl fmt::Display for CubeError {
             Self::Bands => f.write_str("expected two or more bands at rising wavelengths"),
             Self::Short { found, expected } => match expected {
                 Some(expected) => write!(f, "expected {expected} bytes, found {found}"),
-                None => write!(f, "expected a size that can be counted, found {found} bytes"),
+                None => write!(
+                    f,
+                    "expected a size that can be counted, found {found} bytes"
+                ),
             },
         }
     }
@@ -411,10 +414,7 @@ mod tests {
             height: 99,
         };
         // Rows 0 and 1 of column 1; 111 at 500 nm is missing.
-        assert_eq!(
-            cube.mean_of(region).unwrap().values(),
-            [63.0, 11.0, 60.0]
-        );
+        assert_eq!(cube.mean_of(region).unwrap().values(), [63.0, 11.0, 60.0]);
         assert!(cube.mean_of(Rect { x: 7, ..region }).is_none());
         assert!(cube.value(3, 0, 0).is_nan());
     }
@@ -423,7 +423,13 @@ mod tests {
     fn too_few_bytes_and_sizes_beyond_counting_are_no_cube() {
         let good = cube(Interleave::Bands);
         let make = |width, bytes: Vec<u8>| {
-            Cube::new(width, 2, &[(400.0, 0), (500.0, 1)], good.layout, Arc::new(bytes))
+            Cube::new(
+                width,
+                2,
+                &[(400.0, 0), (500.0, 1)],
+                good.layout,
+                Arc::new(bytes),
+            )
         };
         assert_eq!(
             make(3, vec![0; 53]).unwrap_err(),

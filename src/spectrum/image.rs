@@ -43,7 +43,10 @@ impl SpectralImage {
         let name = if region == self.cube.all() {
             format!("{}, mean", self.name)
         } else {
-            format!("{}, mean of {width} x {height} from row {y} column {x}", self.name)
+            format!(
+                "{}, mean of {width} x {height} from row {y} column {x}",
+                self.name
+            )
         };
         Some(self.named(name, self.cube.mean_of(region)?))
     }

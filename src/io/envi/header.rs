@@ -96,7 +96,8 @@ impl Header {
         let kind = self.text("file type").unwrap_or("").to_lowercase();
         let without_word = self.bands == 1
             && self.samples > 1
-            && (self.list("wavelength").len() == self.samples || self.fields.contains_key("spectra names"));
+            && (self.list("wavelength").len() == self.samples
+                || self.fields.contains_key("spectra names"));
         kind.contains("spectral library") || without_word
     }
 
@@ -131,7 +132,11 @@ pub fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let count = |key: &str, otherwise: Option<usize>| {
         let Some(text) = header.text(key) else {
             return otherwise.ok_or_else(|| {
-                ReadError::new(file, format!("no \"{key}\""), format!("a line \"{key} = number\""))
+                ReadError::new(
+                    file,
+                    format!("no \"{key}\""),
+                    format!("a line \"{key} = number\""),
+                )
             });
         };
         text.parse::<usize>()
@@ -148,7 +153,11 @@ pub fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
             6 | 9 => "complex numbers (data type 6 or 9)".to_owned(),
             other => format!("data type {other}"),
         };
-        header.error("data type", found, "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15")
+        header.error(
+            "data type",
+            found,
+            "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15",
+        )
     })?;
     let word = header.text("interleave").unwrap_or("bsq").to_lowercase();
     let interleave = match &*word {
@@ -165,7 +174,10 @@ pub fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     if byte_order > 1 {
         return Err(header.error("byte order", format!("byte order = {byte_order}"), "0 or 1"));
     }
-    if header.text("file compression").is_some_and(|word| word != "0") {
+    if header
+        .text("file compression")
+        .is_some_and(|word| word != "0")
+    {
         return Err(header.error(
             "file compression",
             "compressed data",

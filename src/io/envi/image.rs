@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::spectrum::cube::{Cube, CubeError, Layout};
 use crate::spectrum::SpectralImage;
+use crate::spectrum::cube::{Cube, CubeError, Layout};
 
 use super::super::spectral_image;
 use super::super::{ReadError, Reading};
@@ -54,7 +54,9 @@ pub fn read(header: &Header, data: Vec<u8>, data_name: &str) -> Result<Reading, 
     let values = meaning::values(header, data_name, &sample)?;
     let mut notes = channels.notes;
     notes.extend(values.notes);
-    let stem = data_name.rsplit_once('.').map_or(data_name, |(stem, _)| stem);
+    let stem = data_name
+        .rsplit_once('.')
+        .map_or(data_name, |(stem, _)| stem);
     let image = SpectralImage {
         name: stem.to_owned(),
         kind: values.kind,

@@ -101,10 +101,12 @@ pub fn read(
                 chosen: chosen.clone(),
                 because: because.clone(),
             }));
-        reading.guesses.extend(axis.guessed.iter().map(|guess| Guess {
-            spectrum: at,
-            ..guess.clone()
-        }));
+        reading
+            .guesses
+            .extend(axis.guessed.iter().map(|guess| Guess {
+                spectrum: at,
+                ..guess.clone()
+            }));
         reading.spectra.push(spectrum);
     }
     if reading.spectra.is_empty() {

@@ -127,7 +127,9 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
     bands.dedup_by(|later, earlier| later.0 == earlier.0);
     match before - bands.len() {
         0 => {}
-        n => notes.push(format!("{n} channels of no or of a doubled wavelength dropped")),
+        n => notes.push(format!(
+            "{n} channels of no or of a doubled wavelength dropped"
+        )),
     }
 }
 
@@ -163,7 +165,11 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         .number("reflectance scale factor")?
         .filter(|factor| *factor > 0.0);
     let mut guesses = Vec::new();
-    let mut sizes: Vec<f64> = sample.iter().map(|v| v.abs()).filter(|v| v.is_finite()).collect();
+    let mut sizes: Vec<f64> = sample
+        .iter()
+        .map(|v| v.abs())
+        .filter(|v| v.is_finite())
+        .collect();
     sizes.sort_by(f64::total_cmp);
     let high = sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0);
     let found = kinds::kind(title, &lines, data_name, sample);

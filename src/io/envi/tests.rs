@@ -27,7 +27,10 @@ const LIBRARY: &str = "ENVI\n; a comment\nsamples = 4\nlines = 2\nbands = 1\nhea
 
 fn library_data() -> Vec<u8> {
     let values = [100_i16, 200, -9, 400, 500, 600, -9, 800];
-    [0, 0].into_iter().chain(values.into_iter().flat_map(i16::to_be_bytes)).collect()
+    [0, 0]
+        .into_iter()
+        .chain(values.into_iter().flat_map(i16::to_be_bytes))
+        .collect()
 }
 
 fn cube_header(interleave: &str) -> String {
@@ -67,7 +70,12 @@ fn either_file_of_a_library_opens_it_and_every_spectrum_has_its_name() {
             assert_eq!(names, ["red brick", "blue  tile"]);
             let first = &reading.spectra[0];
             assert_eq!(first.samples.nm(), [400.0, 500.0, 700.0]);
-            let own: Vec<f64> = first.samples.values().iter().map(|v| v / first.scale).collect();
+            let own: Vec<f64> = first
+                .samples
+                .values()
+                .iter()
+                .map(|v| v / first.scale)
+                .collect();
             for (own, file) in own.iter().zip([100.0, 200.0, 400.0]) {
                 assert!((own - file).abs() < 1e-9);
             }
@@ -124,7 +132,9 @@ fn an_unknown_unit_is_a_guess() {
 
 #[test]
 fn what_is_wrong_with_a_pair_is_said_by_file_and_line() {
-    let alone = read_bytes("a.hdr", LIBRARY.as_bytes()).unwrap_err().to_string();
+    let alone = read_bytes("a.hdr", LIBRARY.as_bytes())
+        .unwrap_err()
+        .to_string();
     assert!(alone.contains("an ENVI header by itself"), "{alone}");
     let data = library_data();
     let said = |header: &str, data: &[u8]| {
@@ -161,7 +171,10 @@ fn a_cube_of_half_a_thousand_pixels_square_opens_at_once() {
     let header = "ENVI\nsamples = 512\nlines = 512\nbands = 31\ndata type = 12\ninterleave = bil\n\
         wavelength units = Nanometers\nwavelength = {"
         .to_owned()
-        + &(0..31).map(|i| (400 + 10 * i).to_string()).collect::<Vec<_>>().join(",")
+        + &(0..31)
+            .map(|i| (400 + 10 * i).to_string())
+            .collect::<Vec<_>>()
+            .join(",")
         + "}\n";
     let data = vec![1; 512 * 512 * 31 * 2];
     let folder = folder(&[("big.hdr", header.as_bytes()), ("big.bil", &data)]);
@@ -187,7 +200,9 @@ fn broken_headers_and_data_never_panic() {
                 bytes.truncate(round * header.len() / 400);
             }
             for _ in 0..round % 4 {
-                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
                 if !bytes.is_empty() {
                     let at = (state >> 33) as usize % bytes.len();
                     bytes[at] = (state >> 20) as u8;

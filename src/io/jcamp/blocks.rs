@@ -46,7 +46,9 @@ pub fn label_of(line: &str) -> Option<(String, &str)> {
 }
 
 fn without_comment(line: &str) -> &str {
-    line.split_once("$$").map_or(line, |(before, _)| before).trim()
+    line.split_once("$$")
+        .map_or(line, |(before, _)| before)
+        .trim()
 }
 
 /// The blocks of a file.
@@ -107,7 +109,9 @@ pub fn of<'a>(input: &Input, text: &'a str) -> Result<Vec<Block<'a>>, ReadError>
 impl<'a> Block<'a> {
     /// Whether it only holds other blocks.
     pub fn is_link(&self) -> bool {
-        let of_type = self.text("DATATYPE").is_some_and(|t| t.eq_ignore_ascii_case("LINK"));
+        let of_type = self
+            .text("DATATYPE")
+            .is_some_and(|t| t.eq_ignore_ascii_case("LINK"));
         of_type && self.data.is_none()
     }
 
@@ -153,7 +157,9 @@ impl<'a> Block<'a> {
     pub fn data(&self, input: &Input) -> Result<Data<'a>, ReadError> {
         if let Some((line, _)) = self.records.get("NTUPLES") {
             let found = "NTUPLES (several variables)";
-            return Err(input.error(found, "##XYDATA= or ##XYPOINTS=").at_line(*line));
+            return Err(input
+                .error(found, "##XYDATA= or ##XYPOINTS=")
+                .at_line(*line));
         }
         if let Some((line, _)) = self.records.get("PEAKTABLE") {
             let found = "a table of peaks";
@@ -186,7 +192,10 @@ impl<'a> Block<'a> {
         let Some((_, row)) = data.rows.first() else {
             return false;
         };
-        let cells: Vec<&str> = row.split([' ', '\t', ';']).filter(|c| !c.is_empty()).collect();
+        let cells: Vec<&str> = row
+            .split([' ', '\t', ';'])
+            .filter(|c| !c.is_empty())
+            .collect();
         data.is_pairs && cells.len() == 2 && cells.iter().all(|cell| is_comma(cell))
     }
 }

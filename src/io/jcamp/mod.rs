@@ -116,8 +116,8 @@ fn read_block(
             )
             .at_line(block.line));
     }
-    let unknown_unit = ["", "arbitrary units", "unknown", "none"]
-        .contains(&x_units.to_lowercase().as_str());
+    let unknown_unit =
+        ["", "arbitrary units", "unknown", "none"].contains(&x_units.to_lowercase().as_str());
     if WavelengthUnit::of_title(x_units).is_none() && !unknown_unit {
         return Err(input
             .error(
@@ -143,9 +143,8 @@ fn read_block(
 
     let range = extent(&axis);
     let told = WavelengthUnit::of_title(x_units);
-    let not_wave_numbers = told == Some(WavelengthUnit::PerCentimetre)
-        && range.0 >= LOW_NM
-        && range.1 <= HIGH_NM;
+    let not_wave_numbers =
+        told == Some(WavelengthUnit::PerCentimetre) && range.0 >= LOW_NM && range.1 <= HIGH_NM;
     let axis_title = if unknown_unit || not_wave_numbers {
         ""
     } else {

@@ -115,10 +115,16 @@ impl Grid {
         count: usize,
         notes: &mut Vec<String>,
     ) -> Vec<f64> {
-        let first = self.first.or(starts.first().map(|s| s.1)).unwrap_or(f64::NAN);
+        let first = self
+            .first
+            .or(starts.first().map(|s| s.1))
+            .unwrap_or(f64::NAN);
         let steps = count.saturating_sub(1) as f64;
         let complete = self.announced.is_none_or(|n| n == count as f64);
-        let by_ends = self.last.filter(|_| complete).map(|last| (last - first) / steps);
+        let by_ends = self
+            .last
+            .filter(|_| complete)
+            .map(|last| (last - first) / steps);
         let by_announced = match (self.last, self.announced) {
             (Some(last), Some(n)) if n > 1.0 => Some((last - first) / (n - 1.0)),
             _ => None,
@@ -184,9 +190,7 @@ impl Unpacked {
         decimal_comma: bool,
     ) -> Result<bool, Trouble> {
         let bytes = row.as_bytes();
-        let is_gap = |b: u8| {
-            b.is_ascii_whitespace() || b == b';' || (b == b',' && !decimal_comma)
-        };
+        let is_gap = |b: u8| b.is_ascii_whitespace() || b == b';' || (b == b',' && !decimal_comma);
         let mut at = 0;
         let mut abscissa = None;
         let mut last: Option<(Form, f64)> = None;
@@ -215,8 +219,7 @@ impl Unpacked {
                 at = past;
                 continue;
             }
-            let (form, value, past) =
-                number_at(row, at, decimal_comma).ok_or(Trouble::At(at))?;
+            let (form, value, past) = number_at(row, at, decimal_comma).ok_or(Trouble::At(at))?;
             if abscissa.is_none() {
                 if form != Some(Form::Value) && form.is_some() {
                     return Err(Trouble::At(at));

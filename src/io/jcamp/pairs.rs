@@ -34,11 +34,8 @@ pub fn read(
         for cell in row.split(is_gap).filter(|cell| !cell.is_empty()) {
             let value = match cell {
                 "?" => f64::NAN,
-                _ => number::number(cell, decimal_comma).ok_or_else(|| {
-                    input
-                        .error(quoted(cell), "pairs of numbers")
-                        .at_line(*line)
-                })?,
+                _ => number::number(cell, decimal_comma)
+                    .ok_or_else(|| input.error(quoted(cell), "pairs of numbers").at_line(*line))?,
             };
             match abscissa.take() {
                 None => abscissa = Some(value),

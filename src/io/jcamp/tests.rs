@@ -16,7 +16,10 @@ fn read(text: &str) -> Reading {
 }
 
 fn refusal(text: &str) -> String {
-    read_bytes("a.jdx", text.as_bytes()).map(|r| r.notes).unwrap_err().to_string()
+    read_bytes("a.jdx", text.as_bytes())
+        .map(|r| r.notes)
+        .unwrap_err()
+        .to_string()
 }
 
 fn values(text: &str) -> Vec<f64> {
@@ -47,7 +50,12 @@ fn differences_are_checked_at_line_starts() {
     // 28 - 31 = -3, + 6 = 3, + 0.
     let good = file(HEAD, "##XYDATA= (X++(Y..Y))\n400@J0%TJ8\n408B8l1O%\n414C");
     assert_eq!(values(&good), Y);
-    assert!(!read(&good).spectra[0].notes.iter().any(|n| n.contains("checks")));
+    assert!(
+        !read(&good).spectra[0]
+            .notes
+            .iter()
+            .any(|n| n.contains("checks"))
+    );
     let bad = good.replace("B8", "B9");
     let notes = &read(&bad).spectra[0].notes;
     let note = notes.iter().find(|n| n.contains("checks")).expect("a note");
@@ -128,10 +136,18 @@ fn counts_are_no_transmittance_whatever_the_label_says() {
 #[test]
 fn numbers_that_do_not_agree_are_noted() {
     let head = HEAD.replace("NPOINTS= 8", "NPOINTS= 15");
-    let text = file(&head, "##XYDATA= (X++(Y..Y))\n400 0 10 10 10 28\n405 -3 3 3");
+    let text = file(
+        &head,
+        "##XYDATA= (X++(Y..Y))\n400 0 10 10 10 28\n405 -3 3 3",
+    );
     let spectrum = &read(&text).spectra[0];
     assert_eq!(spectrum.samples.nm()[1], 401.0);
-    assert!(spectrum.notes.iter().any(|n| n == "NPOINTS says 15, found 8 points"));
+    assert!(
+        spectrum
+            .notes
+            .iter()
+            .any(|n| n == "NPOINTS says 15, found 8 points")
+    );
 }
 
 #[test]
@@ -159,7 +175,9 @@ fn broken_files_never_panic() {
     for round in 0..3000 {
         let mut bytes = text.clone();
         for _ in 0..1 + round % 5 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
             let at = (state >> 33) as usize % bytes.len();
             bytes[at] = (state >> 20) as u8;
         }
