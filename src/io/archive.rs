@@ -73,13 +73,16 @@ impl<'a, 'b> Archive<'a, 'b> {
         Ok(content)
     }
 
-    /// Unpacks every member and keeps nothing: for archives that another parser opens.
+    /// Unpacks the members whose names are told and keeps nothing: for archives that another
+    /// parser opens.
     ///
     /// # Errors
     /// As [`Archive::member`].
-    pub fn count_all(&mut self) -> Result<(), ReadError> {
+    pub fn count(&mut self, is_told: impl Fn(&str) -> bool) -> Result<(), ReadError> {
         for index in 0..self.names.len() {
-            self.unpack(index, |_| {})?;
+            if is_told(&self.names[index]) {
+                self.unpack(index, |_| {})?;
+            }
         }
         Ok(())
     }

@@ -188,7 +188,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let text = |key: &str| {
             let found = layer.attributes.other.iter().chain(&image.attributes.other);
             found
-                .filter(|(name, _)| name.to_string() == key)
+                .filter(|(name, _)| **name == *key)
                 .find_map(|(_, value)| match value {
                     AttributeValue::Text(text) => Some(text.to_string()),
                     _ => None,
