@@ -5,6 +5,8 @@
 //! with `WaveLength` (nm) and `Energy`; `Physical` is the dimmer's value at which it was measured.
 //! A wheel's `Slot` names the filter in it.
 
+use std::collections::HashMap;
+
 use roxmltree::Node;
 
 use crate::spectrum::{Kind, NamedSpectrum};
@@ -52,12 +54,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let fixture = xml::named(root, "FixtureType")
         .find_map(|node| xml::attribute(node, "LongName").or(xml::attribute(node, "Name")))
         .unwrap_or(input.stem());
+    let slots = slots(root);
     let mut reading = Reading::default();
     let mut without = 0_usize;
     for (element, kind) in [("Emitter", Kind::Light), ("Filter", Kind::Transmittance)] {
         for node in xml::named(root, element) {
-            let measurements: Vec<Node> = xml::named(node, "Measurement")
-                .filter(|m| xml::named(*m, "MeasurementPoint").next().is_some())
+            let measurements: Vec<Node> = xml::children(node, "Measurement")
+                .filter(|m| xml::children(*m, "MeasurementPoint").next().is_some())
                 .collect();
             without += usize::from(measurements.is_empty());
             for measurement in &measurements {
@@ -69,9 +72,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                     }
                     _ => format!("{fixture} {name}"),
                 };
-                let slots = slots_of(root, name);
-                if kind == Kind::Transmittance && !slots.is_empty() {
-                    spectrum.notes.push(format!("in the wheel as {slots}"));
+                if let Some(slot) = slots.get(name).filter(|_| kind == Kind::Transmittance) {
+                    spectrum.notes.push(format!("in the wheel as {slot}"));
                 }
                 if reading.spectra.is_empty() {
                     reading.notes.push(spectrum.notes[0].clone());
@@ -100,7 +102,7 @@ fn read_measurement(
     reading: &mut Reading,
 ) -> Result<NamedSpectrum, ReadError> {
     let (mut nm, mut values) = (Vec::new(), Vec::new());
-    for point in xml::named(node, "MeasurementPoint") {
+    for point in xml::children(node, "MeasurementPoint") {
         let get = |name: &str| {
             let text = xml::attribute(point, name).unwrap_or("");
             number::number(text, false)
@@ -158,14 +160,18 @@ fn read_measurement(
     Ok(spectrum)
 }
 
-/// The wheel slots in which a filter sits, at most five of them.
-fn slots_of(root: Node, filter: &str) -> String {
-    let slots = xml::named(root, "Slot").take(1000).filter(|slot| {
-        let named = xml::attribute(*slot, "Filter").unwrap_or("");
-        named == filter || named.rsplit('.').next() == Some(filter)
-    });
-    let names = slots.filter_map(|slot| xml::attribute(slot, "Name"));
-    names.take(5).collect::<Vec<_>>().join(", ")
+/// The wheel slots by the filters in them, the first of each.
+fn slots<'a>(root: Node<'a, '_>) -> HashMap<&'a str, &'a str> {
+    let mut slots = HashMap::new();
+    for slot in xml::named(root, "Slot") {
+        let filter = xml::attribute(slot, "Filter");
+        if let (Some(filter), Some(name)) = (filter, xml::attribute(slot, "Name")) {
+            // A link may name the collection too: "Filters.CTO".
+            let filter = filter.rsplit('.').next().unwrap_or(filter);
+            slots.entry(filter).or_insert(name);
+        }
+    }
+    slots
 }
 
 #[cfg(test)]

@@ -83,6 +83,12 @@ pub fn named<'a, 'i: 'a>(node: Node<'a, 'i>, name: &str) -> impl Iterator<Item =
         .filter(move |n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case(name))
 }
 
+/// Children of a local name, whatever its case and namespace.
+pub fn children<'a, 'i: 'a>(node: Node<'a, 'i>, name: &str) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children()
+        .filter(move |n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case(name))
+}
+
 /// An attribute by its local name, whatever its case.
 pub fn attribute<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     let found = node
