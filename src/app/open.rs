@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     io::{self, CompositeFile, Reading},
-    spectrum::{Kind, NamedSpectrum, Spike},
+    spectrum::{Kind, NamedSpectrum, SpectralImage, Spike},
 };
 
 /// What a file turned out to be.
@@ -121,11 +121,16 @@ pub fn spectra_of(reading: Reading) -> Vec<NamedSpectrum> {
         composites,
         table: _,
         results: _,
+        images,
         guesses: _,
         notes,
     } = reading;
     let mut all = spectra;
     all.extend(composites.into_iter().filter_map(sampled));
+    if all.is_empty() {
+        // Of an image that is no list of patches, the mean stands for all.
+        all.extend(images.iter().filter_map(SpectralImage::mean));
+    }
     for spectrum in &mut all {
         for note in &notes {
             if !spectrum.notes.contains(note) {

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::ticks::short;
 use crate::{
     io::{CompositeFile, MakersResult, ReadError, Reading},
-    spectrum::NamedSpectrum,
+    spectrum::{NamedSpectrum, SpectralImage},
 };
 
 /// Spectra of one file that the words tell one by one.
@@ -28,6 +28,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 composites,
                 table: _,
                 results,
+                images,
                 guesses: _,
                 notes,
             } = reading;
@@ -36,6 +37,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 "format": format,
                 "spectra": spectra.iter().map(spectrum_json).collect::<Vec<_>>(),
                 "composites": composites.iter().map(composite_json).collect::<Vec<_>>(),
+                "images": images.iter().map(image_json).collect::<Vec<_>>(),
                 "makers_results": results.iter().map(result_json).collect::<Vec<_>>(),
                 "notes": notes,
                 "error": null,
@@ -83,6 +85,20 @@ fn spectrum_json(spectrum: &NamedSpectrum) -> Value {
         "max_at_nm": highest.map(|(index, _)| samples.nm()[index]),
         "notes": notes,
         "source": source,
+    })
+}
+
+fn image_json(image: &SpectralImage) -> Value {
+    let cube = &image.cube;
+    json!({
+        "name": image.name,
+        "kind": image.kind.word(),
+        "unit": image.unit,
+        "width": cube.width(),
+        "height": cube.height(),
+        "bands": cube.nm().len(),
+        "first_nm": cube.nm().first(),
+        "last_nm": cube.nm().last(),
     })
 }
 

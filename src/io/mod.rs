@@ -14,8 +14,10 @@
 //! Nothing here touches colour or the window.
 
 pub mod alternating;
+pub mod archive;
 pub mod atomic;
 pub mod axis;
+pub mod budget;
 pub mod cgats;
 pub mod cgats_tables;
 pub mod choices;
@@ -25,11 +27,16 @@ pub mod composite_json;
 pub mod composite_line;
 pub mod csv;
 pub mod curve;
+pub mod cxf;
 pub mod dialect;
 pub mod draft;
+pub mod envi;
 pub mod error;
 pub mod foreign_json;
+pub mod gdtf;
+pub mod guarded;
 pub mod input;
+pub mod jcamp;
 pub mod keyed_json;
 pub mod keyed_lines;
 pub mod kinds;
@@ -45,14 +52,18 @@ pub mod perkin_elmer;
 pub mod pick;
 pub mod plain_row;
 pub mod preset;
+pub mod procspec;
 pub mod raman;
 pub mod reading;
+pub mod refractive_yaml;
 pub mod roles;
 pub mod rows;
 pub mod sekonic;
 pub mod spd;
 pub mod spdx;
 pub mod spdx_write;
+pub mod spectral_exr;
+pub mod spectral_image;
 pub mod spectrum_json;
 pub mod spotread;
 pub mod svc;
@@ -66,6 +77,8 @@ pub mod uprtek;
 pub mod usgs;
 pub mod wasatch;
 pub mod write;
+pub mod xlsx;
+pub mod xml;
 
 use std::io::Read;
 use std::path::Path;
@@ -106,6 +119,14 @@ pub struct Format {
 
 /// Every format, the special before the general.
 pub const FORMATS: &[Format] = &[
+    envi::FORMAT,
+    spectral_exr::FORMAT,
+    gdtf::FORMAT,
+    xlsx::FORMAT,
+    procspec::FORMAT,
+    jcamp::FORMAT,
+    cxf::FORMAT,
+    refractive_yaml::FORMAT,
     unreadable::FORMAT,
     composite_json::FORMAT,
     composite_line::FORMAT,

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Dialect, units::WavelengthUnit};
-use crate::spectrum::{Composite, NamedSpectrum};
+use crate::spectrum::{Composite, NamedSpectrum, SpectralImage};
 
 use super::makers_results::MakersResult;
 
@@ -83,6 +83,8 @@ pub struct Reading {
     pub table: Option<TableFound>,
     /// What the instrument itself computed and wrote beside its spectra.
     pub results: Vec<MakersResult>,
+    /// Images whose pixels are spectra.
+    pub images: Vec<SpectralImage>,
     /// What had to be guessed.
     pub guesses: Vec<Guess>,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the

@@ -1,0 +1,220 @@
+//! CxF3, the Color Exchange Format (ISO 17972): XML with measured colours.
+//!
+//! An `Object` has a `Name` and under `ColorValues` spectra: `ReflectanceSpectrum`,
+//! `TransmittanceSpectrum`, `EmissiveSpectrum`, blanks between values. `StartWL` stands at the
+//! spectrum or, with `Increment`, at the `WavelengthRange` of the `ColorSpecification` that it
+//! names; without an increment it is 10 nm.
+
+use std::collections::HashMap;
+
+use roxmltree::Node;
+
+use crate::spectrum::{Kind, NamedSpectrum};
+
+use super::error::quoted;
+use super::reading::provenance;
+use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
+use super::{budget, curve, meaning, number, xml};
+
+/// CxF3.
+pub const FORMAT: Format = Format {
+    name: "CxF3",
+    extensions: &["cxf"],
+    sniff,
+    read,
+};
+
+/// Memory of a spectrum besides its samples, in bytes.
+const SPECTRUM_BYTES: usize = 1000;
+
+const SPECTRA: [(&str, Kind, &str); 4] = [
+    ("ReflectanceSpectrum", Kind::Reflectance, "fraction"),
+    ("TransmittanceSpectrum", Kind::Transmittance, "fraction"),
+    ("EmissiveSpectrum", Kind::Light, ""),
+    ("EmissionSpectrum", Kind::Light, ""),
+];
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    let is_cxf = head.contains("colorexchangeformat.com") || head.contains(":CxF ");
+    if head.starts_with('<') && (is_cxf || head.contains("<CxF")) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let document = xml::parse(input, text.trim_start())?;
+    let root = document.root_element();
+    let mut ranges: HashMap<&str, Node> = HashMap::new();
+    for specification in xml::named(root, "ColorSpecification") {
+        let range = xml::named(specification, "WavelengthRange").next();
+        if let (Some(id), Some(range)) = (xml::attribute(specification, "Id"), range) {
+            ranges.entry(id).or_insert(range);
+        }
+    }
+    let mut reading = Reading::default();
+    let mut left = budget::of(input.bytes.len()) / 2;
+    for object in xml::named(root, "Object") {
+        let name = xml::attribute(object, "Name")
+            .or_else(|| xml::attribute(object, "Id"))
+            .unwrap_or(input.stem());
+        for node in object.descendants().filter(Node::is_element) {
+            let word = node.tag_name().name();
+            let Some((_, kind, unit)) = SPECTRA.iter().find(|(known, ..)| *known == word) else {
+                continue;
+            };
+            let mut spectrum = read_spectrum(input, node, &ranges, *kind, &mut reading)?;
+            left = left
+                .checked_sub(SPECTRUM_BYTES + 32 * spectrum.samples.len())
+                .ok_or_else(|| {
+                    input
+                        .error("far more spectra than its size allows", budget::WORDS)
+                        .at_line(xml::line(node))
+                })?;
+            name.clone_into(&mut spectrum.name);
+            (*unit).clone_into(&mut spectrum.unit);
+            let line = provenance(&spectrum, &[]);
+            if reading.spectra.is_empty() {
+                reading.notes.push(line.clone());
+            }
+            spectrum.notes.insert(0, line);
+            reading.spectra.push(spectrum);
+        }
+    }
+    if reading.spectra.is_empty() {
+        return Err(input.error(
+            "a CxF file without spectra",
+            "an Object with a ReflectanceSpectrum or an EmissiveSpectrum",
+        ));
+    }
+    Ok(reading)
+}
+
+fn read_spectrum(
+    input: &Input,
+    node: Node,
+    ranges: &HashMap<&str, Node>,
+    kind: Kind,
+    reading: &mut Reading,
+) -> Result<NamedSpectrum, ReadError> {
+    let at = xml::line(node);
+    let range = xml::attribute(node, "ColorSpecification").and_then(|id| ranges.get(id));
+    let told = |name: &str| {
+        xml::attribute(node, name).or_else(|| range.and_then(|r| xml::attribute(*r, name)))
+    };
+    let positive = |name: &str, text: &str| {
+        number::number(text, false)
+            .filter(|x| x.is_finite() && *x > 0.0)
+            .ok_or_else(|| {
+                input
+                    .error(format!("{name}={}", quoted(text)), "a wavelength in nm")
+                    .at_line(at)
+            })
+    };
+    let start = told("StartWL").ok_or_else(|| {
+        input
+            .error(
+                format!("<{}> without StartWL", node.tag_name().name()),
+                "StartWL=\"nm\" there or in its ColorSpecification",
+            )
+            .at_line(at)
+    })?;
+    let start = positive("StartWL", start)?;
+    let mut notes = Vec::new();
+    let step = match told("Increment") {
+        Some(text) => positive("Increment", text)?,
+        None => {
+            notes.push("no increment in the file: taken as 10 nm".to_owned());
+            10.0
+        }
+    };
+    let mut values = Vec::new();
+    for word in node.text().unwrap_or("").split_whitespace() {
+        values.push(number::number(word, false).ok_or_else(|| {
+            input
+                .error(quoted(word), "numbers with blanks between them")
+                .at_line(at)
+        })?);
+    }
+    let nm: Vec<f64> = (0..values.len()).map(|i| start + i as f64 * step).collect();
+    let cleaned = curve::clean(&nm, &values).map_err(|trouble| {
+        input
+            .error(trouble.to_string(), trouble.expected())
+            .at_line(at)
+    })?;
+    notes.extend(cleaned.notes);
+    let mut scale = 1.0;
+    if kind.is_factor() {
+        let percent = meaning::percent("", &[], false, cleaned.samples.values());
+        if percent.percent {
+            scale = 0.01;
+            notes.push(format!("taken as percent: {}", percent.because));
+            reading.guesses.push(Guess {
+                spectrum: reading.spectra.len(),
+                what: Guessed::Percent,
+                chosen: "percent".to_owned(),
+                because: percent.because,
+            });
+        }
+    }
+    Ok(NamedSpectrum {
+        name: String::new(),
+        kind,
+        unit: String::new(),
+        scale,
+        samples: cleaned.samples.scaled(scale),
+        notes,
+        source: input.name.clone(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::archive::torment;
+    use crate::io::read_bytes;
+
+    const XML: &str = "<?xml version=\"1.0\"?>\n<cc:CxF xmlns:cc=\"http://colorexchangeformat.com/CxF3-core\">\n\
+        <cc:Resources><cc:ObjectCollection>\n<cc:Object Name=\"Sky\" Id=\"c1\"><cc:ColorValues>\n\
+        <cc:ReflectanceSpectrum ColorSpecification=\"CS1\" StartWL=\"400\">0.1 0.2\n0.3</cc:ReflectanceSpectrum>\n\
+        </cc:ColorValues></cc:Object>\n<cc:Object Name=\"Lamp\"><cc:ColorValues>\n\
+        <cc:EmissiveSpectrum ColorSpecification=\"CS2\">5 6</cc:EmissiveSpectrum>\n\
+        </cc:ColorValues></cc:Object></cc:ObjectCollection>\n<cc:ColorSpecificationCollection>\n\
+        <cc:ColorSpecification Id=\"CS2\"><cc:MeasurementSpec><cc:WavelengthRange StartWL=\"380\" Increment=\"5\"/>\n\
+        </cc:MeasurementSpec></cc:ColorSpecification></cc:ColorSpecificationCollection></cc:Resources></cc:CxF>";
+
+    #[test]
+    fn spectra_take_their_grid_from_themselves_or_their_specification() {
+        let reading = read_bytes("a.cxf", XML.as_bytes()).expect("spectra");
+        assert_eq!(reading.spectra[0].samples.nm(), [400.0, 410.0, 420.0]);
+        assert_eq!(reading.spectra[0].kind, Kind::Reflectance);
+        assert_eq!(reading.spectra[1].samples.nm(), [380.0, 385.0]);
+        assert_eq!(reading.spectra[1].name, "Lamp");
+        assert_eq!(reading.spectra[1].kind, Kind::Light);
+    }
+
+    #[test]
+    fn what_is_missing_or_wrong_is_said_by_its_line() {
+        let said = |text: &str| {
+            read_bytes("a.cxf", text.as_bytes())
+                .unwrap_err()
+                .to_string()
+        };
+        assert!(
+            said(&XML.replace(" StartWL=\"400\"", ""))
+                .contains("line 5: found <ReflectanceSpectrum> without")
+        );
+        assert!(said(&XML.replace("0.2", "much")).contains("line 5: found \"much\""));
+        assert!(said(&XML.replace("Spectrum", "Lab")).contains("a CxF file without spectra"));
+        let crowded = format!("<CxF {}/>", "a='1' ".repeat(300));
+        assert!(said(&crowded).contains("hundreds of attributes"));
+    }
+
+    #[test]
+    fn broken_files_never_panic() {
+        torment("a.cxf", XML.as_bytes());
+    }
+}

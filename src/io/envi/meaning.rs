@@ -1,0 +1,255 @@
+//! What the numbers of an ENVI file mean: wavelengths of the channels, kind and scale of values.
+
+use crate::spectrum::Kind;
+
+use super::super::axis::{self, Axis};
+use super::super::error::quoted;
+use super::super::kinds;
+use super::super::units::WavelengthUnit;
+use super::super::{Guess, Guessed, ReadError};
+use super::header::Header;
+
+/// The channels to read and what was done to find them.
+#[derive(Debug)]
+pub struct Channels {
+    /// Wavelength (nm, strictly rising) and channel (from 0).
+    pub bands: Vec<(f64, usize)>,
+    /// The unit, where it was guessed.
+    pub guessed: Option<Guess>,
+    /// What was done, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// The channels of a file that stores `stored` of them, without the bad ones.
+///
+/// # Errors
+/// [`ReadError`] when the header gives no wavelengths for them.
+pub fn channels(header: &Header, stored: usize) -> Result<Channels, ReadError> {
+    let axis = header.numbers("wavelength")?;
+    if axis.len() != stored {
+        let found = match axis.len() {
+            0 => format!("{stored} channels without wavelengths"),
+            n => format!("{n} wavelengths for {stored} channels"),
+        };
+        return Err(header.error("wavelength", found, "\"wavelength = {...}\", one a channel"));
+    }
+    let mut notes = Vec::new();
+    let mut guessed = None;
+    let title = header.text("wavelength units").unwrap_or("");
+    let range = axis
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+            (lo.min(*x), hi.max(*x))
+        });
+    let word = title.to_lowercase();
+    if ["hz", "index"].iter().any(|other| word.contains(other)) {
+        return Err(header.error(
+            "wavelength units",
+            quoted(title),
+            "nanometers, micrometers, angstroms or wavenumber",
+        ));
+    }
+    let found = axis::unit(&Axis {
+        title,
+        header: &[],
+        says_nm: false,
+        is_dpt: false,
+        range,
+    });
+    let unit = found.unit;
+    if !found.stated {
+        notes.push(format!("taken as {}: {}", unit.word(), found.because));
+        guessed = Some(Guess {
+            spectrum: 0,
+            what: Guessed::WavelengthUnit,
+            chosen: unit.word().to_owned(),
+            because: found.because,
+        });
+    } else if unit != WavelengthUnit::Nanometre {
+        notes.push(format!("wavelengths converted from {}", unit.word()));
+    }
+    let mut bands: Vec<(f64, usize)> = axis
+        .iter()
+        .enumerate()
+        .map(|(channel, x)| (unit.to_nm(*x), channel))
+        .collect();
+    drop_bad(header, &mut bands, &mut notes)?;
+    put_in_order(&mut bands, &mut notes);
+    if bands.len() < 2 {
+        return Err(header.error(
+            "wavelength",
+            format!("{} good channels", bands.len()),
+            "at least 2 at different wavelengths above 0",
+        ));
+    }
+    Ok(Channels {
+        bands,
+        guessed,
+        notes,
+    })
+}
+
+/// Drops the channels that the bad bands list marks with 0.
+fn drop_bad(
+    header: &Header,
+    bands: &mut Vec<(f64, usize)>,
+    notes: &mut Vec<String>,
+) -> Result<(), ReadError> {
+    let good = header.numbers("bbl")?;
+    if good.is_empty() {
+        return Ok(());
+    }
+    if good.len() != bands.len() {
+        notes.push(format!(
+            "the bad bands list has {} entries for {} channels: passed over",
+            good.len(),
+            bands.len()
+        ));
+        return Ok(());
+    }
+    let before = bands.len();
+    bands.retain(|(_, channel)| good[*channel] != 0.0);
+    match before - bands.len() {
+        0 => {}
+        1 => notes.push("1 bad band dropped".to_owned()),
+        n => notes.push(format!("{n} bad bands dropped")),
+    }
+    Ok(())
+}
+
+fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
+    let before = bands.len();
+    bands.retain(|(nm, _)| nm.is_finite() && *nm > 0.0);
+    if !bands.is_sorted_by(|a, b| a.0 <= b.0) {
+        bands.sort_by(|a, b| a.0.total_cmp(&b.0));
+        notes.push("channels put in order of rising wavelength".to_owned());
+    }
+    bands.dedup_by(|later, earlier| later.0 == earlier.0);
+    match before - bands.len() {
+        0 => {}
+        n => notes.push(format!(
+            "{n} channels of no or of a doubled wavelength dropped"
+        )),
+    }
+}
+
+/// Kind and scale of the values.
+#[derive(Debug)]
+pub struct Values {
+    /// What they stand for.
+    pub kind: Kind,
+    /// Their unit.
+    pub unit: String,
+    /// Factor to the unit.
+    pub scale: f64,
+    /// What was guessed.
+    pub guesses: Vec<(Guessed, String, String)>,
+    /// What was done, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Kind and scale by the header, else by a sample of the values.
+///
+/// # Errors
+/// [`ReadError`] when the scale factor is no number.
+pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values, ReadError> {
+    let titles = header.text("z plot titles").unwrap_or("");
+    // The first title is the x axis's.
+    let title = titles.split_once(',').map_or("", |(_, y)| y.trim());
+    let words: Vec<String> = ["data units", "description", "data values", "sensor type"]
+        .iter()
+        .filter_map(|key| header.text(key).map(str::to_lowercase))
+        .collect();
+    let lines: Vec<(usize, &str)> = words.iter().map(|w| (1, w.as_str())).collect();
+    let factor = header
+        .number("reflectance scale factor")?
+        .filter(|factor| *factor > 0.0);
+    let mut guesses = Vec::new();
+    let mut sizes: Vec<f64> = sample
+        .iter()
+        .map(|v| v.abs())
+        .filter(|v| v.is_finite())
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    let high = sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0);
+    let found = kinds::kind(title, &lines, data_name, sample);
+    let kind = if factor.is_some() {
+        Kind::Reflectance
+    } else if found.stated {
+        found.kind
+    } else {
+        // Radiances come as counts beyond 20 000 or with their unit; reflectances mostly as
+        // fractions or times 10 000.
+        let (kind, because) = if high <= 20_000.0 {
+            (
+                Kind::Reflectance,
+                "nothing states it; ENVI files mostly hold reflectances",
+            )
+        } else {
+            (found.kind, "nothing states it")
+        };
+        guesses.push((Guessed::Kind, kind.word().to_owned(), because.to_owned()));
+        kind
+    };
+    let mut notes = Vec::new();
+    let (mut scale, mut unit) = (1.0, header.text("data units").unwrap_or("").to_owned());
+    if kind.is_factor() {
+        "fraction".clone_into(&mut unit);
+        let stated = factor.or_else(|| stated_factor(title));
+        if let Some(factor) = stated {
+            if factor != 1.0 {
+                scale = 1.0 / factor;
+                notes.push(format!("values divided by {factor}, as the header says"));
+            }
+        } else {
+            let because = format!("the values' size (up to about {high:.3})");
+            let (divisor, chosen) = match high {
+                h if h <= 1.6 => (1.0, "fraction"),
+                h if h <= 160.0 => (100.0, "percent"),
+                _ => (10_000.0, "fraction x 10000"),
+            };
+            scale = 1.0 / divisor;
+            guesses.push((Guessed::Percent, chosen.to_owned(), because));
+        }
+    }
+    for (_, chosen, because) in &guesses {
+        notes.push(format!("taken as {chosen}: {because}"));
+    }
+    if header.text("data gain values").is_some() || header.text("data offset values").is_some() {
+        notes.push("gains and offsets of the header are not applied".to_owned());
+    }
+    Ok(Values {
+        kind,
+        unit,
+        scale,
+        guesses,
+        notes,
+    })
+}
+
+/// The factor in a title such as `reflectance [*10000]` or `reflectance (%)`.
+fn stated_factor(title: &str) -> Option<f64> {
+    if title.contains('%') {
+        return Some(100.0);
+    }
+    let start = title.find(['*', '×']).or_else(|| title.find(" x "))?;
+    let digits: String = title[start..]
+        .chars()
+        .skip_while(|c| !c.is_ascii_digit())
+        .take_while(char::is_ascii_digit)
+        .collect();
+    digits.parse().ok().filter(|factor| *factor > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_factor_may_stand_in_the_title() {
+        assert_eq!(stated_factor("reflectance [*10000]"), Some(10_000.0));
+        assert_eq!(stated_factor("Reflectance (%)"), Some(100.0));
+        assert_eq!(stated_factor("Reflectance x 1000"), Some(1000.0));
+        assert_eq!(stated_factor("Reflectance"), None);
+    }
+}

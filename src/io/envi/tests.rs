@@ -1,0 +1,216 @@
+//! Stories about pairs of files of our own.
+
+use std::fs;
+use std::path::PathBuf;
+
+use super::*;
+use crate::io::{Guessed, Reading, read_bytes, read_path};
+use crate::spectrum::Kind;
+
+/// A folder with the files given.
+fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, bytes) in files {
+        fs::write(folder.path().join(name), bytes).expect("a file");
+    }
+    folder
+}
+
+fn refusal(path: PathBuf) -> String {
+    read_path(&path).map(|r| r.notes).unwrap_err().to_string()
+}
+
+const LIBRARY: &str = "ENVI\n; a comment\nsamples = 4\nlines = 2\nbands = 1\nheader offset = 2\n\
+    file type = ENVI Spectral Library\ndata type = 2\ninterleave = bsq\nbyte order = 1\n\
+    wavelength units = Micrometers\nreflectance scale factor = 1000\nbbl = {1, 1, 0, 1}\n\
+    spectra names = {\n red brick, blue\n tile}\nwavelength = {0.4, 0.5,\n 0.6, 0.7}\n";
+
+fn library_data() -> Vec<u8> {
+    let values = [100_i16, 200, -9, 400, 500, 600, -9, 800];
+    [0, 0]
+        .into_iter()
+        .chain(values.into_iter().flat_map(i16::to_be_bytes))
+        .collect()
+}
+
+fn cube_header(interleave: &str) -> String {
+    format!(
+        "ENVI\nsamples = 20\nlines = 10\nbands = 3\ndata type = 4\ninterleave = {interleave}\n\
+         byte order = 0\ndata ignore value = -1e34\nwavelength = {{700, 600, 500}}\n"
+    )
+}
+
+/// 20 x 10 pixels of 3 bands, pixel by pixel: (x + y + band) / 100, one of them missing.
+fn cube_data() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for y in 0..10_u8 {
+        for x in 0..20_u8 {
+            for band in 0..3_u8 {
+                let missing = (x, y, band) == (5, 5, 1);
+                let value = if missing {
+                    -1e34
+                } else {
+                    f32::from(x + y + band) / 100.0
+                };
+                bytes.extend(value.to_le_bytes());
+            }
+        }
+    }
+    bytes
+}
+
+#[test]
+fn either_file_of_a_library_opens_it_and_every_spectrum_has_its_name() {
+    let data = library_data();
+    for (header, data_name) in [("a.hdr", "a.sli"), ("a.sli.hdr", "a.sli"), ("a.hdr", "a")] {
+        let folder = folder(&[(header, LIBRARY.as_bytes()), (data_name, &data)]);
+        for name in [header, data_name] {
+            let reading = read_path(&folder.path().join(name)).expect(name);
+            let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
+            assert_eq!(names, ["red brick", "blue  tile"]);
+            let first = &reading.spectra[0];
+            assert_eq!(first.samples.nm(), [400.0, 500.0, 700.0]);
+            let own: Vec<f64> = first
+                .samples
+                .values()
+                .iter()
+                .map(|v| v / first.scale)
+                .collect();
+            for (own, file) in own.iter().zip([100.0, 200.0, 400.0]) {
+                assert!((own - file).abs() < 1e-9);
+            }
+            assert_eq!((first.kind, first.scale), (Kind::Reflectance, 1e-3));
+            assert!(reading.guesses.is_empty(), "{:?}", reading.guesses);
+            assert!(reading.notes.iter().any(|n| n == "1 bad band dropped"));
+        }
+    }
+}
+
+fn cube(interleave: &str) -> Reading {
+    let folder = folder(&[
+        ("b.img.hdr", cube_header(interleave).as_bytes()),
+        ("b.img", &cube_data()),
+    ]);
+    read_path(&folder.path().join("b.img")).expect("a cube")
+}
+
+#[test]
+fn a_cube_is_an_image_whose_pixels_and_regions_are_spectra() {
+    let reading = cube("bip");
+    assert!(reading.spectra.is_empty());
+    let image = &reading.images[0];
+    assert_eq!((image.cube.width(), image.cube.height()), (20, 10));
+    let pixel = image.pixel(2, 3).expect("a pixel");
+    assert_eq!(pixel.samples.nm(), [500.0, 600.0, 700.0]);
+    assert_eq!(pixel.samples.values()[0], f64::from(0.07_f32));
+    assert_eq!(image.pixel(5, 5).expect("two bands").samples.len(), 2);
+    assert_eq!(image.mean().expect("a mean").samples.len(), 3);
+    assert_eq!((image.kind, image.scale), (Kind::Reflectance, 1.0));
+    assert!(reading.notes[0].starts_with("image of 20 x 10 pixels, 3 bands"));
+    assert!(reading.notes.iter().any(|n| n.starts_with("taken as nm")));
+}
+
+#[test]
+fn needs_are_told_from_the_header_alone() {
+    let folder = folder(&[("c.hdr", cube_header("bsq").as_bytes()), ("c", b"")]);
+    for name in ["c", "c.hdr"] {
+        let needs = needs(&folder.path().join(name)).expect("a header");
+        assert_eq!((needs.width, needs.bands, needs.bytes), (20, 3, 2400));
+    }
+    assert!(super::needs(&folder.path().join("none")).is_err());
+}
+
+#[test]
+fn an_unknown_unit_is_a_guess() {
+    let header = LIBRARY.replace("wavelength units = Micrometers\n", "");
+    let folder = folder(&[("a.hdr", header.as_bytes()), ("a.sli", &library_data())]);
+    let reading = read_path(&folder.path().join("a.hdr")).expect("a library");
+    assert_eq!(reading.spectra[1].samples.first_nm(), 400.0);
+    assert_eq!(reading.guesses[0].what, Guessed::WavelengthUnit);
+    assert_eq!(reading.guesses[1].spectrum, 1);
+}
+
+#[test]
+fn what_is_wrong_with_a_pair_is_said_by_file_and_line() {
+    let alone = read_bytes("a.hdr", LIBRARY.as_bytes())
+        .unwrap_err()
+        .to_string();
+    assert!(alone.contains("an ENVI header by itself"), "{alone}");
+    let data = library_data();
+    let said = |header: &str, data: &[u8]| {
+        let folder = folder(&[("a.hdr", header.as_bytes()), ("a.sli", data)]);
+        refusal(folder.path().join("a.hdr"))
+    };
+    assert_eq!(
+        said(LIBRARY, &data[..10]),
+        "a.sli: found 10 bytes, expected 4 x 2 x 1 numbers of 2 bytes after 2 bytes, as a.hdr says"
+    );
+    let wrong = |from: &str, to: &str| said(&LIBRARY.replace(from, to), &data);
+    assert!(wrong("type = 2", "type = 6").contains("line 8: found complex numbers"));
+    assert!(wrong("lines = 2", "lines = x").contains("line 4: found \"x\", expected a whole"));
+    assert!(wrong("0.7}", "}").contains("found 3 wavelengths for 4 channels"));
+    assert!(wrong("0.7}", "").contains("no closing brace"));
+    assert!(wrong("lines = 2", "lines = 99999999999").contains("at most 512 MiB"));
+    assert!(wrong("bsq", "abc").contains("expected bsq, bil or bip"));
+    assert!(wrong("Micrometers", "GHz").contains("\"GHz\""));
+    let folder = folder(&[("a.hdr", LIBRARY.as_bytes())]);
+    assert!(refusal(folder.path().join("a.hdr")).contains("its data beside it"));
+}
+
+#[test]
+fn a_library_of_countless_tiny_spectra_is_refused_before_it_fills_memory() {
+    let header = "ENVI\nsamples = 2\nlines = 100000\nbands = 1\ndata type = 1\n\
+        file type = ENVI Spectral Library\nwavelength = {500, 600}\n";
+    let folder = folder(&[("a.hdr", header.as_bytes()), ("a.sli", &vec![7; 200_000])]);
+    let said = refusal(folder.path().join("a.sli"));
+    assert!(said.contains("100000 spectra, which take"), "{said}");
+}
+
+#[test]
+fn a_cube_of_half_a_thousand_pixels_square_opens_at_once() {
+    let header = "ENVI\nsamples = 512\nlines = 512\nbands = 31\ndata type = 12\ninterleave = bil\n\
+        wavelength units = Nanometers\nwavelength = {"
+        .to_owned()
+        + &(0..31)
+            .map(|i| (400 + 10 * i).to_string())
+            .collect::<Vec<_>>()
+            .join(",")
+        + "}\n";
+    let data = vec![1; 512 * 512 * 31 * 2];
+    let folder = folder(&[("big.hdr", header.as_bytes()), ("big.bil", &data)]);
+    let start = std::time::Instant::now();
+    let reading = read_path(&folder.path().join("big.hdr")).expect("a cube");
+    let took = start.elapsed();
+    println!("512 x 512 x 31 in {took:?}");
+    assert_eq!(reading.images[0].cube.plane(3)[0], 257.0);
+    // Typically 30 ms; the limit is for slow machines.
+    assert!(took.as_millis() < 1000, "{took:?}");
+}
+
+#[test]
+fn broken_headers_and_data_never_panic() {
+    let (library, cube) = (LIBRARY.as_bytes(), cube_header("bil"));
+    for (header, data) in [(library, library_data()), (cube.as_bytes(), cube_data())] {
+        let folder = folder(&[("a.sli", &data)]);
+        let path = folder.path().join("a.hdr");
+        let mut state = 1_u64;
+        for round in 0..400 {
+            let mut bytes = header.to_vec();
+            if round % 2 == 0 {
+                bytes.truncate(round * header.len() / 400);
+            }
+            for _ in 0..round % 4 {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
+                if !bytes.is_empty() {
+                    let at = (state >> 33) as usize % bytes.len();
+                    bytes[at] = (state >> 20) as u8;
+                }
+            }
+            fs::write(&path, &bytes).expect("a file");
+            let _ = read_path(&path);
+            let _ = read_path(&folder.path().join("a.sli"));
+        }
+    }
+}

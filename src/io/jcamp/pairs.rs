@@ -1,0 +1,70 @@
+//! `(XY..XY)`: pairs of abscissa and ordinate, any number on a line.
+
+use super::super::error::quoted;
+use super::super::number;
+use super::super::{Input, ReadError, budget};
+use super::blocks::{Block, Data};
+
+/// Abscissas and ordinates, factors applied.
+pub type Points = (Vec<f64>, Vec<f64>);
+
+/// Reads pairs.
+///
+/// # Errors
+/// [`ReadError`] at the line with a word, an odd number or too many.
+pub fn read(
+    input: &Input,
+    block: &Block,
+    data: &Data,
+    decimal_comma: bool,
+    most_points: usize,
+    notes: &mut Vec<String>,
+) -> Result<Points, ReadError> {
+    let factor = |label| {
+        block
+            .number(input, label, decimal_comma)
+            .map(|x| x.unwrap_or(1.0))
+    };
+    let (x_factor, y_factor) = (factor("XFACTOR")?, factor("YFACTOR")?);
+    let (mut axis, mut values) = (Vec::new(), Vec::new());
+    let is_gap = |c: char| c.is_whitespace() || c == ';' || (c == ',' && !decimal_comma);
+    // A pair may be broken over two lines.
+    let mut abscissa = None;
+    for (line, row) in &data.rows {
+        for cell in row.split(is_gap).filter(|cell| !cell.is_empty()) {
+            let value = match cell {
+                "?" => f64::NAN,
+                _ => number::number(cell, decimal_comma)
+                    .ok_or_else(|| input.error(quoted(cell), "pairs of numbers").at_line(*line))?,
+            };
+            match abscissa.take() {
+                None => abscissa = Some(value),
+                Some(x) => {
+                    if axis.len() >= most_points {
+                        return Err(too_many(input, *line));
+                    }
+                    axis.push(x * x_factor);
+                    values.push(value * y_factor);
+                }
+            }
+        }
+    }
+    if abscissa.is_some() {
+        notes.push("the last abscissa has no ordinate: dropped".to_owned());
+    }
+    for (label, found) in [("FIRSTX", axis.first()), ("LASTX", axis.last())] {
+        if let (Some(said), Some(found)) = (block.number(input, label, decimal_comma)?, found)
+            && (said - found).abs() > 1e-6 * said.abs().max(found.abs())
+        {
+            notes.push(format!("{label} says {said}, found {found}"));
+        }
+    }
+    Ok((axis, values))
+}
+
+/// The refusal of points beyond what a file of its size may unfold to.
+pub fn too_many(input: &Input, line: usize) -> ReadError {
+    input
+        .error("far more points than the file has text", budget::WORDS)
+        .at_line(line)
+}

@@ -1,0 +1,453 @@
+//! An image with a spectrum in every pixel: numbers only, kept as the bytes of its file.
+//!
+//! A cube of 512 x 512 pixels and 31 bands is 8 million numbers. They stay in the form in which
+//! the file holds them and are turned into `f64` when they are asked for, so that opening one
+//! costs no more than reading it. Clones share the bytes.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::sampled::Sampled;
+
+/// How a cube's file writes a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Number {
+    /// Unsigned, 1 byte.
+    U8,
+    /// Signed, 2 bytes.
+    I16,
+    /// Signed, 4 bytes.
+    I32,
+    /// Floating point, 4 bytes.
+    F32,
+    /// Floating point, 8 bytes.
+    F64,
+    /// Unsigned, 2 bytes.
+    U16,
+    /// Unsigned, 4 bytes.
+    U32,
+    /// Signed, 8 bytes.
+    I64,
+    /// Unsigned, 8 bytes.
+    U64,
+}
+
+impl Number {
+    /// Bytes of one number.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::I64 | Self::U64 | Self::F64 => 8,
+        }
+    }
+
+    /// The number that starts at a place; NaN beyond the end.
+    pub fn read(self, bytes: &[u8], at: usize, big_endian: bool) -> f64 {
+        macro_rules! number {
+            ($kind:ty) => {{
+                let end = at.saturating_add(size_of::<$kind>());
+                match bytes.get(at..end).and_then(|b| b.try_into().ok()) {
+                    Some(b) if big_endian => <$kind>::from_be_bytes(b) as f64,
+                    Some(b) => <$kind>::from_le_bytes(b) as f64,
+                    None => f64::NAN,
+                }
+            }};
+        }
+        match self {
+            Self::U8 => number!(u8),
+            Self::I16 => number!(i16),
+            Self::I32 => number!(i32),
+            Self::F32 => number!(f32),
+            Self::F64 => number!(f64),
+            Self::U16 => number!(u16),
+            Self::U32 => number!(u32),
+            Self::I64 => number!(i64),
+            Self::U64 => number!(u64),
+        }
+    }
+}
+
+/// Which of row, column and band runs fastest in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interleave {
+    /// One whole plane after the other (BSQ).
+    Bands,
+    /// One row of every band after the other (BIL).
+    Lines,
+    /// One whole pixel after the other (BIP).
+    Pixels,
+}
+
+/// How the numbers of a cube lie in its bytes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    /// Where the first number starts.
+    pub first_byte: usize,
+    /// How a number is written.
+    pub number: Number,
+    /// Most significant byte first.
+    pub big_endian: bool,
+    /// What runs fastest.
+    pub interleave: Interleave,
+    /// Bands in the bytes, also those that the cube passes over.
+    pub stored_bands: usize,
+    /// The number that stands for "not measured".
+    pub missing: Option<f64>,
+}
+
+/// A rectangle of pixels: its upper left corner and its size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rect {
+    /// First column, from 0.
+    pub x: usize,
+    /// First row, from 0.
+    pub y: usize,
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+}
+
+/// An image whose every pixel is a spectrum on the same wavelengths.
+#[derive(Clone)]
+pub struct Cube {
+    width: usize,
+    height: usize,
+    nm: Vec<f64>,
+    /// Which stored band each wavelength is.
+    bands: Vec<usize>,
+    bytes: Arc<Vec<u8>>,
+    layout: Layout,
+}
+
+/// Why bytes are no cube.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CubeError {
+    /// No pixel.
+    Empty,
+    /// Fewer than two bands, wavelengths that do not rise strictly, or a band that is not stored.
+    Bands,
+    /// Fewer bytes than its numbers take (`expected` is `None` beyond what can be counted).
+    Short {
+        found: usize,
+        expected: Option<usize>,
+    },
+}
+
+impl fmt::Display for CubeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => f.write_str("expected at least one pixel, found none"),
+            Self::Bands => f.write_str("expected two or more bands at rising wavelengths"),
+            Self::Short { found, expected } => match expected {
+                Some(expected) => write!(f, "expected {expected} bytes, found {found}"),
+                None => write!(
+                    f,
+                    "expected a size that can be counted, found {found} bytes"
+                ),
+            },
+        }
+    }
+}
+
+impl std::error::Error for CubeError {}
+
+impl Cube {
+    /// A cube of `width` x `height` pixels. `bands` pairs a wavelength (nm, strictly rising) with
+    /// the stored band (from 0) that holds it.
+    ///
+    /// # Errors
+    /// [`CubeError`] when the bytes are too few, or the bands are no axis of a spectrum.
+    pub fn new(
+        width: usize,
+        height: usize,
+        bands: &[(f64, usize)],
+        layout: Layout,
+        bytes: Arc<Vec<u8>>,
+    ) -> Result<Self, CubeError> {
+        if width == 0 || height == 0 {
+            return Err(CubeError::Empty);
+        }
+        let rising = bands.windows(2).all(|pair| pair[0].0 < pair[1].0);
+        let stored = bands.iter().all(|(_, band)| *band < layout.stored_bands);
+        let finite = bands.iter().all(|(nm, _)| nm.is_finite());
+        if bands.len() < 2 || !rising || !stored || !finite {
+            return Err(CubeError::Bands);
+        }
+        let expected = bytes_of(width, height, layout.stored_bands, layout.number)
+            .and_then(|size| size.checked_add(layout.first_byte));
+        if expected.is_none_or(|expected| bytes.len() < expected) {
+            return Err(CubeError::Short {
+                found: bytes.len(),
+                expected,
+            });
+        }
+        Ok(Self {
+            width,
+            height,
+            nm: bands.iter().map(|(nm, _)| *nm).collect(),
+            bands: bands.iter().map(|(_, band)| *band).collect(),
+            bytes,
+            layout,
+        })
+    }
+
+    /// Columns.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Wavelengths of the bands, nm, strictly rising.
+    pub fn nm(&self) -> &[f64] {
+        &self.nm
+    }
+
+    /// The whole image.
+    pub fn all(&self) -> Rect {
+        Rect {
+            x: 0,
+            y: 0,
+            width: self.width,
+            height: self.height,
+        }
+    }
+
+    /// Bytes of memory that the cube takes.
+    pub fn memory(&self) -> usize {
+        self.bytes.len()
+    }
+
+    /// The band nearest to a wavelength.
+    pub fn nearest_band(&self, nm: f64) -> usize {
+        let distance = |band: &usize| (self.nm[*band] - nm).abs();
+        (0..self.nm.len())
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .unwrap_or(0)
+    }
+
+    /// One number, as the file has it; NaN where it is missing or outside the image.
+    pub fn value(&self, x: usize, y: usize, band: usize) -> f64 {
+        if x >= self.width || y >= self.height || band >= self.bands.len() {
+            return f64::NAN;
+        }
+        let Layout {
+            first_byte,
+            number,
+            big_endian,
+            interleave,
+            stored_bands,
+            missing,
+        } = self.layout;
+        let band = self.bands[band];
+        let index = match interleave {
+            Interleave::Bands => (band * self.height + y) * self.width + x,
+            Interleave::Lines => (y * stored_bands + band) * self.width + x,
+            Interleave::Pixels => (y * self.width + x) * stored_bands + band,
+        };
+        let value = number.read(&self.bytes, first_byte + index * number.bytes(), big_endian);
+        if missing.is_some_and(|missing| is_missing(value, missing, number)) {
+            f64::NAN
+        } else {
+            value
+        }
+    }
+
+    /// The numbers of one pixel, a band each, as the file has them; NaN where one is missing.
+    pub fn values_at(&self, x: usize, y: usize) -> Vec<f64> {
+        (0..self.nm.len())
+            .map(|band| self.value(x, y, band))
+            .collect()
+    }
+
+    /// The spectrum of one pixel; `None` where fewer than two of its bands were measured.
+    pub fn spectrum_at(&self, x: usize, y: usize) -> Option<Sampled> {
+        self.sampled(&self.values_at(x, y))
+    }
+
+    /// The mean spectrum of a region, cut to the image; each band over the pixels that were
+    /// measured in it. `None` where that leaves fewer than two bands.
+    pub fn mean_of(&self, region: Rect) -> Option<Sampled> {
+        let (right, below) = (
+            region.x.saturating_add(region.width).min(self.width),
+            region.y.saturating_add(region.height).min(self.height),
+        );
+        let mean = |band| {
+            let (mut sum, mut count) = (0.0, 0.0);
+            for y in region.y..below {
+                for x in region.x..right {
+                    let value = self.value(x, y, band);
+                    if value.is_finite() {
+                        sum += value;
+                        count += 1.0;
+                    }
+                }
+            }
+            sum / count
+        };
+        let values: Vec<f64> = (0..self.nm.len()).map(mean).collect();
+        self.sampled(&values)
+    }
+
+    /// One band as a picture, row after row, in the file's own numbers; NaN where one is missing.
+    pub fn plane(&self, band: usize) -> Vec<f32> {
+        let mut plane = Vec::with_capacity(self.width * self.height);
+        for y in 0..self.height {
+            plane.extend((0..self.width).map(|x| self.value(x, y, band) as f32));
+        }
+        plane
+    }
+
+    fn sampled(&self, values: &[f64]) -> Option<Sampled> {
+        let points = self.nm.iter().zip(values).filter(|(_, v)| v.is_finite());
+        let (nm, values) = points.unzip();
+        Sampled::new(nm, values).ok()
+    }
+}
+
+impl fmt::Debug for Cube {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Cube")
+            .field("width", &self.width)
+            .field("height", &self.height)
+            .field("bands", &self.nm.len())
+            .field("layout", &self.layout)
+            .finish_non_exhaustive()
+    }
+}
+
+impl PartialEq for Cube {
+    fn eq(&self, other: &Self) -> bool {
+        let Self {
+            width,
+            height,
+            nm,
+            bands,
+            bytes,
+            layout,
+        } = self;
+        (*width, *height, nm, bands, *layout)
+            == (
+                other.width,
+                other.height,
+                &other.nm,
+                &other.bands,
+                other.layout,
+            )
+            && (Arc::ptr_eq(bytes, &other.bytes) || *bytes == other.bytes)
+    }
+}
+
+/// Bytes that the numbers of a cube take; `None` where they cannot be counted.
+pub fn bytes_of(width: usize, height: usize, bands: usize, number: Number) -> Option<usize> {
+    width
+        .checked_mul(height)?
+        .checked_mul(bands)?
+        .checked_mul(number.bytes())
+}
+
+/// A header writes the missing number in decimals, single precision rounds it.
+fn is_missing(value: f64, missing: f64, number: Number) -> bool {
+    value == missing || number == Number::F32 && value as f32 == missing as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 3 x 2 pixels of 4 bands: value = 100 y + 10 x + band.
+    fn cube(interleave: Interleave) -> Cube {
+        let (width, height, bands) = (3, 2, 4);
+        let mut bytes = vec![0xff; 6];
+        let mut put = |x: usize, y: usize, band: usize| {
+            let value = (100 * y + 10 * x + band) as i16;
+            bytes.extend(value.to_be_bytes());
+        };
+        match interleave {
+            Interleave::Bands => (0..bands).for_each(|b| {
+                (0..height).for_each(|y| (0..width).for_each(|x| put(x, y, b)));
+            }),
+            Interleave::Lines => (0..height).for_each(|y| {
+                (0..bands).for_each(|b| (0..width).for_each(|x| put(x, y, b)));
+            }),
+            Interleave::Pixels => (0..height).for_each(|y| {
+                (0..width).for_each(|x| (0..bands).for_each(|b| put(x, y, b)));
+            }),
+        }
+        let layout = Layout {
+            first_byte: 6,
+            number: Number::I16,
+            big_endian: true,
+            interleave,
+            stored_bands: bands,
+            missing: Some(111.0),
+        };
+        // The stored bands run from long to short wavelengths; the second is passed over.
+        let bands = [(400.0, 3), (500.0, 1), (600.0, 0)];
+        Cube::new(width, height, &bands, layout, Arc::new(bytes)).unwrap()
+    }
+
+    #[test]
+    fn every_interleave_reads_to_the_same_image() {
+        for interleave in [Interleave::Bands, Interleave::Lines, Interleave::Pixels] {
+            let cube = cube(interleave);
+            assert_eq!(cube.values_at(2, 1), [123.0, 121.0, 120.0]);
+            assert_eq!(cube.plane(2), [0.0, 10.0, 20.0, 100.0, 110.0, 120.0]);
+            assert_eq!(cube.spectrum_at(0, 0).unwrap().values(), [3.0, 1.0, 0.0]);
+        }
+    }
+
+    #[test]
+    fn what_is_missing_is_left_out_of_spectra_and_means() {
+        let cube = cube(Interleave::Pixels);
+        assert_eq!(cube.spectrum_at(1, 1).unwrap().nm(), [400.0, 600.0]);
+        let region = Rect {
+            x: 1,
+            y: 0,
+            width: 1,
+            height: 99,
+        };
+        // Rows 0 and 1 of column 1; 111 at 500 nm is missing.
+        assert_eq!(cube.mean_of(region).unwrap().values(), [63.0, 11.0, 60.0]);
+        assert!(cube.mean_of(Rect { x: 7, ..region }).is_none());
+        assert!(cube.value(3, 0, 0).is_nan());
+    }
+
+    #[test]
+    fn too_few_bytes_and_sizes_beyond_counting_are_no_cube() {
+        let good = cube(Interleave::Bands);
+        let make = |width, bytes: Vec<u8>| {
+            Cube::new(
+                width,
+                2,
+                &[(400.0, 0), (500.0, 1)],
+                good.layout,
+                Arc::new(bytes),
+            )
+        };
+        assert_eq!(
+            make(3, vec![0; 53]).unwrap_err(),
+            CubeError::Short {
+                found: 53,
+                expected: Some(54)
+            }
+        );
+        assert!(make(usize::MAX / 2, vec![0; 54]).is_err());
+        assert_eq!(make(0, vec![]).unwrap_err(), CubeError::Empty);
+    }
+
+    #[test]
+    fn the_nearest_band_is_found() {
+        let cube = cube(Interleave::Bands);
+        assert_eq!(
+            [380.0, 520.0, 900.0].map(|nm| cube.nearest_band(nm)),
+            [0, 1, 2]
+        );
+    }
+}
