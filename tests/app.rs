@@ -24,6 +24,7 @@ use spectral_explorer::{
         export::Export,
         library::Library,
         open::{Loaded, Loader, load_bytes, load_path, resolve},
+        opened::Opened,
         pages::{FieldChoice, Page, PageMemory, WaysShown},
         plot_svg::Theme,
         products::{
@@ -389,6 +390,9 @@ fn variant(command: &Command) -> &'static str {
         Command::View(_) => "view",
         Command::Products(_) => "products",
         Command::Adopt(_) => "adopt",
+        Command::Open(_) => "open",
+        Command::Reread { .. } => "reread",
+        Command::RemoveImage { .. } => "remove image",
         Command::Rename { .. } => "rename",
         Command::SetKind { .. } => "set kind",
         Command::Remove { .. } => "remove",
@@ -455,9 +459,40 @@ fn session(app: &App) -> Vec<Command> {
             key: key(),
             kind: Kind::Reflectance,
         },
+        Command::Reread {
+            keys: vec![key()],
+            opened: Box::new(opened("again.csv", b"nm,W\n380,1\n390,2\n400,3\n")),
+        },
         Command::Remove { key: key() },
+        Command::Open(vec![opened_image()]),
+        Command::RemoveImage {
+            key: "image/3".to_owned(),
+        },
         Command::Replace(Box::new(Document::about(preset(app, D65)))),
     ]
+}
+
+/// A file that was read.
+#[track_caller]
+fn opened(name: &str, bytes: &[u8]) -> Opened {
+    match load_bytes(name, bytes) {
+        Loaded::File(opened) => *opened,
+        other => panic!("{name} is a table: {other:?}"),
+    }
+}
+
+/// An image of two pixels and three bands.
+fn opened_image() -> Opened {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let header = "ENVI\nsamples = 2\nlines = 1\nbands = 3\ndata type = 1\ninterleave = bsq\n\
+                  wavelength units = nm\nwavelength = {400, 500, 600}\n";
+    std::fs::write(folder.path().join("two.hdr"), header).expect("a header");
+    let path = folder.path().join("two.img");
+    std::fs::write(&path, [1, 2, 3, 4, 5, 6]).expect("six numbers");
+    match load_path(&path) {
+        Loaded::File(opened) => *opened,
+        other => panic!("an image: {other:?}"),
+    }
 }
 
 #[test]
@@ -465,7 +500,7 @@ fn every_command_is_undone_and_done_again_exactly() {
     let mut app = App::new();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 18, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 21, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);
@@ -2043,7 +2078,10 @@ fn several_files_are_read_in_turn_and_a_bad_one_stops_nothing() {
     let words: Vec<String> = loaded
         .into_iter()
         .map(|loaded| match loaded {
-            Loaded::Spectra { path, spectra, how } => {
+            Loaded::File(opened) => {
+                let Opened {
+                    path, spectra, how, ..
+                } = *opened;
                 assert!(path.is_some() && is_one_line(&how), "{how}");
                 format!(
                     "{} of {}",

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::{
     document::{Document, Subject, View},
     entry::Entry,
+    opened::Opened,
     products::Products,
     scale::Scale,
     settings::Settings,
@@ -49,6 +50,21 @@ pub enum Command {
     Products(Products),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
+    /// Takes in all that files brought, in one step, and shows the first spectrum.
+    Open(Vec<Opened>),
+    /// Puts spectra that were read anew in the place of others of the user's own: the first in
+    /// that of the first key and so on; keys left over go, spectra left over join.
+    Reread {
+        /// Keys of the entries that they replace.
+        keys: Vec<String>,
+        /// The spectra, with what their maker computed.
+        opened: Box<Opened>,
+    },
+    /// Takes an image out of the list.
+    RemoveImage {
+        /// Its key.
+        key: String,
+    },
     /// A new name for one of the user's own.
     Rename {
         /// The entry's key.

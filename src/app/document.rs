@@ -4,7 +4,10 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use serde::{Deserialize, Serialize};
 
-use super::{entry::Entry, library::Library, products::Products, scale::Scale, settings::Settings};
+use super::{
+    entry::Entry, library::Library, opened::ImageEntry, products::Products, scale::Scale,
+    settings::Settings,
+};
 use crate::spectrum::SpikeEdits;
 
 /// Which of the two selected spectra the model is of.
@@ -77,7 +80,9 @@ pub struct Document {
     pub overlays: Vec<Arc<Entry>>,
     /// The user's own spectra.
     pub own: Vec<Arc<Entry>>,
-    /// The number that the next own spectrum gets.
+    /// Spectral images.
+    pub images: Vec<Arc<ImageEntry>>,
+    /// The number that the next own spectrum or image gets.
     pub next_own: u64,
     /// The knobs.
     pub settings: Settings,
@@ -112,6 +117,7 @@ impl Document {
             subject: Subject::Light,
             overlays: Vec::new(),
             own: Vec::new(),
+            images: Vec::new(),
             next_own: 1,
             settings: Settings::default(),
             edits: BTreeMap::new(),
@@ -136,6 +142,7 @@ impl Document {
             subject,
             overlays,
             own,
+            images,
             next_own,
             settings,
             edits,
@@ -151,6 +158,11 @@ impl Document {
             && *subject == other.subject
             && same(overlays, &other.overlays)
             && same(own, &other.own)
+            && images.len() == other.images.len()
+            && images
+                .iter()
+                .zip(&other.images)
+                .all(|(a, b)| Arc::ptr_eq(a, b))
             && *next_own == other.next_own
             && *settings == other.settings
             && *edits == other.edits

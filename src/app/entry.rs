@@ -4,7 +4,10 @@ use std::sync::Arc;
 
 use super::library::{Body, Library, Preset};
 use crate::{
-    io::preset::{PresetComposite, Shelf},
+    io::{
+        MakersResult,
+        preset::{PresetComposite, Shelf},
+    },
     spectrum::{
         Band, Composite, Kind, NamedSpectrum, Sampled, Series, Spike, composite::add_spikes,
     },
@@ -21,6 +24,8 @@ pub struct Entry {
     pub spectrum: NamedSpectrum,
     /// Under which terms the numbers may be passed on; empty for the user's own.
     pub licence: String,
+    /// What the instrument computed itself, as far as the file says.
+    pub makers: Vec<MakersResult>,
 }
 
 impl Entry {
@@ -58,6 +63,7 @@ impl Entry {
             shelf: Some(preset.shelf),
             spectrum,
             licence: preset.licence.words.clone(),
+            makers: Vec::new(),
         })
     }
 
@@ -73,6 +79,7 @@ impl Entry {
             shelf: None,
             spectrum,
             licence: String::new(),
+            makers: Vec::new(),
         }
     }
 

@@ -14,6 +14,7 @@ pub mod library;
 pub mod licences;
 pub mod line_names;
 pub mod open;
+pub mod opened;
 pub mod pages;
 pub mod plot_svg;
 pub mod product_report;

@@ -11,25 +11,19 @@ use std::{
 use super::{
     entry::{Entry, sampled_from_composite},
     library::{Body, Library},
+    opened::Opened,
     workspace::{self, Restored},
 };
 use crate::{
-    io::{self, CompositeFile, Reading},
-    spectrum::{Kind, NamedSpectrum, SpectralImage, Spike},
+    io::{self, Choices, CompositeFile, Reading},
+    spectrum::{Kind, NamedSpectrum, Spike},
 };
 
 /// What a file turned out to be.
 #[derive(Debug)]
 pub enum Loaded {
-    /// Spectra (composites sampled at 1 nm), and one line on how they were read.
-    Spectra {
-        /// Where they came from; `None` for bytes that were dropped without a path.
-        path: Option<PathBuf>,
-        /// At least one.
-        spectra: Vec<NamedSpectrum>,
-        /// "lamp.csv: plain columns, 401 points, ...".
-        how: String,
-    },
+    /// Spectra, at least one, or images.
+    File(Box<Opened>),
     /// A project of this program.
     Project {
         /// Where it came from.
@@ -47,7 +41,19 @@ pub fn load_path(path: &Path) -> Loaded {
     if let Some(loaded) = project_at(path) {
         return loaded;
     }
-    from_reading(io::read_path(path), Some(path.to_owned()))
+    load_path_as(path, &Choices::default())
+}
+
+/// Reads a file with decisions about it.
+pub fn load_path_as(path: &Path, choices: &Choices) -> Loaded {
+    let reading = io::read_path_as(path, choices);
+    from_reading(reading, Some(path.to_owned()), None, choices)
+}
+
+/// Reads a file that is in memory with decisions about it.
+pub fn load_bytes_as(name: &str, bytes: &Arc<[u8]>, choices: &Choices) -> Loaded {
+    let reading = io::read_bytes_as(name, bytes, choices);
+    from_reading(reading, None, Some(bytes.clone()), choices)
 }
 
 /// Reads a file that is in memory.
@@ -57,7 +63,7 @@ pub fn load_bytes(name: &str, bytes: &[u8]) -> Loaded {
     {
         return project(name, text, None);
     }
-    from_reading(io::read_bytes(name, bytes), None)
+    load_bytes_as(name, &Arc::from(bytes), &Choices::default())
 }
 
 fn project_at(path: &Path) -> Option<Loaded> {
@@ -92,7 +98,12 @@ fn project(name: &str, text: &str, path: Option<PathBuf>) -> Loaded {
     }
 }
 
-fn from_reading(reading: Result<Reading, io::ReadError>, path: Option<PathBuf>) -> Loaded {
+fn from_reading(
+    reading: Result<Reading, io::ReadError>,
+    path: Option<PathBuf>,
+    bytes: Option<Arc<[u8]>>,
+    choices: &Choices,
+) -> Loaded {
     let reading = match reading {
         Ok(reading) => reading,
         Err(refusal) => return Loaded::Refused(refusal.to_string()),
@@ -104,44 +115,71 @@ fn from_reading(reading: Result<Reading, io::ReadError>, path: Option<PathBuf>) 
         if reading.notes.is_empty() { "" } else { ", " },
         reading.notes.first().map_or("", String::as_str)
     );
-    let file = reading.file.clone();
-    let spectra = spectra_of(reading);
-    if spectra.is_empty() {
-        return Loaded::Refused(format!("{file}: found no spectrum, expected at least one"));
-    }
-    Loaded::Spectra { path, spectra, how }
-}
-
-/// Every spectrum of a reading; composites are sampled at 1 nm. The file's notes go to each.
-pub fn spectra_of(reading: Reading) -> Vec<NamedSpectrum> {
     let Reading {
         file,
-        format: _,
+        format,
         spectra,
         composites,
-        table: _,
-        results: _,
+        table,
+        results,
         images,
-        guesses: _,
+        guesses,
         notes,
     } = reading;
+    let spectra = spectra_of(spectra, composites, &notes, &file);
+    if spectra.is_empty() && images.is_empty() {
+        return Loaded::Refused(format!("{file}: found no spectrum, expected at least one"));
+    }
+    Loaded::File(Box::new(Opened {
+        path,
+        bytes,
+        file,
+        format,
+        how,
+        spectra,
+        makers: results,
+        images: images.into_iter().map(Arc::new).collect(),
+        table,
+        guesses,
+        choices: *choices,
+    }))
+}
+
+/// Every spectrum of a file; composites are sampled at 1 nm. The file's notes go to each.
+fn spectra_of(
+    spectra: Vec<NamedSpectrum>,
+    composites: Vec<CompositeFile>,
+    notes: &[String],
+    file: &str,
+) -> Vec<NamedSpectrum> {
     let mut all = spectra;
     all.extend(composites.into_iter().filter_map(sampled));
-    if all.is_empty() {
-        // Of an image that is no list of patches, the mean stands for all.
-        all.extend(images.iter().filter_map(SpectralImage::mean));
-    }
     for spectrum in &mut all {
-        for note in &notes {
+        for note in notes {
             if !spectrum.notes.contains(note) {
                 spectrum.notes.push(note.clone());
             }
         }
         if spectrum.source.is_empty() {
-            spectrum.source.clone_from(&file);
+            file.clone_into(&mut spectrum.source);
         }
     }
     all
+}
+
+impl Opened {
+    /// The spectra that a command works on: those of the file, or of an image without any its
+    /// mean.
+    pub fn into_spectra(self) -> Vec<NamedSpectrum> {
+        if self.spectra.is_empty() {
+            return self
+                .images
+                .iter()
+                .filter_map(|image| image.mean())
+                .collect();
+        }
+        self.spectra
+    }
 }
 
 fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
@@ -253,7 +291,7 @@ pub fn resolve(input: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<En
 
 fn from_file(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
     let mut spectra = match load_path(path) {
-        Loaded::Spectra { spectra, .. } => spectra,
+        Loaded::File(opened) => opened.into_spectra(),
         Loaded::Refused(why) => return Err(why),
         Loaded::Project { restored, .. } => {
             return Ok(Entry::clone(restored.document.subject_entry()));

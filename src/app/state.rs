@@ -14,6 +14,7 @@ use super::{
     history::History,
     library::Library,
     line_names::{ElementLine, LineName},
+    opened::{ImageEntry, Opened},
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     studies::about::reflectances,
@@ -21,6 +22,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
+    io::MakersResult,
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeEdits},
 };
 
@@ -273,7 +275,10 @@ impl App {
             }
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
-            Command::Adopt(spectra) => self.adopt(spectra),
+            Command::Adopt(spectra) => self.adopt(spectra.into_iter().map(|s| (s, Vec::new()))),
+            Command::Open(files) => self.take_in(files),
+            Command::Reread { keys, opened } => self.reread(&keys, &opened),
+            Command::RemoveImage { key } => self.document.images.retain(|i| i.key != key),
             Command::Rename { key, name } => {
                 self.change_own(&key, |spectrum| spectrum.name.clone_from(&name));
             }
@@ -368,11 +373,10 @@ impl App {
         }
     }
 
-    fn adopt(&mut self, spectra: Vec<NamedSpectrum>) {
+    fn adopt(&mut self, spectra: impl Iterator<Item = (NamedSpectrum, Vec<MakersResult>)>) {
         let mut first = None;
-        for spectrum in spectra {
-            let entry = Arc::new(Entry::own(self.document.next_own, spectrum));
-            self.document.next_own = self.document.next_own.saturating_add(1);
+        for (spectrum, makers) in spectra {
+            let entry = Arc::new(self.own_entry(spectrum, makers));
             first.get_or_insert_with(|| entry.clone());
             self.document.own.push(entry);
         }
@@ -381,13 +385,64 @@ impl App {
         }
     }
 
+    fn own_entry(&mut self, spectrum: NamedSpectrum, makers: Vec<MakersResult>) -> Entry {
+        let number = self.document.next_own;
+        self.document.next_own = number.saturating_add(1);
+        Entry {
+            makers,
+            ..Entry::own(number, spectrum)
+        }
+    }
+
+    fn take_in(&mut self, files: Vec<Opened>) {
+        let mut spectra = Vec::new();
+        for file in files {
+            for (index, image) in file.images.iter().enumerate() {
+                let number = self.document.next_own;
+                self.document.next_own = number.saturating_add(1);
+                self.document.images.push(Arc::new(ImageEntry {
+                    key: format!("image/{number}"),
+                    path: file.path.clone(),
+                    index,
+                    image: image.clone(),
+                }));
+            }
+            let makers: Vec<_> = (0..file.spectra.len()).map(|i| file.makers_of(i)).collect();
+            spectra.extend(file.spectra.into_iter().zip(makers));
+        }
+        self.adopt(spectra.into_iter());
+    }
+
+    fn reread(&mut self, keys: &[String], opened: &Opened) {
+        let mut fresh = opened.spectra.iter().cloned().enumerate();
+        for key in keys {
+            let Some((index, spectrum)) = fresh.next() else {
+                self.remove(key);
+                continue;
+            };
+            let makers = opened.makers_of(index);
+            self.change_entry(key, |entry| {
+                entry.spectrum = spectrum.clone();
+                entry.makers.clone_from(&makers);
+            });
+        }
+        for (index, spectrum) in fresh {
+            let entry = self.own_entry(spectrum, opened.makers_of(index));
+            self.document.own.push(Arc::new(entry));
+        }
+    }
+
     fn change_own(&mut self, key: &str, change: impl Fn(&mut NamedSpectrum)) {
+        self.change_entry(key, |entry| change(&mut entry.spectrum));
+    }
+
+    fn change_entry(&mut self, key: &str, change: impl Fn(&mut Entry)) {
         if !self.document.own.iter().any(|e| e.key == key) {
             return;
         }
         let changed = |entry: &Arc<Entry>| {
             let mut new = Entry::clone(entry);
-            change(&mut new.spectrum);
+            change(&mut new);
             Arc::new(new)
         };
         let document = &mut self.document;

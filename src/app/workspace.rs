@@ -21,7 +21,10 @@ use super::{
     settings::Settings,
 };
 use crate::{
-    io::atomic::{UNFINISHED, save_atomically},
+    io::{
+        MakersResult,
+        atomic::{UNFINISHED, save_atomically},
+    },
     spectrum::{Kind, NamedSpectrum, Sampled, SpikeEdits},
 };
 
@@ -136,6 +139,19 @@ struct OwnSpectrum {
     values: Vec<f64>,
     notes: Vec<String>,
     source: String,
+    #[serde(default)]
+    makers: Vec<MakersResult>,
+}
+
+/// An image by the file that it is read from again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StoredImage {
+    /// Its key.
+    pub key: String,
+    /// The file.
+    pub path: PathBuf,
+    /// Which of the file's images, from 0.
+    pub index: usize,
 }
 
 /// What is written: the document by names, and the window's preferences.
@@ -153,6 +169,8 @@ struct Stored {
     overlays: Vec<String>,
     #[serde(default)]
     own: Vec<OwnSpectrum>,
+    #[serde(default)]
+    images: Vec<StoredImage>,
     #[serde(default)]
     next_own: u64,
     #[serde(default)]
@@ -235,6 +253,8 @@ impl StoredProducts {
 pub struct Restored {
     /// The document.
     pub document: Document,
+    /// Images that are to be read again: a text holds no picture.
+    pub images: Vec<StoredImage>,
     /// The window's preferences; `None` in a project.
     pub preferences: Option<Preferences>,
     /// What could not be brought back, a sentence each.
@@ -249,6 +269,7 @@ pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String
         subject,
         overlays,
         own,
+        images,
         next_own,
         settings,
         edits,
@@ -268,6 +289,16 @@ pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String
         subject: *subject,
         overlays: overlays.iter().map(|o| o.key.clone()).collect(),
         own: own.iter().map(|entry| OwnSpectrum::of(entry)).collect(),
+        images: images
+            .iter()
+            .filter_map(|image| {
+                Some(StoredImage {
+                    key: image.key.clone(),
+                    path: image.path.clone()?,
+                    index: image.index,
+                })
+            })
+            .collect(),
         next_own: *next_own,
         settings: *settings,
         edits: edits.clone(),
@@ -333,6 +364,7 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
         overlays: stored.overlays.iter().filter_map(|key| find(key)).collect(),
         next_own: next_own(stored.next_own, &own),
         own: own.clone(),
+        images: Vec::new(),
         settings: stored.settings.clamped(),
         edits: stored.edits,
         patch_set: stored.patch_set,
@@ -349,6 +381,7 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
     document.weigh_the_papers_lamps();
     Ok(Restored {
         document,
+        images: stored.images,
         preferences: stored.preferences.map(Preferences::clamped),
         losses,
     })
@@ -383,6 +416,7 @@ impl OwnSpectrum {
             notes,
             source,
         } = &entry.spectrum;
+        let makers = entry.makers.clone();
         Self {
             key: entry.key.clone(),
             name: name.clone(),
@@ -393,6 +427,7 @@ impl OwnSpectrum {
             values: samples.values().to_vec(),
             notes: notes.clone(),
             source: source.clone(),
+            makers,
         }
     }
 
@@ -411,6 +446,7 @@ impl OwnSpectrum {
                 source: self.source,
             },
             licence: String::new(),
+            makers: self.makers,
         })
     }
 }

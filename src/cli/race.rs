@@ -163,7 +163,8 @@ fn lights_in(folder: &Path, err: &mut dyn Write) -> Result<Field, Refusal> {
             Loaded::Project { .. } => {
                 remark(err, &format!("skipped: {}: a project", path.display()));
             }
-            Loaded::Spectra { spectra, .. } => {
+            Loaded::File(opened) => {
+                let spectra = opened.into_spectra();
                 for spectrum in spectra {
                     if spectrum.kind == Kind::Light {
                         let number = lights.len() as u64 + 1;

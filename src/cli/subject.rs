@@ -130,7 +130,7 @@ fn project(path: &Path) -> Result<Option<Restored>, Refusal> {
     match open::load_path(path) {
         Loaded::Project { restored, .. } => Ok(Some(*restored)),
         Loaded::Refused(why) => Err(Refusal::File(why)),
-        Loaded::Spectra { .. } => Ok(None),
+        Loaded::File(_) => Ok(None),
     }
 }
 

@@ -87,7 +87,7 @@ pub fn app_with(files: &[Input]) -> (App, Vec<String>) {
         match input {
             Input::Preset(entry) => app.apply(Command::Show(entry.clone())),
             Input::File(path) => match open::load_path(path) {
-                Loaded::Spectra { spectra, .. } => app.apply(Command::Adopt(spectra)),
+                Loaded::File(opened) => app.apply(Command::Open(vec![*opened])),
                 Loaded::Project { restored, .. } => {
                     app.apply(Command::Replace(Box::new(restored.document)));
                 }

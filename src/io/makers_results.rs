@@ -6,6 +6,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::number::{self, Cell};
 
 /// Most results kept from one file.
@@ -17,7 +19,7 @@ pub fn room_for(given: usize) -> usize {
 }
 
 /// A number that the maker's software computed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MakersResult {
     /// Index into [`Reading::spectra`](super::Reading::spectra); `None` when the file has no
     /// spectrum that it belongs to.
@@ -33,7 +35,8 @@ pub struct MakersResult {
 }
 
 /// What an instrument computed.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Correlated colour temperature, K.
     Cct,

@@ -99,15 +99,17 @@ impl Window {
 
     pub(super) fn take(&mut self, loaded: Loaded) {
         match loaded {
-            Loaded::Spectra { path, spectra, how } => {
-                if let Some(path) = path {
-                    self.preferences.remember_file(&path);
+            Loaded::File(opened) => {
+                if let Some(path) = &opened.path {
+                    self.preferences.remember_file(path);
                 }
-                let first = spectra.first().map(|s| s.notes.clone()).unwrap_or_default();
-                let count = spectra.len();
-                self.app.apply(Command::Adopt(spectra));
+                let how = opened.how.clone();
+                let first = opened.spectra.first().map(|s| s.notes.clone());
+                let first = first.unwrap_or_default();
+                let count = opened.spectra.len();
+                self.app.apply(Command::Open(vec![*opened]));
                 let more = match count {
-                    1 => String::new(),
+                    0 | 1 => String::new(),
                     _ => format!(" ({count} spectra, all in My files)"),
                 };
                 let odd = first.len().saturating_sub(1);

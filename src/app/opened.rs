@@ -1,0 +1,66 @@
+//! What a file brought: spectra, images, the maker's own results, and how it was read.
+
+use std::{path::PathBuf, sync::Arc};
+
+use crate::{
+    io::{Choices, Guess, MakersResult, reading::TableFound},
+    spectrum::{NamedSpectrum, SpectralImage},
+};
+
+/// A file that was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Opened {
+    /// Where it came from; `None` for bytes that were dropped without a path.
+    pub path: Option<PathBuf>,
+    /// Its content where there is no path to read it from again.
+    pub bytes: Option<Arc<[u8]>>,
+    /// Its name without the folder.
+    pub file: String,
+    /// The format that read it.
+    pub format: &'static str,
+    /// "lamp.csv: plain columns, 401 points, ...".
+    pub how: String,
+    /// Its spectra (composites sampled at 1 nm), in their order.
+    pub spectra: Vec<NamedSpectrum>,
+    /// What the instrument computed itself; `spectrum` is an index into `spectra`.
+    pub makers: Vec<MakersResult>,
+    /// Images whose pixels are spectra.
+    pub images: Vec<Arc<SpectralImage>>,
+    /// How its first plain table was taken apart.
+    pub table: Option<TableFound>,
+    /// What had to be guessed.
+    pub guesses: Vec<Guess>,
+    /// What a person decided about it.
+    pub choices: Choices,
+}
+
+impl Opened {
+    /// Whether a person should look at how it was read.
+    pub fn is_doubtful(&self) -> bool {
+        self.guesses.iter().any(Guess::is_doubtful)
+    }
+
+    /// The maker's results that belong to one of its spectra: those that say so, and those of the
+    /// whole file when it holds one spectrum.
+    pub fn makers_of(&self, index: usize) -> Vec<MakersResult> {
+        let alone = self.spectra.len() == 1;
+        let belongs = |result: &&MakersResult| match result.spectrum {
+            Some(of) => of == index,
+            None => alone,
+        };
+        self.makers.iter().filter(belongs).cloned().collect()
+    }
+}
+
+/// A spectral image in the window's hands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImageEntry {
+    /// What finds it again: `image/<number>`.
+    pub key: String,
+    /// The file it is read from again after a restart; `None` when it came another way.
+    pub path: Option<PathBuf>,
+    /// Which of the file's images, from 0.
+    pub index: usize,
+    /// The image.
+    pub image: Arc<SpectralImage>,
+}
