@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn the_numbers_are_the_files_own_and_the_scale_stands_beside_them() {
-        let value = read("wavelength (nm),reflectance %\n390,14.249\n380,7.3\n385,67.606\n");
+        let value = read("wavelength (nm),reflectance %\n390,14.249\n385,67.606\n380,7.3\n");
         let spectrum = &value["spectra"][0];
         assert_eq!(spectrum["scale"], 0.01);
         assert_eq!(
