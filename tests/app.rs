@@ -378,6 +378,7 @@ fn variant(command: &Command) -> &'static str {
     match command {
         Command::Edit(_) => "edit",
         Command::Show(_) => "show",
+        Command::ShowWith { .. } => "show with",
         Command::ToggleOverlay(_) => "toggle overlay",
         Command::ClearOverlays => "clear overlays",
         Command::About(_) => "about",
@@ -413,6 +414,14 @@ fn session(app: &App) -> Vec<Command> {
         }),
         Command::Show(preset(app, D65)),
         Command::Show(preset(app, RED)),
+        Command::ShowWith {
+            entry: preset(app, D65),
+            settings: Settings {
+                order: 9,
+                ..settings
+            },
+        },
+        Command::About(Subject::Factor),
         Command::About(Subject::Light),
         Command::ToggleOverlay(preset(app, FIRST_LIGHT)),
         Command::ClearOverlays,
@@ -500,7 +509,7 @@ fn every_command_is_undone_and_done_again_exactly() {
     let mut app = App::new();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 21, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 22, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);

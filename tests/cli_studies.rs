@@ -827,14 +827,49 @@ fn thickness_times_and_the_spectrum_of_a_file_stand_behind_a_factors_name() {
     for (word, code, words) in [
         ("colorchecker_ohta/red*17", 2, "1 to 16"),
         ("colorchecker_ohta/red@2", 2, "4mm"),
-        ("colorchecker_ohta/red@4mm", 2, "tells no thickness"),
-        ("colorchecker_ohta/red@x21", 2, "0 to 20"),
+        ("colorchecker_ohta/red@x2", 2, "a thickness of a surface"),
+        (&format!("{GLASS}@x21"), 2, "0 to 20"),
         ("colorchecker_ohta/red#2", 1, "found a preset"),
         (&format!("{path}#3"), 1, "found no spectrum"),
     ] {
         let (told, found) = refusal(&["product", "FL2", word]);
         assert_eq!(found, code, "{word}: {told}");
         assert!(told.contains(words), "{word}: {told}");
+    }
+}
+
+#[test]
+fn a_factor_met_several_times_is_that_many_factors_in_every_way() {
+    for sampling in ["paper", "3n", "4n", "double", "convolution", "exact"] {
+        let product = |factors: &[&str]| {
+            json(
+                &[
+                    &["product", "FL2"],
+                    factors,
+                    &["--sampling", sampling, "--json"],
+                ]
+                .concat(),
+            )
+        };
+        let red = "colorchecker_ohta/red";
+        let (once, each) = (product(&[&format!("{red}*3")]), product(&[red, red, red]));
+        assert_eq!(once["stages"].as_array().map(Vec::len), Some(1));
+        for key in ["delta_e_2000", "added", "luminance_error", "folded_share"] {
+            let [a, b] = [&once, &each].map(|v| v[key].as_f64().expect("a number"));
+            // The same products in the same order.
+            assert!(
+                (a - b).abs() <= 1e-12 * (1.0 + b.abs()),
+                "{sampling} {key}: {a} {b}"
+            );
+        }
+        assert_eq!(
+            once["multiplications"], each["multiplications"],
+            "{sampling}"
+        );
+        assert_eq!(
+            once["stages"][0]["spikes"], each["stages"][2]["spikes"],
+            "{sampling}"
+        );
     }
 }
 

@@ -21,6 +21,13 @@ pub enum Command {
     Edit(Settings),
     /// Makes a spectrum the light, or the selected reflectance, by its kind.
     Show(Arc<Entry>),
+    /// Shows a spectrum with knobs that suit it, in one step.
+    ShowWith {
+        /// The spectrum.
+        entry: Arc<Entry>,
+        /// The knobs; they are clamped when applied.
+        settings: Settings,
+    },
     /// Adds a spectrum to the overlays, or takes it away.
     ToggleOverlay(Arc<Entry>),
     /// No overlays.

@@ -16,9 +16,9 @@ use super::{
     ticks::short,
 };
 use crate::{
-    color::{Adaptation, Xyz, srgb::Swatch},
+    color::{Xyz, srgb::Swatch},
     io::write::one_line,
-    spectrum::{Factor, Spike},
+    spectrum::{Factor, Sampling, Spike},
     study::{
         Spread,
         products::{Colours, Passage, Product, SetErrors, Step},
@@ -60,14 +60,34 @@ pub struct Told {
     pub known: KnownLines,
     /// The light behind each factor.
     pub passage: Passage,
+    /// What is to be known of each factor's own table, a sentence each.
+    pub remarks: Vec<Vec<String>>,
 }
 
 impl Told {
+    /// What must be said about each stage, a sentence each, without the stage's name.
+    pub fn stage_notes(&self, lit: &Lit) -> Vec<Vec<String>> {
+        let mut all = self.remarks.clone();
+        let measured = &lit.derived.measured;
+        for (remarks, notes) in
+            all.iter_mut()
+                .zip(stage_notes(measured, &self.passage, &self.known))
+        {
+            remarks.extend(notes);
+        }
+        all
+    }
+
     /// Sends a light through a chain.
     pub fn of(app: &App, lit: &Lit, chain: &[Link]) -> Self {
         let band = lit.band();
-        let on_band = chain.iter().map(|link| link.on_band(band));
-        let factors: Vec<Factor> = on_band.map(|values| lit.factor(values)).collect();
+        let once = chain.iter().map(|link| link.once_on_band(band));
+        let factors: Vec<Factor> = once.map(|values| lit.factor(values)).collect();
+        let times: Vec<usize> = chain.iter().map(|link| link.bounces as usize).collect();
+        let met = factors.iter().zip(&times);
+        let each: Vec<Factor> = met
+            .flat_map(|(factor, times)| std::iter::repeat_n(factor.clone(), *times))
+            .collect();
         Self {
             names: chain.iter().map(Link::words).collect(),
             known: KnownLines::of(
@@ -76,7 +96,8 @@ impl Told {
                 &lit.spike_names(app),
                 chain.iter().map(|link| &*link.entry).zip(&factors),
             ),
-            passage: lit.product().through(&factors),
+            passage: lit.product().through(&each).grouped(&times),
+            remarks: chain.iter().map(|link| link.remarks(band)).collect(),
         }
     }
 }
@@ -162,6 +183,7 @@ fn csv_head(app: &App) -> String {
 /// A chain as JSON.
 pub fn chain_json(app: &App, told: &Told) -> Value {
     let Told {
+        remarks: _,
         names,
         known,
         passage,
@@ -302,13 +324,13 @@ pub fn scaled(passage: &Passage, xyz: Xyz) -> Option<(Xyz, Swatch)> {
     let white = passage.white.with_y(100.0)?;
     let xyz = xyz * (100.0 / passage.white.y);
     xyz.is_finite()
-        .then(|| (xyz, Swatch::of_patch(xyz, white, Adaptation::None)))
+        .then(|| (xyz, Swatch::beside_light(xyz, white)))
 }
 
 /// What must be said about the result, a sentence each.
 fn notes(app: &App, told: &Told) -> Vec<String> {
     let mut notes = app.derived().warnings.clone();
-    let of_stages = stage_notes(&app.derived().measured, &told.passage, &told.known);
+    let of_stages = told.stage_notes(&Lit::of(app));
     for (name, sentences) in told.names.iter().zip(of_stages) {
         let sentences = sentences.into_iter();
         notes.extend(sentences.map(|sentence| format!("{name}: {sentence}")));
@@ -320,7 +342,7 @@ fn notes(app: &App, told: &Told) -> Vec<String> {
 /// one stage and holds for those behind it is not said again.
 ///
 /// `measured` is the light before the first factor, on the grid.
-pub fn stage_notes(measured: &[f64], passage: &Passage, known: &KnownLines) -> Vec<Vec<String>> {
+fn stage_notes(measured: &[f64], passage: &Passage, known: &KnownLines) -> Vec<Vec<String>> {
     let named = |nm: f64| match known.safe(nm) {
         Some(name) => format!("{nm:.1} nm ({name})"),
         None => format!("{nm:.1} nm"),
@@ -356,7 +378,7 @@ pub fn stage_notes(measured: &[f64], passage: &Passage, known: &KnownLines) -> V
             said.push(*nm);
             let place = named(*nm);
             notes.push(if step.turned.contains(nm) {
-                format!("its series is below zero at {place} and turns the line there negative.")
+                format!("its share is below zero at {place} and turns the line there negative.")
             } else {
                 format!("the dip at {place} takes the total below zero.")
             });
@@ -397,6 +419,7 @@ fn head_text(app: &App) -> String {
 /// A chain for people.
 pub fn chain_text(app: &App, told: &Told) -> String {
     let Told {
+        remarks: _,
         names,
         known,
         passage,
@@ -488,5 +511,12 @@ pub fn set_text(app: &App, set: &str, errors: &SetErrors) -> String {
             number(spread.map(|s| s.worst), 4)
         );
     }
+    if app.document().settings.sampling == Sampling::Exact {
+        out.push_str(FORMED_EXACTLY);
+    }
     out
 }
+
+/// Why nothing is added in the way that is the default.
+const FORMED_EXACTLY: &str =
+    "Note      at every nm nothing is folded: --sampling double shows what few points add\n";

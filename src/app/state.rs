@@ -245,6 +245,11 @@ impl App {
                 self.show(entry);
                 self.document.weigh_the_papers_lamps();
             }
+            Command::ShowWith { entry, settings } => {
+                self.document.settings = settings.clamped();
+                self.show(entry);
+                self.document.weigh_the_papers_lamps();
+            }
             Command::ToggleOverlay(entry) => {
                 let overlays = &mut self.document.overlays;
                 match overlays.iter().position(|o| o.key == entry.key) {

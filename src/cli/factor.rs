@@ -88,7 +88,11 @@ impl<'a> FactorWord<'a> {
                     found.thickness.replace(thickness).is_some()
                 }
                 _ => {
-                    let times = value.parse().ok().filter(|times| BOUNCES.contains(times));
+                    let times = value
+                        .trim()
+                        .parse()
+                        .ok()
+                        .filter(|times| BOUNCES.contains(times));
                     let times = times.ok_or_else(|| {
                         let (least, most) = (BOUNCES.start(), BOUNCES.end());
                         refused(format!("a whole number from {least} to {most}"))
@@ -137,6 +141,12 @@ impl<'a> FactorWord<'a> {
                 format!("{} to {}", THICKNESSES.start(), THICKNESSES.end()),
             ));
         }
+        if self.thickness.is_some() && !link.has_thickness() {
+            return Err(refused(
+                "a thickness of a surface".to_owned(),
+                "one of a filter or glass only (a surface may be met several times: *2)".to_owned(),
+            ));
+        }
         link.thickness = ratio;
         link.bounces = self.times.unwrap_or(1);
         Ok(link)
@@ -148,7 +158,7 @@ fn thickness(word: &str) -> Option<Thickness> {
         let number: f64 = text.trim().parse().ok()?;
         (number >= 0.0 && number.is_finite()).then_some(number)
     };
-    let word = word.trim();
+    let word = word.trim().to_lowercase();
     if let Some(mm) = word.strip_suffix("mm") {
         return number(mm).map(Thickness::Mm);
     }

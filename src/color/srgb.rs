@@ -31,6 +31,9 @@ pub const LINEAR_FROM_XYZ: Matrix3 = inverse(&XYZ_FROM_LINEAR);
 /// How far (in linear light, 1 = full) a channel may leave 0-1 by rounding and still count as in gamut.
 const GAMUT_SLACK: f64 = 1e-9;
 
+/// Brighter than full by this much is cut without a word: half a step of an 8-bit screen.
+const BRIGHT_SLACK: f64 = 4e-3;
+
 const fn unit_luminance([x, y]: [f64; 2]) -> [f64; 3] {
     [x / y, 1.0, (1.0 - x - y) / y]
 }
@@ -238,6 +241,22 @@ impl Swatch {
             .iter()
             .all(|v| (-GAMUT_SLACK..=1.0 + GAMUT_SLACK).contains(v));
         Self::new(linear, in_gamut, mapping)
+    }
+
+    /// Light of the same source, both XYZ in the same scale, beside the source itself as
+    /// [`Swatch::of_light`] shows it: one factor for both, the one that brings the source's largest
+    /// channel to the screen's full.
+    pub fn beside_light(xyz: Xyz, light: Xyz) -> Self {
+        let largest = linear_from_xyz(light).into_iter().fold(0.0, f64::max);
+        if !(largest > 0.0 && largest.is_finite() && xyz.is_finite()) {
+            return Self::black();
+        }
+        let linear = linear_from_xyz(xyz).map(|v| v / largest);
+        // A model that is a trifle brighter than its light is no colour the screen lacks.
+        let in_gamut = linear
+            .iter()
+            .all(|v| (-GAMUT_SLACK..=1.0 + BRIGHT_SLACK).contains(v));
+        Self::new(linear, in_gamut, Mapping::ScaledToMaximum)
     }
 
     /// `#rrggbb`.

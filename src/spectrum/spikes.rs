@@ -128,6 +128,12 @@ const WIDTH_TOLERANCE: f64 = 1.05;
 const WISH_REACH_NM: f64 = 3.0;
 /// A line taken by wish may be this wide even when the detector looks for narrower ones.
 const WIDEST_WISHED_NM: f64 = 20.0;
+/// Where dips are looked for, a line must carry this share of the power, whatever the threshold:
+/// between two weak dips the spectrum stands up like a weak line, and would be taken for one
+/// before the dips are looked at.
+const LEAST_BESIDE_DIPS: f64 = 0.005;
+/// The same for its width: between two wide bands of absorption the spectrum stands up widely.
+const WIDEST_BESIDE_DIPS_NM: f64 = 10.0;
 /// A second look finds lines that stood on the flank of stronger ones.
 const PASSES: usize = 2;
 
@@ -190,7 +196,13 @@ fn detect_telling(
     if !(power > 0.0 && power.is_finite()) {
         return parts;
     }
-    take_lines(band, &mut parts, settings, wishes, 1.0, tell);
+    let beside_dips = SpikeSettings {
+        threshold: settings.threshold.max(LEAST_BESIDE_DIPS),
+        max_width_nm: settings.max_width_nm.min(WIDEST_BESIDE_DIPS_NM),
+        ..settings
+    };
+    let for_lines = if settings.dips { beside_dips } else { settings };
+    take_lines(band, &mut parts, for_lines, wishes, 1.0, tell);
     if settings.dips {
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
         take_lines(band, &mut parts, settings, wishes, -1.0, tell);

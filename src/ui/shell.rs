@@ -55,7 +55,7 @@ pub struct Start {
 /// The size of a first window, points.
 const FIRST_SIZE: [f32; 2] = [1280.0, 800.0];
 /// The smallest window that still makes sense, points.
-const LEAST_SIZE: [f32; 2] = [900.0, 560.0];
+const LEAST_SIZE: [f32; 2] = [1100.0, 600.0];
 
 /// A file that a save left unfinished this long ago is nobody's any more.
 const LEFT_OVER: std::time::Duration = std::time::Duration::from_secs(3600);

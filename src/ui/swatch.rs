@@ -17,6 +17,9 @@ pub fn split(ui: &mut Ui, size: Vec2, left: &Swatch, right: &Swatch, name: &str)
     paint_split(ui, rect, colour(left.rgb8), colour(right.rgb8));
     if response.hovered() || response.has_focus() {
         outline(ui, rect, ui.visuals().widgets.active.bg_stroke);
+    } else {
+        // A white field must not melt into a light window.
+        outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
     }
     for (swatch, x) in [(left, rect.left() + 9.0), (right, rect.right() - 9.0)] {
         if !swatch.in_gamut {

@@ -1,9 +1,38 @@
 //! How thick a glass is and how often it is met, in words.
 
 use super::Link;
-use crate::app::ticks::short;
+use crate::{
+    app::ticks::short,
+    spectrum::{Band, Kind},
+};
 
 impl Link {
+    /// Whether it is something that light passes through, and whose thickness can be changed.
+    pub fn has_thickness(&self) -> bool {
+        self.entry.kind() == Kind::Transmittance
+    }
+
+    /// What is to be known of its table on a band, a sentence each: where it ends, and what was
+    /// odd about a file of the user's own.
+    pub fn remarks(&self, band: Band) -> Vec<String> {
+        let spectrum = &self.entry.spectrum;
+        let (first, last) = (spectrum.samples.first_nm(), spectrum.samples.last_nm());
+        let mut remarks = Vec::new();
+        if first > band.min_nm() || last < band.max_nm() {
+            remarks.push(format!(
+                "its table covers {}-{} nm; outside its end values are held.",
+                short(first),
+                short(last)
+            ));
+        }
+        if self.entry.shelf.is_none() {
+            // The first line of notes says how the file was read, not what is odd about it.
+            let odd = spectrum.notes.iter().skip(1);
+            remarks.extend(odd.map(|note| format!("{note}.").replace("..", ".")));
+        }
+        remarks
+    }
+
     /// The thickness that the factor was measured at, mm, where its name says so ("... 2 mm").
     pub fn measured_mm(&self) -> Option<f64> {
         let words: Vec<&str> = self.entry.name().split_whitespace().collect();

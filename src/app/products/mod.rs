@@ -25,6 +25,8 @@ pub use memory::{Part, ProductsMemory};
 pub const MOST_LINKS: usize = 16;
 /// Thicknesses of a glass that may be asked for, as multiples of the measured one.
 pub const THICKNESSES: std::ops::RangeInclusive<f64> = 0.0..=20.0;
+/// Most factors of one chain, each bounce counted.
+pub const MOST_FACTORS: u32 = 64;
 /// Bounces off one surface, or passes through one filter.
 pub const BOUNCES: std::ops::RangeInclusive<u32> = 1..=16;
 
@@ -58,24 +60,36 @@ impl Link {
         }
     }
 
-    /// Its shares on a band's grid, thickness and bounces applied.
+    /// Its shares on a band's grid when it is met once, thickness applied.
+    pub fn once_on_band(&self, band: Band) -> Vec<f64> {
+        let values = self.entry.on_band(band);
+        if self.thickness == 1.0 {
+            return values;
+        }
+        glass(&values, self.thickness)
+    }
+
+    /// Its shares on a band's grid, thickness and bounces applied: what it is as measured. A model
+    /// meets it once after the other.
     pub fn on_band(&self, band: Band) -> Vec<f64> {
-        let mut values = self.entry.on_band(band);
-        if self.thickness != 1.0 {
-            values = glass(&values, self.thickness);
+        let once = self.once_on_band(band);
+        if self.bounces == 1 {
+            return once;
         }
-        if self.bounces != 1 {
-            values = bounces(&values, self.bounces);
-        }
-        values
+        bounces(&once, self.bounces)
     }
 
     fn clamped(self) -> Self {
         let thickness = if self.thickness.is_nan() {
             1.0
         } else {
-            self.thickness
-                .clamp(*THICKNESSES.start(), *THICKNESSES.end())
+            // Only what light passes through has one.
+            (if self.has_thickness() {
+                self.thickness
+            } else {
+                1.0
+            })
+            .clamp(*THICKNESSES.start(), *THICKNESSES.end())
         };
         Self {
             thickness,
@@ -104,7 +118,7 @@ const FIRST_CHAIN: [&str; 2] = [
     "colorchecker_ohta/light skin",
 ];
 /// The light compared with at first.
-const FIRST_OTHER_LIGHT: &str = "cie_illuminants/CIE D65";
+const FIRST_OTHER_LIGHT: &str = "cie_illuminants/CIE A";
 /// The surface looked at first.
 const FIRST_SURFACE: &str = "colorchecker_ohta/red";
 
@@ -132,8 +146,15 @@ impl Products {
         let is_factor = |entry: &Arc<Entry>| entry.kind().is_factor();
         let is_light = |entry: &Arc<Entry>| entry.kind() == crate::spectrum::Kind::Light;
         let links = self.chain.into_iter().filter(|link| is_factor(&link.entry));
+        let mut left = MOST_FACTORS;
+        let within = |link: Link| {
+            let link = link.clamped();
+            let bounces = link.bounces.min(left.max(1));
+            left = left.saturating_sub(bounces);
+            Link { bounces, ..link }
+        };
         Self {
-            chain: links.take(MOST_LINKS).map(Link::clamped).collect(),
+            chain: links.take(MOST_LINKS).map(within).collect(),
             other_light: self.other_light.filter(is_light),
             surface: self.surface.filter(is_factor),
             outgoing: self.outgoing.filter(is_light),

@@ -81,6 +81,39 @@ pub struct Total {
 }
 
 impl Passage {
+    /// The same passage with runs of steps told as one: `counts` says how many each has, as when
+    /// a light bounces several times off the same surface. Runs without a step are left out.
+    #[must_use]
+    pub fn grouped(self, counts: &[usize]) -> Self {
+        let mut before = self.light;
+        let mut steps = self.steps.into_iter();
+        let mut groups = Vec::with_capacity(counts.len());
+        for count in counts {
+            let run: Vec<Step> = steps.by_ref().take(*count).collect();
+            let multiplications = run.iter().map(|step| step.multiplications).sum();
+            let mut met: Vec<Met> = run.iter().flat_map(|step| step.met.clone()).collect();
+            met.dedup_by(|a, b| a == b);
+            let Some(last) = run.into_iter().next_back() else {
+                continue;
+            };
+            let after = last.colours;
+            groups.push(Step {
+                transmission: [
+                    ratio(after.exact.y, before.exact.y),
+                    ratio(after.model.y, before.model.y),
+                ],
+                multiplications,
+                met,
+                ..last
+            });
+            before = after;
+        }
+        Self {
+            steps: groups,
+            ..self
+        }
+    }
+
     /// The chain as one product; without factors the light itself.
     pub fn total(&self) -> Total {
         let last = self.steps.last();

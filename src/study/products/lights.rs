@@ -39,7 +39,8 @@ pub struct TwoLights {
 pub struct MetamericPair {
     /// Indices in the set, the lower one first.
     pub pair: [usize; 2],
-    /// CIEDE2000 under each light.
+    /// CIEDE2000 under the first light, and under the second once what is left under the first is
+    /// corrected.
     pub delta_e_2000: [f64; 2],
     /// Root mean square difference of the two curves.
     pub rms: f64,
@@ -126,7 +127,7 @@ impl TwoLights {
     }
 }
 
-/// Pairs of different surfaces closer than `match_delta_e` under the first light, the farthest
+/// Pairs of different surfaces closer than `match_delta_e` under the first light the farthest
 /// apart under the second first. `surfaces` are those of `seen`, on the band's grid.
 pub fn metameric_pairs(
     band: Band,
@@ -166,10 +167,11 @@ pub fn metameric_pairs_unless_cancelled(
                 continue;
             }
             let rms = rms_difference(band, &surfaces[i], &surfaces[j]);
+            let second = matched_first(a, b, both.whites[1]);
             if rms >= DIFFERENT_RMS {
                 pairs.push(MetamericPair {
                     pair: [i, j],
-                    delta_e_2000: [first, delta_e_2000(a.labs[1], b.labs[1])],
+                    delta_e_2000: [first, second],
                     rms,
                 });
             }
@@ -181,6 +183,26 @@ pub fn metameric_pairs_unless_cancelled(
         index: (!pairs.is_empty()).then(|| sum / pairs.len() as f64),
         pairs,
     })
+}
+
+/// CIEDE2000 of two surfaces under the second light once they match under the first: the second
+/// surface's X, Y and Z are multiplied by what brings them to the first one's there (the
+/// multiplicative correction of CIE 15). Without it a pair's small difference under the first
+/// light would count as metamerism under the second.
+fn matched_first(a: &UnderBoth, b: &UnderBoth, white: Xyz) -> f64 {
+    let ([a_first, _], [b_first, b_second]) = (a.xyz, b.xyz);
+    let corrected = Xyz {
+        x: b_second.x * a_first.x / b_first.x,
+        y: b_second.y * a_first.y / b_first.y,
+        z: b_second.z * a_first.z / b_first.z,
+    };
+    // A channel without any light has nothing to be corrected by.
+    let corrected = if corrected.is_finite() {
+        corrected
+    } else {
+        b_second
+    };
+    delta_e_2000(a.labs[1], lab_from_xyz(corrected, white))
 }
 
 fn rms_difference(band: Band, a: &[f64], b: &[f64]) -> f64 {

@@ -81,7 +81,7 @@ impl Pages {
 
 /// The row of tabs.
 pub fn tabs(ui: &mut Ui, page: &mut Page) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for tab in Page::ALL {
             ui.selectable_value(page, tab, tab.title())
                 .on_hover_text(tab.meaning());

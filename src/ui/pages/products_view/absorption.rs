@@ -196,10 +196,10 @@ fn examples(ui: &mut Ui, context: &mut PageContext<'_>) {
                 && let Some(entry) = app.entry(example.key)
             {
                 context.memory.products.absorption.example = index;
-                context.commands.push(Command::Show(entry));
-                context
-                    .commands
-                    .push(Command::Edit(example.over(app.document().settings)));
+                context.commands.push(Command::ShowWith {
+                    entry,
+                    settings: example.over(app.document().settings),
+                });
             }
         }
         let other = Picker {

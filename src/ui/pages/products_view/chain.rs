@@ -13,7 +13,7 @@ use crate::{
         chart::provenance,
         charts::products::chain::{StageDrawn, stage_chart},
         plot_svg::{self, Chart},
-        product_report::{Told, scaled, spikes_csv, stage_notes, stages_csv},
+        product_report::{Told, scaled, spikes_csv, stages_csv},
         products::{BOUNCES, KnownLines, Link, Lit, MOST_LINKS, Products, THICKNESSES},
         ticks::short,
     },
@@ -95,7 +95,7 @@ impl Passed {
     fn of(context: &PageContext<'_>) -> Self {
         let (app, lit) = (context.app, Lit::of(context.app));
         let told = Told::of(app, &lit, &app.document().products.chain);
-        let notes = stage_notes(&lit.derived.measured, &told.passage, &told.known);
+        let notes = told.stage_notes(&lit);
         let mut sparks = vec![spark(&lit.derived.measured, &lit.derived.smooth)];
         let steps = &told.passage.steps;
         sparks.extend(steps.iter().map(|step| spark(&step.exact, &step.smooth)));
@@ -721,6 +721,9 @@ fn figures(
 }
 
 fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
+    if !link.has_thickness() {
+        return;
+    }
     let label = ui.label(
         RichText::new("thickness")
             .small()

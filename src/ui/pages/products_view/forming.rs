@@ -474,6 +474,10 @@ fn eq_17(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
         ui.weak("This model has no spikes.");
         return;
     }
+    ui.weak(
+        "Costs are against the factor as measured: where the series is far off, a wrong reading \
+         may come out nearer by chance. The page Truth compares with the series.",
+    );
     let columns = [
         Column::numbers("at nm", "The spike's wavelength, nm.", 0.9),
         Column::numbers("measured", "The factor as measured there.", 1.1),
