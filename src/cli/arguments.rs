@@ -16,7 +16,7 @@ use crate::{
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
 ///
-/// With no command it opens the window, with the given files or presets in it.
+/// With no command it opens the window, with the given files, folders or presets in it.
 #[derive(Parser, Debug)]
 #[command(
     name = super::PROGRAM,
@@ -25,7 +25,7 @@ use crate::{
     args_conflicts_with_subcommands = true
 )]
 pub struct Arguments {
-    /// Files or names of presets to open in the window.
+    /// Files, folders whose files are opened together, or names of presets.
     #[arg(value_name = "FILES")]
     pub files: Vec<OsString>,
     /// A missing display is an error (exit code 3) instead of a reason to work without.
