@@ -872,8 +872,14 @@ fn without_a_command_files_and_presets_are_for_the_window() {
         neither.contains("\"reprot\": found no such file"),
         "{neither}"
     );
-    let dir = refusal(1, &[folder.path().to_str().unwrap()]);
-    assert!(dir.contains("found a folder"), "{dir}");
+    let told = tell(&[folder.path().to_str().unwrap(), "FL2"]);
+    let Outcome::Window { files, .. } = told.outcome else {
+        panic!("{}", told.err);
+    };
+    let (app, refused) = cli::app_with(&files);
+    assert_eq!(app.document().own.len(), 1);
+    assert_eq!(app.document().light.key, "own/1");
+    assert!(refused.is_empty());
 }
 
 #[test]

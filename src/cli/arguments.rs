@@ -260,13 +260,16 @@ pub struct Convert {
     /// A file, a preset's name or group/name.
     #[arg(value_name = "IN")]
     pub input: String,
-    /// The file to write: .csv, .json, .spd or .spdx.
+    /// The file to write: .csv, .json, .sp (Argyll), .spd, .spdx, or .txt (a model in one line).
     #[arg(value_name = "OUT")]
     pub out: PathBuf,
-    /// Write the samples (spectrum) or the model (composite, as .json only)
-    /// [default: composite for OUT.composite.json, or for .json from a composite].
+    /// Write the samples (spectrum) or the model (composite, as .json or .txt only)
+    /// [default: composite for .txt, for OUT.composite.json, or for .json from a composite].
     #[arg(long = "as", value_name = "FORM", value_parser = words::form)]
     pub form: Option<Form>,
+    /// Write all spectra of the file, a column each; into .csv only.
+    #[arg(long)]
+    pub all: bool,
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,

@@ -38,9 +38,7 @@ pub fn progress(ui: &mut Ui, progress: &Progress) -> bool {
         .desired_width(BAR)
         .text(RichText::new(&words).small());
     let response = ui.add(bar);
-    response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &words)
-    });
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &words));
     response.on_hover_text("Files read, of those that were opened together.");
     ui.label(shortened(at_work)).on_hover_text(at_work);
     cancelled
@@ -162,9 +160,14 @@ impl BatchView {
                     "Files that hold nothing that can be read, and those that were not reached.",
                 ),
             ] {
-                let label = egui::Button::selectable(self.shown == shown, format!("{words} ({count})"));
+                let label =
+                    egui::Button::selectable(self.shown == shown, format!("{words} ({count})"));
                 let possible = shown == Shown::All || count > 0;
-                if ui.add_enabled(possible, label).on_hover_text(meaning).clicked() {
+                if ui
+                    .add_enabled(possible, label)
+                    .on_hover_text(meaning)
+                    .clicked()
+                {
                     chosen = Some(shown);
                 }
             }
@@ -224,7 +227,11 @@ fn table(ui: &mut Ui, rows: &[Row], theme: Theme) {
             2.6,
         ),
         Column::words("Format", "The format that read it.", 1.7),
-        Column::numbers("Spectra", "How many spectra it holds; images beside them.", 0.9),
+        Column::numbers(
+            "Spectra",
+            "How many spectra it holds; images beside them.",
+            0.9,
+        ),
         Column::words(
             "How it was read",
             "Grid, points, range, kind and unit; or why it was refused.",
@@ -238,6 +245,12 @@ fn table(ui: &mut Ui, rows: &[Row], theme: Theme) {
         .show_rows(ui, height, rows.len(), |ui, range| {
             let first = range.start;
             let seen = &rows[range];
-            rows::body(ui, &columns, (seen, first), (None, false), &mut |_, _, _| {});
+            rows::body(
+                ui,
+                &columns,
+                (seen, first),
+                (None, false),
+                &mut |_, _, _| {},
+            );
         });
 }

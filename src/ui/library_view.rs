@@ -102,7 +102,9 @@ impl LibraryView {
                     .desired_width(f32::INFINITY),
             )
             .labelled_by(label.id)
-            .on_hover_text("Shows only spectra whose name, group or file holds these words (Ctrl+F).");
+            .on_hover_text(
+                "Shows only spectra whose name, group or file holds these words (Ctrl+F).",
+            );
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }

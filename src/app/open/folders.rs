@@ -33,6 +33,17 @@ pub struct Listed {
 /// What is in the paths: files as they stand, folders as the files in them, none twice. `stop` is
 /// asked again and again; what was found until then is returned.
 pub fn listed(paths: &[PathBuf], stop: &dyn Fn() -> bool) -> Vec<Listed> {
+    let mut found = found_in(paths, stop);
+    join_pairs(&mut found);
+    found
+}
+
+/// The same with both files of an ENVI pair, for a listing by file.
+pub fn every_file(paths: &[PathBuf]) -> Vec<Listed> {
+    found_in(paths, &|| false)
+}
+
+fn found_in(paths: &[PathBuf], stop: &dyn Fn() -> bool) -> Vec<Listed> {
     let mut walk = Walk {
         found: Vec::new(),
         known: HashSet::new(),
@@ -52,9 +63,7 @@ pub fn listed(paths: &[PathBuf], stop: &dyn Fn() -> bool) -> Vec<Listed> {
             });
         }
     }
-    let mut found = walk.found;
-    join_pairs(&mut found);
-    found
+    walk.found
 }
 
 struct Walk<'a> {
@@ -89,8 +98,7 @@ impl Walk<'_> {
 
     fn below(&mut self, top: &Path, folder: &Path, depth: usize) {
         let label = label_of(top, folder);
-        let items: Result<Vec<_>, _> =
-            std::fs::read_dir(folder).and_then(|items| items.collect());
+        let items: Result<Vec<_>, _> = std::fs::read_dir(folder).and_then(|items| items.collect());
         let mut items = match items {
             Ok(items) => items,
             Err(why) => {
@@ -203,7 +211,13 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let top = folder.path().join("lamps");
         fs::create_dir_all(top.join("b sub/.git")).unwrap();
-        for name in ["c.csv", "a.csv", ".hidden.csv", "b sub/x.csv", "b sub/.git/x"] {
+        for name in [
+            "c.csv",
+            "a.csv",
+            ".hidden.csv",
+            "b sub/x.csv",
+            "b sub/.git/x",
+        ] {
             fs::write(top.join(name), "400 1\n500 2\n").unwrap();
         }
         let expected = ["lamps/a.csv", "lamps/b sub/x.csv", "lamps/c.csv"];

@@ -249,13 +249,24 @@ impl Summary {
                     how.clone(),
                     doubts.join("; "),
                 ),
-                Outcome::Project => ("project", [(); 2].map(|()| String::new()), String::new(), String::new()),
-                Outcome::Refused(why) => {
-                    ("refused", [(); 2].map(|()| "0".to_owned()), why.clone(), String::new())
-                }
-                Outcome::NotRead(why) => {
-                    ("not read", [(); 2].map(|()| "0".to_owned()), why.clone(), String::new())
-                }
+                Outcome::Project => (
+                    "project",
+                    [(); 2].map(|()| String::new()),
+                    String::new(),
+                    String::new(),
+                ),
+                Outcome::Refused(why) => (
+                    "refused",
+                    [(); 2].map(|()| "0".to_owned()),
+                    why.clone(),
+                    String::new(),
+                ),
+                Outcome::NotRead(why) => (
+                    "not read",
+                    [(); 2].map(|()| "0".to_owned()),
+                    why.clone(),
+                    String::new(),
+                ),
             };
             let format = if row.is_read() { row.format() } else { "" };
             let path = row.path.as_ref().map(|path| path.display().to_string());

@@ -266,14 +266,16 @@ impl Window {
             let message = match (written, saving) {
                 // Its axes name their own units.
                 (Ok(()), Saving::Chart(_)) => (Tone::Info, format!("Saved {}.", path.display())),
-                (Ok(()), _) => (
-                    Tone::Info,
-                    format!(
-                        "Saved {} ({}).",
-                        path.display(),
-                        app.document().scale.words()
-                    ),
-                ),
+                (Ok(()), saving) => {
+                    let scale = app.document().scale.words();
+                    let mut words = format!("Saved {} ({scale}).", path.display());
+                    if let Saving::Text(export) = saving {
+                        for loss in export.losses(&app) {
+                            words += &format!(" {loss}");
+                        }
+                    }
+                    (Tone::Info, words)
+                }
                 (Err(why), _) => (Tone::Problem, why),
             };
             // Nobody listens any more once the window is closed.
