@@ -216,7 +216,9 @@ fn every_export_of_the_window_says_scale_and_version_and_is_read_back() {
         let reading = read_bytes(name, text.as_bytes()).expect(name);
         let peak = reading.spectra[0].samples.values().iter().copied();
         let peak = peak.fold(0.0, f64::max);
-        assert!((0.5..=1.0).contains(&peak), "{name}: {peak}");
+        // The model's spikes stand in one nanometre each.
+        let most = if export == Export::Spd { 10.0 } else { 1.0 };
+        assert!((0.5..=most).contains(&peak), "{name}: {peak}");
     }
     let file = composite_file(&app);
     let json = composite_json::write(&file).expect("finite numbers");
@@ -260,9 +262,12 @@ fn real_files_are_converted_into_every_format_and_read_again() {
             let back = read_bytes(&format!("x.{extension}"), text.as_bytes()).expect(&place);
             let back = &back.spectra[0];
             written += 1;
-            if losses(extension, &spectrum).is_empty() {
+            let lost = losses(extension, &spectrum);
+            if !lost.iter().any(|words| words.contains("resampled")) {
                 let same = bits(back.samples.values()) == bits(spectrum.samples.values());
                 assert!(same, "{place}: {:?}", back.notes);
+            }
+            if lost.is_empty() {
                 assert_eq!(back.kind, spectrum.kind, "{place}");
             }
         }

@@ -118,7 +118,7 @@ impl Export {
     /// What its format does not keep, a sentence each.
     pub fn losses(self, app: &App) -> Vec<String> {
         match self {
-            Self::ArgyllSp => losses(self.extension(), &scaled_subject(app)),
+            Self::Spdx | Self::ArgyllSp => losses(self.extension(), &scaled_subject(app)),
             _ => Vec::new(),
         }
     }

@@ -505,6 +505,7 @@ fn read_group(
     let good_norm = norm.filter(|n| (1e-9..=1e9).contains(n));
     let scale = match good_norm {
         Some(norm) if norm != 1.0 => Some(1.0 / norm),
+        Some(_) if is_own(table) => Some(1.0),
         _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => Some(0.01),
         _ => None,
     };
