@@ -1143,7 +1143,7 @@ fn read_lists_pixels_of_an_image_that_has_no_spectra_of_its_own() {
     }
     let text = said(&["read", &path]);
     assert!(
-        text.contains("row 9 column 9: 2 points, lowest 198, highest 199"),
+        text.contains("row 9 column 9: 2 points, lowest 0.0198, highest 0.0199"),
         "{text}"
     );
 }

@@ -100,14 +100,21 @@ impl BatchView {
 
     fn choose(&mut self, shown: Shown) {
         self.shown = shown;
-        let rows = self.summary.iter().flat_map(|summary| &summary.rows);
-        self.rows = rows
+        let rows = || self.summary.iter().flat_map(|summary| &summary.rows);
+        // All in one folder: its name is no news.
+        let folder = rows()
+            .next()
+            .and_then(|row| row.file.split_once('/'))
+            .map(|(folder, _)| format!("{folder}/"))
+            .filter(|folder| rows().all(|row| row.file.starts_with(folder.as_str())))
+            .unwrap_or_default();
+        self.rows = rows()
             .filter(|row| match shown {
                 Shown::All => true,
                 Shown::Doubtful => row.is_doubtful(),
                 Shown::NotRead => !row.is_read(),
             })
-            .map(drawn)
+            .map(|row| drawn(row, &folder))
             .collect();
     }
 
@@ -119,14 +126,15 @@ impl BatchView {
         let mut open = true;
         let mut copied = None;
         let room = context.content_rect().size();
+        let width = (0.6 * room.x).clamp(800.0, 1100.0);
         egui::Window::new("Files opened together")
             .open(&mut open)
             .collapsible(false)
             .default_pos(egui::pos2(
-                (room.x * 0.5 - 400.0).max(8.0),
-                (room.y * 0.18).max(8.0),
+                (0.5 * (room.x - width)).max(8.0),
+                (0.18 * room.y).max(8.0),
             ))
-            .default_size(vec2(800.0, 400.0).min(room - vec2(40.0, 80.0)))
+            .default_size(vec2(width, 0.5 * room.y).min(room - vec2(40.0, 80.0)))
             .min_size(vec2(420.0, 200.0))
             .show(context, |ui| copied = self.content(ui, theme));
         self.is_open &= open;
@@ -193,7 +201,7 @@ impl BatchView {
     }
 }
 
-fn drawn(row: &FileRow) -> Row {
+fn drawn(row: &FileRow, folder: &str) -> Row {
     let mark = if !row.is_read() {
         "× "
     } else if row.is_doubtful() {
@@ -209,7 +217,10 @@ fn drawn(row: &FileRow) -> Row {
     Row {
         name: format!("{}: {}, {story}", row.file, row.format()),
         cells: vec![
-            format!("{mark}{}", row.file),
+            format!(
+                "{mark}{}",
+                row.file.strip_prefix(folder).unwrap_or(&row.file)
+            ),
             row.format().to_owned(),
             row.brought(),
             story,
