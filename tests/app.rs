@@ -23,7 +23,7 @@ use spectral_explorer::{
         document::{FIRST_LIGHT, FIRST_PATCH_SET},
         export::Export,
         library::Library,
-        open::{Loaded, Loader, load_bytes, load_path, resolve},
+        open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
         opened::Opened,
         pages::{FieldChoice, Page, PageMemory, WaysShown},
         plot_svg::Theme,
@@ -2074,20 +2074,18 @@ fn several_files_are_read_in_turn_and_a_bad_one_stops_nothing() {
             let _ = awake.send(());
         }),
     );
-    assert_eq!(loader.pending(), 4);
-    let mut loaded = Vec::new();
-    for _ in &paths {
-        // Far beyond what four small files take.
-        woken
-            .recv_timeout(Duration::from_secs(60))
-            .expect("the next file");
-        loaded.extend(loader.finished());
-    }
-    assert_eq!((loader.pending(), loaded.len()), (0, 4));
-    let words: Vec<String> = loaded
+    assert!(loader.is_busy());
+    // Far beyond what four small files take.
+    woken
+        .recv_timeout(Duration::from_secs(60))
+        .expect("the end of the batch");
+    let finished = loader.finished().expect("all of them");
+    assert!(!loader.is_busy());
+    let words: Vec<String> = finished
+        .files
         .into_iter()
-        .map(|loaded| match loaded {
-            Loaded::File(opened) => {
+        .map(|file| match file.came {
+            Came::Loaded(Loaded::File(opened)) => {
                 let Opened {
                     path, spectra, how, ..
                 } = *opened;
@@ -2098,11 +2096,12 @@ fn several_files_are_read_in_turn_and_a_bad_one_stops_nothing() {
                     how.split(':').next().unwrap_or_default()
                 )
             }
-            Loaded::Refused(why) => {
+            Came::Loaded(Loaded::Refused(why)) => {
                 assert!(is_one_line(&why));
                 format!("refused {}", why.split(':').next().unwrap_or_default())
             }
-            Loaded::Project { .. } => "a project".to_owned(),
+            Came::Loaded(Loaded::Project { .. }) => "a project".to_owned(),
+            Came::NotRead(why) => why,
         })
         .collect();
     assert_eq!(

@@ -872,8 +872,14 @@ fn without_a_command_files_and_presets_are_for_the_window() {
         neither.contains("\"reprot\": found no such file"),
         "{neither}"
     );
-    let dir = refusal(1, &[folder.path().to_str().unwrap()]);
-    assert!(dir.contains("found a folder"), "{dir}");
+    let told = tell(&[folder.path().to_str().unwrap(), "FL2"]);
+    let Outcome::Window { files, .. } = told.outcome else {
+        panic!("{}", told.err);
+    };
+    let (app, refused) = cli::app_with(&files);
+    assert_eq!(app.document().own.len(), 1);
+    assert_eq!(app.document().light.key, "own/1");
+    assert!(refused.is_empty());
 }
 
 #[test]
@@ -1024,4 +1030,185 @@ fn the_program_itself_does_its_main_job_without_a_display() {
     assert_eq!(insisted.status.code(), Some(3));
     assert!(insisted.stdout.is_empty());
     the_one_line(&String::from_utf8(insisted.stderr).unwrap());
+}
+
+#[test]
+fn read_prints_every_file_though_one_is_bad() {
+    let folder = tempfile::tempdir().unwrap();
+    let good = write(
+        folder.path(),
+        "a.csv",
+        "nm,irradiance\n400,1\n500,3\n600,2\n",
+    );
+    let bad = write(folder.path(), "b.txt", "nothing to read\n");
+    let also = write(
+        folder.path(),
+        "c.csv",
+        "nm,reflectance %\n400,10\n500,30\n600,20\n",
+    );
+    let told = tell(&["read", &good, &bad, &also]);
+    assert_eq!(told.outcome, Outcome::Done(1));
+    assert!(told.out.contains("a.csv: plain columns") && told.out.contains("c.csv: plain columns"));
+    assert!(the_one_line(&told.err).contains("b.txt"), "{}", told.err);
+    // As JSON, every file in its place.
+    let told = tell(&["read", "--json", &good, &bad, &also]);
+    assert_eq!(told.outcome, Outcome::Done(1));
+    let all: Value = serde_json::from_str(&told.out).unwrap();
+    let all = all.as_array().unwrap();
+    let errors: Vec<bool> = all.iter().map(|file| file["error"].is_null()).collect();
+    assert_eq!(errors, [true, false, true]);
+    for file in all {
+        for key in [
+            "file",
+            "format",
+            "spectra",
+            "composites",
+            "images",
+            "makers_results",
+            "notes",
+            "error",
+        ] {
+            assert!(file.get(key).is_some(), "{key} is not in {file}");
+        }
+    }
+    let spectrum = &all[2]["spectra"][0];
+    for (key, value) in [
+        ("kind", Value::from("reflectance")),
+        ("points", 3.into()),
+        ("first_nm", 400.0.into()),
+        ("last_nm", 600.0.into()),
+        ("first_value", 10.0.into()),
+        ("last_value", 20.0.into()),
+        ("sum", 60.0.into()),
+        ("max", 30.0.into()),
+        ("max_at_nm", 500.0.into()),
+        ("scale", 0.01.into()),
+        ("unit", "fraction".into()),
+    ] {
+        assert_eq!(spectrum[key], value, "{key}");
+    }
+}
+
+#[test]
+fn read_takes_a_folder_with_the_folders_below_it() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("more")).unwrap();
+    for name in ["b.csv", "more/c.csv", "a.csv", ".hidden"] {
+        write(folder.path(), name, "nm,irradiance\n400,1\n500,3\n600,2\n");
+    }
+    let all = json(&["read", folder.path().to_str().unwrap(), "--json"]);
+    let names: Vec<&str> = all
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|file| file["file"].as_str())
+        .collect();
+    assert_eq!(names.len(), 3, "{names:?}");
+    for (name, end) in names.iter().zip(["a.csv", "b.csv", "more/c.csv"]) {
+        assert!(name.ends_with(end), "{name}");
+    }
+    let empty = folder.path().join("empty");
+    std::fs::create_dir(&empty).unwrap();
+    let line = refusal(1, &["read", empty.to_str().unwrap()]);
+    assert!(line.contains("expected a folder with files"), "{line}");
+}
+
+#[test]
+fn read_lists_pixels_of_an_image_that_has_no_spectra_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let header = "ENVI\nsamples = 10\nlines = 10\nbands = 2\nheader offset = 0\n\
+        data type = 1\ninterleave = bip\nbyte order = 0\n\
+        wavelength units = Nanometers\nwavelength = {500, 600}\n";
+    let path = write(folder.path(), "cube.hdr", header);
+    let numbers: Vec<u8> = (0..200).collect();
+    std::fs::write(folder.path().join("cube.img"), numbers).unwrap();
+    let all = json(&["read", &path, "--json"]);
+    let file = &all[0];
+    assert_eq!(file["images"][0]["width"], 10);
+    let spectra = file["spectra"].as_array().unwrap();
+    let told: Vec<(&str, f64)> = spectra
+        .iter()
+        .map(|s| {
+            (
+                s["name"].as_str().unwrap(),
+                s["first_value"].as_f64().unwrap(),
+            )
+        })
+        .collect();
+    let places = ["row 0 column 0", "row 9 column 9", "row 5 column 5"];
+    assert_eq!(told.len(), 3, "{told:?}");
+    for ((name, value), (place, first)) in told.iter().zip(places.iter().zip([0.0, 198.0, 110.0])) {
+        assert!(name.contains(place), "{name}");
+        assert_eq!(*value, first, "{name}");
+    }
+    let text = said(&["read", &path]);
+    assert!(
+        text.contains("row 9 column 9: 2 points, lowest 0.0198, highest 0.0199"),
+        "{text}"
+    );
+}
+
+#[test]
+fn all_spectra_of_a_file_go_into_one_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "nm,red reflectance,blue reflectance\n400,0.1,0.9\n500,0.2,0.5\n600,0.8,0.1\n";
+    let input = write(folder.path(), "paints.csv", table);
+    let out = folder.path().join("all.csv").display().to_string();
+    let text = said(&["convert", &input, &out, "--all"]);
+    assert!(
+        text.contains("2 spectra (reflectance, 3 wavelengths)"),
+        "{text}"
+    );
+    let read = json(&["read", &out, "--json"]);
+    let spectra = read[0]["spectra"].as_array().unwrap();
+    assert_eq!(spectra.len(), 2);
+    assert_eq!(
+        (&spectra[1]["first_value"], &spectra[1]["scale"]),
+        (&0.9.into(), &1.0.into())
+    );
+    let sp = folder.path().join("all.sp").display().to_string();
+    let line = refusal(2, &["convert", &input, &sp, "--all"]);
+    assert!(
+        line.contains("--all: found .sp, which holds one spectrum"),
+        "{line}"
+    );
+}
+
+#[test]
+fn every_written_format_is_read_and_converted_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let mut last = "FL2".to_owned();
+    for extension in ["sp", "csv", "spdx", "sp", "spd", "json", "sp", "csv"] {
+        let next = place(&format!("x{}.{extension}", last.len()));
+        let text = said(&["convert", &last, &next]);
+        assert!(text.starts_with("Wrote "), "{text}");
+        last = next;
+    }
+    let [first, end] = [place("first.csv"), last].map(|path| {
+        if !std::path::Path::new(&path).exists() {
+            said(&["convert", "FL2", &path]);
+        }
+        json(&["read", &path, "--json"])[0]["spectra"][0]["sum"].clone()
+    });
+    assert_eq!(first, end);
+    // A model in one line, there and back.
+    let line = place("model.txt");
+    said(&["convert", "FL2", &line, "--order", "5"]);
+    let text = std::fs::read_to_string(&line).unwrap();
+    assert!(
+        text.starts_with("cs1;") && text.lines().count() == 1,
+        "{text}"
+    );
+    let again = place("again.txt");
+    said(&["convert", &line, &again]);
+    assert_eq!(std::fs::read_to_string(&again).unwrap(), text);
+    // What a format does not keep is said.
+    let uneven = write(
+        folder.path(),
+        "uneven.csv",
+        "nm,irradiance\n400,1\n403,3\n600,2\n",
+    );
+    let text = said(&["convert", &uneven, &place("uneven.sp")]);
+    assert!(text.contains("resampled linearly to 201 values"), "{text}");
 }

@@ -6,6 +6,7 @@
 #[path = "common/root.rs"]
 mod root;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -180,12 +181,18 @@ fn every_real_file_is_read_or_refused_in_one_line_that_names_it() {
     let expected = json(&folder.join("expected_open.json"));
     let index = json(&folder.join("INDEX.json"));
     let mut failures = Vec::new();
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    println!(
+        "{:52} {:18} spectra x how they were read [format]",
+        "file", "verdict"
+    );
     for entry in index.as_array().unwrap() {
         let name = entry["file"].as_str().unwrap();
         let expected = &expected["files"][name];
         match read_path(&folder.join(name)) {
             Ok(reading) => {
                 let verdict = verdict(name, &reading, expected);
+                *counts.entry(verdict).or_default() += 1;
                 println!(
                     "{name:52.52} {verdict:18} {} x {:60.60} [{}]",
                     reading.spectra.len(),
@@ -199,6 +206,7 @@ fn every_real_file_is_read_or_refused_in_one_line_that_names_it() {
             }
             Err(refusal) => {
                 let line = refusal.to_string();
+                *counts.entry("refused").or_default() += 1;
                 println!("{name:52.52} refused            {line}");
                 if line.lines().count() != 1
                     || !line.starts_with(name)
@@ -214,6 +222,8 @@ fn every_real_file_is_read_or_refused_in_one_line_that_names_it() {
             }
         }
     }
+    let total: usize = counts.values().sum();
+    println!("{total} files: {counts:?}");
     assert!(failures.is_empty(), "{failures:#?}");
 }
 

@@ -57,7 +57,8 @@ pub enum Command {
     Products(Products),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
-    /// Takes in all that files brought, in one step, and shows the first spectrum.
+    /// Takes in all that files brought, in one step, and shows the first light or factor, else
+    /// the first spectrum.
     Open(Vec<Opened>),
     /// Puts spectra that were read anew in the place of others of the user's own: the first in
     /// that of the first key and so on; keys left over go, spectra left over join.

@@ -14,7 +14,7 @@ use super::{
 use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,
-        write::{Column, Columns, encode},
+        write::{Column, Columns, encode, losses},
     },
     spectrum::{NamedSpectrum, Sampled},
 };
@@ -32,6 +32,8 @@ pub enum Export {
     Spd,
     /// The measured spectrum as IES TM-27.
     Spdx,
+    /// The measured spectrum as Argyll `.sp`.
+    ArgyllSp,
     /// The measured spectrum as our JSON.
     SpectrumJson,
     /// The patches' colours and errors.
@@ -50,12 +52,13 @@ pub enum Export {
 
 impl Export {
     /// Everything that the menu offers to save as text, in its order.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::CompositeJson,
         Self::CompositeLine,
         Self::Csv,
         Self::Spd,
         Self::Spdx,
+        Self::ArgyllSp,
         Self::SpectrumJson,
         Self::PatchesCsv,
         Self::SpikesCsv,
@@ -73,6 +76,7 @@ impl Export {
             Self::Csv => "Spectrum and model (CSV)",
             Self::Spd => "Reconstruction (.spd)",
             Self::Spdx => "Measured spectrum (.spdx)",
+            Self::ArgyllSp => "Measured spectrum (Argyll .sp)",
             Self::SpectrumJson => "Measured spectrum (JSON)",
             Self::PatchesCsv => "Patches (CSV)",
             Self::SpikesCsv => "Spikes (CSV)",
@@ -91,6 +95,7 @@ impl Export {
             Self::Csv | Self::PatchesCsv | Self::SpikesCsv | Self::CurveCsv => "csv",
             Self::Spd => "spd",
             Self::Spdx => "spdx",
+            Self::ArgyllSp => "sp",
             Self::PlotSvg | Self::CurveSvg => "svg",
         }
     }
@@ -101,13 +106,21 @@ impl Export {
             Self::CompositeJson | Self::CompositeLine => "-composite",
             Self::Csv => "-model",
             Self::Spd => "-reconstruction",
-            Self::Spdx | Self::SpectrumJson | Self::PlotSvg => "",
+            Self::Spdx | Self::ArgyllSp | Self::SpectrumJson | Self::PlotSvg => "",
             Self::PatchesCsv => "-patches",
             Self::SpikesCsv => "-spikes",
             Self::CurveCsv | Self::CurveSvg => "-error-against-order",
             Self::Project => "-project",
         };
         format!("{}{part}.{}", file_stem(app), self.extension())
+    }
+
+    /// What its format does not keep, a sentence each.
+    pub fn losses(self, app: &App) -> Vec<String> {
+        match self {
+            Self::Spdx | Self::ArgyllSp => losses(self.extension(), &scaled_subject(app)),
+            _ => Vec::new(),
+        }
     }
 
     /// The text itself. `theme` only matters for pictures.
@@ -129,7 +142,7 @@ impl Export {
                 let model = reconstruction(app)?;
                 encode("spd", &model, &Columns::measured(&model), &provenance(app))
             }
-            Self::Spdx | Self::SpectrumJson => {
+            Self::Spdx | Self::ArgyllSp | Self::SpectrumJson => {
                 let scaled = scaled_subject(app);
                 let columns = Columns::measured(&scaled);
                 encode(self.extension(), &scaled, &columns, &provenance(app))

@@ -1,12 +1,16 @@
 //! From a path, a dropped file or a word on the command line to spectra.
 
+pub mod batch;
+pub mod folders;
+pub mod summary;
+
 use std::{
     path::{Path, PathBuf},
-    sync::{
-        Arc,
-        mpsc::{Receiver, Sender, channel},
-    },
+    sync::Arc,
 };
+
+pub use batch::{Came, FileRead, Finished, Loader, Progress};
+pub use summary::{FileRow, Outcome, Summary};
 
 use super::{
     entry::{Entry, sampled_from_composite},
@@ -79,6 +83,10 @@ fn project_at(path: &Path) -> Option<Loaded> {
         return None;
     }
     let name = path.file_name()?.to_string_lossy().into_owned();
+    // Too large a one is refused by the reader of files, unread.
+    if file.metadata().ok()?.len() > io::text::MOST_BYTES {
+        return None;
+    }
     let text = std::fs::read_to_string(path).ok()?;
     Some(project(&name, &text, Some(path.to_owned())))
 }
@@ -207,59 +215,6 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
         },
         source: file.source,
     })
-}
-
-/// Reads files on threads of their own, so that no window waits for a disk.
-pub struct Loader {
-    sender: Sender<Loaded>,
-    receiver: Receiver<Loaded>,
-    pending: usize,
-}
-
-impl Default for Loader {
-    fn default() -> Self {
-        let (sender, receiver) = channel();
-        Self {
-            sender,
-            receiver,
-            pending: 0,
-        }
-    }
-}
-
-impl Loader {
-    /// Starts reading files in their order; `wake` is called when each one is there.
-    pub fn open(&mut self, paths: Vec<PathBuf>, wake: Arc<dyn Fn() + Send + Sync>) {
-        self.pending += paths.len();
-        let sender = self.sender.clone();
-        std::thread::spawn(move || {
-            for path in paths {
-                // A panic in a reader must not leave the window waiting for ever.
-                let loaded = std::panic::catch_unwind(|| load_path(&path)).unwrap_or_else(|_| {
-                    Loaded::Refused(format!(
-                        "{}: the reader failed on this file",
-                        path.display()
-                    ))
-                });
-                if sender.send(loaded).is_err() {
-                    return;
-                }
-                wake();
-            }
-        });
-    }
-
-    /// What has been read since the last call.
-    pub fn finished(&mut self) -> Vec<Loaded> {
-        let done: Vec<Loaded> = self.receiver.try_iter().collect();
-        self.pending -= done.len().min(self.pending);
-        done
-    }
-
-    /// Files still being read.
-    pub fn pending(&self) -> usize {
-        self.pending
-    }
 }
 
 /// The spectrum that the command line names: a file, a preset or `group/name`.

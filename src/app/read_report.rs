@@ -3,7 +3,7 @@
 //! Values are the file's own numbers, before per cent, scale factors and norms (`scale` takes
 //! them to the spectrum's unit); wavelengths are nm. The README documents the keys.
 
-use std::{fmt::Write as _, path::Path};
+use std::{borrow::Cow, fmt::Write as _, path::Path};
 
 use serde_json::{Value, json};
 
@@ -35,7 +35,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
             json!({
                 "file": file,
                 "format": format,
-                "spectra": spectra.iter().map(spectrum_json).collect::<Vec<_>>(),
+                "spectra": listed(spectra, images).iter().map(|s| spectrum_json(s)).collect::<Vec<_>>(),
                 "composites": composites.iter().map(composite_json).collect::<Vec<_>>(),
                 "images": images.iter().map(image_json).collect::<Vec<_>>(),
                 "makers_results": results.iter().map(result_json).collect::<Vec<_>>(),
@@ -48,10 +48,25 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
             "format": null,
             "spectra": [],
             "composites": [],
+            "images": [],
+            "makers_results": [],
             "notes": [],
             "error": refusal.to_string(),
         }),
     }
+}
+
+/// The spectra that are listed: the file's own, and of a file with none the first, the last and
+/// the middle pixel of its images.
+fn listed<'a>(
+    spectra: &'a [NamedSpectrum],
+    images: &[SpectralImage],
+) -> Vec<Cow<'a, NamedSpectrum>> {
+    if !spectra.is_empty() {
+        return spectra.iter().map(Cow::Borrowed).collect();
+    }
+    let probes = images.iter().flat_map(SpectralImage::probes);
+    probes.map(Cow::Owned).collect()
 }
 
 /// One spectrum in the file's own numbers.
@@ -159,6 +174,23 @@ pub fn text(path: &Path, read: &Result<Reading, ReadError>) -> String {
     let mut line = |text: String| {
         let _ = writeln!(out, "  {text}");
     };
+    for image in &reading.images {
+        let how = image.notes.first().map_or("", String::as_str);
+        line(format!("{}: {how}", image.name));
+    }
+    if reading.spectra.is_empty() {
+        for probe in listed(&[], &reading.images) {
+            let samples = &probe.samples;
+            let values = || samples.values().iter();
+            line(format!(
+                "{}: {} points, lowest {}, highest {}",
+                probe.name,
+                samples.len(),
+                short(values().copied().fold(f64::INFINITY, f64::min)),
+                short(values().copied().fold(f64::NEG_INFINITY, f64::max)),
+            ));
+        }
+    }
     for spectrum in reading.spectra.iter().take(MOST_TOLD) {
         let how = spectrum.notes.first().map_or("", String::as_str);
         line(format!("{}: {how}", spectrum.name));
@@ -180,7 +212,10 @@ pub fn text(path: &Path, read: &Result<Reading, ReadError>) -> String {
             short(band.max_nm()),
         ));
     }
-    let told = |note: &&String| !reading.spectra.iter().any(|s| s.notes.contains(note));
+    let told = |note: &&String| {
+        !reading.spectra.iter().any(|s| s.notes.contains(note))
+            && !reading.images.iter().any(|i| i.notes.first() == Some(note))
+    };
     for note in reading.notes.iter().filter(told) {
         line(note.clone());
     }

@@ -379,12 +379,14 @@ impl App {
     }
 
     fn adopt(&mut self, spectra: impl Iterator<Item = (NamedSpectrum, Vec<MakersResult>)>) {
-        let mut first = None;
+        let before = self.document.own.len();
         for (spectrum, makers) in spectra {
             let entry = Arc::new(self.own_entry(spectrum, makers));
-            first.get_or_insert_with(|| entry.clone());
             self.document.own.push(entry);
         }
+        // Among many files the first may be one that is only drawn over another.
+        let new = &self.document.own[before..];
+        let first = new.iter().find(|e| e.is_usable()).or(new.first()).cloned();
         if let Some(entry) = first {
             self.show(entry);
         }

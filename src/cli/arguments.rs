@@ -16,7 +16,7 @@ use crate::{
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
 ///
-/// With no command it opens the window, with the given files or presets in it.
+/// With no command it opens the window, with the given files, folders or presets in it.
 #[derive(Parser, Debug)]
 #[command(
     name = super::PROGRAM,
@@ -25,7 +25,7 @@ use crate::{
     args_conflicts_with_subcommands = true
 )]
 pub struct Arguments {
-    /// Files or names of presets to open in the window.
+    /// Files, folders whose files are opened together, or names of presets.
     #[arg(value_name = "FILES")]
     pub files: Vec<OsString>,
     /// A missing display is an error (exit code 3) instead of a reason to work without.
@@ -260,13 +260,16 @@ pub struct Convert {
     /// A file, a preset's name or group/name.
     #[arg(value_name = "IN")]
     pub input: String,
-    /// The file to write: .csv, .json, .spd or .spdx.
+    /// The file to write: .csv, .json, .sp (Argyll), .spd, .spdx, or .txt (a model in one line).
     #[arg(value_name = "OUT")]
     pub out: PathBuf,
-    /// Write the samples (spectrum) or the model (composite, as .json only)
-    /// [default: composite for OUT.composite.json, or for .json from a composite].
+    /// Write the samples (spectrum) or the model (composite, as .json or .txt only)
+    /// [default: composite for .txt, for OUT.composite.json, or for .json from a composite].
     #[arg(long = "as", value_name = "FORM", value_parser = words::form)]
     pub form: Option<Form>,
+    /// Write all spectra of the file, a column each; into .csv only.
+    #[arg(long)]
+    pub all: bool,
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,

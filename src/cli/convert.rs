@@ -11,12 +11,17 @@ use super::{
     subject, words,
 };
 use crate::{
-    app::{entry::composite_from_preset, export, library::Library, open},
+    app::{
+        entry::composite_from_preset,
+        export,
+        library::Library,
+        open::{self, Loaded},
+    },
     io::{
         self, CompositeFile, Provenance,
         atomic::save_atomically,
-        composite_json,
-        write::{Columns, WRITABLE},
+        composite_json, composite_line,
+        write::{Columns, WRITABLE, losses},
         write_as,
     },
 };
@@ -28,8 +33,9 @@ use crate::{
 pub fn run(options: &Convert, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
     let path = &options.out;
     let extension = words::extension(path);
-    if !WRITABLE.iter().any(|(known, _)| *known == extension) {
-        let known: Vec<String> = WRITABLE.iter().map(|(e, _)| format!(".{e}")).collect();
+    if extension != LINE && !WRITABLE.iter().any(|(known, _)| *known == extension) {
+        let known = WRITABLE.iter().map(|(e, _)| *e).chain([LINE]);
+        let known: Vec<String> = known.map(|e| format!(".{e}")).collect();
         return Err(Refusal::Usage(format!(
             "OUT: found {}, expected a file that ends in {}",
             io::error::quoted(&path.to_string_lossy()),
@@ -37,7 +43,11 @@ pub fn run(options: &Convert, out: &mut dyn Write, err: &mut dyn Write) -> Resul
         )));
     }
     let pick = options.pick.spectrum.as_deref();
-    let kept = if extension == "json" {
+    if options.all {
+        let what = all_spectra(options, &extension)?;
+        return print(out, &format!("Wrote {}: {what}\n", path.display()));
+    }
+    let kept = if is_of_models(&extension) {
         composite(&options.input, pick)
     } else {
         None
@@ -49,20 +59,98 @@ pub fn run(options: &Convert, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     print(out, &format!("Wrote {}: {what}\n", path.display()))
 }
 
+/// Extension of a model in one line of text.
+const LINE: &str = "txt";
+
+fn is_of_models(extension: &str) -> bool {
+    ["json", LINE].contains(&extension)
+}
+
+/// What a file of measured samples says about itself.
+fn as_measured() -> Provenance {
+    Provenance {
+        program: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
+        source: String::new(),
+        scale_words: "as measured".to_owned(),
+        settings: String::new(),
+    }
+}
+
+/// Every spectrum of a file, side by side.
+fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
+    let usage = |words: String| Err(Refusal::Usage(words));
+    if extension != "csv" {
+        return usage(format!(
+            "--all: found .{extension}, which holds one spectrum, expected OUT to end in .csv"
+        ));
+    }
+    let pick = &options.pick;
+    if pick.spectrum.is_some() || options.form.is_some() || options.model.is_given() {
+        return usage(
+            "--all: found an option that names one spectrum or a model, expected --all without it"
+                .to_owned(),
+        );
+    }
+    let input = &options.input;
+    let file = |why: String| Refusal::File(format!("{input}: {why}"));
+    let mut spectra = match open::load_path(Path::new(input)) {
+        Loaded::File(opened) => opened.into_spectra(),
+        Loaded::Refused(why) => return Err(Refusal::File(why)),
+        Loaded::Project { .. } => {
+            return Err(file(
+                "found a project, expected a file of spectra".to_owned(),
+            ));
+        }
+    };
+    if let Some(kind) = pick.kind {
+        for spectrum in &mut spectra {
+            spectrum.kind = kind;
+        }
+    }
+    let columns = Columns::together(&spectra).map_err(file)?;
+    let mut about = spectra[0].clone();
+    if spectra.len() > 1 {
+        about.name = io::input::name_of(Path::new(input));
+    }
+    write_as(&options.out, &about, &columns, &as_measured())
+        .map_err(|why| Refusal::File(why.to_string()))?;
+    let mut what = format!(
+        "{} spectra ({}, {} wavelengths)",
+        spectra.len(),
+        about.kind,
+        columns.nm.len()
+    );
+    if columns
+        .columns
+        .iter()
+        .any(|c| c.values.iter().any(|v| v.is_nan()))
+    {
+        what += "\nNote      their wavelengths differ: a cell is empty where a spectrum has none";
+    }
+    Ok(what)
+}
+
 fn form(options: &Convert, extension: &str, is_composite: bool) -> Result<Form, Refusal> {
     let name = options.out.to_string_lossy().to_lowercase();
     let form = options.form.unwrap_or_else(|| {
         let wanted = name.ends_with(".composite.json");
-        if extension == "json" && (wanted || is_composite) {
+        if extension == LINE || extension == "json" && (wanted || is_composite) {
             Form::Composite
         } else {
             Form::Spectrum
         }
     });
-    if form == Form::Composite && extension != "json" {
+    if form == Form::Composite && !is_of_models(extension) {
         return Err(Refusal::Usage(format!(
-            "--as composite: found .{extension}, expected OUT to end in .json"
+            "--as composite: found .{extension}, expected OUT to end in .json or .txt"
         )));
+    }
+    if form == Form::Spectrum && extension == LINE {
+        return Err(Refusal::Usage(
+            "--as spectrum: found .txt, which holds a model in one line, expected OUT to end in \
+             .csv or another of the formats of spectra"
+                .to_owned(),
+        ));
     }
     if form == Form::Spectrum && options.model.is_given() {
         return Err(Refusal::Usage(
@@ -83,17 +171,11 @@ fn spectrum(options: &Convert) -> Result<String, Refusal> {
     let entry = open::resolve(&options.input, pick.spectrum.as_deref(), pick.kind)
         .map_err(Refusal::File)?;
     let spectrum = &entry.spectrum;
-    let provenance = Provenance {
-        program: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
-        source: String::new(),
-        scale_words: "as measured".to_owned(),
-        settings: String::new(),
-    };
     write_as(
         &options.out,
         spectrum,
         &Columns::measured(spectrum),
-        &provenance,
+        &as_measured(),
     )
     .map_err(|why| Refusal::File(why.to_string()))?;
     let mut what = format!(
@@ -103,7 +185,8 @@ fn spectrum(options: &Convert) -> Result<String, Refusal> {
         spectrum.samples.len()
     );
     // How it was read belongs to it: a guessed unit, or further spectra that were not written.
-    for note in &spectrum.notes {
+    let lost = losses(&words::extension(&options.out), spectrum);
+    for note in lost.iter().chain(&spectrum.notes) {
         what += "\nNote      ";
         what += note;
     }
@@ -122,8 +205,12 @@ fn model(
             export::composite_file(&app)
         }
     };
-    composite_json::write(&file)
-        .and_then(|text| save_atomically(&options.out, text.as_bytes()))
+    let text = if words::extension(&options.out) == LINE {
+        Ok(composite_line::write(&file.composite) + "\n")
+    } else {
+        composite_json::write(&file)
+    };
+    text.and_then(|text| save_atomically(&options.out, text.as_bytes()))
         .map_err(|why| Refusal::File(why.to_string()))?;
     Ok(format!(
         "the model of {}, {}",

@@ -1,40 +1,43 @@
 //! `read`: what files hold and how they were read.
 
-use std::{
-    io::Write,
-    path::{Path, PathBuf},
-};
+use std::io::Write;
 
 use serde_json::Value;
 
 use super::{arguments::Read, print, refusal::Refusal, remark};
-use crate::{app::read_report, io};
+use crate::{
+    app::{
+        open::folders::{self, Listed},
+        read_report,
+    },
+    io,
+};
 
 /// Carries the command out. A file that is refused does not stop the others.
 ///
 /// # Errors
-/// [`Refusal`] when a folder cannot be listed, and, after everything was printed, when one of the
-/// files was refused.
+/// [`Refusal`], after everything was printed, when one of the files was refused or a folder could
+/// not be listed.
 pub fn run(options: &Read, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
-    let mut files = Vec::new();
-    for input in &options.files {
-        if input.is_dir() {
-            files.extend(files_in(input)?);
-        } else {
-            files.push(input.clone());
-        }
-    }
     let mut refused = Vec::new();
     let mut values = Vec::new();
-    for path in &files {
-        let reading = io::read_path(path);
+    for Listed {
+        path, refused: why, ..
+    } in folders::every_file(&options.files)
+    {
+        // A folder that holds nothing or cannot be listed has no reading.
+        if let Some(why) = why {
+            refused.push(why);
+            continue;
+        }
+        let reading = io::read_path(&path);
         if let Err(refusal) = &reading {
             refused.push(refusal.to_string());
         }
         if options.json {
-            values.push(read_report::json(path, &reading));
+            values.push(read_report::json(&path, &reading));
         } else if reading.is_ok() {
-            print(out, &read_report::text(path, &reading))?;
+            print(out, &read_report::text(&path, &reading))?;
         }
     }
     if options.json {
@@ -47,30 +50,4 @@ pub fn run(options: &Read, out: &mut dyn Write, err: &mut dyn Write) -> Result<(
         remark(err, &line);
     }
     Err(Refusal::File(last))
-}
-
-/// The files of a folder in the order of their names, hidden ones and folders left out.
-fn files_in(folder: &Path) -> Result<Vec<PathBuf>, Refusal> {
-    let trouble = |error: std::io::Error| {
-        Refusal::File(format!(
-            "{}: found {error}, expected a folder that can be listed",
-            folder.display()
-        ))
-    };
-    let mut files = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(trouble)? {
-        let entry = entry.map_err(trouble)?;
-        let hidden = entry.file_name().to_string_lossy().starts_with('.');
-        if !hidden && entry.path().is_file() {
-            files.push(entry.path());
-        }
-    }
-    files.sort();
-    if files.is_empty() {
-        return Err(Refusal::File(format!(
-            "{}: found no file, expected a folder with files",
-            folder.display()
-        )));
-    }
-    Ok(files)
 }

@@ -11,7 +11,8 @@ use crate::{
     app::{
         App, Command, Entry,
         library::Library,
-        open::{self, Loaded},
+        open::{Loaded, Outcome, batch::read_all},
+        state::Tone,
     },
     io::error::quoted,
 };
@@ -19,7 +20,7 @@ use crate::{
 /// Something to open.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Input {
-    /// A file that exists; whether it can be read is found out on opening.
+    /// A file or folder that exists; whether it can be read is found out on opening.
     File(PathBuf),
     /// A shipped spectrum.
     Preset(Arc<Entry>),
@@ -66,12 +67,9 @@ fn input(word: &OsString) -> Result<Input, Refusal> {
                     quoted(&name)
                 ))
             }),
-        Err(why) if path.is_dir() => Err(Refusal::File(format!(
-            "{}: found a folder, expected a file or a preset ({why})",
-            quoted(&name)
-        ))),
+        Err(_) if path.is_dir() => Ok(Input::File(path.to_owned())),
         Err(why) => Err(Refusal::File(format!(
-            "{}: found no such file, expected a file, a preset or a command ({why})",
+            "{}: found no such file, expected a file, a folder, a preset or a command ({why})",
             quoted(&name)
         ))),
     }
@@ -81,19 +79,44 @@ fn input(word: &OsString) -> Result<Input, Refusal> {
 /// refused.
 pub fn app_with(files: &[Input]) -> (App, Vec<String>) {
     let mut app = App::new();
+    let paths: Vec<PathBuf> = files.iter().filter_map(Input::file).collect();
+    let preset_first = files.first().is_some_and(|first| first.preset().is_some());
     let mut refused = Vec::new();
+    if preset_first {
+        open_all(&mut app, &paths, &mut refused);
+    }
     // The last one opened is shown, so the first comes last.
-    for input in files.iter().rev() {
-        match input {
-            Input::Preset(entry) => app.apply(Command::Show(entry.clone())),
-            Input::File(path) => match open::load_path(path) {
-                Loaded::File(opened) => app.apply(Command::Open(vec![*opened])),
-                Loaded::Project { restored, .. } => {
-                    app.apply(Command::Replace(Box::new(restored.document)));
-                }
-                Loaded::Refused(why) => refused.insert(0, why),
-            },
-        }
+    for preset in files.iter().rev().filter_map(Input::preset) {
+        app.apply(Command::Show(preset));
+    }
+    if !preset_first {
+        open_all(&mut app, &paths, &mut refused);
     }
     (app, refused)
+}
+
+/// Opens files and folders in one step.
+fn open_all(app: &mut App, paths: &[PathBuf], refused: &mut Vec<String>) {
+    if paths.is_empty() {
+        return;
+    }
+    let finished = read_all(paths);
+    let summary = finished.summary();
+    refused.extend(summary.rows.iter().filter_map(|row| match &row.outcome {
+        Outcome::Refused(why) => Some(why.clone()),
+        Outcome::NotRead(why) => Some(format!("{}: not read, {why}", row.file)),
+        Outcome::Read { .. } | Outcome::Project => None,
+    }));
+    let (opened, projects) = finished.into_loaded();
+    for project in projects {
+        if let Loaded::Project { restored, .. } = project {
+            app.apply(Command::Replace(Box::new(restored.document)));
+        }
+    }
+    if !opened.is_empty() {
+        app.apply(Command::Open(opened));
+    }
+    if summary.rows.len() > 1 {
+        app.say(Tone::Info, format!("{}.", summary.headline()));
+    }
 }

@@ -25,6 +25,7 @@ use std::collections::HashMap;
 
 use crate::spectrum::Kind;
 
+use super::argyll_write::ORIGINATOR;
 use super::cgats_tables::{self, CgatsTable};
 use super::kinds::{kind_of_name, kind_of_words};
 use super::measured::Measured;
@@ -218,7 +219,7 @@ fn grid(table: &CgatsTable, labels: &[f64]) -> (Vec<f64>, Option<String>) {
 struct Meaning {
     kind: Kind,
     because: Option<String>,
-    unit: &'static str,
+    unit: String,
     note: Option<String>,
 }
 
@@ -256,7 +257,23 @@ const SAMPLES: [&str; 7] = [
     "sample", "chart", "checker", "paint", "paper", "target", "munsell",
 ];
 
+/// Whether this program wrote it: its keywords tell name, kind, unit and source.
+fn is_own(table: &CgatsTable) -> bool {
+    table
+        .key("ORIGINATOR")
+        .is_some_and(|v| v.starts_with(ORIGINATOR))
+}
+
 fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]) -> Meaning {
+    let own = table.key("KIND").filter(|_| is_own(table));
+    if let Some(kind) = own.and_then(|word| Kind::ALL.into_iter().find(|k| k.word() == word)) {
+        return Meaning {
+            kind,
+            because: None,
+            unit: table.key("UNIT").unwrap_or_default().to_owned(),
+            note: None,
+        };
+    }
     let argyll = table.number("SPECTRAL_NORM").is_none_or(|norm| norm == 1.0)
         && table
             .key("ORIGINATOR")
@@ -271,7 +288,7 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
             return Meaning {
                 kind,
                 because: None,
-                unit,
+                unit: unit.to_owned(),
                 note,
             };
         }
@@ -279,12 +296,12 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
     let told = |kind| Meaning {
         kind,
         because: None,
-        unit: "",
+        unit: String::new(),
         note: None,
     };
     if table.kind == "CCSS" {
         return Meaning {
-            unit: "relative",
+            unit: "relative".to_owned(),
             ..told(Kind::Light)
         };
     }
@@ -296,7 +313,7 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
     let guess = |kind, because: String| Meaning {
         kind,
         because: Some(because),
-        unit: "",
+        unit: String::new(),
         note: None,
     };
     let word = group.word.to_uppercase();
@@ -387,6 +404,7 @@ fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String 
         Some(word) if word.contains(|c: char| c.is_alphabetic()) => word.to_owned(),
         Some(number) if several => format!("{}, {number}", input.stem()),
         None if several => format!("{}, set {}", input.stem(), set + 1),
+        None if is_own(table) => table.key("DESCRIPTOR").unwrap_or(input.stem()).to_owned(),
         _ => input.stem().to_owned(),
     }
 }
@@ -487,6 +505,7 @@ fn read_group(
     let good_norm = norm.filter(|n| (1e-9..=1e9).contains(n));
     let scale = match good_norm {
         Some(norm) if norm != 1.0 => Some(1.0 / norm),
+        Some(_) if is_own(table) => Some(1.0),
         _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => Some(0.01),
         _ => None,
     };
@@ -506,7 +525,7 @@ fn read_group(
                 "SPECTRAL_NORM {bad} makes no sense and was passed over"
             )),
         }
-        let unit = match (found.kind, found.unit) {
+        let unit = match (found.kind, found.unit.as_str()) {
             (Kind::Light, "") if good_norm.is_some_and(|n| n != 1.0) => "relative",
             (_, unit) => unit,
         };
@@ -532,6 +551,11 @@ fn read_group(
             notes,
         }
         .finish(input, reading)?;
+        if let Some(source) = table.key("SOURCE").filter(|_| is_own(table))
+            && let Some(spectrum) = reading.spectra.last_mut()
+        {
+            source.clone_into(&mut spectrum.source);
+        }
     }
     if let Some(note) = grid_note {
         reading.notes.push(note);

@@ -51,16 +51,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             return Err(refusal(input, text, no_table));
         }
     };
-    let mut reading = Reading::default();
-    reading.table = tables.first().map(|table| TableFound {
-        dialect,
-        axis_column: match table.layout {
-            Layout::Column(column) => Some(column),
-            Layout::Row { .. } => None,
-        },
-        width: table.block.width,
-        first_line: table.block.lines[0] as usize,
-    });
+    let mut reading = Reading {
+        table: tables.first().map(|table| TableFound {
+            dialect,
+            axis_column: match table.layout {
+                Layout::Column(column) => Some(column),
+                Layout::Row { .. } => None,
+            },
+            width: table.block.width,
+            first_line: table.block.lines[0] as usize,
+        }),
+        ..Reading::default()
+    };
     let several = tables.len() > 1;
     if let Some(column) = input.choices.axis_column {
         for table in &mut tables {

@@ -4,8 +4,10 @@
 //! {"format": "composite-spectrum", "version": 1, "range_nm": [min, max],
 //!  "basis": "fourier" | "cosine",
 //!  "coefficients": {"a": [N+1], "b": [N]} | {"c": [2N+1]},
-//!  "spikes": [{"at_nm", "weight"}], "unit", "source"}
+//!  "spikes": [{"at_nm", "weight"}], "unit", "source", "scale_in_force", "written_by"}
 //! ```
+//!
+//! The last two are for people; a model is always written in its file's own numbers.
 //!
 //! The Fourier `a0` is the paper's, halved in the series; the cosine `c0` is not. A Fourier series
 //! whose last sine was dropped is written with a zero in its place.
@@ -45,6 +47,10 @@ struct File {
     unit: String,
     #[serde(default)]
     source: String,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    scale_in_force: String,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    written_by: String,
 }
 
 #[derive(Default, Serialize, Deserialize)]
@@ -111,6 +117,8 @@ fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
         spikes,
         unit,
         source,
+        scale_in_force: _,
+        written_by: _,
     } = file;
     if format != FORMAT_WORD {
         return Err(input.error(format!("format \"{format}\""), format!("\"{FORMAT_WORD}\"")));
@@ -263,6 +271,8 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
             .collect(),
         unit: unit.clone(),
         source: source.clone(),
+        scale_in_force: "as measured".to_owned(),
+        written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
     };
     match serde_json::to_string_pretty(&file) {
         Ok(text) => Ok(text + "\n"),

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
+use super::argyll_write::ORIGINATOR;
 use super::axis::{self, Axis, AxisUnit};
 use super::curve::{self, Trouble};
 use super::kinds::{self, KindFound};
@@ -89,7 +90,12 @@ impl Draft<'_> {
             _ => Cow::Owned(self.axis.iter().map(|x| unit.to_nm(*x)).collect()),
         };
 
-        drop_sentinels(&mut self.values, &mut notes);
+        let is_own = header_field(self.header, "written by:")
+            .is_some_and(|program| program.starts_with(ORIGINATOR));
+        // In a file of this program every number was measured.
+        if !is_own {
+            drop_sentinels(&mut self.values, &mut notes);
+        }
         let before = reading.spectra.last().map(|spectrum| &spectrum.samples);
         let cleaned = curve::clean_beside(before, &nm, std::mem::take(&mut self.values))
             .map_err(|trouble| self.trouble(input, trouble))?;

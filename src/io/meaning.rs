@@ -41,6 +41,10 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
         because: because.to_owned(),
         stated: true,
     };
+    // What this program's own files say, whatever the spectrum is called.
+    if header.iter().any(|(_, line)| *line == "unit: fraction") {
+        return stated(false, "the header");
+    }
     let title = title.to_lowercase();
     if signs {
         return stated(true, "per cent signs");

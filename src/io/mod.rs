@@ -15,6 +15,7 @@
 
 pub mod alternating;
 pub mod archive;
+pub mod argyll_write;
 pub mod atomic;
 pub mod axis;
 pub mod budget;

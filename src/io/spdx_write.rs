@@ -20,6 +20,20 @@ fn quantity_of(spectrum: &NamedSpectrum) -> &'static str {
     }
 }
 
+/// What the format has no word for, a sentence each; it stands in the comments.
+pub fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
+    let NamedSpectrum { kind, unit, .. } = spectrum;
+    match quantity_of(spectrum) {
+        "other" => vec![format!(
+            "TM-27 has no word for {kind} values: written as other."
+        )],
+        "relative" if !unit.is_empty() && unit != "relative" => vec![format!(
+            "TM-27 has no word for the unit {unit}: written as relative, the unit in the comments."
+        )],
+        _ => Vec::new(),
+    }
+}
+
 /// A spectrum as TM-27 XML.
 pub fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String {
     let comments = provenance

@@ -7,7 +7,7 @@ use crate::spectrum::NamedSpectrum;
 use super::atomic::save_atomically;
 use super::error::WriteError;
 use super::input::name_of;
-use super::{csv, spd, spdx_write, spectrum_json};
+use super::{argyll_write, csv, spd, spdx_write, spectrum_json};
 
 /// What every export says about itself.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -76,6 +76,54 @@ pub struct Columns {
 }
 
 impl Columns {
+    /// All spectra of a kind and unit, a column each under its name, on every wavelength that one
+    /// of them has; where another has none its cell is empty.
+    ///
+    /// # Errors
+    /// One line when there is none, or their kinds or units differ: the file states one.
+    pub fn together(spectra: &[NamedSpectrum]) -> Result<Self, String> {
+        let Some(first) = spectra.first() else {
+            return Err("found no spectrum, expected at least one".to_owned());
+        };
+        let same = |s: &NamedSpectrum| (s.kind, &s.unit) == (first.kind, &first.unit);
+        if let Some(other) = spectra.iter().find(|s| !same(s)) {
+            let words = |s: &NamedSpectrum| match s.unit.as_str() {
+                "" => format!("{} ({})", one_line(&s.name), s.kind),
+                unit => format!("{} ({}, {unit})", one_line(&s.name), s.kind),
+            };
+            return Err(format!(
+                "found {} beside {}, expected one kind and unit in a file; name one with --spectrum",
+                words(first),
+                words(other)
+            ));
+        }
+        let mut nm: Vec<f64> = first.samples.nm().to_vec();
+        for spectrum in &spectra[1..] {
+            // A file's spectra share their wavelengths as a rule.
+            if spectrum.samples.nm() != &nm[..] {
+                nm.extend(spectrum.samples.nm());
+                nm.sort_by(f64::total_cmp);
+                nm.dedup();
+            }
+        }
+        let column = |spectrum: &NamedSpectrum| {
+            let samples = &spectrum.samples;
+            let mut own = samples.nm().iter().zip(samples.values()).peekable();
+            let values = nm.iter().map(|at| match own.next_if(|(nm, _)| *nm == at) {
+                Some((_, value)) => *value,
+                None => f64::NAN,
+            });
+            Column {
+                title: title_of(&spectrum.name),
+                values: values.collect(),
+            }
+        };
+        Ok(Self {
+            columns: spectra.iter().map(column).collect(),
+            nm,
+        })
+    }
+
     /// The measured samples of a spectrum alone.
     pub fn measured(spectrum: &NamedSpectrum) -> Self {
         Self {
@@ -89,9 +137,10 @@ impl Columns {
 }
 
 /// Extensions that [`write_as`] knows, with the format's name for file dialogues.
-pub const WRITABLE: [(&str, &str); 4] = [
+pub const WRITABLE: [(&str, &str); 5] = [
     ("csv", "CSV"),
     ("json", "spectrum JSON"),
+    ("sp", "Argyll .sp"),
     ("spd", "pbrt .spd"),
     ("spdx", "IES TM-27 .spdx"),
 ];
@@ -110,6 +159,7 @@ pub fn encode(
     match extension.to_lowercase().as_str() {
         "csv" => Ok(csv::write(spectrum, columns, provenance)),
         "json" => Ok(spectrum_json::write(spectrum, provenance)),
+        "sp" => argyll_write::write(spectrum, provenance),
         "spd" => Ok(spd::write(spectrum, provenance)),
         "spdx" => Ok(spdx_write::write(spectrum, provenance)),
         other => {
@@ -124,6 +174,15 @@ pub fn encode(
                 known.join(", ")
             ))
         }
+    }
+}
+
+/// What the format of an extension does not keep of a spectrum's samples, a sentence each.
+pub fn losses(extension: &str, spectrum: &NamedSpectrum) -> Vec<String> {
+    match extension.to_lowercase().as_str() {
+        "sp" => argyll_write::losses(spectrum),
+        "spdx" => spdx_write::losses(spectrum),
+        _ => Vec::new(),
     }
 }
 
@@ -154,6 +213,16 @@ pub fn shortest(value: f64) -> String {
         text.truncate(text.len() - 2);
     }
     text
+}
+
+/// A spectrum's name as a column's title: a bare number would be taken for data.
+fn title_of(name: &str) -> String {
+    let name = one_line(name);
+    if name.is_empty() || name.replace(',', ".").parse::<f64>().is_ok() {
+        format!("spectrum {name}").trim_end().to_owned()
+    } else {
+        name
+    }
 }
 
 /// Text without line ends and other control characters.
@@ -210,6 +279,10 @@ pub(crate) mod tests {
                 let columns = Columns::measured(&spectrum);
                 let path = folder.path().join(format!("x.{extension}"));
                 write_as(&path, &spectrum, &columns, &provenance).unwrap();
+                if *extension == *"sp" {
+                    // Even steps only; tests/writers.rs has those.
+                    continue;
+                }
                 let reading = read_path(&path).unwrap();
                 let back = &reading.spectra[0];
                 assert_eq!(
@@ -246,7 +319,7 @@ pub(crate) mod tests {
         );
         assert_eq!(
             error.unwrap_err().to_string(),
-            "a.xyz: found extension .xyz, expected one of .csv, .json, .spd, .spdx"
+            "a.xyz: found extension .xyz, expected one of .csv, .json, .sp, .spd, .spdx"
         );
     }
 

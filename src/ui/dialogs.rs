@@ -40,7 +40,7 @@ pub enum Outcome {
 /// Draws the open dialog.
 pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
     let title = match dialog {
-        Dialog::OpenPath(_) => "Open a file",
+        Dialog::OpenPath(_) => "Open a file or a folder",
         Dialog::SavePath(_) => "Save to a file",
         Dialog::Shortcuts => "Shortcuts",
         Dialog::About(_) => "About Spectral Explorer",

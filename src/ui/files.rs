@@ -17,6 +17,8 @@ use std::{
 pub enum Ask {
     /// One or more files to open.
     Open,
+    /// A folder whose files are to be opened.
+    OpenFolder,
     /// A place for a new file.
     Save {
         /// The name offered.
@@ -52,6 +54,10 @@ pub fn system_picker() -> Picker {
             Ask::Open => dialog
                 .set_title("Open spectra")
                 .pick_files()
+                .unwrap_or_default(),
+            Ask::OpenFolder => dialog
+                .set_title("Open all files of a folder")
+                .pick_folders()
                 .unwrap_or_default(),
             Ask::Save {
                 suggested,

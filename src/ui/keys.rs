@@ -8,6 +8,8 @@ use egui::{Context, Key, KeyboardShortcut, Modifiers};
 pub enum Act {
     /// Open files.
     Open,
+    /// Open a folder.
+    OpenFolder,
     /// Type a path.
     TypePath,
     /// Save the project.
@@ -49,7 +51,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 19] = [
+pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 20] = [
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
         Act::Redo,
@@ -58,7 +60,12 @@ pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 19] = [
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::O),
         Act::TypePath,
-        "Open a file by typing its path",
+        "Open a file or folder by typing its path",
+    ),
+    (
+        KeyboardShortcut::new(CTRL_SHIFT, Key::F),
+        Act::OpenFolder,
+        "Open all files of a folder",
     ),
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::C),

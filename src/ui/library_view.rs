@@ -1,6 +1,9 @@
 //! The library: shelves of spectra, each with a swatch, a name and a small curve.
 
-use std::{collections::HashMap, sync::Arc};
+use std::{
+    collections::{HashMap, HashSet},
+    sync::Arc,
+};
 
 use eframe::egui;
 use egui::{Align2, Color32, FontId, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
@@ -30,6 +33,27 @@ pub struct LibraryView {
     renaming: Option<(String, String)>,
     /// By key, with the entry it was made of: after an undo another file may have the key.
     art: HashMap<String, (Arc<Entry>, Art)>,
+    /// The rows and what they were made for: thousands are not looked through in every frame.
+    listed: Option<(RowsOf, Arc<Vec<Row>>)>,
+}
+
+/// What the rows are made of.
+struct RowsOf {
+    search: String,
+    folded: Vec<String>,
+    own: Vec<Arc<Entry>>,
+    bundled: usize,
+}
+
+impl RowsOf {
+    fn is_still(&self, search: &str, folded: &[String], app: &App) -> bool {
+        let own = &app.document().own;
+        self.search == search
+            && self.folded == folded
+            && self.bundled == app.bundled().len()
+            && self.own.len() == own.len()
+            && self.own.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
+    }
 }
 
 /// A row's swatch and curve, made once.
@@ -78,11 +102,13 @@ impl LibraryView {
                     .desired_width(f32::INFINITY),
             )
             .labelled_by(label.id)
-            .on_hover_text("Shows only spectra whose name or group holds these words (Ctrl+F).");
+            .on_hover_text(
+                "Shows only spectra whose name, group or file holds these words (Ctrl+F).",
+            );
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }
-        let rows = self.rows(app, preferences);
+        let rows = self.listed(app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
             ui.weak("Nothing is called that.");
@@ -129,6 +155,28 @@ impl LibraryView {
         }
     }
 
+    /// The rows, made anew when search, folds or spectra changed.
+    fn listed(&mut self, app: &App, preferences: &Preferences) -> Arc<Vec<Row>> {
+        if let Some((of, rows)) = &self.listed
+            && of.is_still(&self.search, &preferences.folded, app)
+        {
+            return rows.clone();
+        }
+        let of = RowsOf {
+            search: self.search.clone(),
+            folded: preferences.folded.clone(),
+            own: app.document().own.clone(),
+            bundled: app.bundled().len(),
+        };
+        let rows = Arc::new(self.rows(app, preferences));
+        self.listed = Some((of, rows.clone()));
+        // What is not listed any more is not kept either.
+        let own: HashSet<&str> = app.document().own.iter().map(|e| e.key.as_str()).collect();
+        self.art
+            .retain(|key, _| !key.starts_with("own/") || own.contains(key.as_str()));
+        rows
+    }
+
     fn rows(&self, app: &App, preferences: &Preferences) -> Vec<Row> {
         let wanted: Vec<String> = self
             .search
@@ -136,7 +184,15 @@ impl LibraryView {
             .map(str::to_lowercase)
             .collect();
         let matches = |entry: &Entry| {
-            let text = format!("{} {}", entry.key, entry.name()).to_lowercase();
+            if wanted.is_empty() {
+                return true;
+            }
+            // A spectrum of the user's own is found by the file that it came from, too.
+            let source = match entry.shelf {
+                None => entry.spectrum.source.as_str(),
+                Some(_) => "",
+            };
+            let text = format!("{} {} {source}", entry.key, entry.name()).to_lowercase();
             wanted.iter().all(|word| text.contains(word))
         };
         let mut rows = Vec::new();

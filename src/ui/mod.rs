@@ -4,6 +4,7 @@
 //! applies them before it draws what depends on them, so every frame shows its own input.
 
 pub mod axes;
+pub mod batch_view;
 pub mod chart_view;
 pub mod colour_view;
 pub mod curve_view;

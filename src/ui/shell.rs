@@ -136,8 +136,7 @@ fn open(start: Start) -> eframe::Result {
             for entry in start.presets.into_iter().rev() {
                 window.app.apply(Command::Show(entry));
             }
-            let files = start.files.into_iter().rev().collect();
-            window.open_files(files, waker(&creation.egui_ctx));
+            window.open_files(start.files, waker(&creation.egui_ctx));
             Ok(Box::new(Shell {
                 window,
                 frames_left: start.frames,

@@ -13,6 +13,8 @@ pub enum Wish {
     Act(Act),
     /// Open a recent file, by its place in the list.
     Recent(usize),
+    /// What came of the files opened last.
+    Summary,
     /// Save something as text.
     Save(Export),
     /// Save the plot as PNG.
@@ -32,7 +34,7 @@ pub fn show(
     ui: &mut Ui,
     app: &App,
     preferences: &mut Preferences,
-    dialog_open: bool,
+    (dialog_open, has_summary): (bool, bool),
     commands: &mut Vec<Command>,
     wishes: &mut Vec<Wish>,
 ) {
@@ -46,14 +48,38 @@ pub fn show(
         }
         if ui
             .add_enabled(!dialog_open, egui::Button::new("Open…"))
-            .on_hover_text("Open spectra or a project (Ctrl+O). Files can also be dropped here.")
+            .on_hover_text(
+                "Open spectra or a project (Ctrl+O). Files and folders can also be dropped here.",
+            )
             .clicked()
         {
             wishes.push(Wish::Act(Act::Open));
         }
         ui.menu_button("Path", |ui| {
-            if ui.button("Type a path…").clicked() {
+            if ui
+                .add_enabled(!dialog_open, egui::Button::new("Open a folder…"))
+                .on_hover_text(
+                    "Opens every file in a folder and the folders below it (Ctrl+Shift+F).",
+                )
+                .clicked()
+            {
+                wishes.push(Wish::Act(Act::OpenFolder));
+                ui.close();
+            }
+            if ui
+                .button("Type a path…")
+                .on_hover_text("Opens a file, or every file of a folder (Ctrl+Shift+O).")
+                .clicked()
+            {
                 wishes.push(Wish::Act(Act::TypePath));
+                ui.close();
+            }
+            if ui
+                .add_enabled(has_summary, egui::Button::new("Files opened together…"))
+                .on_hover_text("What came of each file of the last folder or choice of files.")
+                .clicked()
+            {
+                wishes.push(Wish::Summary);
                 ui.close();
             }
             if !preferences.recent.is_empty() {
@@ -73,7 +99,7 @@ pub fn show(
             }
         })
         .response
-        .on_hover_text("Open by a typed path, or a recent file.");
+        .on_hover_text("Open a folder, a typed path, or a recent file.");
         ui.menu_button("Save", |ui| save_menu(ui, dialog_open, wishes))
             .response
             .on_hover_text("Save or copy spectrum, model, tables and pictures.");

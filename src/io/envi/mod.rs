@@ -22,7 +22,7 @@ pub mod meaning;
 pub mod pair;
 
 use std::borrow::Cow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::spectrum::cube::{Number, bytes_of};
 
@@ -96,6 +96,17 @@ fn read_pair(
     } else {
         image::read(header, data.into_owned(), data_name)
     }
+}
+
+/// The data file that would be read with the header at `path`; `None` when that is no header or
+/// has no data beside it.
+pub fn data_beside(path: &Path) -> Option<PathBuf> {
+    if !pair::starts_as_header(path) {
+        return None;
+    }
+    let header = pair::read_header(path).ok()?;
+    let need = data_bytes(&header).ok()?;
+    pair::place_of_data(path, need)
 }
 
 /// What a header announces, before its data are read.

@@ -43,7 +43,8 @@ pub fn header_of(data: &Path) -> Option<PathBuf> {
     .find(|path| path != data && path.is_file() && starts_as_header(path))
 }
 
-fn starts_as_header(path: &Path) -> bool {
+/// Whether a file begins as an ENVI header does.
+pub fn starts_as_header(path: &Path) -> bool {
     let mut start = [0; 8];
     let read = File::open(path).and_then(|mut file| file.read(&mut start));
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
@@ -60,12 +61,30 @@ pub fn read_header(path: &Path) -> Result<Header, ReadError> {
     header::parse(&name, &text::decode(&bytes).text)
 }
 
-/// The data that belong to a header of which `need` bytes are announced. Of several files with
-/// fitting names the first that is large enough is taken.
+/// The data that belong to a header of which `need` bytes are announced.
 ///
 /// # Errors
 /// [`ReadError`] when there is none, or it cannot be read.
 pub fn data_of(path: &Path, header: &Header, need: usize) -> Result<Data, ReadError> {
+    let chosen = place_of_data(path, need).ok_or_else(|| {
+        ReadError::new(
+            &header.file,
+            "an ENVI header by itself",
+            format!(
+                "its data beside it ({} with an ending such as .sli, .img, .bsq, or none)",
+                name_of(&path.with_extension(""))
+            ),
+        )
+    })?;
+    Ok(Data {
+        name: name_of(&chosen),
+        bytes: read_file(&chosen, MOST_BYTES, "at most 512 MiB in one file")?,
+    })
+}
+
+/// The data file beside a header of which `need` bytes are announced. Of several files with
+/// fitting names the first that is large enough is taken.
+pub fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
     let stem = path.with_extension("");
     let candidates = DATA_ENDINGS.iter().flat_map(|ending| {
         [(*ending).to_owned(), ending.to_uppercase()].map(|ending| {
@@ -75,25 +94,12 @@ pub fn data_of(path: &Path, header: &Header, need: usize) -> Result<Data, ReadEr
         })
     });
     let mut there = candidates.filter(|candidate| candidate != path && candidate.is_file());
-    let first = there.next().ok_or_else(|| {
-        ReadError::new(
-            &header.file,
-            "an ENVI header by itself",
-            format!(
-                "its data beside it ({} with an ending such as .sli, .img, .bsq, or none)",
-                name_of(&stem)
-            ),
-        )
-    })?;
+    let first = there.next()?;
     let large = |path: &PathBuf| fs::metadata(path).is_ok_and(|about| about.len() >= need as u64);
-    let chosen = if large(&first) {
+    Some(if large(&first) {
         first
     } else {
         there.find(large).unwrap_or(first)
-    };
-    Ok(Data {
-        name: name_of(&chosen),
-        bytes: read_file(&chosen, MOST_BYTES, "at most 512 MiB in one file")?,
     })
 }
 

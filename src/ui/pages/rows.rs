@@ -75,11 +75,21 @@ pub fn table_with(
     theme: Theme,
     mut paint: impl FnMut(&Ui, [usize; 2], Rect),
 ) -> Option<usize> {
-    let height = ui.text_style_height(&TextStyle::Body) + 5.0;
+    head(ui, columns, theme);
+    body(ui, columns, (rows, 0), (chosen, enabled), &mut paint)
+}
+
+/// Height of a row, points.
+pub fn height(ui: &Ui) -> f32 {
+    ui.text_style_height(&TextStyle::Body) + 5.0
+}
+
+/// Draws the titles.
+pub fn head(ui: &mut Ui, columns: &[Column], theme: Theme) {
     let width = ui.available_width();
     let borders = borders(columns, width);
     ui.spacing_mut().item_spacing.y = 0.0;
-    let (head, _) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
+    let (head, _) = ui.allocate_exact_size(vec2(width, height(ui)), Sense::hover());
     for (column, cell) in columns.iter().zip(cells(head, &borders)) {
         let text = RichText::new(&column.title).small().color(theme.faint);
         put(ui, cell, column.right, text).on_hover_text(&column.meaning);
@@ -87,14 +97,28 @@ pub fn table_with(
     let line = head.bottom() - 1.0;
     let colour = ui.visuals().widgets.noninteractive.bg_stroke;
     ui.painter().hline(head.x_range(), line, colour);
+}
+
+/// Draws rows of a table without its titles; `first` is the index of the first of them. Returns
+/// the index of the row that was clicked.
+pub fn body(
+    ui: &mut Ui,
+    columns: &[Column],
+    (rows, first): (&[Row], usize),
+    (chosen, enabled): (Option<usize>, bool),
+    paint: &mut dyn FnMut(&Ui, [usize; 2], Rect),
+) -> Option<usize> {
+    let width = ui.available_width();
+    let borders = borders(columns, width);
+    ui.spacing_mut().item_spacing.y = 0.0;
     let sense = if enabled {
         Sense::click()
     } else {
         Sense::hover()
     };
     let mut clicked = None;
-    for (index, row) in rows.iter().enumerate() {
-        let (rect, response) = ui.allocate_exact_size(vec2(width, height), sense);
+    for (index, row) in (first..).zip(rows) {
+        let (rect, response) = ui.allocate_exact_size(vec2(width, height(ui)), sense);
         response.widget_info(|| {
             egui::WidgetInfo::selected(
                 egui::Role::Button,

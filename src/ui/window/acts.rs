@@ -40,6 +40,7 @@ impl Window {
         const FINER: f64 = 1.25;
         match act {
             Act::Open => self.ask(Ask::Open, None, context),
+            Act::OpenFolder => self.ask(Ask::OpenFolder, None, context),
             Act::TypePath => self.dialog = Some(Dialog::OpenPath(String::new())),
             Act::SaveProject => self.save(Saving::Text(Export::Project), context),
             Act::Undo => self.app.apply(Command::Undo),
@@ -108,6 +109,7 @@ impl Window {
                 let path = self.preferences.recent.get(index).cloned();
                 self.open_files(path.into_iter().collect(), waker(context));
             }
+            Wish::Summary => self.batch.show(),
             Wish::Save(export) => self.save(Saving::Text(export), context),
             Wish::SavePlotPng => self.save(Saving::PlotPng, context),
             Wish::SaveCurvePng => {

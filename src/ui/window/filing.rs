@@ -20,7 +20,7 @@ use crate::{
     app::{
         Command,
         export::{self, Export},
-        open::{Loaded, load_bytes},
+        open::{Came, FileRow, Finished, Loaded, load_bytes},
         state::Tone,
     },
     io::atomic::save_atomically,
@@ -51,14 +51,14 @@ impl Window {
 
     /// What came from outside: files read, dialogs answered, files dropped, words of threads.
     pub(super) fn take_in(&mut self, ui: &Ui) {
-        for loaded in self.loader.finished() {
-            self.take(loaded);
+        if let Some(finished) = self.loader.finished() {
+            self.take_batch(finished);
         }
         let dropped = ui.input(|i| i.raw.dropped_files.clone());
-        let mut paths = Vec::new();
+        let (mut paths, mut read) = (Vec::new(), Vec::new());
         for file in dropped {
             let path = file.path().to_owned();
-            if path.is_file() {
+            if path.is_file() || path.is_dir() {
                 paths.push(path);
                 continue;
             }
@@ -66,19 +66,14 @@ impl Window {
                 || "dropped file".to_owned(),
                 |name| name.to_string_lossy().into_owned(),
             );
-            match file.bytes() {
-                Ok(bytes) => self.take(load_bytes(&name, &bytes)),
-                Err(why) => self.app.say(Tone::Problem, format!("{name}: {why}")),
-            }
+            let loaded = match file.bytes() {
+                Ok(bytes) => load_bytes(&name, &bytes),
+                Err(why) => Loaded::Refused(format!("{name}: {why}")),
+            };
+            read.push((name, loaded));
         }
-        if self.loader.pending() == 0 {
-            let refused = std::mem::take(&mut self.refused);
-            if refused > 1 {
-                self.app.say(
-                    Tone::Problem,
-                    format!("{refused} files were refused; point here to read why."),
-                );
-            }
+        if !read.is_empty() {
+            self.take_batch(Finished::of_dropped(read));
         }
         self.open_files(paths, waker(ui.ctx()));
         let answers: Vec<(u64, Picked)> = self.answers.1.try_iter().collect();
@@ -95,6 +90,38 @@ impl Window {
         if let Some(why) = self.saver.as_ref().and_then(Saver::trouble) {
             self.app.say(Tone::Problem, why);
         }
+    }
+
+    /// What came of files that were opened together; one alone is told as one.
+    fn take_batch(&mut self, mut finished: Finished) {
+        if finished.files.len() == 1
+            && let Some(file) = finished.files.pop()
+        {
+            match file.came {
+                Came::Loaded(loaded) => self.take(loaded),
+                Came::NotRead(why) => {
+                    let words = format!("{}: not read, {why}.", file.label);
+                    self.app.say(Tone::Problem, words);
+                }
+            }
+            return;
+        }
+        let summary = finished.summary();
+        for path in finished.named.iter().rev() {
+            self.preferences.remember_file(path);
+        }
+        let (opened, projects) = finished.into_loaded();
+        for project in projects {
+            self.take(project);
+        }
+        if !opened.is_empty() {
+            self.app.end_gesture();
+            self.app.apply(Command::Open(opened));
+        }
+        let is_whole = summary.rows.iter().all(FileRow::is_read);
+        let tone = if is_whole { Tone::Info } else { Tone::Problem };
+        self.app.say(tone, format!("{}.", summary.headline()));
+        self.batch.take(summary);
     }
 
     pub(super) fn take(&mut self, loaded: Loaded) {
@@ -131,10 +158,7 @@ impl Window {
                     self.preferences.remember_file(&path);
                 }
             }
-            Loaded::Refused(why) => {
-                self.refused += 1;
-                self.app.say(Tone::Problem, why);
-            }
+            Loaded::Refused(why) => self.app.say(Tone::Problem, why),
         }
     }
 
@@ -242,14 +266,16 @@ impl Window {
             let message = match (written, saving) {
                 // Its axes name their own units.
                 (Ok(()), Saving::Chart(_)) => (Tone::Info, format!("Saved {}.", path.display())),
-                (Ok(()), _) => (
-                    Tone::Info,
-                    format!(
-                        "Saved {} ({}).",
-                        path.display(),
-                        app.document().scale.words()
-                    ),
-                ),
+                (Ok(()), saving) => {
+                    let scale = app.document().scale.words();
+                    let mut words = format!("Saved {} ({scale}).", path.display());
+                    if let Saving::Text(export) = saving {
+                        for loss in export.losses(&app) {
+                            words += &format!(" {loss}");
+                        }
+                    }
+                    (Tone::Info, words)
+                }
                 (Err(why), _) => (Tone::Problem, why),
             };
             // Nobody listens any more once the window is closed.

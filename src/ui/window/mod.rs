@@ -9,6 +9,7 @@ use eframe::egui;
 use egui::{Context, Panel, Ui};
 
 use super::{
+    batch_view::{self, BatchView},
     colour_view, curve_view,
     dialogs::Dialog,
     files::{Picked, Picker},
@@ -62,8 +63,7 @@ pub struct Window {
     pub spectrum: SpectrumView,
     library: LibraryView,
     loader: Loader,
-    /// Files refused since the last batch was finished.
-    refused: usize,
+    batch: BatchView,
     answers: Channel<(u64, Picked)>,
     said: Channel<(Tone, String)>,
     /// Threads that are writing a file.
@@ -97,7 +97,7 @@ impl Window {
             spectrum: SpectrumView::default(),
             library: LibraryView::default(),
             loader: Loader::default(),
-            refused: 0,
+            batch: BatchView::default(),
             answers: channel(),
             said: channel(),
             writing: Vec::new(),
@@ -127,7 +127,7 @@ impl Window {
 
     /// Whether files are being read or a dialog is open.
     pub fn is_busy(&self) -> bool {
-        self.loader.pending() > 0 || self.waiting.is_some()
+        self.loader.is_busy() || self.waiting.is_some()
     }
 
     /// The window's picture as it would be drawn at a size, without a display.
@@ -160,7 +160,7 @@ impl Window {
                 ui,
                 &self.app,
                 &mut self.preferences,
-                self.waiting.is_some(),
+                (self.waiting.is_some(), self.batch.has_summary()),
                 &mut commands,
                 &mut wishes,
             );
@@ -231,6 +231,9 @@ impl Window {
                 self.app.end_gesture();
             }
         });
+        if let Some(words) = self.batch.window(&context, theme) {
+            self.app.say(Tone::Info, words);
+        }
         self.dialog(&context);
         // A number typed key by key is one gesture, as a drag is.
         if !context.input(|i| i.pointer.any_down()) && !context.text_edit_focused() {
@@ -376,6 +379,7 @@ impl Window {
     }
 
     fn status(&mut self, ui: &mut Ui, theme: Theme) {
+        let mut wants_summary = false;
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if !self.quiet {
@@ -384,9 +388,13 @@ impl Window {
                         "Time for fit, errors, colours, patches and the order curve.",
                     );
                 }
-                if self.loader.pending() > 0 {
-                    ui.spinner();
-                    ui.label(format!("reading {} files", self.loader.pending()));
+                if let Some(progress) = self.loader.progress() {
+                    // What was read is fetched in the next frame; until then it goes on.
+                    ui.ctx().request_repaint_after(WATCH_EVERY);
+                    if batch_view::progress(ui, &progress) {
+                        self.loader.cancel();
+                        ui.ctx().request_repaint();
+                    }
                 }
                 if self.waiting.is_some() {
                     if ui
@@ -412,6 +420,12 @@ impl Window {
                     if message.tone == Tone::Problem {
                         ui.colored_label(theme.warning, "▲");
                     }
+                    if self.batch.is_told_by(&message.text) {
+                        wants_summary = ui
+                            .small_button("Each file…")
+                            .on_hover_text("How each file was read, or why it was refused.")
+                            .clicked();
+                    }
                     ui.add(egui::Label::new(&message.text).truncate())
                         .on_hover_ui(|ui| {
                             let messages = self.app.messages();
@@ -423,6 +437,9 @@ impl Window {
                 });
             });
         });
+        if wants_summary {
+            self.batch.show();
+        }
     }
 
     /// Keeps the workspace on disk, a moment after it changed.

@@ -1,0 +1,290 @@
+//! What came of opening many files: a headline, and a row for each of them.
+
+use std::path::PathBuf;
+
+use super::{Loaded, batch::Came, batch::FileRead};
+use crate::{
+    app::cells::{line, words},
+    app::opened::Opened,
+    io::{Guess, Guessed},
+};
+
+/// Formats that the headline tells by name.
+const MOST_FORMATS: usize = 4;
+
+/// What came of one file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// It was read.
+    Read {
+        /// The format that read it.
+        format: &'static str,
+        /// How many spectra it holds.
+        spectra: usize,
+        /// How many images.
+        images: usize,
+        /// How it was read, in a line.
+        how: String,
+        /// What a person should look at, a phrase each; empty when nothing is doubtful.
+        doubts: Vec<String>,
+    },
+    /// A project of this program was opened.
+    Project,
+    /// It was refused, in one line.
+    Refused(String),
+    /// It was not looked at, and why.
+    NotRead(String),
+}
+
+/// One file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileRow {
+    /// Its path below what was opened, or its name.
+    pub file: String,
+    /// Where it is; `None` when it came without a path.
+    pub path: Option<PathBuf>,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+/// What came of all of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// A row a file, in the order in which they were opened.
+    pub rows: Vec<FileRow>,
+}
+
+impl FileRow {
+    /// The row of a file.
+    pub(super) fn of(file: &FileRead) -> Self {
+        let outcome = match &file.came {
+            Came::Loaded(Loaded::File(opened)) => read(opened),
+            Came::Loaded(Loaded::Project { .. }) => Outcome::Project,
+            Came::Loaded(Loaded::Refused(why)) => Outcome::Refused(why.clone()),
+            Came::NotRead(why) => Outcome::NotRead(why.clone()),
+        };
+        Self {
+            file: file.label.clone(),
+            path: file.path.clone(),
+            outcome,
+        }
+    }
+
+    /// Whether it was read.
+    pub fn is_read(&self) -> bool {
+        matches!(self.outcome, Outcome::Read { .. } | Outcome::Project)
+    }
+
+    /// Whether it was refused.
+    pub fn is_refused(&self) -> bool {
+        matches!(self.outcome, Outcome::Refused(_))
+    }
+
+    /// Whether a guess about it should be looked at.
+    pub fn is_doubtful(&self) -> bool {
+        matches!(&self.outcome, Outcome::Read { doubts, .. } if !doubts.is_empty())
+    }
+
+    /// The format, or a dash.
+    pub fn format(&self) -> &'static str {
+        match &self.outcome {
+            Outcome::Read { format, .. } => format,
+            Outcome::Project => "project",
+            Outcome::Refused(_) | Outcome::NotRead(_) => "–",
+        }
+    }
+
+    /// What it brought: "3", "1 image", or a dash.
+    pub fn brought(&self) -> String {
+        match &self.outcome {
+            Outcome::Read {
+                spectra, images, ..
+            } => match (*spectra, *images) {
+                (spectra, 0) => spectra.to_string(),
+                (0, images) => many(images, "image", "images"),
+                (spectra, images) => format!("{spectra}, {}", many(images, "image", "images")),
+            },
+            Outcome::Project | Outcome::Refused(_) | Outcome::NotRead(_) => "–".to_owned(),
+        }
+    }
+
+    /// How it was read, or why not, in a line; a doubtful guess comes first.
+    pub fn story(&self) -> String {
+        match &self.outcome {
+            Outcome::Read { how, doubts, .. } if doubts.is_empty() => how.clone(),
+            Outcome::Read { how, doubts, .. } => {
+                format!("doubtful: {}; {how}", doubts.join("; "))
+            }
+            Outcome::Project => "a project, opened".to_owned(),
+            Outcome::Refused(why) => format!("refused: {why}"),
+            Outcome::NotRead(why) => format!("not read: {why}"),
+        }
+    }
+}
+
+fn read(opened: &Opened) -> Outcome {
+    let in_front = format!("{}: {}", opened.file, opened.format);
+    let how = opened.how.strip_prefix(&in_front).unwrap_or(&opened.how);
+    Outcome::Read {
+        format: opened.format,
+        spectra: opened.spectra.len(),
+        images: opened.images.len(),
+        how: how.trim_start_matches([',', ' ']).to_owned(),
+        doubts: doubts(&opened.guesses),
+    }
+}
+
+/// Doubtful guesses in words, each once however many spectra share it.
+fn doubts(guesses: &[Guess]) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for guess in guesses.iter().filter(|guess| guess.is_doubtful()) {
+        let chosen = &guess.chosen;
+        let what = match guess.what {
+            Guessed::Kind => format!("taken for {chosen}"),
+            Guessed::WavelengthUnit => format!("wavelengths taken as {chosen}"),
+            Guessed::Percent => format!("values taken as {chosen}"),
+        };
+        let words = format!("{what} ({})", guess.because);
+        if !all.contains(&words) {
+            all.push(words);
+        }
+    }
+    all
+}
+
+impl Summary {
+    /// Files of a sort.
+    pub fn count(&self, is: impl Fn(&FileRow) -> bool) -> usize {
+        self.rows.iter().filter(|row| is(row)).count()
+    }
+
+    /// Spectra that were read.
+    pub fn spectra(&self) -> usize {
+        let of = |row: &FileRow| match &row.outcome {
+            Outcome::Read { spectra, .. } => *spectra,
+            Outcome::Project | Outcome::Refused(_) | Outcome::NotRead(_) => 0,
+        };
+        self.rows.iter().map(of).sum()
+    }
+
+    fn images(&self) -> usize {
+        let of = |row: &FileRow| match &row.outcome {
+            Outcome::Read { images, .. } => *images,
+            Outcome::Project | Outcome::Refused(_) | Outcome::NotRead(_) => 0,
+        };
+        self.rows.iter().map(of).sum()
+    }
+
+    /// All in one line: "98 of 100 files read, 240 spectra: 95 plain columns, 3 TM-27 .spdx; 2
+    /// refused".
+    pub fn headline(&self) -> String {
+        let read = self.count(FileRow::is_read);
+        let mut line = format!("{read} of {} files read", self.rows.len());
+        if read > 0 {
+            line += &format!(", {}", many(self.spectra(), "spectrum", "spectra"));
+        }
+        match self.images() {
+            0 => {}
+            images => line += &format!(" and {}", many(images, "image", "images")),
+        }
+        if read > 0 {
+            line += &format!(": {}", self.formats());
+        }
+        for (count, words) in [
+            (self.count(FileRow::is_doubtful), "with a doubtful guess"),
+            (self.count(FileRow::is_refused), "refused"),
+            (
+                self.count(|row| matches!(row.outcome, Outcome::NotRead(_))),
+                "not read",
+            ),
+        ] {
+            if count > 0 {
+                line += &format!("; {count} {words}");
+            }
+        }
+        line
+    }
+
+    fn formats(&self) -> String {
+        let mut counts: Vec<(&str, usize)> = Vec::new();
+        for row in self.rows.iter().filter(|row| row.is_read()) {
+            let format = row.format();
+            match counts.iter_mut().find(|(known, _)| *known == format) {
+                Some((_, count)) => *count += 1,
+                None => counts.push((format, 1)),
+            }
+        }
+        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let rest: usize = counts.iter().skip(MOST_FORMATS).map(|(_, n)| n).sum();
+        let mut told: Vec<String> = counts
+            .iter()
+            .take(MOST_FORMATS)
+            .map(|(format, count)| format!("{count} {format}"))
+            .collect();
+        if rest > 0 {
+            told.push(format!("{rest} of other formats"));
+        }
+        told.join(", ")
+    }
+
+    /// The rows as a table.
+    pub fn csv(&self) -> String {
+        let mut out = format!(
+            "# {}\n# written by: Spectral Explorer {}\n",
+            self.headline(),
+            env!("CARGO_PKG_VERSION")
+        );
+        out.push_str("file,outcome,format,spectra,images,how,doubtful,path\n");
+        for row in &self.rows {
+            let (outcome, [spectra, images], how, doubtful) = match &row.outcome {
+                Outcome::Read {
+                    format: _,
+                    spectra,
+                    images,
+                    how,
+                    doubts,
+                } => (
+                    "read",
+                    [spectra, images].map(ToString::to_string),
+                    how.clone(),
+                    doubts.join("; "),
+                ),
+                Outcome::Project => (
+                    "project",
+                    [(); 2].map(|()| String::new()),
+                    String::new(),
+                    String::new(),
+                ),
+                Outcome::Refused(why) => (
+                    "refused",
+                    [(); 2].map(|()| "0".to_owned()),
+                    why.clone(),
+                    String::new(),
+                ),
+                Outcome::NotRead(why) => (
+                    "not read",
+                    [(); 2].map(|()| "0".to_owned()),
+                    why.clone(),
+                    String::new(),
+                ),
+            };
+            let format = if row.is_read() { row.format() } else { "" };
+            let path = row.path.as_ref().map(|path| path.display().to_string());
+            out.push_str(&line([
+                words(&row.file),
+                outcome.to_owned(),
+                words(format),
+                spectra,
+                images,
+                words(&how),
+                words(&doubtful),
+                words(&path.unwrap_or_default()),
+            ]));
+        }
+        out
+    }
+}
+
+fn many(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
+}
