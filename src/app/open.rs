@@ -121,6 +121,7 @@ fn from_reading(
         spectra,
         composites,
         table,
+        understood,
         results,
         images,
         guesses,
@@ -140,6 +141,7 @@ fn from_reading(
         makers: results,
         images: images.into_iter().map(Arc::new).collect(),
         table,
+        understood,
         guesses,
         choices: *choices,
     }))

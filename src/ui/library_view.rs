@@ -1,6 +1,9 @@
 //! The library: shelves of spectra, each with a swatch, a name and a small curve.
 
-use std::{collections::HashMap, sync::Arc};
+use std::{
+    collections::{HashMap, HashSet},
+    sync::Arc,
+};
 
 use eframe::egui;
 use egui::{Align2, Color32, FontId, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
@@ -26,6 +29,10 @@ pub struct LibraryView {
     pub search: String,
     /// The search field is to get the keyboard in the next frame.
     pub wants_search: bool,
+    /// Keys of own entries whose files can be looked at again.
+    pub with_files: HashSet<String>,
+    /// The own entry whose file is to be looked at.
+    pub wants_reading: Option<String>,
     /// The own entry being renamed, with the text so far.
     renaming: Option<(String, String)>,
     /// By key, with the entry it was made of: after an undo another file may have the key.
@@ -294,6 +301,18 @@ impl LibraryView {
             return command;
         }
         ui.separator();
+        if self.with_files.contains(&entry.key)
+            && ui
+                .button("How it was read…")
+                .on_hover_text(
+                    "The first rows of its file, what was decided about them, and the other \
+                     choices.",
+                )
+                .clicked()
+        {
+            self.wants_reading = Some(entry.key.clone());
+            ui.close();
+        }
         if ui.button("Rename").clicked() {
             self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
             ui.close();

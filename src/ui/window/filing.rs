@@ -45,6 +45,7 @@ impl Window {
     /// Opens files as if they had been chosen in the dialog.
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
         if !paths.is_empty() {
+            self.count_batch(paths.len());
             self.loader.open(paths, wake);
         }
     }
@@ -56,6 +57,11 @@ impl Window {
         }
         let dropped = ui.input(|i| i.raw.dropped_files.clone());
         let mut paths = Vec::new();
+        if dropped.len() > 1 {
+            self.count_batch(dropped.len());
+        } else if !dropped.is_empty() {
+            self.count_batch(0);
+        }
         for file in dropped {
             let path = file.path().to_owned();
             if path.is_file() {
@@ -107,7 +113,7 @@ impl Window {
                 let first = opened.spectra.first().map(|s| s.notes.clone());
                 let first = first.unwrap_or_default();
                 let count = opened.spectra.len();
-                self.app.apply(Command::Open(vec![*opened]));
+                self.open_and_ask(*opened);
                 let more = match count {
                     0 | 1 => String::new(),
                     _ => format!(" ({count} spectra, all in My files)"),
