@@ -129,6 +129,7 @@ fn from_reading(
         spectra,
         composites,
         table,
+        understood,
         results,
         images,
         guesses,
@@ -148,6 +149,7 @@ fn from_reading(
         makers: results,
         images: images.into_iter().map(Arc::new).collect(),
         table,
+        understood,
         guesses,
         choices: *choices,
     }))

@@ -3,7 +3,10 @@
 use std::{path::PathBuf, sync::Arc};
 
 use crate::{
-    io::{Choices, Guess, MakersResult, reading::TableFound},
+    io::{
+        Choices, Guess, MakersResult,
+        reading::{TableFound, Understood},
+    },
     spectrum::{NamedSpectrum, SpectralImage},
 };
 
@@ -28,6 +31,8 @@ pub struct Opened {
     pub images: Vec<Arc<SpectralImage>>,
     /// How its first plain table was taken apart.
     pub table: Option<TableFound>,
+    /// How its first spectrum was understood; `None` where the format leaves nothing open.
+    pub understood: Option<Understood>,
     /// What had to be guessed.
     pub guesses: Vec<Guess>,
     /// What a person decided about it.

@@ -27,6 +27,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 spectra,
                 composites,
                 table: _,
+                understood: _,
                 results,
                 images,
                 guesses: _,

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use super::{
     derived::{Colour, Derived},
+    makers::{Beside, beside},
     state::App,
 };
 use crate::spectrum::{Basis, Exactness};
@@ -49,6 +50,7 @@ pub fn json(app: &App) -> Value {
             "delta_e_2000": derived.colour.delta_e_2000,
             "delta_uv": derived.colour.delta_uv,
         },
+        "makers_results": beside(subject).iter().map(makers_json).collect::<Vec<_>>(),
         "patches": derived.patches.as_ref().map(|patches| json!({
             "set": document.patch_set,
             "delta_e_mean": patches.mean,
@@ -115,6 +117,22 @@ fn model_json(app: &App, derived: &Derived) -> Value {
         "coefficients": coefficients,
         "spikes": spikes,
         "numbers": model.numbers(),
+    })
+}
+
+/// The instrument's number beside ours.
+fn makers_json(row: &Beside) -> Value {
+    let Beside {
+        quantity,
+        unit,
+        theirs,
+        ours,
+    } = row;
+    json!({
+        "quantity": quantity.to_string(),
+        "unit": unit,
+        "theirs": theirs,
+        "ours": ours.ok(),
     })
 }
 
@@ -245,6 +263,24 @@ pub fn text(app: &App) -> String {
             patches.max,
             worst.name
         ));
+    }
+    let rows = beside(subject);
+    for row in rows.iter().filter(|row| row.ours.is_ok()) {
+        let Ok(ours) = row.ours else { continue };
+        line(format!(
+            "Maker's   {:<18} {:>11}, ours {:>11} {}",
+            row.quantity.to_string(),
+            super::ticks::short(row.theirs),
+            super::ticks::short(ours),
+            row.unit
+        ));
+    }
+    let alone = rows.iter().filter(|row| row.ours.is_err());
+    let alone: Vec<String> = alone
+        .map(|row| format!("{} {}", row.quantity, super::ticks::short(row.theirs)))
+        .collect();
+    if !alone.is_empty() {
+        line(format!("Maker's   alone: {}", alone.join(", ")));
     }
     for note in spectrum.notes.iter().chain(&derived.warnings) {
         line(format!("Note      {note}"));

@@ -26,7 +26,7 @@ pub enum Scale {
 
 /// Maximum luminous efficacy, lm/W: 683 lm/W at 540 THz (SI, 2019), which for air wavelengths and
 /// the CIE table's peak at 555 nm reads 683.002.
-const LUMENS_PER_WATT: f64 = 683.002;
+pub const LUMENS_PER_WATT: f64 = 683.002;
 
 impl Scale {
     /// Every choice, as the switch lists them.

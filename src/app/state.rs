@@ -421,6 +421,11 @@ impl App {
     }
 
     fn reread(&mut self, keys: &[String], opened: &Opened) {
+        let first = |app: &Self| {
+            let key = keys.first()?;
+            app.document.own.iter().find(|e| e.key == *key).cloned()
+        };
+        let was_shown = first(self).is_some_and(|entry| entry.is_usable());
         let mut fresh = opened.spectra.iter().cloned().enumerate();
         for key in keys {
             let Some((index, spectrum)) = fresh.next() else {
@@ -436,6 +441,14 @@ impl App {
         for (index, spectrum) in fresh {
             let entry = self.own_entry(spectrum, opened.makers_of(index));
             self.document.own.push(Arc::new(entry));
+        }
+        // What was an overlay at best and is a light now is shown as one.
+        if let Some(entry) = first(self)
+            && !was_shown
+            && entry.is_usable()
+        {
+            self.document.overlays.retain(|o| o.key != entry.key);
+            self.show(entry);
         }
     }
 

@@ -60,6 +60,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             },
             width: table.block.width,
             first_line: table.block.lines[0] as usize,
+            values: Vec::new(),
         }),
         ..Reading::default()
     };
@@ -73,6 +74,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 ));
             }
             table.layout = Layout::Column(column);
+        }
+        if let Some(found) = &mut reading.table {
+            found.axis_column = Some(column);
         }
     }
     for (number, table) in tables.iter_mut().enumerate() {
@@ -228,6 +232,11 @@ fn read_columns(
                 A_TABLE,
             )
             .at_line(block.lines[0] as usize));
+    }
+    if let Some(found) = &mut reading.table
+        && found.values.is_empty()
+    {
+        found.values.clone_from(&values);
     }
     let says_nm = block.columns[rows.wavelength].nanometres > 0;
     let title = titles.whole(rows.wavelength);

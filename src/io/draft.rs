@@ -9,7 +9,7 @@ use super::axis::{self, Axis, AxisUnit};
 use super::curve::{self, Trouble};
 use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
-use super::reading::provenance;
+use super::reading::{Told, Understood, provenance};
 use super::units::WavelengthUnit;
 use super::{Guess, Guessed, Input, ReadError, Reading};
 
@@ -113,6 +113,7 @@ impl Draft<'_> {
         if !found.stated {
             guess(Guessed::Kind, found.kind.word(), &found.because, &mut notes);
         }
+        let mut counted = None;
         let mut scale = 1.0;
         let mut unit_of_values = meaning::unit(&self.title, self.header);
         if found.kind.is_factor() {
@@ -143,6 +144,11 @@ impl Draft<'_> {
             } else if percent.percent {
                 notes.push(format!("per cent divided by 100 ({})", percent.because));
             }
+            counted = Some(Told {
+                is: percent.percent,
+                because: percent.because,
+                stated: percent.stated,
+            });
             "fraction".clone_into(&mut unit_of_values);
         } else if found.kind == Kind::Absorbance {
             unit_of_values.clear();
@@ -171,6 +177,19 @@ impl Draft<'_> {
         let line = provenance(&spectrum, &[percent, comma]);
         if index == 0 {
             reading.notes.insert(0, line.clone());
+            reading.understood = Some(Understood {
+                wavelengths: Told {
+                    is: unit,
+                    because,
+                    stated,
+                },
+                kind: Told {
+                    is: found.kind,
+                    because: found.because,
+                    stated: found.stated,
+                },
+                percent: counted,
+            });
         }
         spectrum.notes.push(line);
         spectrum.notes.extend(notes);

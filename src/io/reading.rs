@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Dialect, units::WavelengthUnit};
-use crate::spectrum::{Composite, NamedSpectrum, SpectralImage};
+use crate::spectrum::{Composite, Kind, NamedSpectrum, SpectralImage};
 
 use super::makers_results::MakersResult;
 
@@ -42,6 +42,30 @@ pub struct TableFound {
     pub width: usize,
     /// Line of the first row, from 1.
     pub first_line: usize,
+    /// Columns that became spectra, from 0; empty where the wavelengths stand in a row.
+    pub values: Vec<usize>,
+}
+
+/// A decision about a file and what spoke for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Told<T> {
+    /// What was decided.
+    pub is: T,
+    /// What spoke for it.
+    pub because: String,
+    /// Whether the file (or a person) states it, or it is only likely.
+    pub stated: bool,
+}
+
+/// How the first spectrum of a file was understood, what was stated as well as what was guessed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Understood {
+    /// What the wavelength axis counts.
+    pub wavelengths: Told<WavelengthUnit>,
+    /// What the values stand for.
+    pub kind: Told<Kind>,
+    /// Whether the values are per cent; `None` where they are no factor.
+    pub percent: Option<Told<bool>>,
 }
 
 impl Guess {
@@ -81,6 +105,8 @@ pub struct Reading {
     pub composites: Vec<CompositeFile>,
     /// How its first plain table was taken apart; `None` for other formats.
     pub table: Option<TableFound>,
+    /// How its first spectrum was understood; `None` where the format leaves nothing open.
+    pub understood: Option<Understood>,
     /// What the instrument itself computed and wrote beside its spectra.
     pub results: Vec<MakersResult>,
     /// Images whose pixels are spectra.
@@ -165,7 +191,7 @@ fn round3(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::{Kind, Sampled};
+    use crate::spectrum::Sampled;
 
     fn spectrum(name: &str) -> NamedSpectrum {
         NamedSpectrum {

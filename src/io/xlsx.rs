@@ -14,7 +14,7 @@ use calamine::{DataRef, Reader, Xlsx};
 
 use super::archive::{Archive, seems_to_hold};
 use super::guarded::guarded;
-use super::{Confidence, Format, Guess, Input, ReadError, Reading, budget, columns};
+use super::{Choices, Confidence, Format, Guess, Input, ReadError, Reading, budget, columns};
 
 /// Excel workbooks.
 pub const FORMAT: Format = Format {
@@ -110,7 +110,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         if text.trim().is_empty() {
             continue;
         }
-        let as_text = Input::new(&input.name, text.as_bytes());
+        // Cells are cells: what a person decides about a sheet is what its numbers mean.
+        let choices = Choices {
+            dialect: None,
+            axis_column: None,
+            ..input.choices
+        };
+        let as_text = Input::new(&input.name, text.as_bytes()).deciding(&choices);
         match (columns::FORMAT.read)(&as_text) {
             Ok(one) => {
                 let first = reading.spectra.len();
@@ -128,6 +134,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                         ..guess
                     }));
                 reading.notes.extend(one.notes);
+                reading.understood = reading.understood.or(one.understood);
             }
             Err(refusal) => refusals.push((title, refusal)),
         }

@@ -29,6 +29,10 @@ pub struct LibraryView {
     pub search: String,
     /// The search field is to get the keyboard in the next frame.
     pub wants_search: bool,
+    /// Keys of own entries whose files can be looked at again.
+    pub with_files: HashSet<String>,
+    /// The own entry whose file is to be looked at.
+    pub wants_reading: Option<String>,
     /// The own entry being renamed, with the text so far.
     renaming: Option<(String, String)>,
     /// By key, with the entry it was made of: after an undo another file may have the key.
@@ -350,6 +354,18 @@ impl LibraryView {
             return command;
         }
         ui.separator();
+        if self.with_files.contains(&entry.key)
+            && ui
+                .button("How it was read…")
+                .on_hover_text(
+                    "The first rows of its file, what was decided about them, and the other \
+                     choices.",
+                )
+                .clicked()
+        {
+            self.wants_reading = Some(entry.key.clone());
+            ui.close();
+        }
         if ui.button("Rename").clicked() {
             self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
             ui.close();

@@ -116,7 +116,7 @@ impl Window {
         }
         if !opened.is_empty() {
             self.app.end_gesture();
-            self.app.apply(Command::Open(opened));
+            self.open_together(opened);
         }
         let is_whole = summary.rows.iter().all(FileRow::is_read);
         let tone = if is_whole { Tone::Info } else { Tone::Problem };
@@ -134,7 +134,7 @@ impl Window {
                 let first = opened.spectra.first().map(|s| s.notes.clone());
                 let first = first.unwrap_or_default();
                 let count = opened.spectra.len();
-                self.app.apply(Command::Open(vec![*opened]));
+                self.open_and_ask(*opened);
                 let more = match count {
                     0 | 1 => String::new(),
                     _ => format!(" ({count} spectra, all in My files)"),

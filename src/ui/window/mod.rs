@@ -2,6 +2,7 @@
 
 mod acts;
 mod filing;
+mod importing;
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 
@@ -13,7 +14,9 @@ use super::{
     colour_view, curve_view,
     dialogs::Dialog,
     files::{Picked, Picker},
+    import_view::ImportView,
     library_view::LibraryView,
+    makers_view::MakersView,
     model_view,
     pages::{self, PageContext, Pages},
     patches_view, picture,
@@ -26,6 +29,7 @@ use super::{
 };
 use crate::app::{
     App, Command,
+    import::Origins,
     open::Loader,
     pages::Page,
     plot_svg,
@@ -84,6 +88,10 @@ pub struct Window {
     pub studies: Studies,
     pages: Pages,
     spend: SpendView,
+    /// How a file was read, while it is looked at.
+    import: ImportView,
+    makers: MakersView,
+    origins: Origins,
 }
 
 impl Window {
@@ -113,6 +121,9 @@ impl Window {
             studies: Studies::default(),
             pages: Pages::default(),
             spend: SpendView::default(),
+            import: ImportView::default(),
+            makers: MakersView::default(),
+            origins: Origins::default(),
         }
     }
 
@@ -210,7 +221,9 @@ impl Window {
         if self.studies.is_running() {
             context.request_repaint_after(WATCH_EVERY);
         }
+        let mut centre = ui.max_rect();
         egui::CentralPanel::default_margins().show(ui, |ui| {
+            centre = ui.max_rect();
             pages::tabs(ui, &mut self.preferences.pages.page);
             if !on_spectrum {
                 self.page(ui, theme);
@@ -234,6 +247,7 @@ impl Window {
         if let Some(words) = self.batch.window(&context, theme) {
             self.app.say(Tone::Info, words);
         }
+        self.importing(&context, theme, centre);
         self.dialog(&context);
         // A number typed key by key is one gesture, as a drag is.
         if !context.input(|i| i.pointer.any_down()) && !context.text_edit_focused() {
@@ -315,6 +329,9 @@ impl Window {
         ui.add_space(2.0);
         ui.separator();
         colour_view::show(ui, &self.app, theme);
+        if let Some(words) = self.makers.show(ui, &self.app) {
+            self.app.say(Tone::Info, words);
+        }
     }
 
     /// "Spend 21 numbers for me."

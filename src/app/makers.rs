@@ -1,0 +1,421 @@
+//! What an instrument computed from its spectrum, beside what this program computes from it.
+//!
+//! The instrument's numbers stand in the file; ours come from the whole measured table, whatever
+//! range the model is on: colours and lux by plain 1 nm sums over 360-830 nm (CIE 1931), totals by
+//! the trapezium rule over the table's own points. Ours are given in the instrument's unit.
+
+use super::{
+    cells,
+    entry::Entry,
+    scale::LUMENS_PER_WATT,
+    spectral_unit::{Counted, SpectralUnit},
+};
+use crate::{
+    color::{
+        Observer, Xyz,
+        cct::cct_from_xyz,
+        chromaticity::{uv_1976_from_xyz, xy_from_xyz},
+        xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
+    },
+    io::{MakersResult, Quantity},
+    spectrum::{Kind, Outside, Sampled},
+};
+
+/// What is said where the program does not know the quantity.
+pub const NOT_YET: &str = "not computed here yet";
+
+/// Square metres in a square foot: lux of one foot-candle are its inverse.
+const SQUARE_FOOT_M2: f64 = 0.3048 * 0.3048;
+
+/// Planck's constant x speed of light x Avogadro's number, J nm per µmol of photons: what turns
+/// a photon flux at a wavelength in nm into power (all three exact in the SI of 2019).
+const JOULE_NM_PER_MICROMOLE: f64 = 6.626_070_15e-34 * 299_792_458.0 * 1e9 * 6.022_140_76e23 * 1e-6;
+
+/// One number of the instrument and ours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beside {
+    /// What was computed.
+    pub quantity: Quantity,
+    /// Unit of both numbers; empty for pure numbers.
+    pub unit: String,
+    /// The instrument's.
+    pub theirs: f64,
+    /// Ours, or why there is none.
+    pub ours: Result<f64, &'static str>,
+}
+
+impl Beside {
+    /// Ours less theirs.
+    pub fn difference(&self) -> Option<f64> {
+        self.ours.ok().map(|ours| ours - self.theirs)
+    }
+}
+
+/// Every result of the instrument that wrote an entry, beside ours, in the file's order.
+pub fn beside(entry: &Entry) -> Vec<Beside> {
+    if entry.makers.is_empty() {
+        return Vec::new();
+    }
+    let light = Light::of(entry);
+    let of = |result: &MakersResult| {
+        let MakersResult {
+            spectrum: _,
+            quantity,
+            value,
+            unit,
+            as_written: _,
+        } = result;
+        Beside {
+            quantity: quantity.clone(),
+            unit: unit.clone(),
+            theirs: *value,
+            ours: light.compute(quantity, unit),
+        }
+    };
+    entry.makers.iter().map(of).collect()
+}
+
+/// The comparison as a table.
+pub fn to_csv(rows: &[Beside]) -> String {
+    let head = ["quantity", "unit", "instrument", "ours", "difference"];
+    let mut out = cells::line(head.map(str::to_owned));
+    for row in rows {
+        out += &cells::line([
+            cells::words(&row.quantity.to_string()),
+            cells::words(&row.unit),
+            cells::number(row.theirs),
+            cells::number(row.ours.ok()),
+            cells::number(row.difference()),
+        ]);
+    }
+    out
+}
+
+/// A measured table with what its unit says.
+struct Light<'a> {
+    samples: &'a Sampled,
+    is_light: bool,
+    unit: Option<SpectralUnit>,
+    /// Values on whole nm 360-830 as power, in the table's own unit or W m-2 nm-1.
+    xyz: Xyz,
+}
+
+impl<'a> Light<'a> {
+    fn of(entry: &'a Entry) -> Self {
+        let spectrum = &entry.spectrum;
+        let unit = SpectralUnit::of(&spectrum.unit);
+        let mut values = spectrum.samples.linear_on(FIRST_NM, LAST_NM, Outside::Zero);
+        if unit.is_some_and(|u| u.counted == Counted::Micromoles) {
+            for (nm, value) in (FIRST_NM..=LAST_NM).zip(&mut values) {
+                *value *= JOULE_NM_PER_MICROMOLE / f64::from(nm);
+            }
+        }
+        Self {
+            samples: &spectrum.samples,
+            is_light: spectrum.kind == Kind::Light,
+            unit,
+            xyz: xyz_from_nm_values(&values, Observer::Cie1931),
+        }
+    }
+
+    /// Our number for a quantity, in a unit.
+    fn compute(&self, quantity: &Quantity, unit: &str) -> Result<f64, &'static str> {
+        const DARK: &str = "no visible light";
+        let finite = |value: f64| {
+            if value.is_finite() {
+                Ok(value)
+            } else {
+                Err(DARK)
+            }
+        };
+        if *quantity == Quantity::PeakNm {
+            return self.peak_nm().ok_or("no values");
+        }
+        if !self.is_light {
+            return Err("the values are no light");
+        }
+        let xy = || xy_from_xyz(self.xyz).ok_or(DARK);
+        let uv = || uv_1976_from_xyz(self.xyz).ok_or(DARK);
+        let cct = || cct_from_xyz(self.xyz).map_err(|_| "too far from the blackbody locus");
+        match quantity {
+            Quantity::Cct => Ok(cct()?.kelvin),
+            Quantity::Duv => Ok(cct()?.duv),
+            Quantity::ChromaticityX => Ok(xy()?[0]),
+            Quantity::ChromaticityY => Ok(xy()?[1]),
+            Quantity::UPrime => Ok(uv()?[0]),
+            Quantity::VPrime => Ok(uv()?[1]),
+            // Meters write 683 lm/W x the sums; Y is the lux.
+            Quantity::TristimulusX => finite(self.photometric(false)? * self.xyz.x),
+            Quantity::TristimulusY => finite(self.photometric(false)? * self.xyz.y),
+            Quantity::TristimulusZ => finite(self.photometric(false)? * self.xyz.z),
+            Quantity::Illuminance => finite(self.photometric(false)? * self.xyz.y),
+            Quantity::Luminance => finite(self.photometric(true)? * self.xyz.y),
+            Quantity::Irradiance => self.total(Counted::Watts, unit, None),
+            Quantity::Ppfd => self.total(Counted::Micromoles, unit, Some([400.0, 700.0])),
+            Quantity::Pfd => self.total(Counted::Micromoles, unit, None),
+            Quantity::Other(words) => self.other(words, unit),
+            Quantity::DominantNm
+            | Quantity::Purity
+            | Quantity::Ra
+            | Quantity::R(_)
+            | Quantity::Rf
+            | Quantity::Rg => Err(NOT_YET),
+            Quantity::PeakNm => Err("no values"),
+        }
+    }
+
+    /// What makers' own words name and is computed like the rest.
+    fn other(&self, words: &str, unit: &str) -> Result<f64, &'static str> {
+        // LI-COR's parts of the photon flux.
+        let range = match words {
+            "PFD-UV" => [380.0, 400.0],
+            "PFD-B" => [400.0, 500.0],
+            "PFD-G" => [500.0, 600.0],
+            "PFD-R" => [600.0, 700.0],
+            "PFD-FR" => [700.0, 780.0],
+            "fc" => return Ok(self.photometric(false)? * self.xyz.y * SQUARE_FOOT_M2),
+            "Illuminance" if unit == "fc" => {
+                return Ok(self.photometric(false)? * self.xyz.y * SQUARE_FOOT_M2);
+            }
+            _ => return Err(NOT_YET),
+        };
+        self.total(Counted::Micromoles, unit, Some(range))
+    }
+
+    /// What turns the sums of the colour-matching functions into lm m-2, or cd m-2.
+    fn photometric(&self, per_steradian: bool) -> Result<f64, &'static str> {
+        let unit = self.spectral_unit()?;
+        if unit.per_steradian != per_steradian {
+            return Err(if per_steradian {
+                "the values are no radiance"
+            } else {
+                "the values are no irradiance"
+            });
+        }
+        Ok(LUMENS_PER_WATT * unit.factor)
+    }
+
+    fn spectral_unit(&self) -> Result<SpectralUnit, &'static str> {
+        const UNKNOWN: &str = "the unit of the values is not known";
+        self.unit.filter(|u| u.per_nm && u.per_area).ok_or(UNKNOWN)
+    }
+
+    /// The integral over the table, or a part of it, of power or of photons.
+    fn total(
+        &self,
+        counted: Counted,
+        unit: &str,
+        range_nm: Option<[f64; 2]>,
+    ) -> Result<f64, &'static str> {
+        const ODD: &str = "the instrument's unit is not known";
+        let own = self.spectral_unit()?;
+        if own.per_steradian {
+            return Err("the values are no irradiance");
+        }
+        let theirs = match unit {
+            "" => 1.0,
+            _ => {
+                let theirs = SpectralUnit::of(unit).filter(|u| u.counted == counted && !u.per_nm);
+                theirs.ok_or(ODD)?.factor
+            }
+        };
+        let range_nm = range_nm.unwrap_or([self.samples.first_nm(), self.samples.last_nm()]);
+        let weight = |nm: f64| match (own.counted, counted) {
+            (Counted::Watts, Counted::Micromoles) => nm / JOULE_NM_PER_MICROMOLE,
+            (Counted::Micromoles, Counted::Watts) => JOULE_NM_PER_MICROMOLE / nm,
+            _ => 1.0,
+        };
+        Ok(own.factor / theirs * integral(self.samples, range_nm, weight))
+    }
+
+    fn peak_nm(&self) -> Option<f64> {
+        let values = self.samples.values().iter().enumerate();
+        let (index, _) = values.max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))?;
+        Some(self.samples.nm()[index])
+    }
+}
+
+/// Integral of a table times a weight between two wavelengths: trapeziums over the table's points
+/// and the two ends; nothing outside the table.
+fn integral(samples: &Sampled, [from, to]: [f64; 2], weight: impl Fn(f64) -> f64) -> f64 {
+    let (from, to) = (from.max(samples.first_nm()), to.min(samples.last_nm()));
+    if from >= to {
+        return 0.0;
+    }
+    let value = |nm: f64| samples.at(nm, Outside::Zero) * weight(nm);
+    let inner = samples
+        .nm()
+        .iter()
+        .copied()
+        .filter(|nm| *nm > from && *nm < to);
+    let mut sum = 0.0;
+    let mut last = (from, value(from));
+    for nm in inner.chain([to]) {
+        let here = (nm, value(nm));
+        sum += 0.5 * (here.0 - last.0) * (here.1 + last.1);
+        last = here;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::NamedSpectrum;
+    use approx::assert_relative_eq;
+
+    fn light(unit: &str, first_nm: f64, values: Vec<f64>, makers: &[(&str, &str)]) -> Entry {
+        let spectrum = NamedSpectrum {
+            name: "lamp".to_owned(),
+            kind: Kind::Light,
+            unit: unit.to_owned(),
+            scale: 1.0,
+            samples: Sampled::even(first_nm, 1.0, values).expect("finite"),
+            notes: Vec::new(),
+            source: String::new(),
+        };
+        let result = |(key, value): &(&str, &str)| MakersResult::of(Some(0), key, value, false);
+        Entry {
+            makers: makers.iter().filter_map(result).collect(),
+            ..Entry::own(1, spectrum)
+        }
+    }
+
+    /// One watt per square metre within 1 nm of a wavelength.
+    fn line(at_nm: f64, unit: &str, height: f64, makers: &[(&str, &str)]) -> Vec<f64> {
+        let entry = light(unit, at_nm - 1.0, vec![0.0, height, 0.0], makers);
+        let rows = beside(&entry);
+        assert_eq!(rows.len(), makers.len());
+        rows.iter().map(|r| r.ours.expect("ours")).collect()
+    }
+
+    #[test]
+    fn a_watt_of_green_is_683_lux_in_whatever_unit_it_is_written() {
+        for (unit, height) in [
+            ("W m-2 nm-1", 1.0),
+            ("mW m-2 nm-1", 1e3),
+            ("µW/cm²/nm", 100.0),
+            ("W/m2/um", 1e3),
+            ("W/(m^2 nm)", 1.0),
+        ] {
+            let ours = line(
+                555.0,
+                unit,
+                height,
+                &[("LUX", "683"), ("IRR", "1"), ("fc", "63")],
+            );
+            assert_relative_eq!(ours[0], 683.002, max_relative = 1e-6);
+            assert_relative_eq!(ours[1], 1.0, max_relative = 1e-12);
+            assert_relative_eq!(ours[2], 683.002 / 10.763_910_4, max_relative = 1e-6);
+        }
+    }
+
+    #[test]
+    fn photons_of_one_wavelength_are_counted_by_their_energy() {
+        // 1 W of 598.13 nm is 5 µmol of photons a second: 119.6265... J nm / µmol.
+        let nm = 598.0;
+        let micromoles = nm / 119.626_565_8;
+        let ours = line(
+            nm,
+            "W m-2 nm-1",
+            1.0,
+            &[("PPFD", "5"), ("PFD", "5"), ("PFD-G", "5")],
+        );
+        for value in ours {
+            assert_relative_eq!(value, micromoles, max_relative = 1e-8);
+        }
+        // And back: photons as power.
+        let back = line(
+            nm,
+            "µmol m-2 s-1 nm-1",
+            micromoles,
+            &[("IRR", "1"), ("PPFD", "5")],
+        );
+        assert_relative_eq!(back[0], 1.0, max_relative = 1e-8);
+        assert_relative_eq!(back[1], micromoles, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn ppfd_ends_at_400_and_700_nm_and_pfd_does_not() {
+        let entry = light(
+            "µmol m-2 s-1 nm-1",
+            350.0,
+            vec![1.0; 451],
+            &[
+                ("PPFD", "300"),
+                ("PFD", "450"),
+                ("PFD-FR", "80"),
+                ("PFD-UV", "20"),
+            ],
+        );
+        let ours: Vec<f64> = beside(&entry).iter().map(|r| r.ours.unwrap()).collect();
+        for (ours, expected) in ours.iter().zip([300.0, 450.0, 80.0, 20.0]) {
+            assert_relative_eq!(*ours, expected, max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_equal_energy_light_has_its_known_colour_and_our_numbers_come_in_their_unit() {
+        let entry = light(
+            "mW m-2 nm-1",
+            360.0,
+            vec![1.0; 471],
+            &[
+                ("x", "0.3333"),
+                ("y", "0.3333"),
+                ("u'", "0.2105"),
+                ("v'", "0.4737"),
+                ("CCT", "5455"),
+                ("Duv", "-0.0044"),
+                ("IRR [mW/m2]", "470"),
+                ("LambdaP", "360"),
+            ],
+        );
+        for row in beside(&entry) {
+            let ours = row.ours.expect("ours");
+            let off = (ours - row.theirs).abs();
+            let allowed = match row.quantity {
+                Quantity::Cct => 3.0,
+                _ => 1e-4,
+            };
+            assert!(off < allowed, "{}: {ours} and {}", row.quantity, row.theirs);
+        }
+    }
+
+    #[test]
+    fn what_is_not_computed_says_why() {
+        let why = |unit: &str, key: &str| {
+            let entry = light(unit, 500.0, vec![1.0; 101], &[(key, "1")]);
+            beside(&entry)[0].ours.expect_err("nothing")
+        };
+        assert_eq!(why("W m-2 nm-1", "CRI"), NOT_YET);
+        assert_eq!(why("W m-2 nm-1", "R9"), NOT_YET);
+        assert!(why("counts", "LUX").contains("unit of the values"));
+        assert!(why("W m-2 nm-1", "Luminance").contains("no radiance"));
+        assert!(why("W m-2 sr-1 nm-1", "LUX").contains("no irradiance"));
+        assert!(why("W m-2 nm-1", "IRR [lm]").contains("instrument's unit"));
+        assert!(beside(&light("W", 500.0, vec![0.0; 9], &[])).is_empty());
+        let dark = light(
+            "W m-2 nm-1",
+            500.0,
+            vec![0.0; 9],
+            &[("x", "0.3"), ("CCT", "3000")],
+        );
+        assert!(beside(&dark).iter().all(|r| r.ours.is_err()));
+    }
+
+    #[test]
+    fn the_table_has_a_line_a_result() {
+        let entry = light(
+            "W m-2 nm-1",
+            554.0,
+            vec![0.0, 1.0, 0.0],
+            &[("IRR", "1.25"), ("Ra", "90")],
+        );
+        let csv = to_csv(&beside(&entry));
+        let lines: Vec<&str> = csv.lines().collect();
+        assert_eq!(lines[0], "quantity,unit,instrument,ours,difference");
+        assert_eq!(lines[1], "irradiance,W m-2,1.25,1,-0.25");
+        assert_eq!(lines[2], "Ra,,90,,");
+    }
+}

@@ -1,0 +1,185 @@
+//! "By the instrument": what the meter computed beside what the program computes.
+
+use eframe::egui;
+use egui::Ui;
+
+use super::theme::section;
+use crate::{
+    app::{
+        App,
+        entry::Entry,
+        makers::{Beside, NOT_YET, beside, to_csv},
+        ticks::short,
+    },
+    io::Quantity,
+};
+use std::sync::Arc;
+
+/// The table, computed once an entry.
+#[derive(Default)]
+pub struct MakersView {
+    made: Option<(Arc<Entry>, Vec<Beside>)>,
+}
+
+impl MakersView {
+    /// Draws the section where the shown spectrum has such numbers; says what was copied.
+    pub fn show(&mut self, ui: &mut Ui, app: &App) -> Option<String> {
+        let entry = app.document().subject_entry();
+        if entry.makers.is_empty() {
+            self.made = None;
+            return None;
+        }
+        if !self
+            .made
+            .as_ref()
+            .is_some_and(|(of, _)| Arc::ptr_eq(of, entry))
+        {
+            self.made = Some((entry.clone(), beside(entry)));
+        }
+        let (_, rows) = self.made.as_ref()?;
+        ui.separator();
+        let mut said = None;
+        ui.horizontal(|ui| {
+            section(ui, "By the instrument");
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if ui
+                    .small_button("Copy CSV")
+                    .on_hover_text("Copies every number of the instrument beside ours.")
+                    .clicked()
+                {
+                    ui.ctx().copy_text(to_csv(rows).trim_end().to_owned());
+                    said = Some("Copied as CSV: the instrument's numbers beside ours.".to_owned());
+                }
+            });
+        });
+        let (near, far): (Vec<&Beside>, Vec<&Beside>) = rows.iter().partition(|row| is_near(row));
+        table(ui, "by the instrument", &near);
+        if !far.is_empty() {
+            egui::CollapsingHeader::new(format!("{} more of the instrument's", far.len()))
+                .id_salt("more by the instrument")
+                .show(ui, |ui| table(ui, "more by the instrument", &far));
+        }
+        said
+    }
+}
+
+/// Whether a row stands in the short table: what has a number of ours, and Ra, which people miss.
+fn is_near(row: &Beside) -> bool {
+    row.ours.is_ok() || row.quantity == Quantity::Ra
+}
+
+/// Least height of a row, points.
+const ROW: f32 = 16.0;
+
+fn table(ui: &mut Ui, id: &str, rows: &[&Beside]) {
+    egui::Grid::new(id)
+        .num_columns(4)
+        .min_row_height(ROW)
+        .spacing([10.0, 2.0])
+        .show(ui, |ui| {
+            ui.weak("");
+            ui.weak("instrument")
+                .on_hover_text("As the file states it.");
+            ui.weak("ours").on_hover_text(
+                "From the whole measured spectrum: colours and lux by 1 nm sums over 360-830 nm \
+                 (CIE 1931), totals over the table's own points.",
+            );
+            ui.weak("ours less theirs");
+            ui.end_row();
+            for row in rows {
+                line(ui, row);
+            }
+        });
+}
+
+fn line(ui: &mut Ui, row: &Beside) {
+    let decimals = decimals(&row.quantity);
+    let written = |value: f64| match decimals {
+        Some(decimals) => format!("{value:.decimals$}"),
+        None => short(value),
+    };
+    let name = match row.unit.as_str() {
+        "" => row.quantity.to_string(),
+        unit => format!("{}, {}", row.quantity, unit_words(unit)),
+    };
+    ui.label(name).on_hover_text(meaning(&row.quantity));
+    ui.monospace(written(row.theirs));
+    match row.ours {
+        Ok(ours) => {
+            ui.monospace(written(ours));
+            let difference = ours - row.theirs;
+            let percent = 100.0 * difference / row.theirs;
+            let text = match decimals {
+                Some(decimals) => format!("{difference:+.decimals$}"),
+                None if percent.is_finite() => format!("{percent:+.2} %"),
+                None => short(difference),
+            };
+            ui.monospace(text);
+        }
+        Err(why) => {
+            ui.monospace("–");
+            ui.weak(why).on_hover_text(if why == NOT_YET {
+                "This program has no such number yet."
+            } else {
+                "Why this program has no number for this spectrum."
+            });
+        }
+    }
+    ui.end_row();
+}
+
+/// Decimals of quantities whose differences are told as such; others differ by per cent.
+fn decimals(quantity: &Quantity) -> Option<usize> {
+    match quantity {
+        Quantity::Cct => Some(0),
+        Quantity::Duv
+        | Quantity::ChromaticityX
+        | Quantity::ChromaticityY
+        | Quantity::UPrime
+        | Quantity::VPrime => Some(4),
+        Quantity::PeakNm
+        | Quantity::DominantNm
+        | Quantity::Purity
+        | Quantity::Ra
+        | Quantity::R(_)
+        | Quantity::Rf
+        | Quantity::Rg => Some(1),
+        Quantity::Illuminance
+        | Quantity::Luminance
+        | Quantity::Irradiance
+        | Quantity::Ppfd
+        | Quantity::Pfd
+        | Quantity::TristimulusX
+        | Quantity::TristimulusY
+        | Quantity::TristimulusZ
+        | Quantity::Other(_) => None,
+    }
+}
+
+fn meaning(quantity: &Quantity) -> &'static str {
+    match quantity {
+        Quantity::Cct => "Correlated colour temperature, K (Ohno 2013, CIE 1931).",
+        Quantity::Duv => "Distance from the blackbody locus in CIE 1960 uv.",
+        Quantity::Ra | Quantity::R(_) => "Colour rendering index of CIE 13.3.",
+        Quantity::Rf | Quantity::Rg => "Colour fidelity and gamut of TM-30.",
+        Quantity::Illuminance => "Illuminance: 683 lm/W times the sum with y-bar, lx.",
+        Quantity::Luminance => "Luminance: 683 lm/W times the sum with y-bar, cd m⁻².",
+        Quantity::Irradiance => "Power on an area, over the whole table.",
+        Quantity::Ppfd => "Photons of 400-700 nm on an area, µmol m⁻² s⁻¹.",
+        Quantity::Pfd => "Photons on an area over the whole table, µmol m⁻² s⁻¹.",
+        Quantity::TristimulusX | Quantity::TristimulusY | Quantity::TristimulusZ => {
+            "Tristimulus value of CIE 1931, Y in lx."
+        }
+        Quantity::ChromaticityX | Quantity::ChromaticityY => "Chromaticity of CIE 1931.",
+        Quantity::UPrime | Quantity::VPrime => "Chromaticity of CIE 1976.",
+        Quantity::PeakNm => "Wavelength of the largest value of the table, nm.",
+        Quantity::DominantNm => "Dominant wavelength, nm.",
+        Quantity::Purity => "Excitation purity, per cent.",
+        Quantity::Other(_) => "A number of the maker's own, in the maker's words.",
+    }
+}
+
+/// A unit with raised exponents.
+fn unit_words(unit: &str) -> String {
+    unit.replace("-1", "⁻¹").replace("-2", "⁻²")
+}

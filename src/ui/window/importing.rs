@@ -1,0 +1,105 @@
+//! The look at how a file was read: when it opens, and what its buttons do.
+
+use eframe::egui;
+use egui::{Context, Rect};
+
+use super::{
+    super::{
+        import_view::Wish,
+        theme::{Theme, waker},
+    },
+    Window,
+};
+use crate::app::{
+    Command,
+    import::{Before, Flip, Import, Source},
+    opened::Opened,
+    state::Tone,
+};
+
+impl Window {
+    /// Takes a file in; when it came alone and is doubtful, shows how it was read.
+    pub(super) fn open_and_ask(&mut self, opened: Opened) {
+        let before = Before::of(&self.app);
+        let (source, choices) = (Source::of(&opened), opened.choices);
+        let asked = opened.is_doubtful().then(|| opened.clone());
+        self.app.apply(Command::Open(vec![opened]));
+        self.origins
+            .remember(&self.app, source, choices, before.clone());
+        if let Some(opened) = asked {
+            self.import.open(Import::of(&self.app, opened, before));
+        }
+    }
+
+    /// Takes several files in, as one step; their reading may be looked at later.
+    pub(super) fn open_together(&mut self, opened: Vec<Opened>) {
+        let before = Before::of(&self.app);
+        let files: Vec<_> = opened
+            .iter()
+            .map(|file| (Source::of(file), file.choices, file.spectra.len()))
+            .collect();
+        self.app.apply(Command::Open(opened));
+        self.origins.remember_each(&self.app, files, &before);
+    }
+
+    /// The window over the plot.
+    pub(super) fn importing(&mut self, context: &Context, theme: Theme, centre: Rect) {
+        let own = self.app.document().own.iter().map(|e| &e.key);
+        self.library.with_files = own.filter(|k| self.origins.knows(k)).cloned().collect();
+        let wake = waker(context);
+        if let Some(key) = self.library.wants_reading.take() {
+            self.import.again = self.origins.again(&self.app, &key, &wake);
+        }
+        if let Some(done) = self
+            .import
+            .again
+            .as_mut()
+            .and_then(|again| again.finished(&self.app))
+        {
+            self.import.again = None;
+            match done {
+                Ok(import) => self.import.open(Some(import)),
+                Err(why) => self.app.say(Tone::Problem, why),
+            }
+            context.request_repaint();
+        }
+        let file_theme = self.file_theme();
+        let keys_are_free = self.dialog.is_none();
+        let wishes = self
+            .import
+            .show(context, &self.app, theme, file_theme, centre, keys_are_free);
+        for wish in wishes {
+            match wish {
+                Wish::Flip(flip) => self.flip(flip, context),
+                Wish::Keep => drop(self.import.close()),
+                Wish::Remove => {
+                    if let Some(import) = self.import.close() {
+                        self.app.apply(import.removal(&self.app));
+                        self.app.end_gesture();
+                        let file = &import.opened().file;
+                        let words = format!("{file} was taken out again.");
+                        self.app.say(Tone::Info, words);
+                    }
+                    context.request_repaint();
+                }
+                Wish::Save(chart) => self.save_chart(chart, context),
+            }
+        }
+        self.settle(context);
+    }
+
+    fn flip(&mut self, flip: Flip, context: &Context) {
+        if let Some(import) = &mut self.import.now {
+            import.flip(flip, &waker(context));
+        }
+    }
+
+    fn settle(&mut self, context: &Context) {
+        if let Some(import) = &mut self.import.now
+            && import.settle(&mut self.app, &mut self.origins)
+        {
+            // The plot was drawn before.
+            context.request_repaint();
+        }
+    }
+}

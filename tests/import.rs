@@ -1,0 +1,356 @@
+//! How a file was read: shown when it is doubtful, turned round by a click, undone by a key; and
+//! what the meters computed beside what the program computes.
+
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use eframe::egui;
+use egui::{Key, Modifiers, Role};
+use egui_kittest::{
+    Harness,
+    kittest::{NodeT as _, Queryable as _},
+};
+use spectral_explorer::{
+    app::{
+        App, Command,
+        makers::{Beside, beside},
+        open::{Loaded, load_path},
+        workspace::Preferences,
+    },
+    io::Quantity,
+    spectrum::Kind,
+    ui::{Window, files::Picked, theme},
+};
+
+struct Shown(Window);
+
+impl eframe::App for Shown {
+    fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
+        self.0.show(ui);
+    }
+}
+
+type Ui = Harness<'static, Shown>;
+
+fn fresh() -> Ui {
+    let window = Window::new(
+        App::new(),
+        Preferences::default(),
+        Arc::new(|_| Picked::Cancelled),
+        None,
+    );
+    let mut ui = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .with_step_dt(0.02)
+        .with_max_steps(40)
+        .with_context_setup(theme::install_fonts)
+        .build_eframe(|_| Shown(window));
+    ui.run();
+    ui
+}
+
+fn app(ui: &Ui) -> &App {
+    &ui.state().0.app
+}
+
+#[derive(Debug)]
+struct FakeFile(PathBuf, Vec<u8>);
+
+impl egui::DroppedFile for FakeFile {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Ok(self.1.clone())
+    }
+}
+
+fn drop_files(ui: &mut Ui, files: &[(&str, &str)]) {
+    for (name, text) in files {
+        let file = FakeFile(name.into(), text.as_bytes().to_vec());
+        ui.input_mut().dropped_files.push(Arc::new(file));
+    }
+    ui.run();
+}
+
+fn words(ui: &Ui) -> Vec<String> {
+    ui.root()
+        .children_recursive()
+        .flat_map(|node| {
+            let node = node.accesskit_node();
+            [node.label(), node.value()]
+        })
+        .flatten()
+        .collect()
+}
+
+fn says(ui: &Ui, text: &str) -> bool {
+    words(ui).iter().any(|w| w.contains(text))
+}
+
+#[track_caller]
+fn click(ui: &mut Ui, name: &str) {
+    ui.get_by_role_and_label(Role::Button, name).click();
+    ui.run();
+    ui.remove_cursor();
+    ui.run();
+}
+
+fn key(ui: &mut Ui, modifiers: Modifiers, key: Key) {
+    ui.key_press_modifiers(modifiers, key);
+    ui.run();
+}
+
+fn asks(ui: &Ui) -> bool {
+    says(ui, "Remove it again")
+}
+
+fn own(ui: &Ui, index: usize) -> (Kind, Vec<f64>, Vec<f64>) {
+    let spectrum = &app(ui).document().own[index].spectrum;
+    let samples = &spectrum.samples;
+    (
+        spectrum.kind,
+        samples.nm().to_vec(),
+        samples.values().to_vec(),
+    )
+}
+
+/// No title, no unit: light or reflectance, per cent or not, is anybody's guess.
+const HEADERLESS: &str = "400 10\n450 20\n500 40\n550 20\n600 10\n650 10\n700 10\n";
+
+#[test]
+fn a_table_without_a_header_is_shown_as_it_was_read_and_is_loaded_already() {
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("swatch.dat", HEADERLESS)]);
+    assert!(asks(&ui));
+    assert_eq!(app(&ui).document().light.name(), "swatch");
+    for text in [
+        "How swatch.dat was read",
+        "λ wavelengths",
+        "● values",
+        "650",
+        "▲ doubtful:",
+        "nothing states it",
+    ] {
+        assert!(says(&ui, text), "{text}: {}", words(&ui).join(" | "));
+    }
+}
+
+#[test]
+fn a_click_turns_the_kind_round_as_one_step_that_is_undone_in_both_places() {
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("swatch.dat", HEADERLESS)]);
+    click(&mut ui, "Values are reflectance");
+    let document = app(&ui).document();
+    assert_eq!(
+        document.factor.as_ref().map(|f| f.key.as_str()),
+        Some("own/1")
+    );
+    assert_eq!(document.light.name(), "FL11", "it left the light's place");
+    assert_eq!(own(&ui, 0).2[2], 0.4, "40 is per cent");
+    assert!(says(&ui, "chosen by hand"));
+    click(&mut ui, "Counted in fraction");
+    assert_eq!(own(&ui, 0).2[2], 40.0);
+    key(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(own(&ui, 0).2[2], 0.4);
+    assert!(asks(&ui), "the look follows and stays");
+    key(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(own(&ui, 0).0, Kind::Light);
+    assert_eq!(app(&ui).document().light.key, "own/1");
+    assert!(
+        says(&ui, "nothing states it"),
+        "the look went back with the plot"
+    );
+    key(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert!(app(&ui).document().own.is_empty() && !asks(&ui));
+}
+
+#[test]
+fn a_decimal_comma_that_was_misread_is_righted_by_a_click() {
+    // Whole nanometres with one decimal digit look like two columns of whole numbers.
+    let text = "400,5 1\n410,5 2\n420,5 4\n430,5 2\n440,5 1\n450,5 1\n";
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("lamp.txt", text)]);
+    assert!(asks(&ui));
+    let misread = own(&ui, 0);
+    for chip in ["Cells between blanks", "Decimal mark decimal comma"] {
+        let node = ui.get_by_role_and_label(Role::Button, chip);
+        node.click();
+        ui.run();
+    }
+    assert_eq!(
+        own(&ui, 0).1,
+        [400.5, 410.5, 420.5, 430.5, 440.5, 450.5],
+        "misread as {misread:?}: {}",
+        words(&ui).join(" | ")
+    );
+    assert_eq!(own(&ui, 0).2, [1.0, 2.0, 4.0, 2.0, 1.0, 1.0]);
+}
+
+#[test]
+fn the_wavelengths_may_stand_in_another_column_and_in_another_unit() {
+    let mut ui = fresh();
+    let text = "400,0.40\n410,0.41\n420,0.43\n430,0.44\n440,0.46\n";
+    drop_files(&mut ui, &[("two.csv", text)]);
+    click(&mut ui, "Wavelengths are column 2");
+    // 0.4-0.46 are micrometres.
+    assert_eq!(own(&ui, 0).1, [400.0, 410.0, 430.0, 440.0, 460.0]);
+    assert_eq!(own(&ui, 0).2[0], 400.0);
+    click(&mut ui, "Wavelengths in nm");
+    assert_eq!(own(&ui, 0).1[0], 0.4);
+    click(&mut ui, "Back to the reader's own choice");
+    assert_eq!(own(&ui, 0).1, [400.0, 410.0, 420.0, 430.0, 440.0]);
+    click(&mut ui, "Keep");
+    assert!(!asks(&ui));
+    assert_eq!(app(&ui).document().own.len(), 1);
+}
+
+#[test]
+fn a_choice_that_makes_no_spectrum_is_refused_and_the_last_good_one_stays() {
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("swatch.dat", HEADERLESS)]);
+    let before = app(&ui).document().clone();
+    click(&mut ui, "Cells between semicolon ;");
+    assert!(says(&ui, "Not read so: swatch.dat"), "{:?}", words(&ui));
+    assert_eq!(app(&ui).document(), &before);
+    click(&mut ui, "Values are transmittance");
+    assert!(!says(&ui, "Not read so"));
+    assert_eq!(own(&ui, 0).0, Kind::Transmittance);
+}
+
+#[test]
+fn a_file_that_states_everything_asks_nothing_but_can_be_looked_at() {
+    let mut ui = fresh();
+    let text = "wavelength (nm),irradiance (W m-2 nm-1)\n400,1\n500,2\n600,1\n700,1\n";
+    drop_files(&mut ui, &[("stated.csv", text)]);
+    assert_eq!(app(&ui).document().light.name(), "stated");
+    assert!(!asks(&ui), "{}", words(&ui).join(" | "));
+    ui.get_by_role_and_label(Role::Button, "stated")
+        .click_secondary();
+    ui.run();
+    click(&mut ui, "How it was read…");
+    assert!(asks(&ui));
+    assert!(says(&ui, "Nothing is open"));
+    assert!(says(&ui, "stated by the file: the column's title"));
+    // A kind that is neither lies over the plot; a light again takes the light's place.
+    click(&mut ui, "Values are other");
+    assert_eq!(app(&ui).document().light.name(), "FL11");
+    click(&mut ui, "Values are light");
+    assert_eq!(app(&ui).document().light.name(), "stated");
+    assert!(app(&ui).document().overlays.is_empty());
+}
+
+#[test]
+fn several_files_at_once_ask_nothing() {
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("a.dat", HEADERLESS), ("b.dat", HEADERLESS)]);
+    assert_eq!(app(&ui).document().own.len(), 2);
+    assert!(!asks(&ui));
+    drop_files(&mut ui, &[("c.dat", HEADERLESS)]);
+    assert!(asks(&ui));
+}
+
+#[test]
+fn enter_keeps_and_removing_brings_back_what_was_there_in_one_step() {
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("swatch.dat", HEADERLESS)]);
+    key(&mut ui, Modifiers::NONE, Key::Enter);
+    assert!(!asks(&ui));
+    assert_eq!(app(&ui).document().light.name(), "swatch");
+    drop_files(&mut ui, &[("other.dat", HEADERLESS)]);
+    let with_other = app(&ui).document().clone();
+    click(&mut ui, "Remove it again");
+    assert!(!asks(&ui));
+    assert_eq!(app(&ui).document().light.name(), "swatch");
+    assert_eq!(app(&ui).document().own.len(), 1);
+    key(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(app(&ui).document(), &with_other);
+}
+
+#[test]
+fn a_file_of_several_spectra_stays_one_when_it_is_cut_otherwise() {
+    let mut ui = fresh();
+    let text = "400;0,1;0,5\n450;0,2;0,4\n500;0,3;0,3\n550;0,4;0,2\n600;0,5;0,1\n";
+    drop_files(&mut ui, &[("pair.csv", text)]);
+    assert_eq!(app(&ui).document().own.len(), 2);
+    click(&mut ui, "Values are reflectance");
+    assert_eq!(app(&ui).document().own.len(), 2);
+    assert!((0..2).all(|i| own(&ui, i).0 == Kind::Reflectance));
+    click(&mut ui, "Wavelengths are column 2");
+    assert_eq!(app(&ui).document().own.len(), 2);
+    assert_eq!(own(&ui, 0).1[0], 100.0);
+}
+
+#[test]
+fn a_large_file_is_read_again_on_a_thread_of_its_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("large.txt");
+    let mut text = String::new();
+    for row in 0..330_000 {
+        text += &format!("{:.4} {:.3}\n", 300.0 + f64::from(row) * 0.001, 0.5);
+    }
+    assert!(text.len() > 4 * 1024 * 1024);
+    std::fs::write(&path, text).expect("written");
+    let mut ui = fresh();
+    ui.state_mut().0.open_files(vec![path], Arc::new(|| ()));
+    wait_until(&mut ui, asks);
+    ui.get_by_role_and_label(Role::Button, "Values are transmittance")
+        .click();
+    wait_until(&mut ui, |ui| own(ui, 0).0 == Kind::Transmittance);
+    app_undo(&mut ui);
+    assert_eq!(own(&ui, 0).0, Kind::Light);
+}
+
+fn app_undo(ui: &mut Ui) {
+    ui.state_mut().0.app.apply(Command::Undo);
+    ui.step();
+}
+
+#[track_caller]
+fn wait_until(ui: &mut Ui, holds: impl Fn(&Ui) -> bool) {
+    let start = Instant::now();
+    while !holds(ui) {
+        assert!(start.elapsed() < Duration::from_secs(120), "waited in vain");
+        std::thread::sleep(Duration::from_millis(5));
+        ui.step();
+    }
+}
+
+// ------------------------------------------------------------------------------ what meters say
+
+fn real(name: &str) -> Option<Vec<Beside>> {
+    let folder = std::env::var_os("SPECTRAL_EXPLORER_REAL_FILES").map(PathBuf::from)?;
+    let path = folder.join(name);
+    if !path.is_file() {
+        return None;
+    }
+    let mut app = App::new();
+    match load_path(&path) {
+        Loaded::File(opened) => app.apply(Command::Open(vec![*opened])),
+        other => panic!("{other:?}"),
+    }
+    Some(beside(app.document().subject_entry()))
+}
+
+/// Ours agree within the figures that the instrument prints, or the share that is given for what
+/// it computes another way.
+fn agrees(rows: &[Beside], quantity: &Quantity, within: f64) {
+    let row = rows
+        .iter()
+        .find(|row| row.quantity == *quantity)
+        .unwrap_or_else(|| panic!("no {quantity}"));
+    let ours = row.ours.expect("ours");
+    println!(
+        "{quantity}: instrument {} ours {ours} {}",
+        row.theirs, row.unit
+    );
+    assert!(
+        (ours - row.theirs).abs() <= within,
+        "{quantity}: instrument {} ours {ours}, allowed {within}",
+        row.theirs
+    );
+}
