@@ -16,6 +16,7 @@ pub mod line_names;
 pub mod open;
 pub mod opened;
 pub mod pages;
+pub mod picture;
 pub mod plot_svg;
 pub mod product_report;
 pub mod product_view;

@@ -2,6 +2,7 @@
 
 pub mod auction;
 pub mod coefficients;
+pub mod image;
 pub mod products;
 pub mod race;
 pub mod tradeoff;
