@@ -2,10 +2,18 @@
 //!
 //! `cargo bench --bench files`
 
-use std::{fmt::Write as _, fs, hint::black_box, path::PathBuf, time::Duration};
+use std::{fmt::Write as _, fs, hint::black_box, path::PathBuf, sync::Arc, time::Duration};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use spectral_explorer::io::read_path;
+use spectral_explorer::{
+    app::{
+        library::Library,
+        picture::{Developed, Eye, Held, RasterAsk, Source, developed},
+    },
+    color::Observer,
+    io::read_path,
+    study::Progress,
+};
 
 /// Files of a folder that is opened at once.
 const FILES: usize = 100;
@@ -53,6 +61,54 @@ fn long_table(folder: &std::path::Path) -> (PathBuf, usize) {
     (path, text.len())
 }
 
+/// Columns and rows of the cube.
+const SIDE: usize = 512;
+/// Bands of the cube.
+const BANDS: usize = 31;
+
+/// An ENVI cube as a camera with tunable filters writes it: 16 bits a number.
+fn cube(folder: &std::path::Path) -> (PathBuf, PathBuf) {
+    let nm: Vec<String> = (0..BANDS).map(|b| (400 + 10 * b).to_string()).collect();
+    let header = format!(
+        "ENVI\nsamples = {SIDE}\nlines = {SIDE}\nbands = {BANDS}\nheader offset = 0\ndata type = 12\n\
+         interleave = bsq\nbyte order = 0\nreflectance scale factor = 10000\n\
+         wavelength units = Nanometers\nwavelength = {{{}}}\n",
+        nm.join(", ")
+    );
+    let number = |i: usize| (i.wrapping_mul(7919) % 9973) as u16;
+    let bytes: Vec<u8> = (0..SIDE * SIDE * BANDS)
+        .flat_map(|i| number(i).to_le_bytes())
+        .collect();
+    let paths = (folder.join("scene.hdr"), folder.join("scene.img"));
+    fs::write(&paths.0, header).expect("a file in a temporary folder");
+    fs::write(&paths.1, bytes).expect("a file in a temporary folder");
+    paths
+}
+
+/// What any program has to do at least: read the file and make every number one it can add.
+fn plain_cube(path: &PathBuf) -> Vec<f32> {
+    let bytes = fs::read(path).expect("the file that was written");
+    let numbers = bytes.chunks_exact(2);
+    numbers
+        .map(|b| f32::from(u16::from_le_bytes([b[0], b[1]])))
+        .collect()
+}
+
+/// The picture that the window shows of a file's first image.
+fn true_colour(path: &PathBuf) -> Developed {
+    let mut reading = read_path(path).expect("a cube");
+    let image = Arc::new(reading.images.remove(0));
+    let light = Library::bundled().find("CIE D65").expect("shipped");
+    let light = light.spectrum().expect("a spectrum");
+    let eye = Eye::of(&image, Observer::Cie1931, Some(light), false).expect("light");
+    let ask = RasterAsk {
+        image: Held(image),
+        source: Source::Eye(Box::new(eye)),
+    };
+    let raster = ask.answer(&Progress::default()).expect("not cancelled");
+    developed(&raster, 0.0)
+}
+
 /// What any program has to do at least: split lines at commas and parse every cell.
 fn plain_loop(path: &PathBuf) -> f64 {
     let text = fs::read_to_string(path).expect("the file that was written");
@@ -92,5 +148,25 @@ fn files(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, files);
+fn cubes(criterion: &mut Criterion) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (header, data) = cube(folder.path());
+    let mut group = criterion.benchmark_group("512 x 512 x 31 ENVI cube opens");
+    group
+        .sample_size(20)
+        .measurement_time(Duration::from_secs(3))
+        .throughput(Throughput::Bytes((2 * SIDE * SIDE * BANDS) as u64));
+    group.bench_function("baseline: read and convert every number", |b| {
+        b.iter(|| plain_cube(black_box(&data)));
+    });
+    group.bench_function("read", |b| {
+        b.iter(|| black_box(read_path(&header).expect("a cube")));
+    });
+    group.bench_function("read and drawn in true colour", |b| {
+        b.iter(|| black_box(true_colour(&header)));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, files, cubes);
 criterion_main!(benches);

@@ -44,7 +44,7 @@ use spectral_explorer::{
     color::Observer,
     io::read_bytes,
     spectrum::{
-        Band, Basis, HandSpike, Kind, NamedSpectrum, Sampled, Sampling, SpikeEdits,
+        Band, Basis, HandSpike, Kind, NamedSpectrum, Rect, Sampled, Sampling, SpikeEdits,
         basis::numbers_of_order,
     },
     study::{Goal, Measure},

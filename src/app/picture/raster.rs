@@ -4,7 +4,11 @@
 //! mean. Rows are shared out over threads.
 
 use super::{Eye, Held};
-use crate::{spectrum::Cube, study::Progress};
+use crate::{
+    color::{Xyz, srgb::linear_from_xyz},
+    spectrum::Cube,
+    study::Progress,
+};
 
 /// Most pixels that are drawn.
 const MOST_PIXELS: usize = 1 << 20;
@@ -52,8 +56,8 @@ pub struct Raster {
     pub values: Vec<[f32; 3]>,
     /// Whether the values are XYZ.
     pub is_xyz: bool,
-    /// What is shown at full brightness at exposure 0: the 99th percentile of Y, or of each band;
-    /// 0 where nothing shines.
+    /// What is shown at full brightness at exposure 0: the 99th percentile of the strongest of
+    /// red, green and blue (linear, 1 for white of Y = 1), or of each band; 0 where nothing shines.
     pub full: [f64; 3],
 }
 
@@ -91,10 +95,19 @@ impl RasterAsk {
             return None;
         }
         let is_xyz = matches!(self.source, Source::Eye(_));
-        let full = std::array::from_fn(|k| {
-            let channel = if is_xyz { 1 } else { k };
-            percentile(&values, channel)
-        });
+        let full = if is_xyz {
+            // The strongest of red, green and blue: a saturated red is cut long before its Y is 1.
+            let strongest = |xyz: [f32; 3]| {
+                if !xyz.iter().all(|v| v.is_finite()) {
+                    return f32::NAN;
+                }
+                let linear = linear_from_xyz(Xyz::from_array(xyz.map(f64::from)));
+                linear.into_iter().fold(f64::NEG_INFINITY, f64::max) as f32
+            };
+            [percentile(&values, strongest); 3]
+        } else {
+            std::array::from_fn(|k| percentile(&values, |value| value[k]))
+        };
         Some(Raster {
             width,
             height,
@@ -194,10 +207,10 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The value that 99 % of the drawn pixels do not exceed in a channel; 0 where nothing is above it.
-fn percentile(values: &[[f32; 3]], channel: usize) -> f64 {
+/// What 99 % of the drawn pixels do not exceed; 0 where nothing is above it.
+fn percentile(values: &[[f32; 3]], of: impl Fn([f32; 3]) -> f32) -> f64 {
     let every = values.len().div_ceil(LOOKED_AT).max(1);
-    let looked_at = values.iter().step_by(every).map(|value| value[channel]);
+    let looked_at = values.iter().step_by(every).map(|value| of(*value));
     let mut sample: Vec<f32> = looked_at.filter(|v| v.is_finite()).collect();
     if sample.is_empty() {
         return 0.0;

@@ -8,7 +8,10 @@ use egui::{
 
 use crate::{
     spectrum::Rect,
-    ui::{model_view::named, theme::Theme},
+    ui::{
+        model_view::named,
+        theme::{Theme, grey},
+    },
 };
 
 /// Most points that a pixel is magnified to.
@@ -259,7 +262,8 @@ fn moved_by_keys(ui: &Ui, picture: &Picture<'_>) -> Option<Rect> {
 
 fn paint(ui: &Ui, mapping: Mapping, picture: &Picture<'_>, selection: Option<Rect>, theme: Theme) {
     let painter = ui.painter().with_clip_rect(mapping.area);
-    painter.rect_filled(mapping.area, 2.0, theme.ground);
+    // A neutral ground that no pixel of the picture is lost in.
+    painter.rect_filled(mapping.area, 2.0, grey(if theme.dark { 20 } else { 205 }));
     let [width, height] = picture.pixels.map(|side| side as f32);
     let screen = Area::from_two_pos(mapping.pos(0.0, 0.0), mapping.pos(width, height));
     if let Some((texture, [across, down], step)) = picture.texture {

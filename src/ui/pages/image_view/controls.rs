@@ -77,12 +77,13 @@ pub fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
                 .on_hover_text(show.meaning());
         }
         ui.separator();
+        ui.spacing_mut().slider_width = 90.0 * context.theme.scale;
         let slider = egui::Slider::new(&mut context.memory.image.stops, STOPS)
             .step_by(0.1)
             .fixed_decimals(1)
             .text(names::EXPOSURE);
         ui.add(slider).on_hover_text(
-            "Brightness of the picture alone: each stop doubles it. 0 takes the 99th percentile to \
+            "Exposure, the brightness of the picture alone: each stop doubles it. 0 takes the 99th percentile to \
              full brightness.",
         );
         let is_factor = entry.image.kind.is_factor();

@@ -43,13 +43,13 @@ pub mod names {
     /// Shows all of the picture.
     pub const FIT: &str = "Fit";
     /// The exposure.
-    pub const EXPOSURE: &str = "Exposure (stops)";
+    pub const EXPOSURE: &str = "stops";
     /// The band shown in grey.
     pub const BAND: &str = "Band";
     /// The bands shown as red, green and blue.
     pub const RGB: [&str; 3] = ["Red", "Green", "Blue"];
     /// Brings the light to the screen's white.
-    pub const ADAPT: &str = "adapt to the light";
+    pub const ADAPT: &str = "adapt to light";
 }
 
 /// From this width on picture and spectrum stand side by side, points.
@@ -131,7 +131,7 @@ impl ImageView {
         } else {
             let [width, height] = [shown.cube().width(), shown.cube().height()];
             let wanted = room.x * height as f32 / width as f32;
-            let size = vec2(room.x, wanted.clamp(120.0, 0.46 * room.y));
+            let size = vec2(room.x, wanted.clamp(120.0, 0.44 * room.y));
             self.picture(ui, context, &shown, size);
             let left = ui.available_height();
             self.spectrum(ui, context, &shown, left);
@@ -318,11 +318,11 @@ impl ImageView {
             }
             return;
         };
-        let used = (2.0 + f32::from(u8::from(self.taken.is_some()))) * line(ui);
+        let used = (1.0 + f32::from(u8::from(self.taken.is_some()))) * line(ui);
         let figures = figures::height(ui, context.theme);
         let room = vec2(
             ui.available_width(),
-            (height - used - figures).max(150.0 * context.theme.scale),
+            (height - used - figures - 4.0).max(110.0 * context.theme.scale),
         );
         let chart = ChartView::show(ui, &charted.chart, "image spectrum", room, context.theme);
         context.wishes.extend(chart.wish);
@@ -407,8 +407,8 @@ fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: O
     let text = format!("Drawn {}.", words.join("; "));
     ui.add(egui::Label::new(egui::RichText::new(text).weak()).truncate())
         .on_hover_text(
-            "Exposure 0 takes the 99th percentile (of Y, or of each band) to the screen's full \
-             brightness. Pixels outside sRGB are cut to it; shares are of the drawn pixels.",
+            "Exposure 0 takes the 99th percentile of the strongest of red, green and blue, or of \
+             each band, to the screen's full brightness. Pixels outside sRGB are cut to it; shares are of the drawn pixels.",
         );
 }
 
