@@ -275,9 +275,14 @@ impl ImageView {
         let all = shown.cube().all();
         if let Some(rect) = touched.selected {
             let memory = &mut context.memory.image;
+            let chosen = Some(rect).filter(|rect| *rect != all);
             memory.choose(&shown.entry.key);
-            memory.selection = Some(rect).filter(|rect| *rect != all);
-            ui.ctx().request_repaint();
+            if memory.selection != chosen {
+                memory.selection = chosen;
+                self.taken = None;
+                // Its spectrum was asked for before the hand moved.
+                ui.ctx().request_repaint();
+            }
         }
         // Enter on a button is that button's.
         let free = touched.focused || ui.memory(|m| m.focused()).is_none();
