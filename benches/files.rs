@@ -2,7 +2,14 @@
 //!
 //! `cargo bench --bench files`
 
-use std::{fmt::Write as _, fs, hint::black_box, path::PathBuf, sync::Arc, time::Duration};
+use std::{
+    fmt::Write as _,
+    fs,
+    hint::black_box,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Duration,
+};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spectral_explorer::{
@@ -28,7 +35,7 @@ fn value(row: usize, column: usize) -> f64 {
     1.5 + x.sin() + 1e-4 * ((row * 7919 + column * 104_729) % 9973) as f64
 }
 
-fn hundred_files(folder: &std::path::Path) -> Vec<PathBuf> {
+fn hundred_files(folder: &Path) -> Vec<PathBuf> {
     let one = |file: usize| {
         let mut text = String::from("wavelength (nm),spectral irradiance (W m-2 nm-1)\n");
         for row in 0..401 {
@@ -41,7 +48,7 @@ fn hundred_files(folder: &std::path::Path) -> Vec<PathBuf> {
     (0..FILES).map(one).collect()
 }
 
-fn long_table(folder: &std::path::Path) -> (PathBuf, usize) {
+fn long_table(folder: &Path) -> (PathBuf, usize) {
     let mut text = String::from("nm");
     for column in 1..COLUMNS {
         let _ = write!(text, ",lamp {column}");
@@ -67,7 +74,7 @@ const SIDE: usize = 512;
 const BANDS: usize = 31;
 
 /// An ENVI cube as a camera with tunable filters writes it: 16 bits a number.
-fn cube(folder: &std::path::Path) -> (PathBuf, PathBuf) {
+fn cube(folder: &Path) -> (PathBuf, PathBuf) {
     let nm: Vec<String> = (0..BANDS).map(|b| (400 + 10 * b).to_string()).collect();
     let header = format!(
         "ENVI\nsamples = {SIDE}\nlines = {SIDE}\nbands = {BANDS}\nheader offset = 0\ndata type = 12\n\
@@ -95,7 +102,7 @@ fn plain_cube(path: &PathBuf) -> Vec<f32> {
 }
 
 /// The picture that the window shows of a file's first image.
-fn true_colour(path: &PathBuf) -> Developed {
+fn true_colour(path: &Path) -> Developed {
     let mut reading = read_path(path).expect("a cube");
     let image = Arc::new(reading.images.remove(0));
     let light = Library::bundled().find("CIE D65").expect("shipped");
