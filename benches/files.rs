@@ -2,10 +2,25 @@
 //!
 //! `cargo bench --bench files`
 
-use std::{fmt::Write as _, fs, hint::black_box, path::PathBuf, time::Duration};
+use std::{
+    fmt::Write as _,
+    fs,
+    hint::black_box,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Duration,
+};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use spectral_explorer::io::read_path;
+use spectral_explorer::{
+    app::{
+        library::Library,
+        picture::{Developed, Eye, Held, RasterAsk, Source, developed},
+    },
+    color::Observer,
+    io::read_path,
+    study::Progress,
+};
 
 /// Files of a folder that is opened at once.
 const FILES: usize = 100;
@@ -20,7 +35,7 @@ fn value(row: usize, column: usize) -> f64 {
     1.5 + x.sin() + 1e-4 * ((row * 7919 + column * 104_729) % 9973) as f64
 }
 
-fn hundred_files(folder: &std::path::Path) -> Vec<PathBuf> {
+fn hundred_files(folder: &Path) -> Vec<PathBuf> {
     let one = |file: usize| {
         let mut text = String::from("wavelength (nm),spectral irradiance (W m-2 nm-1)\n");
         for row in 0..401 {
@@ -33,7 +48,7 @@ fn hundred_files(folder: &std::path::Path) -> Vec<PathBuf> {
     (0..FILES).map(one).collect()
 }
 
-fn long_table(folder: &std::path::Path) -> (PathBuf, usize) {
+fn long_table(folder: &Path) -> (PathBuf, usize) {
     let mut text = String::from("nm");
     for column in 1..COLUMNS {
         let _ = write!(text, ",lamp {column}");
@@ -51,6 +66,54 @@ fn long_table(folder: &std::path::Path) -> (PathBuf, usize) {
     let path = folder.join("long.csv");
     fs::write(&path, &text).expect("a file in a temporary folder");
     (path, text.len())
+}
+
+/// Columns and rows of the cube.
+const SIDE: usize = 512;
+/// Bands of the cube.
+const BANDS: usize = 31;
+
+/// An ENVI cube as a camera with tunable filters writes it: 16 bits a number.
+fn cube(folder: &Path) -> (PathBuf, PathBuf) {
+    let nm: Vec<String> = (0..BANDS).map(|b| (400 + 10 * b).to_string()).collect();
+    let header = format!(
+        "ENVI\nsamples = {SIDE}\nlines = {SIDE}\nbands = {BANDS}\nheader offset = 0\ndata type = 12\n\
+         interleave = bsq\nbyte order = 0\nreflectance scale factor = 10000\n\
+         wavelength units = Nanometers\nwavelength = {{{}}}\n",
+        nm.join(", ")
+    );
+    let number = |i: usize| (i.wrapping_mul(7919) % 9973) as u16;
+    let bytes: Vec<u8> = (0..SIDE * SIDE * BANDS)
+        .flat_map(|i| number(i).to_le_bytes())
+        .collect();
+    let paths = (folder.join("scene.hdr"), folder.join("scene.img"));
+    fs::write(&paths.0, header).expect("a file in a temporary folder");
+    fs::write(&paths.1, bytes).expect("a file in a temporary folder");
+    paths
+}
+
+/// What any program has to do at least: read the file and make every number one it can add.
+fn plain_cube(path: &PathBuf) -> Vec<f32> {
+    let bytes = fs::read(path).expect("the file that was written");
+    let numbers = bytes.chunks_exact(2);
+    numbers
+        .map(|b| f32::from(u16::from_le_bytes([b[0], b[1]])))
+        .collect()
+}
+
+/// The picture that the window shows of a file's first image.
+fn true_colour(path: &Path) -> Developed {
+    let mut reading = read_path(path).expect("a cube");
+    let image = Arc::new(reading.images.remove(0));
+    let light = Library::bundled().find("CIE D65").expect("shipped");
+    let light = light.spectrum().expect("a spectrum");
+    let eye = Eye::of(&image, Observer::Cie1931, Some(light), false).expect("light");
+    let ask = RasterAsk {
+        image: Held(image),
+        source: Source::Eye(Box::new(eye)),
+    };
+    let raster = ask.answer(&Progress::default()).expect("not cancelled");
+    developed(&raster, 0.0)
 }
 
 /// What any program has to do at least: split lines at commas and parse every cell.
@@ -92,5 +155,25 @@ fn files(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, files);
+fn cubes(criterion: &mut Criterion) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (header, data) = cube(folder.path());
+    let mut group = criterion.benchmark_group("512 x 512 x 31 ENVI cube opens");
+    group
+        .sample_size(20)
+        .measurement_time(Duration::from_secs(3))
+        .throughput(Throughput::Bytes((2 * SIDE * SIDE * BANDS) as u64));
+    group.bench_function("baseline: read and convert every number", |b| {
+        b.iter(|| plain_cube(black_box(&data)));
+    });
+    group.bench_function("read", |b| {
+        b.iter(|| black_box(read_path(&header).expect("a cube")));
+    });
+    group.bench_function("read and drawn in true colour", |b| {
+        b.iter(|| black_box(true_colour(&header)));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, files, cubes);
 criterion_main!(benches);

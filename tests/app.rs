@@ -26,6 +26,7 @@ use spectral_explorer::{
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
         opened::Opened,
         pages::{FieldChoice, Page, PageMemory, WaysShown},
+        picture::{ImageMemory, Show, Spread},
         plot_svg::Theme,
         products::{
             Link, Part, Products, ProductsMemory,
@@ -43,7 +44,7 @@ use spectral_explorer::{
     color::Observer,
     io::read_bytes,
     spectrum::{
-        Band, Basis, HandSpike, Kind, NamedSpectrum, Sampled, Sampling, SpikeEdits,
+        Band, Basis, HandSpike, Kind, NamedSpectrum, Rect, Sampled, Sampling, SpikeEdits,
         basis::numbers_of_order,
     },
     study::{Goal, Measure},
@@ -1350,6 +1351,15 @@ fn full_preferences() -> Preferences {
                     twice: true,
                 },
                 absorption: AbsorptionMemory { example: 1 },
+            },
+            image: ImageMemory {
+                key: Some("image/3".to_owned()),
+                selection: Some(Rect::pixel(2, 5)),
+                show: Show::ThreeBands,
+                three_nm: [700.0, 560.0, 450.0],
+                one_nm: 611.0,
+                stops: -1.5,
+                spread: Spread::Extremes,
             },
         },
     }

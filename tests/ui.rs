@@ -1309,7 +1309,7 @@ fn a_window_is_restored_as_it_was_left() {
     // The saver writes what it was given before it goes.
     drop(ui.into_state());
     let restored = workspace::load(&path).expect("readable").expect("kept");
-    let (app_again, preferences) = Window::restored(restored);
+    let (app_again, preferences, _) = Window::restored(restored);
     assert_eq!((app_again.document(), &preferences), (&left.0, &left.1));
     let again = Window::new(app_again, preferences, no_files(), None);
     let ui = over(again);
@@ -1323,7 +1323,7 @@ fn what_could_not_be_restored_is_said_in_the_window() {
     let document = App::new().document().clone();
     let text = workspace::to_json(&document, None).replace("cie_fluorescent_1nm/FL11", "gone/FL11");
     let restored = workspace::from_json(&text).expect("sound");
-    let (app_again, _) = Window::restored(restored);
+    let (app_again, ..) = Window::restored(restored);
     let ui = over(window(app_again, no_files()));
     assert_written(&ui, "gone/FL11");
     assert_eq!(app(&ui).message().map(|m| m.tone), Some(Tone::Problem));

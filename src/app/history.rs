@@ -36,6 +36,11 @@ impl History {
         Some(after)
     }
 
+    /// Every document that is remembered.
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Document> {
+        self.past.iter_mut().chain(&mut self.future)
+    }
+
     /// Whether there is a step back.
     pub fn can_undo(&self) -> bool {
         !self.past.is_empty()

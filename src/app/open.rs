@@ -16,11 +16,12 @@ use super::{
     entry::{Entry, sampled_from_composite},
     library::{Body, Library},
     opened::Opened,
+    picture,
     workspace::{self, Restored},
 };
 use crate::{
     io::{self, Choices, CompositeFile, Reading},
-    spectrum::{Kind, NamedSpectrum, Spike},
+    spectrum::{Kind, NamedSpectrum, Rect, SpectralImage, Spike},
 };
 
 /// What a file turned out to be.
@@ -178,6 +179,42 @@ fn spectra_of(
 }
 
 impl Opened {
+    /// The spectra of some pixels, one of each of the file's images.
+    ///
+    /// # Errors
+    /// One line when there is no image, or the pixels are not in it or were not measured.
+    pub fn spectra_of_pixels(&self, pixels: Rect) -> Result<Vec<NamedSpectrum>, String> {
+        let file = &self.file;
+        if self.images.is_empty() {
+            return Err(format!(
+                "{file}: found {} without an image, expected a spectral image with --pixel and \
+                 --region",
+                self.format
+            ));
+        }
+        let of = |image: &Arc<SpectralImage>| {
+            let cube = &image.cube;
+            let Rect {
+                x,
+                y,
+                width,
+                height,
+            } = pixels;
+            if !pixels.is_inside(cube.all()) {
+                return Err(format!(
+                    "{file}: found {width} x {height} pixels from column {x}, row {y}, expected \
+                     columns 0-{} and rows 0-{}",
+                    cube.width() - 1,
+                    cube.height() - 1
+                ));
+            }
+            picture::named(image, pixels).ok_or_else(|| {
+                format!("{file}: found nothing measured in column {x}, row {y}, expected two bands")
+            })
+        };
+        self.images.iter().map(of).collect()
+    }
+
     /// The spectra that a command works on: those of the file, or of an image without any its
     /// mean.
     pub fn into_spectra(self) -> Vec<NamedSpectrum> {
@@ -226,10 +263,27 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
 /// # Errors
 /// One line that says what was found and what was expected.
 pub fn resolve(input: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<Entry, String> {
+    resolve_pixels(input, pick, None, kind)
+}
+
+/// The same with some pixels of a spectral image: a pixel's spectrum or the mean of a region.
+///
+/// # Errors
+/// One line that says what was found and what was expected.
+pub fn resolve_pixels(
+    input: &str,
+    pick: Option<&str>,
+    pixels: Option<Rect>,
+    kind: Option<Kind>,
+) -> Result<Entry, String> {
     let path = Path::new(input);
     // Not `is_file`: a pipe is a fine input too.
     let mut entry = if path.exists() && !path.is_dir() {
-        from_file(path, pick)?
+        from_file(path, pick, pixels)?
+    } else if pixels.is_some() {
+        return Err(format!(
+            "{input}: found no file, expected a spectral image with --pixel and --region"
+        ));
     } else {
         from_library(input, path, pick)?
     };
@@ -246,9 +300,12 @@ pub fn resolve(input: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<En
     Ok(entry)
 }
 
-fn from_file(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
+fn from_file(path: &Path, pick: Option<&str>, pixels: Option<Rect>) -> Result<Entry, String> {
     let mut spectra = match load_path(path) {
-        Loaded::File(opened) => opened.into_spectra(),
+        Loaded::File(opened) => match pixels {
+            Some(pixels) => opened.spectra_of_pixels(pixels)?,
+            None => opened.into_spectra(),
+        },
         Loaded::Refused(why) => return Err(why),
         Loaded::Project { restored, .. } => {
             return Ok(Entry::clone(restored.document.subject_entry()));

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::products::ProductsMemory;
+use super::{picture::ImageMemory, products::ProductsMemory};
 use crate::study::{Goal, Measure};
 
 /// A page of the window: they all show the same document.
@@ -22,19 +22,22 @@ pub enum Page {
     Race,
     /// Light through filters and off surfaces.
     Products,
+    /// A spectral image: a pixel or a region becomes a spectrum.
+    Image,
     /// The paper's claims, measured on this spectrum.
     Truth,
 }
 
 impl Page {
     /// Every page, in the order of the tabs.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Spectrum,
         Self::Coefficients,
         Self::Tradeoff,
         Self::Auction,
         Self::Race,
         Self::Products,
+        Self::Image,
         Self::Truth,
     ];
 
@@ -47,6 +50,7 @@ impl Page {
             Self::Auction => "Auction",
             Self::Race => "Race",
             Self::Products => "Products",
+            Self::Image => "Image",
             Self::Truth => "Truth",
         }
     }
@@ -63,6 +67,7 @@ impl Page {
             Self::Auction => "What to buy with the next two numbers: an order or a spike.",
             Self::Race => "The composite against other representations, at equal numbers.",
             Self::Products => "Light through filters and off surfaces, exact beside model.",
+            Self::Image => "A spectral image: a pixel or a region's mean becomes a spectrum.",
             Self::Truth => "The paper's claims, measured on this spectrum and range.",
         }
     }
@@ -76,6 +81,7 @@ impl Page {
             Self::Auction => "auction",
             Self::Race => "race",
             Self::Products => "products",
+            Self::Image => "image",
             Self::Truth => "truth",
         }
     }
@@ -111,6 +117,8 @@ pub struct PageMemory {
     pub race_measure: Measure,
     /// Products: its parts.
     pub products: ProductsMemory,
+    /// Image: which one, which pixels, and how it is drawn.
+    pub image: ImageMemory,
 }
 
 impl Default for PageMemory {
@@ -129,6 +137,7 @@ impl Default for PageMemory {
             race_numbers: 20,
             race_measure: Measure::Patches,
             products: ProductsMemory::default(),
+            image: ImageMemory::default(),
         }
     }
 }
@@ -163,6 +172,7 @@ impl PageMemory {
                 measure => measure,
             },
             products: self.products.clamped(),
+            image: self.image.clamped(),
             ..self
         }
     }

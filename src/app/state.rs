@@ -234,6 +234,26 @@ impl App {
         self.gesture = None;
     }
 
+    /// An image of the last time was read again: it stands where it stood, in every step of the
+    /// history too. That it was away for a moment is nothing to undo.
+    pub fn image_is_back(&mut self, image: &Arc<ImageEntry>) {
+        let number = |key: &str| key.rsplit('/').next().and_then(|n| n.parse::<u64>().ok());
+        let documents = std::iter::once(&mut self.document).chain(self.history.all_mut());
+        for document in documents {
+            let images = &mut document.images;
+            if images.iter().any(|known| known.key == image.key) {
+                continue;
+            }
+            let before = |known: &Arc<ImageEntry>| number(&known.key) < number(&image.key);
+            let place = images.partition_point(before);
+            images.insert(place, image.clone());
+            if let Some(number) = number(&image.key) {
+                document.next_own = document.next_own.max(number.saturating_add(1));
+            }
+        }
+        self.revision += 1;
+    }
+
     /// The only place that changes the document.
     pub fn apply(&mut self, command: Command) {
         let before = self.document.clone();

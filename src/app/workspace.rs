@@ -263,6 +263,15 @@ pub struct Restored {
 
 /// The text of a workspace (with preferences) or a project (without).
 pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String {
+    to_json_with(document, preferences, &[])
+}
+
+/// The same with images that are still being read again: what is not there yet is not lost.
+pub fn to_json_with(
+    document: &Document,
+    preferences: Option<&Preferences>,
+    waiting: &[StoredImage],
+) -> String {
     let Document {
         light,
         factor,
@@ -298,6 +307,7 @@ pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String
                     index: image.index,
                 })
             })
+            .chain(waiting.iter().cloned())
             .collect(),
         next_own: *next_own,
         settings: *settings,

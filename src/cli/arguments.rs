@@ -226,7 +226,7 @@ pub struct Render {
     #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
     pub theme: Theme,
     /// The page: spectrum, coefficients, tradeoff, auction, race, products (or one of its parts:
-    /// products/chain, resampling, bounces, narrow, lights, check, absorption) or truth.
+    /// products/chain, resampling, bounces, narrow, lights, check, absorption), image or truth.
     #[arg(long, value_name = "PAGE", default_value = "spectrum", value_parser = words::page)]
     pub page: (Page, Part),
 }

@@ -168,8 +168,13 @@ fn form(options: &Convert, extension: &str, is_composite: bool) -> Result<Form, 
 
 fn spectrum(options: &Convert) -> Result<String, Refusal> {
     let pick = &options.pick;
-    let entry = open::resolve(&options.input, pick.spectrum.as_deref(), pick.kind)
-        .map_err(Refusal::File)?;
+    let entry = open::resolve_pixels(
+        &options.input,
+        pick.spectrum.as_deref(),
+        pick.pixels(),
+        pick.kind,
+    )
+    .map_err(Refusal::File)?;
     let spectrum = &entry.spectrum;
     write_as(
         &options.out,

@@ -6,7 +6,7 @@ use super::words;
 use crate::{
     app::Settings,
     color::Observer,
-    spectrum::{Band, Basis, Kind, Sampling},
+    spectrum::{Band, Basis, Kind, Rect, Sampling},
 };
 
 /// Which spectrum is meant, what it is and what shines on it.
@@ -21,6 +21,20 @@ pub struct PickOptions {
     /// The light on a reflectance or transmittance, a file or a preset [default: CIE D65].
     #[arg(long, value_name = "NAME")]
     pub light: Option<String>,
+    /// Which pixel of a spectral image: its column and row, from 0 [default: the whole image's
+    /// mean].
+    #[arg(long, value_name = "X,Y", value_parser = words::pixel, conflicts_with = "region")]
+    pub pixel: Option<Rect>,
+    /// Which part of a spectral image: first column and row, from 0, width and height; its mean.
+    #[arg(long, value_name = "X,Y,W,H", value_parser = words::region)]
+    pub region: Option<Rect>,
+}
+
+impl PickOptions {
+    /// Which pixels of an image, if the command line says so.
+    pub fn pixels(&self) -> Option<Rect> {
+        self.pixel.or(self.region)
+    }
 }
 
 /// The model's knobs; what is not given keeps its default.

@@ -1,10 +1,19 @@
 //! `render`: a picture of the window, with no display needed.
 
-use std::io::Write;
+use std::{io::Write, path::Path, sync::Arc};
 
 use super::{Pictures, arguments::Render, print, refusal::Refusal, subject};
 use crate::{
-    app::{pages::PageMemory, plot_svg::Theme, products::ProductsMemory, workspace::Preferences},
+    app::{
+        App, Command,
+        open::{self, Loaded},
+        opened::Opened,
+        pages::{Page, PageMemory},
+        picture::{ImageMemory, back},
+        plot_svg::Theme,
+        products::ProductsMemory,
+        workspace::Preferences,
+    },
     io::atomic::save_atomically,
 };
 
@@ -31,6 +40,14 @@ pub fn run(
         Some(input) => subject::app(input, pick, *model, err)?,
         None => subject::first_app(pick, *model)?,
     };
+    let mut app = app;
+    let memory = ImageMemory {
+        selection: pick.pixels(),
+        ..ImageMemory::default()
+    };
+    if let (Page::Image, Some(input)) = (page.0, input) {
+        open_images(&mut app, input);
+    }
     let preferences = Preferences {
         dark: *theme == Theme::Dark,
         pages: PageMemory {
@@ -39,6 +56,7 @@ pub fn run(
                 part: page.1,
                 ..ProductsMemory::default()
             },
+            image: memory,
             ..PageMemory::default()
         },
         ..Preferences::default()
@@ -50,4 +68,27 @@ pub fn run(
         out,
         &format!("Wrote {}, {width} x {height} px.\n", path.display()),
     )
+}
+
+/// The images of a file or a project, for the page that shows them.
+fn open_images(app: &mut App, input: &str) {
+    match open::load_path(Path::new(input)) {
+        Loaded::File(opened) => {
+            let images_alone = Opened {
+                spectra: Vec::new(),
+                ..*opened
+            };
+            app.apply(Command::Open(vec![images_alone]));
+        }
+        Loaded::Project { restored, .. } => {
+            // What cannot be read again is not on the page, which says that nothing is open.
+            let images = restored
+                .images
+                .iter()
+                .filter_map(|i| back::read_again(i).ok());
+            images.for_each(|image| app.image_is_back(&Arc::new(image)));
+        }
+        // A preset, or what was refused before.
+        Loaded::Refused(_) => {}
+    }
 }

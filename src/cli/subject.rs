@@ -35,7 +35,8 @@ pub fn app(
     if let Some(restored) = project(Path::new(input))? {
         return of_project(input, restored, pick, light, model, err);
     }
-    let entry = open::resolve(input, pick.spectrum.as_deref(), pick.kind).map_err(Refusal::File)?;
+    let entry = open::resolve_pixels(input, pick.spectrum.as_deref(), pick.pixels(), pick.kind)
+        .map_err(Refusal::File)?;
     let is_light = entry.kind() == Kind::Light;
     if is_light && light.is_some() {
         remark(
@@ -73,11 +74,15 @@ pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal
         spectrum,
         kind,
         light,
+        pixel,
+        region,
     } = pick;
     let about_input = [
         ("--spectrum", spectrum.is_some()),
         ("--kind", kind.is_some()),
         ("--light", light.is_some()),
+        ("--pixel", pixel.is_some()),
+        ("--region", region.is_some()),
     ];
     if let Some((option, _)) = about_input.iter().find(|(_, given)| *given) {
         return Err(Refusal::Usage(format!(
@@ -145,6 +150,8 @@ fn of_project(
     for (option, given) in [
         ("--spectrum", pick.spectrum.is_some()),
         ("--kind", pick.kind.is_some()),
+        ("--pixel", pick.pixel.is_some()),
+        ("--region", pick.region.is_some()),
     ] {
         if given {
             return Err(Refusal::Usage(format!(

@@ -19,7 +19,7 @@ use crate::{
     color::Observer,
     io::error::quoted,
     spectrum::{
-        Band, Basis, Kind, Sampling,
+        Band, Basis, Kind, Rect, Sampling,
         band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
     },
     study::Goal,
@@ -122,6 +122,36 @@ fn number(word: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, St
                 format_args!("a number from {least} to {most} ({unit})"),
             )
         })
+}
+
+/// `--pixel`.
+pub fn pixel(word: &str) -> Result<Rect, String> {
+    match whole_numbers(word).as_deref() {
+        Some([x, y]) => Ok(Rect::pixel(*x, *y)),
+        _ => Err(refused(word, "X,Y: a column and a row, counted from 0")),
+    }
+}
+
+/// `--region`.
+pub fn region(word: &str) -> Result<Rect, String> {
+    match whole_numbers(word).as_deref() {
+        Some([x, y, width, height]) if *width > 0 && *height > 0 => Ok(Rect {
+            x: *x,
+            y: *y,
+            width: *width,
+            height: *height,
+        }),
+        _ => Err(refused(
+            word,
+            "X,Y,W,H: first column and row, counted from 0, then width and height, at least 1",
+        )),
+    }
+}
+
+fn whole_numbers(word: &str) -> Option<Vec<usize>> {
+    word.split(',')
+        .map(|part| part.trim().parse().ok())
+        .collect()
 }
 
 /// `--range`.

@@ -7,6 +7,9 @@
 use std::fmt;
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
+use super::region::Region;
 use super::sampled::Sampled;
 
 /// How a cube's file writes a number.
@@ -69,6 +72,38 @@ impl Number {
     }
 }
 
+impl Number {
+    /// Numbers that start every `step` bytes; places that the bytes do not reach keep what they
+    /// had.
+    fn read_many(self, bytes: &[u8], step: usize, big_endian: bool, into: &mut [f64]) {
+        macro_rules! numbers {
+            ($kind:ty) => {{
+                const SIZE: usize = size_of::<$kind>();
+                for (value, piece) in into.iter_mut().zip(bytes.chunks(step)) {
+                    if let Some(b) = piece.first_chunk::<SIZE>() {
+                        *value = if big_endian {
+                            <$kind>::from_be_bytes(*b) as f64
+                        } else {
+                            <$kind>::from_le_bytes(*b) as f64
+                        };
+                    }
+                }
+            }};
+        }
+        match self {
+            Self::U8 => numbers!(u8),
+            Self::I16 => numbers!(i16),
+            Self::I32 => numbers!(i32),
+            Self::F32 => numbers!(f32),
+            Self::F64 => numbers!(f64),
+            Self::U16 => numbers!(u16),
+            Self::U32 => numbers!(u32),
+            Self::I64 => numbers!(i64),
+            Self::U64 => numbers!(u64),
+        }
+    }
+}
+
 /// Which of row, column and band runs fastest in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interleave {
@@ -98,7 +133,7 @@ pub struct Layout {
 }
 
 /// A rectangle of pixels: its upper left corner and its size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Rect {
     /// First column, from 0.
     pub x: usize,
@@ -108,6 +143,43 @@ pub struct Rect {
     pub width: usize,
     /// Rows.
     pub height: usize,
+}
+
+impl Rect {
+    /// One pixel.
+    pub fn pixel(x: usize, y: usize) -> Self {
+        Self {
+            x,
+            y,
+            width: 1,
+            height: 1,
+        }
+    }
+
+    /// The rectangle with two pixels in opposite corners.
+    pub fn between([ax, ay]: [usize; 2], [bx, by]: [usize; 2]) -> Self {
+        Self {
+            x: ax.min(bx),
+            y: ay.min(by),
+            width: ax.abs_diff(bx).saturating_add(1),
+            height: ay.abs_diff(by).saturating_add(1),
+        }
+    }
+
+    /// How many pixels it has.
+    pub fn pixels(self) -> usize {
+        self.width.saturating_mul(self.height)
+    }
+
+    /// Whether it has pixels and all of them are in another rectangle.
+    pub fn is_inside(self, other: Self) -> bool {
+        let fits = |at: usize, size: usize, from: usize, room: usize| {
+            let end = at.checked_add(size);
+            size > 0 && at >= from && end.is_some_and(|end| end <= from.saturating_add(room))
+        };
+        fits(self.x, self.width, other.x, other.width)
+            && fits(self.y, self.height, other.y, other.height)
+    }
 }
 
 /// An image whose every pixel is a spectrum on the same wavelengths.
@@ -238,20 +310,12 @@ impl Cube {
             return f64::NAN;
         }
         let Layout {
-            first_byte,
             number,
             big_endian,
-            interleave,
-            stored_bands,
             missing,
+            ..
         } = self.layout;
-        let band = self.bands[band];
-        let index = match interleave {
-            Interleave::Bands => (band * self.height + y) * self.width + x,
-            Interleave::Lines => (y * stored_bands + band) * self.width + x,
-            Interleave::Pixels => (y * self.width + x) * stored_bands + band,
-        };
-        let value = number.read(&self.bytes, first_byte + index * number.bytes(), big_endian);
+        let value = number.read(&self.bytes, self.place(x, y, band), big_endian);
         if missing.is_some_and(|missing| is_missing(value, missing, number)) {
             f64::NAN
         } else {
@@ -274,32 +338,72 @@ impl Cube {
     /// The mean spectrum of a region, cut to the image; each band over the pixels that were
     /// measured in it. `None` where that leaves fewer than two bands.
     pub fn mean_of(&self, region: Rect) -> Option<Sampled> {
-        let (right, below) = (
-            region.x.saturating_add(region.width).min(self.width),
-            region.y.saturating_add(region.height).min(self.height),
+        let about = Region::of(self, region, || true)?;
+        self.sampled(&about.mean)
+    }
+
+    /// A piece of one row of one band, as the file has it, from column `x` on: as many numbers as
+    /// `into` has places; NaN where one is missing or outside the image. Many numbers at once are
+    /// read far faster than one by one.
+    pub fn row(&self, y: usize, band: usize, x: usize, into: &mut [f64]) {
+        let inside = into.len().min(self.width.saturating_sub(x));
+        let (inside, outside) = into.split_at_mut(inside);
+        outside.fill(f64::NAN);
+        if y >= self.height || band >= self.bands.len() || inside.is_empty() {
+            return inside.fill(f64::NAN);
+        }
+        let Layout {
+            number,
+            big_endian,
+            interleave,
+            stored_bands,
+            missing,
+            ..
+        } = self.layout;
+        let step = match interleave {
+            Interleave::Bands | Interleave::Lines => number.bytes(),
+            Interleave::Pixels => stored_bands * number.bytes(),
+        };
+        number.read_many(
+            &self.bytes[self.place(x, y, band)..],
+            step,
+            big_endian,
+            inside,
         );
-        let mean = |band| {
-            let (mut sum, mut count) = (0.0, 0.0);
-            for y in region.y..below {
-                for x in region.x..right {
-                    let value = self.value(x, y, band);
-                    if value.is_finite() {
-                        sum += value;
-                        count += 1.0;
-                    }
+        if let Some(missing) = missing {
+            for value in inside {
+                if is_missing(*value, missing, number) {
+                    *value = f64::NAN;
                 }
             }
-            sum / count
+        }
+    }
+
+    /// Where a number of the image starts in the bytes.
+    fn place(&self, x: usize, y: usize, band: usize) -> usize {
+        let Layout {
+            first_byte,
+            number,
+            interleave,
+            stored_bands,
+            ..
+        } = self.layout;
+        let band = self.bands[band];
+        let index = match interleave {
+            Interleave::Bands => (band * self.height + y) * self.width + x,
+            Interleave::Lines => (y * stored_bands + band) * self.width + x,
+            Interleave::Pixels => (y * self.width + x) * stored_bands + band,
         };
-        let values: Vec<f64> = (0..self.nm.len()).map(mean).collect();
-        self.sampled(&values)
+        first_byte + index * number.bytes()
     }
 
     /// One band as a picture, row after row, in the file's own numbers; NaN where one is missing.
     pub fn plane(&self, band: usize) -> Vec<f32> {
         let mut plane = Vec::with_capacity(self.width * self.height);
+        let mut row = vec![0.0; self.width];
         for y in 0..self.height {
-            plane.extend((0..self.width).map(|x| self.value(x, y, band) as f32));
+            self.row(y, band, 0, &mut row);
+            plane.extend(row.iter().map(|value| *value as f32));
         }
         plane
     }
@@ -399,6 +503,9 @@ mod tests {
             let cube = cube(interleave);
             assert_eq!(cube.values_at(2, 1), [123.0, 121.0, 120.0]);
             assert_eq!(cube.plane(2), [0.0, 10.0, 20.0, 100.0, 110.0, 120.0]);
+            let mut row = [0.0; 3];
+            cube.row(1, 1, 1, &mut row);
+            assert!(row[0].is_nan() && row[1] == 121.0 && row[2].is_nan());
             assert_eq!(cube.spectrum_at(0, 0).unwrap().values(), [3.0, 1.0, 0.0]);
         }
     }

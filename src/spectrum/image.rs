@@ -29,26 +29,30 @@ impl SpectralImage {
     /// The spectrum of a pixel, counted from 0; `None` where it was not measured.
     pub fn pixel(&self, x: usize, y: usize) -> Option<NamedSpectrum> {
         let samples = self.cube.spectrum_at(x, y)?;
-        Some(self.named(format!("{}, row {y} column {x}", self.name), samples))
+        Some(self.named(self.name_of(Rect::pixel(x, y)), samples))
     }
 
     /// The mean spectrum of a region; `None` where nothing of it was measured.
     pub fn mean_of(&self, region: Rect) -> Option<NamedSpectrum> {
+        Some(self.named(self.name_of(region), self.cube.mean_of(region)?))
+    }
+
+    /// What a pixel's spectrum or a region's mean is called.
+    pub fn name_of(&self, region: Rect) -> String {
         let Rect {
             x,
             y,
             width,
             height,
         } = region;
-        let name = if region == self.cube.all() {
-            format!("{}, mean", self.name)
+        let name = &self.name;
+        if region == self.cube.all() {
+            format!("{name}, mean")
+        } else if region.pixels() == 1 {
+            format!("{name}, row {y} column {x}")
         } else {
-            format!(
-                "{}, mean of {width} x {height} from row {y} column {x}",
-                self.name
-            )
-        };
-        Some(self.named(name, self.cube.mean_of(region)?))
+            format!("{name}, mean of {width} x {height} from row {y} column {x}")
+        }
     }
 
     /// The mean spectrum of the whole image; `None` where nothing was measured.

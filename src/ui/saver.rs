@@ -8,12 +8,15 @@ use std::{
 
 use crate::app::{
     Document,
-    workspace::{self, Preferences},
+    workspace::{self, Preferences, StoredImage},
 };
+
+/// What is kept.
+type Kept = (Document, Preferences, Vec<StoredImage>);
 
 /// Writes the newest workspace it was given; what came in between is skipped.
 pub struct Saver {
-    sender: Option<Sender<(Document, Preferences)>>,
+    sender: Option<Sender<Kept>>,
     troubles: Receiver<String>,
     thread: Option<JoinHandle<()>>,
 }
@@ -21,15 +24,15 @@ pub struct Saver {
 impl Saver {
     /// A saver for one file.
     pub fn new(path: PathBuf) -> Self {
-        let (sender, jobs) = channel::<(Document, Preferences)>();
+        let (sender, jobs) = channel::<Kept>();
         let (trouble, troubles) = channel();
         let thread = std::thread::spawn(move || {
             while let Ok(mut job) = jobs.recv() {
                 while let Ok(newer) = jobs.try_recv() {
                     job = newer;
                 }
-                let (document, preferences) = job;
-                let text = workspace::to_json(&document, Some(&preferences));
+                let (document, preferences, waiting) = job;
+                let text = workspace::to_json_with(&document, Some(&preferences), &waiting);
                 if let Err(why) = workspace::save(&path, &text) {
                     // The window may be gone already; then nobody is left to be told.
                     let _ = trouble.send(why);
@@ -45,9 +48,19 @@ impl Saver {
 
     /// Hands over what is to be kept.
     pub fn keep(&self, document: &Document, preferences: &Preferences) {
+        self.keep_with(document, preferences, &[]);
+    }
+
+    /// The same with images that are still being read again.
+    pub fn keep_with(
+        &self,
+        document: &Document,
+        preferences: &Preferences,
+        waiting: &[StoredImage],
+    ) {
         if let Some(sender) = &self.sender {
             // Fails only when the thread is gone, which it is only when the program ends.
-            let _ = sender.send((document.clone(), preferences.clone()));
+            let _ = sender.send((document.clone(), preferences.clone(), waiting.to_vec()));
         }
     }
 

@@ -13,7 +13,7 @@ use super::{
 use crate::app::{
     App, Command, Entry,
     state::Tone,
-    workspace::{self, Preferences},
+    workspace::{self, Preferences, StoredImage},
 };
 
 /// Why there is no window.
@@ -60,9 +60,10 @@ const LEAST_SIZE: [f32; 2] = [1100.0, 600.0];
 /// A file that a save left unfinished this long ago is nobody's any more.
 const LEFT_OVER: std::time::Duration = std::time::Duration::from_secs(3600);
 
-/// Program and preferences as they were left, or as they are at a first start.
-pub fn restore(path: Option<&std::path::Path>) -> (App, Preferences) {
-    let fresh = || (App::new(), Preferences::default());
+/// Program and preferences as they were left, or as they are at a first start, and the images
+/// that are to be read again.
+pub fn restore(path: Option<&std::path::Path>) -> (App, Preferences, Vec<StoredImage>) {
+    let fresh = || (App::new(), Preferences::default(), Vec::new());
     if let Some(path) = path {
         workspace::sweep_leftovers(path, LEFT_OVER);
     }
@@ -70,9 +71,9 @@ pub fn restore(path: Option<&std::path::Path>) -> (App, Preferences) {
         Some(Ok(Some(restored))) => Window::restored(restored),
         Some(Ok(None)) | None => fresh(),
         Some(Err(why)) => {
-            let (mut app, preferences) = fresh();
+            let (mut app, preferences, images) = fresh();
             app.say(Tone::Problem, why);
-            (app, preferences)
+            (app, preferences, images)
         }
     }
 }
@@ -110,7 +111,7 @@ pub fn run(start: Start) -> Result<(), NoWindow> {
 }
 
 fn open(start: Start) -> eframe::Result {
-    let (app, preferences) = restore(start.workspace.as_deref());
+    let (app, preferences, images) = restore(start.workspace.as_deref());
     let size = preferences.window.unwrap_or(FIRST_SIZE);
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
@@ -136,6 +137,7 @@ fn open(start: Start) -> eframe::Result {
             for entry in start.presets.into_iter().rev() {
                 window.app.apply(Command::Show(entry));
             }
+            window.bring_back(images, &creation.egui_ctx);
             window.open_files(start.files, waker(&creation.egui_ctx));
             Ok(Box::new(Shell {
                 window,

@@ -15,7 +15,11 @@ pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
 use super::{
-    charts::products::bounces::Bounced, document::Document, pages::FieldChoice, tables::CURVE_ORDER,
+    charts::products::bounces::Bounced,
+    document::Document,
+    pages::FieldChoice,
+    picture::{ProbeAsk, Probed, Raster, RasterAsk},
+    tables::CURVE_ORDER,
 };
 use crate::{
     spectrum::{Basis, Kind},
@@ -156,6 +160,10 @@ pub struct Studies {
     pub timing: Job<TimingAsk, Vec<ProductTime>>,
     /// Error against bounces, by the program's revision.
     pub bounces: Job<u64, Bounced>,
+    /// The picture of a spectral image.
+    pub raster: Job<RasterAsk, Raster>,
+    /// The chosen spectrum of it with its model.
+    pub probe: Job<ProbeAsk, Probed>,
 }
 
 impl Studies {
@@ -169,6 +177,8 @@ impl Studies {
             surfaces,
             timing,
             bounces,
+            raster,
+            probe,
         } = self;
         sweep.take_in();
         auction.take_in();
@@ -177,6 +187,8 @@ impl Studies {
         surfaces.take_in();
         timing.take_in();
         bounces.take_in();
+        raster.take_in();
+        probe.take_in();
     }
 
     /// Whether anything is being computed.
@@ -189,6 +201,8 @@ impl Studies {
             surfaces,
             timing,
             bounces,
+            raster,
+            probe,
         } = self;
         sweep.is_running()
             || auction.is_running()
@@ -197,6 +211,8 @@ impl Studies {
             || surfaces.is_running()
             || timing.is_running()
             || bounces.is_running()
+            || raster.is_running()
+            || probe.is_running()
     }
 
     /// Waits for everything.
@@ -209,6 +225,8 @@ impl Studies {
             surfaces,
             timing,
             bounces,
+            raster,
+            probe,
         } = self;
         sweep.finish();
         auction.finish();
@@ -217,5 +235,7 @@ impl Studies {
         surfaces.finish();
         timing.finish();
         bounces.finish();
+        raster.finish();
+        probe.finish();
     }
 }

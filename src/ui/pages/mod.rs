@@ -2,6 +2,7 @@
 
 pub mod auction_view;
 pub mod coefficients_view;
+pub mod image_view;
 pub mod products_view;
 pub mod race_view;
 pub mod rows;
@@ -61,6 +62,7 @@ pub struct Pages {
     auction: auction_view::AuctionView,
     race: race_view::RaceView,
     products: products_view::ProductsView,
+    image: image_view::ImageView,
     truth: truth_view::TruthView,
 }
 
@@ -74,6 +76,7 @@ impl Pages {
             Page::Auction => self.auction.show(ui, context),
             Page::Race => self.race.show(ui, context),
             Page::Products => self.products.show(ui, context),
+            Page::Image => self.image.show(ui, context),
             Page::Truth => self.truth.show(ui, context),
         }
     }

@@ -45,6 +45,7 @@ impl Window {
     /// Opens files as if they had been chosen in the dialog.
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
         if !paths.is_empty() {
+            self.images.tell_needs(&paths, wake.clone());
             self.loader.open(paths, wake);
         }
     }
@@ -54,6 +55,7 @@ impl Window {
         if let Some(finished) = self.loader.finished() {
             self.take_batch(finished);
         }
+        self.take_images(ui.ctx());
         let dropped = ui.input(|i| i.raw.dropped_files.clone());
         let (mut paths, mut read) = (Vec::new(), Vec::new());
         for file in dropped {
@@ -134,7 +136,9 @@ impl Window {
                 let first = opened.spectra.first().map(|s| s.notes.clone());
                 let first = first.unwrap_or_default();
                 let count = opened.spectra.len();
+                let images = opened.images.len();
                 self.open_and_ask(*opened);
+                self.images_opened(images, count == 0);
                 let more = match count {
                     0 | 1 => String::new(),
                     _ => format!(" ({count} spectra, all in My files)"),
@@ -148,9 +152,12 @@ impl Window {
             }
             Loaded::Project { path, restored } => {
                 let losses = restored.losses.clone();
+                let images = restored.images.clone();
                 self.app
                     .apply(Command::Replace(Box::new(restored.document)));
                 self.app.say(Tone::Info, "Project opened.");
+                self.images.forget();
+                self.stored_images = images;
                 for loss in losses {
                     self.app.say(Tone::Problem, loss);
                 }

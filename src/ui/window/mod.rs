@@ -2,6 +2,7 @@
 
 mod acts;
 mod filing;
+mod images;
 mod importing;
 
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -32,11 +33,12 @@ use crate::app::{
     import::Origins,
     open::Loader,
     pages::Page,
+    picture::back::Reader,
     plot_svg,
     spike_hand::SpikeAct,
     state::Tone,
     studies::Studies,
-    workspace::{Preferences, Restored},
+    workspace::{Preferences, Restored, StoredImage},
 };
 use filing::{Saving, Waiting};
 
@@ -68,6 +70,9 @@ pub struct Window {
     library: LibraryView,
     loader: Loader,
     batch: BatchView,
+    images: Reader,
+    /// Images of a workspace or project that are to be read again.
+    stored_images: Vec<StoredImage>,
     answers: Channel<(u64, Picked)>,
     said: Channel<(Tone, String)>,
     /// Threads that are writing a file.
@@ -106,6 +111,8 @@ impl Window {
             library: LibraryView::default(),
             loader: Loader::default(),
             batch: BatchView::default(),
+            images: Reader::default(),
+            stored_images: Vec::new(),
             answers: channel(),
             said: channel(),
             writing: Vec::new(),
@@ -127,18 +134,20 @@ impl Window {
         }
     }
 
-    /// The program and preferences that a workspace brought back.
-    pub fn restored(restored: Restored) -> (App, Preferences) {
+    /// The program and preferences that a workspace brought back, and the images that are to be
+    /// read again ([`Window::bring_back`]).
+    pub fn restored(restored: Restored) -> (App, Preferences, Vec<StoredImage>) {
         let mut app = App::with_document(restored.document);
         for loss in restored.losses {
             app.say(Tone::Problem, loss);
         }
-        (app, restored.preferences.unwrap_or_default())
+        let preferences = restored.preferences.unwrap_or_default();
+        (app, preferences, restored.images)
     }
 
     /// Whether files are being read or a dialog is open.
     pub fn is_busy(&self) -> bool {
-        self.loader.is_busy() || self.waiting.is_some()
+        self.loader.is_busy() || self.waiting.is_some() || !self.images.waiting().is_empty()
     }
 
     /// The window's picture as it would be drawn at a size, without a display.
@@ -413,6 +422,11 @@ impl Window {
                         ui.ctx().request_repaint();
                     }
                 }
+                let images = self.images.waiting().len();
+                if images > 0 {
+                    ui.spinner();
+                    ui.label(format!("reading {images} images again"));
+                }
                 if self.waiting.is_some() {
                     if ui
                         .small_button("stop waiting")
@@ -487,7 +501,11 @@ impl Window {
     /// Hands the workspace to the saver at once.
     pub fn keep_now(&mut self) {
         if let Some(saver) = &self.saver {
-            saver.keep(self.app.document(), &self.preferences);
+            saver.keep_with(
+                self.app.document(),
+                &self.preferences,
+                self.images.waiting(),
+            );
             self.kept = (self.app.revision(), self.preferences.clone());
             self.changed_at = None;
         }

@@ -1,0 +1,197 @@
+//! Which image, how it is drawn, and what becomes of the chosen pixels.
+
+use eframe::egui;
+use egui::Ui;
+
+use super::{Shown, canvas::Canvas, names, shows_bands};
+use crate::{
+    app::{
+        Command,
+        document::View,
+        opened::ImageEntry,
+        pages::Page,
+        picture::{STOPS, Show, Spread},
+        ticks::short,
+    },
+    io::budget,
+    ui::{model_view::named, pages::PageContext},
+};
+
+/// The list of images, what the chosen one is, and the button that removes it.
+pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
+    let images = &context.app.document().images;
+    ui.horizontal(|ui| {
+        let combo = egui::ComboBox::from_id_salt("images")
+            .selected_text(&entry.image.name)
+            .width(170.0)
+            .truncate()
+            .show_ui(ui, |ui| {
+                for image in images {
+                    let chosen = image.key == entry.key;
+                    let words = format!("{} ({})", image.image.name, image.image.source);
+                    if ui.selectable_label(chosen, words).clicked() {
+                        context.memory.image.choose(&image.key);
+                    }
+                }
+            });
+        named(&combo.response, egui::Role::ComboBox, names::IMAGE);
+        combo.response.on_hover_text(format!(
+            "The spectral images that are open: {}.",
+            images.len()
+        ));
+        let button = ui
+            .small_button("Remove")
+            .on_hover_text("Takes this image out of the list; Undo brings it back.");
+        named(&button, egui::Role::Button, names::REMOVE);
+        if button.clicked() {
+            let key = entry.key.clone();
+            context.commands.push(Command::RemoveImage { key });
+        }
+        let cube = &entry.image.cube;
+        let nm = cube.nm();
+        let words = format!(
+            "{} x {} pixels, {} bands {}–{} nm, {}, {}",
+            cube.width(),
+            cube.height(),
+            nm.len(),
+            short(nm[0]),
+            short(nm[nm.len() - 1]),
+            entry.image.kind.word(),
+            budget::in_words(cube.memory())
+        );
+        ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate())
+            .on_hover_ui(|ui| {
+                ui.label("Size, bands, what the values are, and the memory that they take.");
+                for note in &entry.image.notes {
+                    ui.label(note);
+                }
+            });
+    });
+}
+
+/// True colour or bands, and the exposure.
+pub fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
+    ui.horizontal_wrapped(|ui| {
+        for show in Show::ALL {
+            ui.selectable_value(&mut context.memory.image.show, show, show.title())
+                .on_hover_text(show.meaning());
+        }
+        ui.separator();
+        ui.spacing_mut().slider_width = 90.0 * context.theme.scale;
+        let slider = egui::Slider::new(&mut context.memory.image.stops, STOPS)
+            .step_by(0.1)
+            .fixed_decimals(1)
+            .text(names::EXPOSURE);
+        ui.add(slider).on_hover_text(
+            "Exposure, the brightness of the picture alone: each stop doubles it. 0 takes the 99th percentile to \
+             full brightness.",
+        );
+        let is_factor = entry.image.kind.is_factor();
+        if is_factor && !shows_bands(context.memory.image.show) {
+            let document = context.app.document();
+            let mut adapt = document.view.adapt_patches;
+            let changed = ui.checkbox(&mut adapt, names::ADAPT).on_hover_text(format!(
+                "Brings the colour of the light, {}, to the screen's white (Bradford), here and in \
+                 the patches.",
+                document.light.name()
+            ));
+            if changed.changed() {
+                context.commands.push(Command::View(View {
+                    adapt_patches: adapt,
+                    ..document.view
+                }));
+            }
+        }
+    });
+    let nm = entry.image.cube.nm();
+    let memory = &mut context.memory.image;
+    match memory.show {
+        Show::TrueColour => {}
+        Show::ThreeBands => {
+            ui.horizontal_wrapped(|ui| {
+                for (at, name) in memory.three_nm.iter_mut().zip(names::RGB) {
+                    band_slider(ui, entry, nm, at, name);
+                }
+            });
+        }
+        Show::OneBand => {
+            ui.horizontal(|ui| band_slider(ui, entry, nm, &mut memory.one_nm, names::BAND));
+        }
+    }
+}
+
+fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: &str) {
+    let mut band = entry.image.cube.nearest_band(*at);
+    let last = nm.len() - 1;
+    let of_band = |band: f64| nm[(band.max(0.0) as usize).min(last)];
+    let slider = egui::Slider::new(&mut band, 0..=last)
+        .custom_formatter(move |band, _| format!("{} nm", short(of_band(band))))
+        .custom_parser(|text| {
+            let nm = text.trim().trim_end_matches("nm").trim().parse().ok()?;
+            Some(entry.image.cube.nearest_band(nm) as f64)
+        })
+        .text(name);
+    let response = ui
+        .add(slider)
+        .on_hover_text("A band of the image by its wavelength, nm.");
+    if response.changed() {
+        *at = nm[band.min(last)];
+    }
+}
+
+/// What the chosen pixels are and what can be done with them; whether they are to be taken.
+pub(super) fn choice(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    shown: &Shown,
+    canvas: &mut Canvas,
+) -> bool {
+    let mut take = false;
+    let all = shown.cube().all();
+    ui.horizontal(|ui| {
+        take = ui
+            .button(names::TAKE)
+            .on_hover_text(
+                "The pixel's spectrum, or the mean of the region, becomes one of your own and is \
+                 shown. Enter or a double click does the same.",
+            )
+            .clicked();
+        let whole = shown.rect == all;
+        if ui
+            .add_enabled(!whole, egui::Button::new(names::WHOLE))
+            .on_hover_text("Chooses every pixel of the image.")
+            .clicked()
+        {
+            context.memory.image.selection = None;
+        }
+        if ui
+            .add_enabled(!canvas.is_fitted(), egui::Button::new(names::FIT))
+            .on_hover_text("Shows all of the picture. The wheel zooms, the right button pans.")
+            .clicked()
+        {
+            canvas.fit();
+        }
+        if shown.rect.pixels() > 1 {
+            ui.separator();
+            let spread = &mut context.memory.image.spread;
+            ui.selectable_value(spread, Spread::Deviation, "± 1 s")
+                .on_hover_text("Around the mean: one standard deviation of the pixels.");
+            ui.selectable_value(spread, Spread::Extremes, "min–max")
+                .on_hover_text("Around the mean: the smallest and the largest pixel of each band.");
+        }
+    });
+    take
+}
+
+/// What was taken last, and the way to it.
+pub(super) fn taken(ui: &mut Ui, context: &mut PageContext<'_>, name: &str) {
+    if ui
+        .small_button("Show on Spectrum")
+        .on_hover_text("Goes to the page Spectrum.")
+        .clicked()
+    {
+        context.memory.page = Page::Spectrum;
+    }
+    let words = egui::RichText::new(format!("Taken into My files: {name}"));
+    ui.add(egui::Label::new(words).truncate());
+}

@@ -1,0 +1,140 @@
+//! Numbers: the pixel under the pointer, and the model of the chosen spectrum.
+
+use eframe::egui;
+use egui::{RichText, Ui, vec2};
+
+use super::{Drawn, Shown};
+use crate::{
+    app::{picture::Probed, ticks::short},
+    color::Srgb,
+    ui::{pages::PageContext, swatch, theme::Theme},
+};
+
+/// Height of the model's figures, points.
+pub(super) fn height(ui: &Ui, theme: Theme) -> f32 {
+    SWATCH * theme.scale + 2.0 * super::line(ui)
+}
+
+/// Height of the two colours side by side, points.
+const SWATCH: f32 = 24.0;
+
+/// What is under the pointer; where nothing is, how to choose.
+pub(super) fn pointed(
+    ui: &mut Ui,
+    shown: &Shown,
+    drawn: Option<&Drawn>,
+    pointed: Option<[usize; 2]>,
+) {
+    let Some([x, y]) = pointed else {
+        ui.weak("Click a pixel, drag a rectangle; the wheel zooms, the right button pans.");
+        return;
+    };
+    let mut words = format!("row {y}, column {x}");
+    if let Some(colour) = drawn.map(|drawn| colour_at(drawn, [x, y])) {
+        let (rect, _) = ui.allocate_exact_size(vec2(18.0, 14.0), egui::Sense::hover());
+        ui.painter().rect_filled(rect, 2.0, swatch::colour(colour));
+        words += &format!(", {colour}");
+    }
+    let image = &shown.entry.image;
+    let measured = image.cube.values_at(x, y);
+    let bands: Vec<usize> = if shown.bands.is_empty() {
+        vec![image.cube.nearest_band(550.0)]
+    } else {
+        shown.bands.clone()
+    };
+    for band in bands {
+        let value = measured[band] * image.scale;
+        let value = if value.is_finite() {
+            short(value)
+        } else {
+            "not measured".to_owned()
+        };
+        words += &format!(", {} nm: {value}", short(image.cube.nm()[band]));
+    }
+    if let Some(xyz) = shown.eye.as_ref().and_then(|eye| eye.pixel(image, x, y)) {
+        // A reflectance has the light's Y at 100, a light that of the picture's white.
+        let over = match drawn {
+            Some(drawn) if !image.kind.is_factor() && drawn.raster.is_xyz => drawn.raster.full[1],
+            _ => 1.0,
+        };
+        if over > 0.0 {
+            let [x, y, z] = (xyz * (100.0 / over)).to_array().map(short);
+            words += &format!(", XYZ {x} {y} {z}");
+        }
+    }
+    ui.add(egui::Label::new(words).truncate()).on_hover_text(
+        "Row and column from 0, the colour as drawn, values in the image's unit, and X, Y, Z with \
+         Y = 100 for the light on a reflectance or for the picture's white at exposure 0.",
+    );
+}
+
+fn colour_at(drawn: &Drawn, [x, y]: [usize; 2]) -> Srgb {
+    let step = drawn.raster.step;
+    let index = (y / step) * drawn.developed.width + x / step;
+    let pixels = &drawn.developed.pixels;
+    Srgb(pixels.get(index).copied().unwrap_or_default())
+}
+
+/// The model of the chosen spectrum: colours, numbers, errors.
+pub(super) fn model(ui: &mut Ui, context: &PageContext<'_>, probed: &Probed) {
+    let Some(derived) = &probed.derived else {
+        ui.weak(format!(
+            "{} values have no model here: it takes a light, a reflectance or a transmittance.",
+            probed.spectrum.kind
+        ));
+        return;
+    };
+    let colour = &derived.colour;
+    let size = vec2(ui.available_width(), SWATCH * context.theme.scale);
+    let delta_e = colour
+        .delta_e_2000
+        .map_or("–".to_owned(), |d| format!("{d:.3}"));
+    if let (Some(exact), Some(model)) = (colour.exact, colour.model) {
+        let name = format!(
+            "Image colours: measured {}, model {}",
+            exact.swatch.hex(),
+            model.swatch.hex()
+        );
+        swatch::split(ui, size, &exact.swatch, &model.swatch, &name)
+            .on_hover_text("Left the chosen spectrum as measured, right by its model.");
+    } else {
+        ui.allocate_ui(size, |ui| {
+            ui.set_min_height(size.y);
+            ui.weak("No visible light in the model's range: no colour.");
+        });
+    }
+    let model = &derived.model;
+    let spikes = model.spikes.len();
+    let words = format!(
+        "Model: {} numbers, order {}, {spikes} spike{}; ΔE00 {delta_e}{}",
+        derived.numbers(),
+        model.smooth.order(),
+        if spikes == 1 { "" } else { "s" },
+        match &derived.errors {
+            Some(errors) => format!(", rms {} %", short(100.0 * errors.relative_rms)),
+            None => String::new(),
+        }
+    );
+    ui.add(egui::Label::new(RichText::new(words).strong()).truncate())
+        .on_hover_text(
+            "At the order and threshold in force (right). CIEDE2000 and relative root mean square \
+             between the chosen spectrum and its model, on the model's range.",
+        );
+    let nm = (probed.nm[0], probed.nm[probed.nm.len() - 1]);
+    let band = derived.band;
+    if nm.0 > band.min_nm() + 1.0 || nm.1 < band.max_nm() - 1.0 {
+        let beyond = if probed.spectrum.kind.is_factor() {
+            "held"
+        } else {
+            "zero"
+        };
+        let words = format!(
+            "Bands {}–{} nm: the model's range {}–{} nm reaches beyond, where values are {beyond}.",
+            short(nm.0),
+            short(nm.1),
+            short(band.min_nm()),
+            short(band.max_nm()),
+        );
+        ui.add(egui::Label::new(RichText::new(words).weak()).truncate());
+    }
+}

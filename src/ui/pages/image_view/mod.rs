@@ -1,0 +1,452 @@
+//! The page "Image": a spectral image as a picture, from which a pixel or a region's mean becomes
+//! a spectrum.
+
+mod canvas;
+mod controls;
+mod figures;
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{Align, ColorImage, Layout, TextureHandle, TextureOptions, Ui, vec2};
+
+use super::{PageContext, progress};
+use crate::{
+    app::{
+        Command,
+        charts::image::probe_chart,
+        opened::ImageEntry,
+        picture::{
+            Developed, Eye, Held, ProbeAsk, Probed, Raster, RasterAsk, Show, Source, Spread,
+            developed, named, shown,
+        },
+        plot_svg::{self, Chart},
+        studies::{Same, Stage},
+    },
+    color::Observer,
+    spectrum::Rect,
+    study::Progress,
+    ui::chart_view::ChartView,
+};
+use canvas::{Canvas, Picture, Touched};
+
+/// What people and tests call the controls.
+pub mod names {
+    /// The list of images.
+    pub const IMAGE: &str = "Image";
+    /// Takes an image out of the list.
+    pub const REMOVE: &str = "Remove image";
+    /// The chosen pixels become a spectrum.
+    pub const TAKE: &str = "Take as spectrum";
+    /// Chooses all pixels.
+    pub const WHOLE: &str = "Whole image";
+    /// Shows all of the picture.
+    pub const FIT: &str = "Fit";
+    /// The exposure.
+    pub const EXPOSURE: &str = "stops";
+    /// The band shown in grey.
+    pub const BAND: &str = "Band";
+    /// The bands shown as red, green and blue.
+    pub const RGB: [&str; 3] = ["Red", "Green", "Blue"];
+    /// Brings the light to the screen's white.
+    pub const ADAPT: &str = "adapt to light";
+}
+
+/// From this width on picture and spectrum stand side by side, points.
+const WIDE: f32 = 900.0;
+
+/// What an eye was made for.
+#[derive(Clone, PartialEq)]
+struct EyeOf {
+    image: Held,
+    observer: Observer,
+    under: Option<Same>,
+    to_light: bool,
+}
+
+/// A picture on the graphics card and what it was made of.
+struct Drawn {
+    raster: Arc<Raster>,
+    stops: f64,
+    developed: Developed,
+    texture: TextureHandle,
+}
+
+/// A chart and what it was made of.
+struct Charted {
+    probed: Arc<Probed>,
+    spread: Spread,
+    theme: plot_svg::Theme,
+    chart: Chart,
+}
+
+/// The page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct ImageView {
+    canvas: Canvas,
+    eye: Option<(EyeOf, Option<Box<Eye>>)>,
+    drawn: Option<Drawn>,
+    charted: Option<Charted>,
+    pointed: Option<[usize; 2]>,
+    /// The name of the spectrum that was taken last.
+    taken: Option<String>,
+}
+
+/// The image on the page, with what is asked about it.
+struct Shown {
+    entry: Arc<ImageEntry>,
+    rect: Rect,
+    /// The eye in force; `None` where bands are shown.
+    eye: Option<Box<Eye>>,
+    /// The bands shown; empty for true colour.
+    bands: Vec<usize>,
+    /// Why it is not shown in true colour although it was asked for.
+    instead: Option<&'static str>,
+}
+
+impl ImageView {
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let Some(entry) = shown(context.app.document(), &context.memory.image).cloned() else {
+            return nothing_open(ui);
+        };
+        controls::images(ui, context, &entry);
+        controls::looks(ui, context, &entry);
+        let shown = self.shown(context, entry);
+        let raster = ask_raster(context, &shown);
+        let probed = ask_probe(context, &shown);
+        self.draw(ui, context, &shown, raster);
+        self.chart(context, probed);
+
+        let room = ui.available_size();
+        let scale = context.theme.scale;
+        if room.x >= WIDE * scale {
+            ui.columns(2, |columns| {
+                let [left, right] = columns else { return };
+                let below = 2.0 * line(left);
+                let size = vec2(left.available_width(), room.y - below);
+                self.picture(left, context, &shown, size);
+                self.spectrum(right, context, &shown, room.y - 6.0);
+            });
+        } else {
+            let [width, height] = [shown.cube().width(), shown.cube().height()];
+            let wanted = room.x * height as f32 / width as f32;
+            let size = vec2(room.x, wanted.clamp(120.0, 0.44 * room.y));
+            self.picture(ui, context, &shown, size);
+            let left = ui.available_height();
+            self.spectrum(ui, context, &shown, left);
+        }
+    }
+
+    /// What is to be shown of an image.
+    fn shown(&mut self, context: &PageContext<'_>, entry: Arc<ImageEntry>) -> Shown {
+        let (document, memory) = (context.app.document(), &context.memory.image);
+        let image = &entry.image;
+        let rect = memory.rect(&image.cube);
+        let mut shown = Shown {
+            rect,
+            eye: None,
+            bands: Vec::new(),
+            instead: None,
+            entry: entry.clone(),
+        };
+        // The read-out tells XYZ whatever is shown.
+        let of = EyeOf {
+            image: Held(image.clone()),
+            observer: document.settings.observer,
+            under: image.kind.is_factor().then(|| Same(document.light.clone())),
+            to_light: document.view.adapt_patches,
+        };
+        if self.eye.as_ref().is_none_or(|(known, _)| *known != of) {
+            let under = of.under.as_ref().map(|light| &light.0.spectrum);
+            let eye = Eye::of(image, of.observer, under, of.to_light);
+            self.eye = Some((of, eye.map(Box::new)));
+        }
+        shown.eye = self.eye.as_ref().and_then(|(_, eye)| eye.clone());
+        let dark = match &shown.eye {
+            None => Some("The document's light does not shine: one band instead."),
+            Some(eye) if !eye.sees() => Some(
+                "No band lies in the visible range: there is no true colour, one band instead.",
+            ),
+            Some(_) => None,
+        };
+        shown.eye = shown.eye.filter(|_| dark.is_none());
+        if let Some(bands) = memory.bands(&image.cube) {
+            shown.bands = bands;
+        } else if dark.is_some() {
+            shown.bands = vec![image.cube.nearest_band(memory.one_nm)];
+            shown.instead = dark;
+        }
+        shown
+    }
+
+    /// The texture, made anew when picture or exposure changed.
+    fn draw(
+        &mut self,
+        ui: &Ui,
+        context: &PageContext<'_>,
+        shown: &Shown,
+        raster: Option<Arc<Raster>>,
+    ) {
+        let Some(raster) = raster else {
+            self.drawn = None;
+            return;
+        };
+        let stops = context.memory.image.stops;
+        let fresh = |drawn: &Drawn| Arc::ptr_eq(&drawn.raster, &raster) && drawn.stops == stops;
+        if self.drawn.as_ref().is_some_and(fresh) {
+            return;
+        }
+        let developed = developed(&raster, stops);
+        let colours = developed.pixels.iter();
+        let pixels = colours.map(|[r, g, b]| egui::Color32::from_rgb(*r, *g, *b));
+        let image = ColorImage::new([developed.width, developed.height], pixels.collect());
+        let options = TextureOptions {
+            magnification: egui::TextureFilter::Nearest,
+            minification: egui::TextureFilter::Linear,
+            ..TextureOptions::default()
+        };
+        let texture = ui.ctx().load_texture(&shown.entry.key, image, options);
+        self.drawn = Some(Drawn {
+            raster,
+            stops,
+            developed,
+            texture,
+        });
+    }
+
+    fn chart(&mut self, context: &PageContext<'_>, probed: Option<Arc<Probed>>) {
+        let Some(probed) = probed else {
+            self.charted = None;
+            return;
+        };
+        let (spread, theme) = (context.memory.image.spread, context.chart_theme());
+        let fresh = |known: &Charted| {
+            Arc::ptr_eq(&known.probed, &probed) && (known.spread, known.theme) == (spread, theme)
+        };
+        if !self.charted.as_ref().is_some_and(fresh) {
+            let chart = probe_chart(&probed, spread, theme);
+            self.charted = Some(Charted {
+                probed,
+                spread,
+                theme,
+                chart,
+            });
+        }
+    }
+
+    /// The picture with what is under the pointer and how it is drawn.
+    fn picture(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        shown: &Shown,
+        size: egui::Vec2,
+    ) {
+        let cube = shown.cube();
+        let name = format!(
+            "Picture of {}, {} x {} pixels",
+            shown.entry.image.name,
+            cube.width(),
+            cube.height()
+        );
+        let texture = self.drawn.as_ref().map(|drawn| {
+            let raster = &drawn.raster;
+            let size = [raster.width, raster.height];
+            (drawn.texture.id(), size, raster.step)
+        });
+        let picture = Picture {
+            key: &shown.entry.key,
+            name: &name,
+            pixels: [cube.width(), cube.height()],
+            texture,
+            selection: Some(shown.rect).filter(|rect| *rect != cube.all()),
+        };
+        let touched = self.canvas.show(ui, size, &picture, context.theme);
+        self.pointed = touched.pointed;
+        self.touch(ui, context, shown, touched);
+        let drawn = self.drawn.as_ref();
+        row(ui, |ui| figures::pointed(ui, shown, drawn, self.pointed));
+        row(ui, |ui| how_drawn(ui, context, shown, drawn));
+    }
+
+    /// Carries out what a hand did.
+    fn touch(&mut self, ui: &Ui, context: &mut PageContext<'_>, shown: &Shown, touched: Touched) {
+        let all = shown.cube().all();
+        if let Some(rect) = touched.selected {
+            let memory = &mut context.memory.image;
+            let chosen = Some(rect).filter(|rect| *rect != all);
+            memory.choose(&shown.entry.key);
+            if memory.selection != chosen {
+                memory.selection = chosen;
+                self.taken = None;
+                // Its spectrum was asked for before the hand moved.
+                ui.ctx().request_repaint();
+            }
+        }
+        // Enter on a button is that button's.
+        let free = touched.focused || ui.memory(|m| m.focused()).is_none();
+        let entered = free && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        if touched.take || entered {
+            self.take(context, shown, touched.selected.unwrap_or(shown.rect));
+        }
+    }
+
+    /// The chosen pixels become a spectrum of the user's own.
+    fn take(&mut self, context: &mut PageContext<'_>, shown: &Shown, rect: Rect) {
+        let known = self.charted.as_ref().map(|charted| &charted.probed);
+        let spectrum = match known.filter(|probed| probed.rect == rect && shown.is_of(probed)) {
+            Some(probed) => Some(probed.spectrum.clone()),
+            None => named(&shown.entry.image, rect),
+        };
+        if let Some(spectrum) = spectrum {
+            self.taken = Some(spectrum.name.clone());
+            context.commands.push(Command::Adopt(vec![spectrum]));
+        }
+    }
+
+    /// The chosen spectrum with its model.
+    fn spectrum(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, height: f32) {
+        let take = controls::choice(ui, context, shown, &mut self.canvas);
+        if take {
+            self.take(context, shown, shown.rect);
+        }
+        if let Some(name) = &self.taken {
+            row(ui, |ui| controls::taken(ui, context, name));
+        }
+        let Some(charted) = &self.charted else {
+            let job = &mut context.studies.probe;
+            if job.stage() == Stage::Impossible {
+                ui.label("Nothing was measured in these pixels.");
+            } else {
+                progress(ui, job, "The spectrum");
+            }
+            return;
+        };
+        let used = (1.0 + f32::from(u8::from(self.taken.is_some()))) * line(ui);
+        let figures = figures::height(ui, context.theme);
+        let room = vec2(
+            ui.available_width(),
+            (height - used - figures - 4.0).max(110.0 * context.theme.scale),
+        );
+        let chart = ChartView::show(ui, &charted.chart, "image spectrum", room, context.theme);
+        context.wishes.extend(chart.wish);
+        figures::model(ui, context, &charted.probed);
+    }
+}
+
+impl Shown {
+    fn cube(&self) -> &crate::spectrum::Cube {
+        &self.entry.image.cube
+    }
+
+    /// Whether a spectrum is of this image.
+    fn is_of(&self, probed: &Probed) -> bool {
+        self.entry.image.name_of(probed.rect) == probed.spectrum.name
+            && self.entry.image.source == probed.spectrum.source
+    }
+}
+
+fn ask_raster(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Raster>> {
+    let source = match &shown.eye {
+        Some(eye) if shown.bands.is_empty() => Source::Eye(eye.clone()),
+        _ => Source::Bands(shown.bands.clone()),
+    };
+    let ask = RasterAsk {
+        image: Held(shown.entry.image.clone()),
+        source,
+    };
+    let job = &mut context.studies.raster;
+    job.ask(&ask, context.wake, || {
+        let ask = ask.clone();
+        move |progress: &Progress| ask.answer(progress)
+    });
+    // The picture of another image is none of this one.
+    let (key, raster) = job.answer()?;
+    (key.image == ask.image).then(|| raster.clone())
+}
+
+fn ask_probe(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Probed>> {
+    let document = context.app.document();
+    let ask = ProbeAsk {
+        image: Held(shown.entry.image.clone()),
+        rect: shown.rect,
+        settings: document.settings,
+        light: Same(document.light.clone()),
+    };
+    let job = &mut context.studies.probe;
+    job.ask(&ask, context.wake, || {
+        let ask = ask.clone();
+        move |progress: &Progress| ask.answer(progress)
+    });
+    let (key, probed) = job.answer()?;
+    let impossible = job.stage() == Stage::Impossible;
+    (key.image == ask.image && !impossible).then(|| probed.clone())
+}
+
+/// How the picture is drawn and what of it is not shown as it is.
+fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: Option<&Drawn>) {
+    let job = &mut context.studies.raster;
+    let Some(drawn) = drawn else {
+        return progress(ui, job, "The picture");
+    };
+    if let Some(instead) = shown.instead {
+        ui.colored_label(context.theme.warning, instead);
+        return;
+    }
+    let mut words = Vec::new();
+    let raster = &drawn.raster;
+    if raster.step > 1 {
+        words.push(format!(
+            "reduced: each drawn pixel is the mean of {0} x {0}",
+            raster.step
+        ));
+    }
+    words.extend(Some(drawn.developed.words()).filter(|words| !words.is_empty()));
+    if raster.full.iter().all(|full| *full <= 0.0) {
+        words.push("nothing above zero: black".to_owned());
+    }
+    if words.is_empty() {
+        words.push("every pixel is shown as it is".to_owned());
+    }
+    let text = format!("Drawn {}.", words.join("; "));
+    ui.add(egui::Label::new(egui::RichText::new(text).weak()).truncate())
+        .on_hover_text(
+            "Exposure 0 takes the 99th percentile of the strongest of red, green and blue, or of \
+             each band, to the screen's full brightness. Pixels outside sRGB are cut to it; shares are of the drawn pixels.",
+        );
+}
+
+fn nothing_open(ui: &mut Ui) {
+    ui.add_space(24.0);
+    ui.vertical_centered(|ui| {
+        ui.label(egui::RichText::new("No spectral image is open").heading());
+        ui.add_space(6.0);
+        ui.set_max_width(460.0);
+        ui.label(
+            "Drop a file here, or open one: an ENVI cube (its header .hdr or its data beside it: \
+             .img, .bsq, .bil, .bip, .raw) or a spectral OpenEXR (.exr). It opens as a picture; a \
+             pixel or the mean of a region becomes a spectrum with its model.",
+        );
+    });
+}
+
+/// Height of a row of text with its space, points.
+fn line(ui: &Ui) -> f32 {
+    ui.spacing().interact_size.y + ui.spacing().item_spacing.y
+}
+
+/// A row of one line: what stands below must not jump.
+fn row(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_height(size.y);
+        ui.set_max_width(size.x);
+        add(ui);
+    });
+}
+
+/// Whether bands are chosen by hand.
+fn shows_bands(show: Show) -> bool {
+    show != Show::TrueColour
+}
