@@ -292,8 +292,13 @@ pub fn resolve(input: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<En
 }
 
 fn from_file(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
-    let mut spectra = match load_path(path) {
-        Loaded::File(opened) => opened.into_spectra(),
+    let (mut spectra, makers) = match load_path(path) {
+        Loaded::File(opened) => {
+            let makers: Vec<_> = (0..opened.spectra.len())
+                .map(|index| opened.makers_of(index))
+                .collect();
+            (opened.into_spectra(), makers)
+        }
         Loaded::Refused(why) => return Err(why),
         Loaded::Project { restored, .. } => {
             return Ok(Entry::clone(restored.document.subject_entry()));
@@ -319,7 +324,10 @@ fn from_file(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
             .notes
             .push(format!("Spectrum {} of {count} in the file.", index + 1));
     }
-    Ok(Entry::own(1, spectrum))
+    Ok(Entry {
+        makers: makers.into_iter().nth(index).unwrap_or_default(),
+        ..Entry::own(1, spectrum)
+    })
 }
 
 fn picked(spectra: &[NamedSpectrum], pick: &str) -> Option<usize> {
