@@ -1,6 +1,10 @@
 //! How a file was read: shown when it is doubtful, turned round by a click, undone by a key; and
 //! what the meters computed beside what the program computes.
 
+#[path = "common/root.rs"]
+mod root;
+
+use root::root;
 use std::{
     path::{Path, PathBuf},
     sync::Arc,
@@ -322,10 +326,11 @@ fn wait_until(ui: &mut Ui, holds: impl Fn(&Ui) -> bool) {
 
 // ------------------------------------------------------------------------------ what meters say
 
+/// The instrument's numbers beside ours; `None` where the files of others are not at hand.
 fn real(name: &str) -> Option<Vec<Beside>> {
-    let folder = std::env::var_os("SPECTRAL_EXPLORER_REAL_FILES").map(PathBuf::from)?;
-    let path = folder.join(name);
+    let path = root().join("../shared/data/real_files").join(name);
     if !path.is_file() {
+        eprintln!("skipped: {} is not there", path.display());
         return None;
     }
     let mut app = App::new();
@@ -336,21 +341,116 @@ fn real(name: &str) -> Option<Vec<Beside>> {
     Some(beside(app.document().subject_entry()))
 }
 
-/// Ours agree within the figures that the instrument prints, or the share that is given for what
-/// it computes another way.
+#[track_caller]
 fn agrees(rows: &[Beside], quantity: &Quantity, within: f64) {
     let row = rows
         .iter()
         .find(|row| row.quantity == *quantity)
         .unwrap_or_else(|| panic!("no {quantity}"));
     let ours = row.ours.expect("ours");
-    println!(
-        "{quantity}: instrument {} ours {ours} {}",
-        row.theirs, row.unit
-    );
+    let theirs = row.theirs;
+    println!("{quantity}: instrument {theirs}, ours {ours} {}", row.unit);
     assert!(
-        (ours - row.theirs).abs() <= within,
-        "{quantity}: instrument {} ours {ours}, allowed {within}",
-        row.theirs
+        (ours - theirs).abs() <= within,
+        "{quantity}: instrument {theirs}, ours {ours}, allowed {within}"
     );
+}
+
+#[test]
+fn ours_agree_with_an_uprtek_meter_within_the_rounding_of_683_lumens_a_watt() {
+    let Some(rows) = real("ESPD2021_0104_231446.xls") else {
+        return;
+    };
+    // Meters take 683 lm/W, we 683.002; otherwise six decimals.
+    for (quantity, within) in [
+        (Quantity::Illuminance, 695.0 * 4e-6),
+        (Quantity::TristimulusX, 683.0 * 4e-6),
+        (Quantity::TristimulusY, 695.0 * 4e-6),
+        (Quantity::TristimulusZ, 632.0 * 4e-6),
+        (Quantity::ChromaticityX, 2e-6),
+        (Quantity::ChromaticityY, 2e-6),
+        (Quantity::UPrime, 2e-6),
+        (Quantity::VPrime, 2e-6),
+        (Quantity::Irradiance, 2e-6),
+        (Quantity::PeakNm, 0.0),
+        (Quantity::Cct, 2.0),
+        (Quantity::Duv, 5e-5),
+    ] {
+        agrees(&rows, &quantity, within);
+    }
+    let ra = rows.iter().find(|row| row.quantity == Quantity::Ra);
+    assert!(ra.is_some_and(|row| row.ours.is_err()));
+}
+
+#[test]
+fn ours_agree_with_a_li180_to_its_last_figures() {
+    let Some(rows) = real("licor-li180-irrad.txt") else {
+        return;
+    };
+    let part = |name: &str| Quantity::Other(name.to_owned());
+    for (quantity, within) in [
+        (Quantity::Ppfd, 129.9 * 2e-6),
+        (Quantity::Pfd, 171.2 * 2e-6),
+        (part("PFD-UV"), 1e-5),
+        (part("PFD-B"), 1e-4),
+        (part("PFD-G"), 1e-4),
+        (part("PFD-R"), 1e-4),
+        (part("PFD-FR"), 1e-4),
+        (Quantity::Illuminance, 7366.0 * 4e-6),
+        (Quantity::Irradiance, 2e-6),
+        (Quantity::PeakNm, 0.0),
+    ] {
+        agrees(&rows, &quantity, within);
+    }
+}
+
+#[test]
+fn ours_agree_with_a_sekonic_meter_within_what_it_prints() {
+    let Some(rows) = real("RANDOM_001_02._3262K.csv") else {
+        return;
+    };
+    for (quantity, within) in [
+        (Quantity::Illuminance, 0.05),
+        (Quantity::Ppfd, 0.05),
+        (Quantity::ChromaticityX, 1e-4),
+        (Quantity::ChromaticityY, 1.5e-4),
+        (Quantity::UPrime, 1e-4),
+        (Quantity::VPrime, 1e-4),
+        (Quantity::Cct, 3.0),
+        (Quantity::Duv, 1e-4),
+        (Quantity::PeakNm, 0.0),
+        // Its sums are not of the same table: 0.05 % in X, 0.13 % in Z.
+        (Quantity::TristimulusX, 32.16 * 2e-3),
+        (Quantity::TristimulusY, 30.08 * 2e-3),
+        (Quantity::TristimulusZ, 15.10 * 2e-3),
+    ] {
+        agrees(&rows, &quantity, within);
+    }
+}
+
+#[test]
+fn the_panel_shows_the_instruments_numbers_beside_ours() {
+    let text = "Model Name\tMK350\nLUX\t683.0\nCCT\t5198.0\nCRI\t92.9\nR9\t77.6\nIRR\t1.0\n\
+                LambdaP\t555.0\n554nm\t0.0\n555nm\t1000.0\n556nm\t0.0\n";
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("meter.xls", text)]);
+    for words in [
+        "By the instrument",
+        "illuminance, lx",
+        "+0.00 %",
+        "not computed here yet",
+        "more of the instrument's",
+    ] {
+        assert!(
+            says(&ui, words),
+            "{words}: {}",
+            self::words(&ui).join(" | ")
+        );
+    }
+    assert!(!asks(&ui));
+    let button = ui.get_by_role_and_label(Role::Button, "Copy CSV");
+    button.click_accesskit();
+    ui.run();
+    let said = app(&ui).message().expect("a word");
+    assert!(said.text.starts_with("Copied as CSV"), "{said:?}");
 }

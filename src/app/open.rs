@@ -301,10 +301,15 @@ pub fn resolve_pixels(
 }
 
 fn from_file(path: &Path, pick: Option<&str>, pixels: Option<Rect>) -> Result<Entry, String> {
-    let mut spectra = match load_path(path) {
+    let (mut spectra, makers) = match load_path(path) {
         Loaded::File(opened) => match pixels {
-            Some(pixels) => opened.spectra_of_pixels(pixels)?,
-            None => opened.into_spectra(),
+            Some(pixels) => (opened.spectra_of_pixels(pixels)?, Vec::new()),
+            None => {
+                let makers: Vec<_> = (0..opened.spectra.len())
+                    .map(|index| opened.makers_of(index))
+                    .collect();
+                (opened.into_spectra(), makers)
+            }
         },
         Loaded::Refused(why) => return Err(why),
         Loaded::Project { restored, .. } => {
@@ -331,7 +336,10 @@ fn from_file(path: &Path, pick: Option<&str>, pixels: Option<Rect>) -> Result<En
             .notes
             .push(format!("Spectrum {} of {count} in the file.", index + 1));
     }
-    Ok(Entry::own(1, spectrum))
+    Ok(Entry {
+        makers: makers.into_iter().nth(index).unwrap_or_default(),
+        ..Entry::own(1, spectrum)
+    })
 }
 
 fn picked(spectra: &[NamedSpectrum], pick: &str) -> Option<usize> {

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Context, Key, Rect, RichText, ScrollArea, Ui, vec2};
+use egui::{Context, Key, Rect, RichText, ScrollArea, Ui, Vec2, vec2};
 
 use super::{
     chart_view::{ChartView, ChartWish},
@@ -44,11 +44,19 @@ pub struct ImportView {
 }
 
 /// The window's width, points; narrower where the plot is.
-const WIDTH: f32 = 640.0;
+const WIDTH: f32 = 720.0;
 
-/// Height of the table and of the chart, points.
+/// Its height where the plot has room for it.
+const HEIGHT: f32 = 500.0;
+
+/// Largest height of the table, least and largest of the chart, and that of the buttons, points.
 const TABLE: f32 = 152.0;
-const CHART: f32 = 172.0;
+const CHART: [f32; 2] = [170.0, 460.0];
+const BUTTONS: f32 = 30.0;
+
+/// Width from which the curve stands beside the table, points, and the table's share of it.
+const BESIDE: f32 = 520.0;
+const TABLE_SHARE: f32 = 0.42;
 
 impl ImportView {
     /// Shows another file.
@@ -97,21 +105,26 @@ impl ImportView {
             return Vec::new();
         };
         let width = (WIDTH * theme.scale).min(within.width() - 24.0);
+        let height = (HEIGHT * theme.scale).min(within.height() - 40.0);
         egui::Window::new(format!("How {} was read", opened.file))
             .id(egui::Id::unique(("how it was read", self.turn)))
             .open(&mut open)
             .default_pos(within.left_top() + vec2(6.0, 30.0))
-            .default_width(width)
-            .min_width(320.0)
+            .default_size(vec2(width, height))
+            .min_size(vec2(320.0, 200.0))
             .constrain_to(within.expand(8.0))
             .collapsible(true)
             .resizable(true)
             .show(context, |ui| {
+                let buttons = BUTTONS * theme.scale;
+                let room = (ui.available_height() - buttons).max(80.0);
                 ScrollArea::vertical()
-                    .max_height((within.height() - 60.0).max(160.0))
+                    .auto_shrink(false)
+                    .max_height(room)
                     .show(ui, |ui| {
-                        body(ui, import, chart, theme, self.turn, &mut wishes);
+                        body(ui, import, chart, theme, (self.turn, room), &mut wishes);
                     });
+                foot(ui, import, &mut wishes);
             });
         let enter = keys_are_free
             && context.memory(|m| m.focused().is_none())
@@ -128,9 +141,10 @@ fn body(
     import: &Import,
     chart: &Chart,
     theme: Theme,
-    turn: u64,
+    (turn, room): (u64, f32),
     wishes: &mut Vec<Wish>,
 ) {
+    let top = ui.cursor().top();
     let opened = import.opened();
     let questions = import.questions();
     let open_questions = questions.iter().filter(|q| q.doubtful).count();
@@ -152,7 +166,32 @@ fn body(
             if count == 1 { "spectrum" } else { "spectra" }
         ));
     });
-    table(ui, import.head(), theme, turn);
+    // What stands below the curve has its height; the curve gets the rest.
+    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+    let below = row * (questions.len() as f32 + if import.refusal().is_some() { 2.0 } else { 0.5 });
+    let [least, most] = CHART.map(|height| height * theme.scale);
+    let height = (room - (ui.cursor().top() - top) - below).clamp(least, most);
+    let mut curve = |ui: &mut Ui, size: Vec2| {
+        if let Some(wish) = ChartView::show(ui, chart, ("import", turn), size, theme).wish {
+            wishes.push(Wish::Save(wish));
+        }
+    };
+    let width = ui.available_width();
+    if import.head().rows.is_empty() {
+        curve(ui, vec2(width, height));
+    } else if width < BESIDE * theme.scale {
+        table(ui, import.head(), theme, turn, TABLE * theme.scale);
+        curve(ui, vec2(width, least));
+    } else {
+        let left = (TABLE_SHARE * width).round();
+        ui.horizontal_top(|ui| {
+            ui.allocate_ui(vec2(left, height), |ui| {
+                ui.set_width(left);
+                ui.vertical(|ui| table(ui, import.head(), theme, turn, height));
+            });
+            curve(ui, vec2(ui.available_width(), height));
+        });
+    }
     ui.add_space(2.0);
     answers(ui, &questions, theme, wishes);
     if let Some(why) = import.refusal() {
@@ -162,11 +201,11 @@ fn body(
             ui.label(format!("Not read so: {why}. The last good reading stays."));
         });
     }
-    let size = vec2(ui.available_width(), CHART * theme.scale);
-    if let Some(wish) = ChartView::show(ui, chart, ("import", turn), size, theme).wish {
-        wishes.push(Wish::Save(wish));
-    }
-    ui.horizontal_wrapped(|ui| {
+}
+
+/// The buttons that end it.
+fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
+    ui.horizontal(|ui| {
         if ui
             .button("Keep")
             .on_hover_text("It is right as it is: closes this window (Enter).")
@@ -203,14 +242,15 @@ fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<W
     for question in questions {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            ui.add_sized(
-                vec2(104.0 * theme.scale, ui.spacing().interact_size.y),
-                egui::Label::new(question.what).halign(egui::Align::LEFT),
-            )
-            .on_hover_text(question.meaning);
+            let size = vec2(104.0 * theme.scale, ui.spacing().interact_size.y);
+            let left = egui::Layout::left_to_right(egui::Align::Center);
+            ui.allocate_ui_with_layout(size, left, |ui| {
+                ui.set_min_width(size.x);
+                ui.label(question.what).on_hover_text(question.meaning);
+            });
             for answer in &question.answers {
                 let button = ui
-                    .add(egui::Button::selectable(answer.chosen, &answer.words))
+                    .add(egui::Button::new(&answer.words).selected(answer.chosen))
                     .on_hover_text(question.meaning);
                 let name = format!("{} {}", question.what, answer.words);
                 button.widget_info(|| {
@@ -229,7 +269,8 @@ fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<W
 }
 
 /// The first rows with what each column was taken for.
-fn table(ui: &mut Ui, head: &Head, theme: Theme, turn: u64) {
+fn table(ui: &mut Ui, head: &Head, theme: Theme, turn: u64, height: f32) {
+    let top = ui.cursor().top();
     if head.rows.is_empty() {
         return;
     }
@@ -247,7 +288,7 @@ fn table(ui: &mut Ui, head: &Head, theme: Theme, turn: u64) {
         ScrollArea::both()
             .id_salt(("rows", turn))
             .auto_shrink([false, true])
-            .max_height(TABLE * theme.scale)
+            .max_height((height - (ui.cursor().top() - top)).max(60.0))
             .show(ui, |ui| {
                 egui::Grid::new(("first rows", turn))
                     .striped(true)

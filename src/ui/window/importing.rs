@@ -71,7 +71,11 @@ impl Window {
         for wish in wishes {
             match wish {
                 Wish::Flip(flip) => self.flip(flip, context),
-                Wish::Keep => drop(self.import.close()),
+                Wish::Keep => {
+                    drop(self.import.close());
+                    // It was drawn once more before.
+                    context.request_repaint();
+                }
                 Wish::Remove => {
                     if let Some(import) = self.import.close() {
                         self.app.apply(import.removal(&self.app));
