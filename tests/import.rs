@@ -200,7 +200,7 @@ fn the_wavelengths_may_stand_in_another_column_and_in_another_unit() {
     let mut ui = fresh();
     let text = "400,0.40\n410,0.41\n420,0.43\n430,0.44\n440,0.46\n";
     drop_files(&mut ui, &[("two.csv", text)]);
-    click(&mut ui, "Wavelengths are column 2");
+    click(&mut ui, "Wavelength column 2");
     // 0.4-0.46 are micrometres.
     assert_eq!(own(&ui, 0).1, [400.0, 410.0, 430.0, 440.0, 460.0]);
     assert_eq!(own(&ui, 0).2[0], 400.0);
@@ -284,7 +284,7 @@ fn a_file_of_several_spectra_stays_one_when_it_is_cut_otherwise() {
     click(&mut ui, "Values are reflectance");
     assert_eq!(app(&ui).document().own.len(), 2);
     assert!((0..2).all(|i| own(&ui, i).0 == Kind::Reflectance));
-    click(&mut ui, "Wavelengths are column 2");
+    click(&mut ui, "Wavelength column 2");
     assert_eq!(app(&ui).document().own.len(), 2);
     assert_eq!(own(&ui, 0).1[0], 100.0);
 }

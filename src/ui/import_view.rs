@@ -171,15 +171,19 @@ fn body(
     let below = row * (questions.len() as f32 + if import.refusal().is_some() { 2.0 } else { 0.5 });
     let [least, most] = CHART.map(|height| height * theme.scale);
     let height = (room - (ui.cursor().top() - top) - below).clamp(least, most);
+    let width = ui.available_width();
+    let mut flips = Vec::new();
+    let narrow = width < BESIDE * theme.scale && !import.head().rows.is_empty();
     let mut curve = |ui: &mut Ui, size: Vec2| {
         if let Some(wish) = ChartView::show(ui, chart, ("import", turn), size, theme).wish {
             wishes.push(Wish::Save(wish));
         }
     };
-    let width = ui.available_width();
     if import.head().rows.is_empty() {
         curve(ui, vec2(width, height));
-    } else if width < BESIDE * theme.scale {
+    } else if narrow {
+        // There is no room for everything: what can be clicked comes first.
+        answers(ui, &questions, theme, &mut flips);
         table(ui, import.head(), theme, turn, TABLE * theme.scale);
         curve(ui, vec2(width, least));
     } else {
@@ -189,11 +193,14 @@ fn body(
                 ui.set_width(left);
                 ui.vertical(|ui| table(ui, import.head(), theme, turn, height));
             });
-            curve(ui, vec2(ui.available_width(), height));
+            ui.vertical(|ui| curve(ui, vec2(ui.available_width(), height)));
         });
     }
     ui.add_space(2.0);
-    answers(ui, &questions, theme, wishes);
+    if !narrow {
+        answers(ui, &questions, theme, &mut flips);
+    }
+    wishes.append(&mut flips);
     if let Some(why) = import.refusal() {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
