@@ -51,8 +51,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             return Err(refusal(input, text, no_table));
         }
     };
-    let mut reading = Reading::default();
-    reading.table = tables.first().map(|table| TableFound {
+    let table = tables.first().map(|table| TableFound {
         dialect,
         axis_column: match table.layout {
             Layout::Column(column) => Some(column),
@@ -62,6 +61,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         first_line: table.block.lines[0] as usize,
         values: Vec::new(),
     });
+    let mut reading = Reading {
+        table,
+        ..Reading::default()
+    };
     let several = tables.len() > 1;
     if let Some(column) = input.choices.axis_column {
         for table in &mut tables {

@@ -47,12 +47,15 @@ pub struct ImportView {
 const WIDTH: f32 = 720.0;
 
 /// Its height where the plot has room for it.
-const HEIGHT: f32 = 500.0;
+const HEIGHT: f32 = 540.0;
 
 /// Largest height of the table, least and largest of the chart, and that of the buttons, points.
 const TABLE: f32 = 152.0;
 const CHART: [f32; 2] = [170.0, 460.0];
 const BUTTONS: f32 = 30.0;
+
+/// Width of what is asked, before the answers, points.
+const LABEL: f32 = 118.0;
 
 /// Width from which the curve stands beside the table, points, and the table's share of it.
 const BESIDE: f32 = 520.0;
@@ -168,7 +171,7 @@ fn body(
     });
     // What stands below the curve has its height; the curve gets the rest.
     let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
-    let below = row * (questions.len() as f32 + if import.refusal().is_some() { 2.0 } else { 0.5 });
+    let below = row * (questions.len() as f32 + if import.refusal().is_some() { 2.5 } else { 1.2 });
     let [least, most] = CHART.map(|height| height * theme.scale);
     let height = (room - (ui.cursor().top() - top) - below).clamp(least, most);
     let width = ui.available_width();
@@ -249,7 +252,7 @@ fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<W
     for question in questions {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            let size = vec2(104.0 * theme.scale, ui.spacing().interact_size.y);
+            let size = vec2(LABEL * theme.scale, ui.spacing().interact_size.y);
             let left = egui::Layout::left_to_right(egui::Align::Center);
             ui.allocate_ui_with_layout(size, left, |ui| {
                 ui.set_min_width(size.x);
