@@ -603,8 +603,11 @@ fn absorption_lines_are_left_alone_unless_asked_for() {
         let with = detect(BAND, &values, asked(threshold, true));
         let is_dip = |found: &&FoundSpike| found.spike.weight < 0.0;
         let lines = with.spikes.iter().filter(|found| !is_dip(found));
-        // Lines are looked for first: dips change nothing about them.
-        assert!(lines.eq(&without.spikes), "{name}");
+        // Beside dips a line must carry half a percent, whatever the threshold: between two weak
+        // dips the spectrum stands up like a weak line.
+        let strong = detect(BAND, &values, asked(threshold.max(0.005), false));
+        assert!(lines.eq(&strong.spikes), "{name}");
+        assert!(strong.spikes.len() <= without.spikes.len(), "{name}");
         let dips = with.spikes.iter().filter(is_dip);
         let places: Vec<f64> = dips.map(|dip| dip.spike.at_nm).collect();
         println!("{name}: dips at {places:.1?}");

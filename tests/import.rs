@@ -200,7 +200,7 @@ fn the_wavelengths_may_stand_in_another_column_and_in_another_unit() {
     let mut ui = fresh();
     let text = "400,0.40\n410,0.41\n420,0.43\n430,0.44\n440,0.46\n";
     drop_files(&mut ui, &[("two.csv", text)]);
-    click(&mut ui, "Wavelengths are column 2");
+    click(&mut ui, "Wavelength column 2");
     // 0.4-0.46 are micrometres.
     assert_eq!(own(&ui, 0).1, [400.0, 410.0, 430.0, 440.0, 460.0]);
     assert_eq!(own(&ui, 0).2[0], 400.0);
@@ -284,7 +284,7 @@ fn a_file_of_several_spectra_stays_one_when_it_is_cut_otherwise() {
     click(&mut ui, "Values are reflectance");
     assert_eq!(app(&ui).document().own.len(), 2);
     assert!((0..2).all(|i| own(&ui, i).0 == Kind::Reflectance));
-    click(&mut ui, "Wavelengths are column 2");
+    click(&mut ui, "Wavelength column 2");
     assert_eq!(app(&ui).document().own.len(), 2);
     assert_eq!(own(&ui, 0).1[0], 100.0);
 }
@@ -428,10 +428,12 @@ fn ours_agree_with_a_sekonic_meter_within_what_it_prints() {
     }
 }
 
+const METER: &str = "Model Name\tMK350\nLUX\t683.0\nCCT\t5198.0\nCRI\t92.9\nR9\t77.6\nIRR\t1.0\n\
+                LambdaP\t555.0\n554nm\t0.0\n555nm\t1000.0\n556nm\t0.0\n";
+
 #[test]
 fn the_panel_shows_the_instruments_numbers_beside_ours() {
-    let text = "Model Name\tMK350\nLUX\t683.0\nCCT\t5198.0\nCRI\t92.9\nR9\t77.6\nIRR\t1.0\n\
-                LambdaP\t555.0\n554nm\t0.0\n555nm\t1000.0\n556nm\t0.0\n";
+    let text = METER;
     let mut ui = fresh();
     drop_files(&mut ui, &[("meter.xls", text)]);
     for words in [
@@ -453,4 +455,36 @@ fn the_panel_shows_the_instruments_numbers_beside_ours() {
     ui.run();
     let said = app(&ui).message().expect("a word");
     assert!(said.text.starts_with("Copied as CSV"), "{said:?}");
+}
+
+#[test]
+fn a_report_holds_the_instruments_numbers_beside_ours() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("meter.xls");
+    std::fs::write(&path, METER).expect("written");
+    let report = |more: &[&str]| {
+        let out = std::process::Command::new(env!("CARGO_BIN_EXE_spectral-explorer"))
+            .arg("report")
+            .arg(&path)
+            .args(more)
+            .output()
+            .expect("it runs");
+        String::from_utf8(out.stdout).expect("text")
+    };
+    let json: serde_json::Value = serde_json::from_str(&report(&["--json"])).expect("JSON");
+    let rows = json["makers_results"].as_array().expect("rows");
+    let row = |quantity: &str| {
+        let mut rows = rows.iter();
+        rows.find(|row| row["quantity"] == quantity).expect("a row")
+    };
+    let lux = row("illuminance");
+    assert_eq!(
+        (&lux["theirs"], &lux["unit"]),
+        (&683.0.into(), &"lx".into())
+    );
+    assert!((lux["ours"].as_f64().expect("ours") - 683.0).abs() < 0.01);
+    assert_eq!(row("Ra")["ours"], serde_json::Value::Null);
+    let words = report(&[]);
+    assert!(words.contains("Maker's   illuminance"), "{words}");
+    assert!(words.contains("alone: CCT 5198, Ra 92.9"), "{words}");
 }

@@ -653,30 +653,16 @@ impl Import {
         Command::Replace(Box::new(document))
     }
 
-    /// What was decided about the file, with the other answers; only what applies to it.
+    /// What was decided about the file, with the other answers; only what applies to it. What is
+    /// most often in doubt comes first, and rows do not change places when they are answered.
     pub fn questions(&self) -> Vec<Question> {
         let opened = self.opened();
         let mut questions = Vec::new();
-        if let Some(table) = &opened.table {
-            questions.extend(table_questions(table, &opened.choices));
-        }
         let doubt = |what: Guessed| {
             let mut guesses = opened.guesses.iter();
             guesses.find(|guess| guess.what == what && guess.is_doubtful())
         };
         let understood = opened.understood.as_ref();
-        if let Some(understood) = understood {
-            let told = &understood.wavelengths;
-            questions.push(Question {
-                what: "Wavelengths in",
-                meaning: "What the numbers of the wavelength axis count.",
-                answers: answers(WavelengthUnit::ALL, told.is, Flip::Wavelengths, |unit| {
-                    unit.word().to_owned()
-                }),
-                because: why(told),
-                doubtful: doubt(Guessed::WavelengthUnit).is_some(),
-            });
-        }
         if let Some(first) = opened.spectra.first() {
             let guess = doubt(Guessed::Kind);
             let because = match (guess, understood) {
@@ -708,6 +694,21 @@ impl Import {
                 because: why(told),
                 doubtful: doubt(Guessed::Percent).is_some(),
             });
+        }
+        if let Some(understood) = understood {
+            let told = &understood.wavelengths;
+            questions.push(Question {
+                what: "Wavelengths in",
+                meaning: "What the numbers of the wavelength axis count.",
+                answers: answers(WavelengthUnit::ALL, told.is, Flip::Wavelengths, |unit| {
+                    unit.word().to_owned()
+                }),
+                because: why(told),
+                doubtful: doubt(Guessed::WavelengthUnit).is_some(),
+            });
+        }
+        if let Some(table) = &opened.table {
+            questions.extend(table_questions(table, &opened.choices));
         }
         questions
     }
@@ -756,7 +757,23 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
         Delimiter::Comma,
         Delimiter::Space,
     ];
-    let mut questions = vec![
+    let mut questions = Vec::new();
+    if let Some(axis) = table.axis_column {
+        let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
+        questions.push(Question {
+            what: "Wavelength column",
+            meaning: "Which column holds the wavelengths.",
+            answers: answers(columns, axis, Flip::AxisColumn, |column| {
+                (column + 1).to_string()
+            }),
+            because: because(
+                choices.axis_column.is_some(),
+                "it rises or falls throughout",
+            ),
+            doubtful: false,
+        });
+    }
+    questions.extend([
         Question {
             what: "Cells between",
             meaning: "What stands between two cells of a row.",
@@ -796,22 +813,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
             because: because(by_hand, "it makes the most numbers"),
             doubtful: false,
         },
-    ];
-    if let Some(axis) = table.axis_column {
-        let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
-        questions.push(Question {
-            what: "Wavelengths are",
-            meaning: "Which column holds the wavelengths.",
-            answers: answers(columns, axis, Flip::AxisColumn, |column| {
-                format!("column {}", column + 1)
-            }),
-            because: because(
-                choices.axis_column.is_some(),
-                "it rises or falls throughout",
-            ),
-            doubtful: false,
-        });
-    }
+    ]);
     questions
 }
 

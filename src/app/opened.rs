@@ -40,6 +40,28 @@ pub struct Opened {
 }
 
 impl Opened {
+    /// One spectrum alone, with what its instrument computed.
+    pub fn alone(spectrum: NamedSpectrum, makers: Vec<MakersResult>) -> Self {
+        let of_it = |result| MakersResult {
+            spectrum: Some(0),
+            ..result
+        };
+        Self {
+            path: None,
+            bytes: None,
+            file: spectrum.name.clone(),
+            format: "",
+            how: String::new(),
+            makers: makers.into_iter().map(of_it).collect(),
+            spectra: vec![spectrum],
+            images: Vec::new(),
+            table: None,
+            understood: None,
+            guesses: Vec::new(),
+            choices: Choices::default(),
+        }
+    }
+
     /// Whether a person should look at how it was read.
     pub fn is_doubtful(&self) -> bool {
         self.guesses.iter().any(Guess::is_doubtful)

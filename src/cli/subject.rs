@@ -12,6 +12,7 @@ use crate::{
         App, Command, Document, Entry,
         document::Subject,
         open::{self, Loaded},
+        opened::Opened,
         workspace::{self, Restored},
     },
     spectrum::Kind,
@@ -99,7 +100,7 @@ pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal
 fn show(app: &mut App, entry: Entry) {
     app.apply(match entry.shelf {
         Some(_) => Command::Show(entry.into()),
-        None => Command::Adopt(vec![entry.spectrum]),
+        None => Command::Open(vec![Opened::alone(entry.spectrum, entry.makers)]),
     });
 }
 

@@ -47,12 +47,15 @@ pub struct ImportView {
 const WIDTH: f32 = 720.0;
 
 /// Its height where the plot has room for it.
-const HEIGHT: f32 = 500.0;
+const HEIGHT: f32 = 540.0;
 
 /// Largest height of the table, least and largest of the chart, and that of the buttons, points.
 const TABLE: f32 = 152.0;
 const CHART: [f32; 2] = [170.0, 460.0];
 const BUTTONS: f32 = 30.0;
+
+/// Width of what is asked, before the answers, points.
+const LABEL: f32 = 118.0;
 
 /// Width from which the curve stands beside the table, points, and the table's share of it.
 const BESIDE: f32 = 520.0;
@@ -168,18 +171,22 @@ fn body(
     });
     // What stands below the curve has its height; the curve gets the rest.
     let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
-    let below = row * (questions.len() as f32 + if import.refusal().is_some() { 2.0 } else { 0.5 });
+    let below = row * (questions.len() as f32 + if import.refusal().is_some() { 2.5 } else { 1.2 });
     let [least, most] = CHART.map(|height| height * theme.scale);
     let height = (room - (ui.cursor().top() - top) - below).clamp(least, most);
+    let width = ui.available_width();
+    let mut flips = Vec::new();
+    let narrow = width < BESIDE * theme.scale && !import.head().rows.is_empty();
     let mut curve = |ui: &mut Ui, size: Vec2| {
         if let Some(wish) = ChartView::show(ui, chart, ("import", turn), size, theme).wish {
             wishes.push(Wish::Save(wish));
         }
     };
-    let width = ui.available_width();
     if import.head().rows.is_empty() {
         curve(ui, vec2(width, height));
-    } else if width < BESIDE * theme.scale {
+    } else if narrow {
+        // There is no room for everything: what can be clicked comes first.
+        answers(ui, &questions, theme, &mut flips);
         table(ui, import.head(), theme, turn, TABLE * theme.scale);
         curve(ui, vec2(width, least));
     } else {
@@ -189,11 +196,14 @@ fn body(
                 ui.set_width(left);
                 ui.vertical(|ui| table(ui, import.head(), theme, turn, height));
             });
-            curve(ui, vec2(ui.available_width(), height));
+            ui.vertical(|ui| curve(ui, vec2(ui.available_width(), height)));
         });
     }
     ui.add_space(2.0);
-    answers(ui, &questions, theme, wishes);
+    if !narrow {
+        answers(ui, &questions, theme, &mut flips);
+    }
+    wishes.append(&mut flips);
     if let Some(why) = import.refusal() {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
@@ -242,7 +252,7 @@ fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<W
     for question in questions {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            let size = vec2(104.0 * theme.scale, ui.spacing().interact_size.y);
+            let size = vec2(LABEL * theme.scale, ui.spacing().interact_size.y);
             let left = egui::Layout::left_to_right(egui::Align::Center);
             ui.allocate_ui_with_layout(size, left, |ui| {
                 ui.set_min_width(size.x);

@@ -84,7 +84,7 @@ fn table(ui: &mut Ui, id: &str, rows: &[&Beside]) {
                 "From the whole measured spectrum: colours and lux by 1 nm sums over 360-830 nm \
                  (CIE 1931), totals over the table's own points.",
             );
-            ui.weak("ours less theirs");
+            ui.weak("difference").on_hover_text("Ours less theirs.");
             ui.end_row();
             for row in rows {
                 line(ui, row);
@@ -98,9 +98,14 @@ fn line(ui: &mut Ui, row: &Beside) {
         Some(decimals) => format!("{value:.decimals$}"),
         None => short(value),
     };
+    let quantity = match &row.quantity {
+        Quantity::PeakNm => "peak".to_owned(),
+        Quantity::DominantNm => "dominant".to_owned(),
+        other => shortened(&other.to_string()),
+    };
     let name = match row.unit.as_str() {
-        "" => row.quantity.to_string(),
-        unit => format!("{}, {}", row.quantity, unit_words(unit)),
+        "" => quantity,
+        unit => format!("{quantity}, {}", unit_words(unit)),
     };
     ui.label(name).on_hover_text(meaning(&row.quantity));
     ui.monospace(written(row.theirs));
@@ -118,11 +123,12 @@ fn line(ui: &mut Ui, row: &Beside) {
         }
         Err(why) => {
             ui.monospace("–");
-            ui.weak(why).on_hover_text(if why == NOT_YET {
-                "This program has no such number yet."
-            } else {
-                "Why this program has no number for this spectrum."
-            });
+            ui.small(egui::RichText::new(why).weak())
+                .on_hover_text(if why == NOT_YET {
+                    "This program has no such number yet."
+                } else {
+                    "Why this program has no number for this spectrum."
+                });
         }
     }
     ui.end_row();
@@ -176,6 +182,14 @@ fn meaning(quantity: &Quantity) -> &'static str {
         Quantity::DominantNm => "Dominant wavelength, nm.",
         Quantity::Purity => "Excitation purity, per cent.",
         Quantity::Other(_) => "A number of the maker's own, in the maker's words.",
+    }
+}
+
+/// The maker's own words can be long; the panel must not grow with them.
+fn shortened(words: &str) -> String {
+    match words.char_indices().nth(20) {
+        Some((end, _)) => format!("{}…", &words[..end]),
+        None => words.to_owned(),
     }
 }
 
