@@ -595,7 +595,7 @@ fn absorption_lines_are_left_alone_unless_asked_for() {
         (
             "usgs_splib07/Holmium oxide powder (USGS splib07a Record 18789)",
             0.0005,
-            &[637.4, 668.0],
+            &[464.6, 489.4, 550.5, 637.4, 668.0],
         ),
     ] {
         let values = on_band(name, BAND);
