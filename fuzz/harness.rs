@@ -459,10 +459,12 @@ fn look_about(image: &SpectralImage, whole: bool) {
     }
 }
 
-/// Writes a spectrum as CSV and reads it again to the same numbers.
+/// Writes a spectrum as CSV and reads it again to the same numbers. Under 1 nm and over 1 mm a
+/// table is not believed to count nanometres, whatever its title says.
 fn comes_back(spectrum: &NamedSpectrum) {
     let samples = &spectrum.samples;
-    if samples.len() > LONGEST_WRITTEN {
+    let is_axis = samples.first_nm() >= 1.0 && samples.last_nm() <= 1e6;
+    if samples.len() > LONGEST_WRITTEN || !is_axis {
         return;
     }
     let text = csv::write(

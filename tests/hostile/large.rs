@@ -15,8 +15,12 @@ use super::{harness, seeds};
 /// Tells the child which file to read.
 const FILE: &str = "SPECTRAL_EXPLORER_TEST_HOSTILE_FILE";
 
-/// A hundred million bytes.
-const HUNDRED_MB: usize = 100_000_000;
+/// A hundred million bytes; a tenth of them where the program is not optimised.
+const HUNDRED_MB: usize = if cfg!(debug_assertions) {
+    10_000_000
+} else {
+    100_000_000
+};
 
 /// What a file holds, and the end of its name.
 struct Case {
@@ -252,6 +256,25 @@ const CASES: &[Case] = &[
     }),
     case("siblings.spdx", "expected", || {
         ("<IESTM2714>".to_owned() + &"<a/>".repeat(2_000_000) + "</IESTM2714>").into_bytes()
+    }),
+    case("objects.cxf", "expected", || {
+        let open = "<Object Name='a'>".repeat(100_000);
+        let spectrum = "<ReflectanceSpectrum StartWL='400'>1 2</ReflectanceSpectrum>";
+        let close = "</Object>".repeat(100_000);
+        format!("<CxF>{open}{}{close}</CxF>", spectrum.repeat(10)).into_bytes()
+    }),
+    case("spectra.cxf", "", || {
+        let spectrum = "<ReflectanceSpectrum StartWL='400'>1 2 3 4 5</ReflectanceSpectrum>\n";
+        format!("<CxF><Object>{}</Object></CxF>", spectrum.repeat(20_000)).into_bytes()
+    }),
+    case("emitters.gdtf", "", || {
+        let point = "<MeasurementPoint WaveLength='400' Energy='1'/><MeasurementPoint WaveLength='500' Energy='1'/>";
+        let one = format!("<Emitter Name='a'><Measurement>{point}</Measurement></Emitter>\n");
+        let text = format!("<GDTF>{}</GDTF>", one.repeat(20_000));
+        harness::zipped(
+            &[("description.xml", text.as_bytes())],
+            CompressionMethod::Stored,
+        )
     }),
     case("points.spdx", "", || {
         let points = (0..300_000).map(|i| {

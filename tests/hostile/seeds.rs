@@ -141,7 +141,7 @@ fn jcamp() -> Vec<Vec<u8>> {
         &packed("400@J0%TJ8\n408B8l1O%\n414C"),
         &file(
             "##NPOINTS= 3",
-            "##XYPOINTS= (XY..XY)\n400,5 0,1; 401 0,2; 401,5 0,3",
+            "##XYPOINTS= (XY..XY)\n400.5 0.1; 401 0.2; 401.5 0.3",
         ),
         &format!(
             "##TITLE= all\n##DATA TYPE= LINK\n##BLOCKS= 2\n{inner}{}##END=\n",
@@ -159,10 +159,15 @@ fn yaml() -> Vec<Vec<u8>> {
          - type: tabulated k\n    data: |\n        0.5 0\n        0.7 1\n",
     ]);
     for formula in 1..=9 {
+        // The eighth is of metals' salts, whose index is only real where the ratio is below 1.
+        let coefficients = match formula {
+            8 => "0.5 0.1 0.01 -0.01",
+            _ => "0 1.04 0.077 0.23 0.14 1.01 10.2 2 1 3 0.5",
+        };
         files.push(
             format!(
                 "DATA:\n  - type: formula {formula}\n    wavelength_range: 0.4 0.7\n    \
-                 coefficients: 0 1.04 0.077 0.23 0.14 1.01 10.2 2 1 3 0.5\n"
+                 coefficients: {coefficients}\n"
             )
             .into_bytes(),
         );
