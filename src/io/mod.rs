@@ -235,6 +235,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     input.choices.impose(&mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
+    reading.tidy();
     reading.name_apart();
     if let Some(text) = input.text() {
         reading.notes.extend(text.notes());
