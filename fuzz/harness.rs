@@ -460,11 +460,11 @@ fn look_about(image: &SpectralImage, whole: bool) {
     }
 }
 
-/// Writes a spectrum as CSV and reads it again to the same numbers. Under 1 nm and over 1 mm a
-/// table is not believed to count nanometres, whatever its title says.
+/// Writes a spectrum as CSV and reads it again to the same numbers. Under 100 nm and over
+/// 1 mm a table is not believed to count nanometres, whatever its title says.
 fn comes_back(spectrum: &NamedSpectrum) {
     let samples = &spectrum.samples;
-    let is_axis = samples.first_nm() >= 1.0 && samples.last_nm() <= 1e6;
+    let is_axis = samples.first_nm() >= 100.0 && samples.last_nm() <= 1e6;
     if samples.len() > LONGEST_WRITTEN || !is_axis {
         return;
     }

@@ -17,7 +17,7 @@ use super::rows::{AlongRow, read_rows};
 use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
 use super::titles::Titles;
-use super::{Confidence, Format, Input, ReadError, Reading, budget, reading::TableFound};
+use super::{Confidence, Format, Input, ReadError, Reading, budget, csv, reading::TableFound};
 
 /// Plain columns of numbers.
 pub const FORMAT: Format = Format {
@@ -35,6 +35,7 @@ const A_TABLE: &str = "two or more columns of numbers: wavelengths and values";
 
 fn sniff(input: &Input) -> Confidence {
     match input.text() {
+        Some(_) if csv::is_own(input.head()) => Confidence::Own,
         Some(_) => Confidence::Possible,
         None => Confidence::No,
     }

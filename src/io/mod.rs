@@ -103,6 +103,8 @@ pub enum Confidence {
     Likely,
     /// The content says so.
     Certain,
+    /// This program wrote it: words in its names that other formats use do not matter.
+    Own,
 }
 
 /// A file format that the program knows.

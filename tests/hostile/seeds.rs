@@ -274,7 +274,7 @@ pub fn all() -> Vec<Seeds> {
             "Wavelength [nm];Lamp A;Lamp B\r\n{}",
             rows(380.0, 5.0, 5, ";1,5;", "\r\n").replace('.', ",")
         ),
-        "name,380,390,400,410\na,1,2,3,4\nb,5,6,7,8\n".to_owned(),
+        "Wavelength,380,385,390,395,400,405\na,1,2,3,4,5,6\nb,5,6,7,8,9,9\n".to_owned(),
         format!(
             "# kind: reflectance\n# unit: %\nwavelength_um,\"a, b\"\n{}",
             rows(0.38, 0.01, 5, ",", "\n")
@@ -507,8 +507,6 @@ pub fn all() -> Vec<Seeds> {
                 colorimetry,
                 rawtoaces,
                 "{\"status\":\"normal\",\"spd\":{\"340\":0.0,\"1000\":0.5}}",
-                "[[380,1],[390,2]]",
-                "{\"wavelength\":[380,390],\"value\":[1,2]}",
             ]),
             &[
                 "wavelength_axis",
