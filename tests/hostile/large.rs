@@ -22,16 +22,19 @@ const HUNDRED_MB: usize = if cfg!(debug_assertions) {
     100_000_000
 };
 
+/// Makes the bytes of a file.
+type Bytes = fn() -> Vec<u8>;
+
 /// What a file holds, and the end of its name.
 struct Case {
     /// Its name, which tells what it is.
     name: &'static str,
     /// Its bytes, made when they are needed.
-    bytes: fn() -> Vec<u8>,
+    bytes: Bytes,
     /// What the answer must contain; empty where anything will do.
     said: &'static str,
     /// A file beside it.
-    beside: Option<(&'static str, fn() -> Vec<u8>)>,
+    beside: Option<(&'static str, Bytes)>,
 }
 
 const fn case(name: &'static str, said: &'static str, bytes: fn() -> Vec<u8>) -> Case {
@@ -534,7 +537,7 @@ struct Told {
 /// Has a child read a file, with a limit that saves the machine.
 fn told_of(path: &Path, bytes: usize) -> Result<Told, String> {
     let program = std::env::current_exe().expect("this test's own program");
-    let limit_kib = (2_usize << 20) + (bytes * 40 >> 10);
+    let limit_kib = (2_usize << 20) + ((bytes * 40) >> 10);
     let output = Process::new("sh")
         .arg("-c")
         .arg(format!("ulimit -v {limit_kib}; exec \"$0\" \"$@\""))
