@@ -26,6 +26,10 @@ impl Choices {
         let impose = |spectrum: &mut NamedSpectrum| {
             if spectrum.kind != kind {
                 spectrum.kind = kind;
+                // The values are fractions now, whatever they were before.
+                if kind.is_factor() {
+                    "fraction".clone_into(&mut spectrum.unit);
+                }
                 spectrum.notes.push(CHOSEN_KIND.to_owned());
             }
         };

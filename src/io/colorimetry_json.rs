@@ -7,6 +7,7 @@ use crate::spectrum::Kind;
 use super::curve::MOST_SAMPLES;
 use super::foreign_json::{Found, add, numbers, word};
 use super::kinds;
+use super::write::shortest;
 use super::{Input, ReadError, Reading};
 
 /// Adds one spectrum object to a reading.
@@ -31,7 +32,7 @@ pub fn read_colorimetry(
     let nm = if let Some(list) = axis.get("values_nm").filter(|l| !l.is_null()) {
         numbers(input, list, "\"values_nm\"")?
     } else {
-        range(input, axis)?
+        range(input, axis, values.len())?
     };
     if nm.len() != values.len() {
         return Err(input.error(
@@ -63,7 +64,8 @@ pub fn read_colorimetry(
     add(input, found, &nm, &values, reading)
 }
 
-fn range(input: &Input, axis: &Value) -> Result<Vec<f64>, ReadError> {
+/// The wavelengths of a range for some values: no more are made than there are values.
+fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadError> {
     let expected = "\"range_nm\" with numbers \"start\", \"end\" and \"interval\"";
     let number = |key: &str| {
         axis.pointer(&format!("/range_nm/{key}"))
@@ -75,8 +77,19 @@ fn range(input: &Input, axis: &Value) -> Result<Vec<f64>, ReadError> {
     // The negated test also refuses a step of zero, which makes the count infinite or no number.
     if !(1.0..MOST_SAMPLES as f64).contains(&steps) {
         return Err(input.error(
-            format!("a range of {start} to {end} nm in steps of {interval}"),
+            format!(
+                "a range of {} to {} nm in steps of {}",
+                shortest(start),
+                shortest(end),
+                shortest(interval)
+            ),
             "at least one step and at most 10,000,000",
+        ));
+    }
+    if steps as usize + 1 != values {
+        return Err(input.error(
+            format!("{} wavelengths and {values} values", steps as usize + 1),
+            "one value for each wavelength",
         ));
     }
     Ok((0..=steps as usize)

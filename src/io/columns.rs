@@ -17,7 +17,7 @@ use super::rows::{AlongRow, read_rows};
 use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
 use super::titles::Titles;
-use super::{Confidence, Format, Input, ReadError, Reading, reading::TableFound};
+use super::{Confidence, Format, Input, ReadError, Reading, budget, csv, reading::TableFound};
 
 /// Plain columns of numbers.
 pub const FORMAT: Format = Format {
@@ -27,11 +27,15 @@ pub const FORMAT: Format = Format {
     read,
 };
 
+/// Longest line that may be a row of a table, in bytes; a longer one is said to be too long.
+const LONGEST_ROW: usize = 1 << 20;
+
 /// What a refusal asks for.
 const A_TABLE: &str = "two or more columns of numbers: wavelengths and values";
 
 fn sniff(input: &Input) -> Confidence {
     match input.text() {
+        Some(_) if csv::is_own(input.head()) => Confidence::Own,
         Some(_) => Confidence::Possible,
         None => Confidence::No,
     }
@@ -140,6 +144,14 @@ fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
                 .at_line(line),
             None => {
                 let first = lines(text).find(|(_, l)| !l.trim().is_empty());
+                if let Some((line, long)) = first.filter(|(_, l)| l.len() > LONGEST_ROW) {
+                    return input
+                        .error(
+                            format!("a line of {}", budget::in_words(long.len())),
+                            format!("rows of at most {MOST_COLUMNS} columns"),
+                        )
+                        .at_line(line);
+                }
                 let (line, found) = first.map_or((1, String::new()), |(n, l)| (n, quoted(l)));
                 let found = if found.is_empty() {
                     "blank lines".to_owned()

@@ -17,6 +17,7 @@ use serde::{Deserialize, Serialize};
 use crate::spectrum::{Band, Basis, Composite, Series, Spike};
 
 use super::error::WriteError;
+use super::number::is_measured;
 use super::spectrum_json::json_error;
 use super::{CompositeFile, Confidence, Format, Input, ReadError, Reading};
 
@@ -180,7 +181,7 @@ fn prefix_order(
 }
 
 /// A composite of numbers that make sense: at least one coefficient and no more than the band
-/// carries, everything finite, spikes put in rising order.
+/// carries, everything below 1e30 (what is computed from it stays finite), spikes put in rising order.
 pub fn checked(
     band: Band,
     basis: Basis,
@@ -194,14 +195,17 @@ pub fn checked(
             format!("1 to {most} on this range"),
         ));
     }
-    if coefficients.iter().any(|c| !c.is_finite()) {
-        return Err(("a coefficient that is not finite".into(), "a number".into()));
+    if let Some(odd) = coefficients.iter().find(|c| !is_measured(**c)) {
+        return Err((
+            format!("the coefficient {odd}"),
+            "a number below 1e30".into(),
+        ));
     }
     for spike in &spikes {
-        if !spike.at_nm.is_finite() || spike.at_nm <= 0.0 || !spike.weight.is_finite() {
+        if !is_measured(spike.at_nm) || spike.at_nm <= 0.0 || !is_measured(spike.weight) {
             return Err((
                 format!("a spike of {} at {} nm", spike.weight, spike.at_nm),
-                "a wavelength above 0 and a finite weight".to_owned(),
+                "a wavelength above 0 and a weight below 1e30".to_owned(),
             ));
         }
     }

@@ -9,13 +9,27 @@ use crate::spectrum::NamedSpectrum;
 
 use super::write::{Columns, Provenance, one_line, shortest};
 
+/// Title of the column of wavelengths.
+const FIRST_TITLE: &str = "wavelength_nm";
+
+/// Whether a text starts as [`write`] starts it: comments with keys, then the titles.
+pub fn is_own(head: &str) -> bool {
+    let mut lines = head.lines();
+    let titles = lines.by_ref().find(|line| !line.starts_with("# "));
+    let is_titles = |line: &str| {
+        line.strip_prefix(FIRST_TITLE)
+            .is_some_and(|rest| rest.starts_with(','))
+    };
+    head.starts_with("# ") && titles.is_some_and(is_titles)
+}
+
 /// A spectrum and what was computed from it as CSV.
 pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenance) -> String {
     let mut out = String::new();
     for (key, value) in provenance.of(spectrum) {
         let _ = writeln!(out, "# {key}: {value}");
     }
-    out.push_str("wavelength_nm");
+    out.push_str(FIRST_TITLE);
     for column in &columns.columns {
         out.push(',');
         out.push_str(&cell(&column.title));

@@ -4,6 +4,8 @@ use std::fmt;
 
 use crate::spectrum::Sampled;
 
+use super::number::is_measured;
+
 /// Most samples of one spectrum.
 pub const MOST_SAMPLES: usize = 10_000_000;
 
@@ -81,6 +83,9 @@ pub fn clean_beside(
     values: Vec<f64>,
 ) -> Result<Cleaned, Trouble> {
     if let Some(before) = before.filter(|before| before.nm() == nm && values.len() == nm.len()) {
+        if !values.iter().all(|v| is_measured(*v)) {
+            return clean(nm, &values);
+        }
         match before.sharing(values) {
             Ok(samples) => {
                 return Ok(Cleaned {
@@ -94,7 +99,8 @@ pub fn clean_beside(
     clean(nm, &values)
 }
 
-/// Makes a spectrum of wavelengths (nm) and values: gaps (anything not finite) are dropped,
+/// Makes a spectrum of wavelengths (nm) and values: gaps (anything that is not finite or of a size
+/// that nothing has, [`super::number::ABSURD`]) are dropped,
 /// falling wavelengths turned round, a few out of order put in order, equal ones averaged, and
 /// each of these is noted. Values are never changed otherwise.
 ///
@@ -106,7 +112,7 @@ pub fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
     let mut whence: Vec<u32> = Vec::new();
     for (index, (w, v)) in nm.iter().zip(values).enumerate() {
-        if w.is_finite() && v.is_finite() {
+        if is_measured(*w) && is_measured(*v) {
             if *w <= 0.0 {
                 return Err(Trouble::NotPositive { index, nm: *w });
             }

@@ -27,6 +27,9 @@ pub const FORMAT: Format = Format {
 /// Memory of a spectrum besides its samples, in bytes.
 const SPECTRUM_BYTES: usize = 1000;
 
+/// How far above a spectrum its object is looked for.
+const DEEPEST: usize = 16;
+
 const SPECTRA: [(&str, Kind, &str); 4] = [
     ("ReflectanceSpectrum", Kind::Reflectance, "fraction"),
     ("TransmittanceSpectrum", Kind::Transmittance, "fraction"),
@@ -57,32 +60,33 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     let mut reading = Reading::default();
     let mut left = budget::of(input.bytes.len()) / 2;
-    for object in xml::named(root, "Object") {
+    for node in root.descendants().filter(Node::is_element) {
+        let word = node.tag_name().name();
+        let Some((_, kind, unit)) = SPECTRA.iter().find(|(known, ..)| *known == word) else {
+            continue;
+        };
+        let Some(object) = object_of(node) else {
+            continue;
+        };
         let name = xml::attribute(object, "Name")
             .or_else(|| xml::attribute(object, "Id"))
             .unwrap_or(input.stem());
-        for node in object.descendants().filter(Node::is_element) {
-            let word = node.tag_name().name();
-            let Some((_, kind, unit)) = SPECTRA.iter().find(|(known, ..)| *known == word) else {
-                continue;
-            };
-            let mut spectrum = read_spectrum(input, node, &ranges, *kind, &mut reading)?;
-            left = left
-                .checked_sub(SPECTRUM_BYTES + 32 * spectrum.samples.len())
-                .ok_or_else(|| {
-                    input
-                        .error("far more spectra than its size allows", budget::WORDS)
-                        .at_line(xml::line(node))
-                })?;
-            name.clone_into(&mut spectrum.name);
-            (*unit).clone_into(&mut spectrum.unit);
-            let line = provenance(&spectrum, &[]);
-            if reading.spectra.is_empty() {
-                reading.notes.push(line.clone());
-            }
-            spectrum.notes.insert(0, line);
-            reading.spectra.push(spectrum);
+        let mut spectrum = read_spectrum(input, node, &ranges, *kind, &mut reading)?;
+        left = left
+            .checked_sub(SPECTRUM_BYTES + 32 * spectrum.samples.len())
+            .ok_or_else(|| {
+                input
+                    .error("far more spectra than its size allows", budget::WORDS)
+                    .at_line(xml::line(node))
+            })?;
+        name.clone_into(&mut spectrum.name);
+        (*unit).clone_into(&mut spectrum.unit);
+        let line = provenance(&spectrum, &[]);
+        if reading.spectra.is_empty() {
+            reading.notes.push(line.clone());
         }
+        spectrum.notes.insert(0, line);
+        reading.spectra.push(spectrum);
     }
     if reading.spectra.is_empty() {
         return Err(input.error(
@@ -93,6 +97,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
+/// The object that a spectrum belongs to.
+fn object_of<'a, 'i>(node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+    node.ancestors()
+        .take(DEEPEST)
+        .find(|n| n.tag_name().name().eq_ignore_ascii_case("Object"))
+}
+
 fn read_spectrum(
     input: &Input,
     node: Node,
@@ -100,7 +111,8 @@ fn read_spectrum(
     kind: Kind,
     reading: &mut Reading,
 ) -> Result<NamedSpectrum, ReadError> {
-    let at = xml::line(node);
+    // Counted from the file's start, so only where there is trouble.
+    let at = || xml::line(node);
     let range = xml::attribute(node, "ColorSpecification").and_then(|id| ranges.get(id));
     let told = |name: &str| {
         xml::attribute(node, name).or_else(|| range.and_then(|r| xml::attribute(*r, name)))
@@ -111,7 +123,7 @@ fn read_spectrum(
             .ok_or_else(|| {
                 input
                     .error(format!("{name}={}", quoted(text)), "a wavelength in nm")
-                    .at_line(at)
+                    .at_line(at())
             })
     };
     let start = told("StartWL").ok_or_else(|| {
@@ -120,7 +132,7 @@ fn read_spectrum(
                 format!("<{}> without StartWL", node.tag_name().name()),
                 "StartWL=\"nm\" there or in its ColorSpecification",
             )
-            .at_line(at)
+            .at_line(at())
     })?;
     let start = positive("StartWL", start)?;
     let mut notes = Vec::new();
@@ -136,14 +148,14 @@ fn read_spectrum(
         values.push(number::number(word, false).ok_or_else(|| {
             input
                 .error(quoted(word), "numbers with blanks between them")
-                .at_line(at)
+                .at_line(at())
         })?);
     }
     let nm: Vec<f64> = (0..values.len()).map(|i| start + i as f64 * step).collect();
     let cleaned = curve::clean(&nm, &values).map_err(|trouble| {
         input
             .error(trouble.to_string(), trouble.expected())
-            .at_line(at)
+            .at_line(at())
     })?;
     notes.extend(cleaned.notes);
     let mut scale = 1.0;

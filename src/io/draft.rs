@@ -49,9 +49,11 @@ impl Draft<'_> {
     pub fn finish(mut self, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
         let index = reading.spectra.len();
         let mut notes = Vec::new();
+        // Told only once there is a spectrum that they are about.
+        let mut guesses = Vec::new();
         let mut guess = |what, chosen: &str, because: &str, notes: &mut Vec<String>| {
             notes.push(format!("taken as {chosen}: {because}"));
-            reading.guesses.push(Guess {
+            guesses.push(Guess {
                 spectrum: index,
                 what,
                 chosen: chosen.to_owned(),
@@ -193,6 +195,7 @@ impl Draft<'_> {
         }
         spectrum.notes.push(line);
         spectrum.notes.extend(notes);
+        reading.guesses.extend(guesses);
         reading.spectra.push(spectrum);
         Ok(())
     }

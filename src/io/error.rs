@@ -8,6 +8,9 @@ const LONGEST_QUOTE: usize = 48;
 /// Longest file name that a message repeats, in characters.
 const LONGEST_NAME: usize = 120;
 
+/// Longest part of a message, in characters: parsers of others quote whole elements.
+const LONGEST_PART: usize = 300;
+
 /// A file that could not be read: where, what was there and what should have been.
 ///
 /// The message is always one line: `lamp.csv, line 12: found "abc", expected a number in column 2`.
@@ -29,8 +32,8 @@ impl ReadError {
         Self {
             file: printable(file, LONGEST_NAME),
             line: None,
-            found: one_line(&found.into()),
-            expected: one_line(&expected.into()),
+            found: part(&found.into()),
+            expected: part(&expected.into()),
         }
     }
 
@@ -105,7 +108,17 @@ fn printable(text: &str, longest: usize) -> String {
     out
 }
 
-fn one_line(text: &str) -> String {
+/// One part of a message: one line, and not for ever.
+fn part(text: &str) -> String {
+    let text = one_line(text);
+    match text.char_indices().nth(LONGEST_PART) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text,
+    }
+}
+
+/// Text of one line, anything unprintable as a blank.
+pub fn one_line(text: &str) -> String {
     text.chars()
         .map(|c| if is_printable(c) { c } else { ' ' })
         .collect()

@@ -20,7 +20,7 @@ use super::error::quoted;
 use super::keyed_json;
 use super::meaning;
 use super::reading::provenance as provenance_line;
-use super::spectrum_json::json_error;
+use super::spectrum_json::any_json;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
 /// JSON of other programs.
@@ -46,7 +46,7 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let value: Value = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
+    let value = any_json(input, text)?;
     let mut reading = Reading::default();
     let Some(root) = value.as_object() else {
         return Err(input.error("JSON that is no object", KNOWN));

@@ -1,9 +1,43 @@
 //! A parser of others is called so that a fault in it is a refusal and not the program's end.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::cell::Cell;
+use std::panic::{self, AssertUnwindSafe, catch_unwind};
+use std::sync::Once;
+
+thread_local! {
+    /// Whether a panic of this thread is about to be caught and said in other words.
+    static IS_GUARDED: Cell<bool> = const { Cell::new(false) };
+}
 
 /// What a call gives, or `None` when it panics. What the call was building is dropped then, so
-/// nothing half-done is ever seen.
+/// nothing half-done is ever seen, and the panic's own words are not printed: the refusal says
+/// what matters. Panics of other threads, and of this one before and after, are printed as ever.
 pub fn guarded<T>(call: impl FnOnce() -> T) -> Option<T> {
-    catch_unwind(AssertUnwindSafe(call)).ok()
+    static HUSHED: Once = Once::new();
+    HUSHED.call_once(|| {
+        let before = panic::take_hook();
+        panic::set_hook(Box::new(move |about| {
+            if !IS_GUARDED.get() {
+                before(about);
+            }
+        }));
+    });
+    let outside = IS_GUARDED.replace(true);
+    let outcome = catch_unwind(AssertUnwindSafe(call));
+    IS_GUARDED.set(outside);
+    outcome.ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_nothing_and_the_next_call_is_guarded_too() {
+        assert_eq!(guarded(|| 7), Some(7));
+        assert_eq!(guarded(|| -> i32 { panic!("of a parser") }), None);
+        let inside = guarded(|| (guarded(|| panic!("within")).is_none(), IS_GUARDED.get()));
+        assert_eq!(inside, Some((true, true)));
+        assert!(!IS_GUARDED.get());
+    }
 }

@@ -103,6 +103,8 @@ pub enum Confidence {
     Likely,
     /// The content says so.
     Certain,
+    /// This program wrote it: words in its names that other formats use do not matter.
+    Own,
 }
 
 /// A file format that the program knows.
@@ -235,6 +237,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     input.choices.impose(&mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
+    reading.tidy();
     reading.name_apart();
     if let Some(text) = input.text() {
         reading.notes.extend(text.notes());

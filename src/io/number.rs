@@ -48,13 +48,23 @@ const GAP_WORDS: [&str; 20] = [
 pub fn parse(cell: &str, decimal_comma: bool) -> Cell {
     let cell = cell.trim_ascii();
     if let Some(value) = number(cell, decimal_comma) {
-        return if value.abs() < ABSURD {
-            Cell::Number(value)
-        } else {
-            Cell::Gap
-        };
+        return sized(value, Cell::Number);
     }
     slow(cell, decimal_comma)
+}
+
+/// A number in its kind of cell, or a gap where it is of no size that anything has.
+fn sized(value: f64, cell: fn(f64) -> Cell) -> Cell {
+    if is_measured(value) {
+        cell(value)
+    } else {
+        Cell::Gap
+    }
+}
+
+/// Whether a number is one that can have been measured: neither NaN nor [`ABSURD`].
+pub fn is_measured(value: f64) -> bool {
+    value.abs() < ABSURD
 }
 
 /// The cells that are not plain numbers; rare in a table, so not in the hot path.
@@ -67,10 +77,11 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
         return Cell::Gap;
     }
     if let Some(value) = number(cell, decimal_comma) {
-        return Cell::Number(value);
+        return sized(value, Cell::Number);
     }
     if let Some(body) = cell.strip_suffix('%') {
-        return number(body.trim(), decimal_comma).map_or(Cell::Text, Cell::Percent);
+        return number(body.trim(), decimal_comma)
+            .map_or(Cell::Text, |value| sized(value, Cell::Percent));
     }
     // A typographic minus, and Fortran's double exponent.
     if cell.len() <= 40
@@ -79,11 +90,11 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
     {
         let plain = cell.replace('−', "-").replace(['D', 'd'], "e");
         if let Some(value) = number(&plain, decimal_comma) {
-            return Cell::Number(value);
+            return sized(value, Cell::Number);
         }
     }
     match label_nm(cell) {
-        Some((value, true)) => Cell::Nanometres(value),
+        Some((value, true)) => sized(value, Cell::Nanometres),
         Some((_, false)) | None => Cell::Text,
     }
 }

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::{Dialect, units::WavelengthUnit};
 use crate::spectrum::{Composite, Kind, NamedSpectrum, SpectralImage};
 
+use super::error::one_line;
 use super::makers_results::MakersResult;
 
 /// What a reader had to guess and a person may flip.
@@ -124,6 +125,53 @@ impl Reading {
         self.guesses.iter().any(Guess::is_doubtful)
     }
 
+    /// Makes every text one line without control characters: files put anything into their titles.
+    /// A spectrum or image without a name gets the file's.
+    pub fn tidy(&mut self) {
+        let Self {
+            file,
+            format: _,
+            spectra,
+            composites,
+            table: _,
+            understood: _,
+            results,
+            images,
+            guesses,
+            notes,
+        } = self;
+        let mut names: Vec<&mut String> = Vec::new();
+        let mut texts: Vec<&mut String> = Vec::new();
+        for spectrum in spectra {
+            names.push(&mut spectrum.name);
+            texts.extend([&mut spectrum.unit, &mut spectrum.source]);
+            tidy_notes(&mut spectrum.notes);
+        }
+        for image in images {
+            names.push(&mut image.name);
+            texts.extend([&mut image.unit, &mut image.source]);
+            tidy_notes(&mut image.notes);
+        }
+        for composite in composites {
+            names.push(&mut composite.name);
+            texts.extend([&mut composite.unit, &mut composite.source]);
+        }
+        for result in results {
+            texts.extend([&mut result.unit, &mut result.as_written]);
+        }
+        for guess in guesses {
+            texts.extend([&mut guess.chosen, &mut guess.because]);
+        }
+        tidy_notes(notes);
+        for name in names {
+            tidy(name);
+            if name.is_empty() {
+                *name = one_line(file);
+            }
+        }
+        texts.into_iter().for_each(tidy);
+    }
+
     /// Gives every spectrum a name of its own: doubles get "(2)", "(3)", ...
     pub fn name_apart(&mut self) {
         let mut seen: HashMap<String, usize> = HashMap::new();
@@ -134,6 +182,20 @@ impl Reading {
                 spectrum.name = format!("{} ({count})", spectrum.name);
             }
         }
+    }
+}
+
+/// Notes of one line each, without empty ones.
+fn tidy_notes(notes: &mut Vec<String>) {
+    notes.iter_mut().for_each(tidy);
+    notes.retain(|note| !note.is_empty());
+}
+
+fn tidy(text: &mut String) {
+    let line = one_line(text);
+    let line = line.trim();
+    if line != text.as_str() {
+        *text = line.to_owned();
     }
 }
 

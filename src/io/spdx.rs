@@ -4,7 +4,7 @@
 //! header fields may say "Unknown". Entities and document type declarations are refused by the
 //! XML parser, so a small file cannot unfold into a large one.
 
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
@@ -14,6 +14,7 @@ use super::kinds;
 use super::meaning;
 use super::number;
 use super::reading::provenance as provenance_line;
+use super::xml;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
 /// IES TM-27.
@@ -63,11 +64,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .at_line(1));
     }
     let text = without_declaration(text);
-    let document = Document::parse(&text).map_err(|error| {
-        input
-            .error(format!("broken XML ({error})"), "well-formed XML")
-            .at_line(error.pos().row as usize)
-    })?;
+    let document = xml::parse(input, &text)?;
     let root = document.root_element();
     if !root.tag_name().name().eq_ignore_ascii_case("IESTM2714") {
         return Err(input
@@ -99,6 +96,7 @@ fn without_declaration(text: &str) -> String {
     text
 }
 
+/// The line of a node, from 1: counted from the file's start, so only where there is trouble.
 fn line(node: Node) -> usize {
     node.document().text_pos_at(node.range().start).row as usize
 }
@@ -172,29 +170,28 @@ fn read_distribution<'a>(
         .children()
         .filter(|n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case("SpectralData"))
     {
-        let at_line = line(data);
         let number = |text: &str, expected: &str| {
             number::number(text.trim(), false)
                 .filter(|v| v.is_finite())
-                .ok_or_else(|| input.error(quoted(text), expected).at_line(at_line))
+                .ok_or_else(|| input.error(quoted(text), expected).at_line(line(data)))
         };
         let wavelength = data.attribute("wavelength").ok_or_else(|| {
             input
                 .error("<SpectralData> with no wavelength", "wavelength=\"nm\"")
-                .at_line(at_line)
+                .at_line(line(data))
         })?;
         nm.push(number(wavelength, "a wavelength in nm")?);
         values.push(number(
             data.text().unwrap_or(""),
             "a number as spectral value",
         )?);
-        at.push(at_line);
+        at.push(data);
     }
     let cleaned = curve::clean(&nm, &values).map_err(|trouble| {
-        let at_line = trouble.index().and_then(|i| at.get(i)).copied();
+        let at = trouble.index().and_then(|i| at.get(i)).copied();
         input
             .error(trouble.to_string(), trouble.expected())
-            .at_line(at_line.unwrap_or_else(|| line(node)))
+            .at_line(line(at.unwrap_or(node)))
     })?;
     let mut notes = cleaned.notes;
     let stated = field(Some(node), "SpectralQuantity").unwrap_or("");

@@ -16,7 +16,7 @@ use super::curve;
 use super::error::quoted;
 use super::reading::provenance as provenance_line;
 use super::write::Provenance;
-use super::{Confidence, Format, Input, ReadError, Reading};
+use super::{Confidence, Format, Input, ReadError, Reading, budget};
 
 /// The word in `format`.
 pub const FORMAT_WORD: &str = "spectral-explorer-spectrum";
@@ -61,6 +61,27 @@ fn sniff(input: &Input) -> Confidence {
     } else {
         Confidence::No
     }
+}
+
+/// Memory that the parser takes for a value in a list, and for one with a key, in bytes.
+const VALUE_BYTES: usize = 40;
+const KEYED_BYTES: usize = 130;
+
+/// A whole text as JSON. The parsed form of short values is far larger than their text, so they
+/// are counted first.
+///
+/// # Errors
+/// [`ReadError`] for broken JSON, or more values than fit into the memory that the file may take.
+pub fn any_json(input: &Input, text: &str) -> Result<serde_json::Value, ReadError> {
+    let count = |marks: &[u8]| text.bytes().filter(|b| marks.contains(b)).count();
+    let memory = count(b",[{") * VALUE_BYTES + count(b":") * KEYED_BYTES;
+    if memory > budget::of(text.len()) / 2 {
+        return Err(input.error(
+            "JSON of far more values than its size allows",
+            budget::WORDS,
+        ));
+    }
+    serde_json::from_str(text).map_err(|error| json_error(input, &error))
 }
 
 /// An error of the JSON parser as one of the file.

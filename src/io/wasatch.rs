@@ -15,7 +15,7 @@ use crate::spectrum::Kind;
 
 use super::foreign_json::{numbers, word};
 use super::measured::Measured;
-use super::spectrum_json::json_error;
+use super::spectrum_json::any_json;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Wasatch ENLIGHTEN JSON.
@@ -58,7 +58,7 @@ fn by_polynomial(value: &Value, pixels: usize) -> Option<Vec<f64>> {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let value: Value = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
+    let value = any_json(input, text)?;
     let series = value.get("spectrum").and_then(Value::as_object);
     let Some((which, list)) = series.and_then(|all| {
         ["Processed", "processed", "Raw", "raw"]

@@ -211,6 +211,7 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
         .map(|(place, column)| (*column, place))
         .collect();
     let most = budget::of(input.bytes.len()) / 8;
+    let far = || input.error("a sheet far larger than its file", budget::WORDS);
     let (mut text, mut aside) = (String::new(), Vec::new());
     let (mut row, mut place) = (0, 0);
     for ((cell_row, column), cell) in sheet {
@@ -220,9 +221,14 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
             }
             continue;
         };
-        while row < *cell_row {
-            text.push('\n');
-            (row, place) = (row + 1, 0);
+        // Rows without cells are lines too, and a cell may say that it lies anywhere.
+        let lines = (*cell_row - row) as usize;
+        if text.len().saturating_add(lines) > most {
+            return Err(far());
+        }
+        if lines > 0 {
+            text.extend(std::iter::repeat_n('\n', lines));
+            (row, place) = (*cell_row, 0);
         }
         while place < cell_place {
             text.push('\t');
@@ -230,7 +236,7 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
         }
         let _ = write!(text, "{}", cell.text);
         if text.len() > most {
-            return Err(input.error("a sheet far larger than its file", budget::WORDS));
+            return Err(far());
         }
     }
     text.push('\n');

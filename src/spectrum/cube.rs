@@ -12,6 +12,9 @@ use serde::{Deserialize, Serialize};
 use super::region::Region;
 use super::sampled::Sampled;
 
+/// Numbers of this size and beyond stand for "not measured" (-1.23e34 in many libraries).
+const ABSURD: f64 = 1e30;
+
 /// How a cube's file writes a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Number {
@@ -212,7 +215,7 @@ impl fmt::Display for CubeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Empty => f.write_str("expected at least one pixel, found none"),
-            Self::Bands => f.write_str("expected two or more bands at rising wavelengths"),
+            Self::Bands => f.write_str("expected two or more bands at rising wavelengths above 0"),
             Self::Short { found, expected } => match expected {
                 Some(expected) => write!(f, "expected {expected} bytes, found {found}"),
                 None => write!(
@@ -244,7 +247,7 @@ impl Cube {
         }
         let rising = bands.windows(2).all(|pair| pair[0].0 < pair[1].0);
         let stored = bands.iter().all(|(_, band)| *band < layout.stored_bands);
-        let finite = bands.iter().all(|(nm, _)| nm.is_finite());
+        let finite = bands.iter().all(|(nm, _)| *nm > 0.0 && *nm < ABSURD);
         if bands.len() < 2 || !rising || !stored || !finite {
             return Err(CubeError::Bands);
         }
@@ -304,7 +307,8 @@ impl Cube {
             .unwrap_or(0)
     }
 
-    /// One number, as the file has it; NaN where it is missing or outside the image.
+    /// One number, as the file has it; NaN where it is missing, of a size that nothing has (1e30),
+    /// or outside the image.
     pub fn value(&self, x: usize, y: usize, band: usize) -> f64 {
         if x >= self.width || y >= self.height || band >= self.bands.len() {
             return f64::NAN;
@@ -316,7 +320,8 @@ impl Cube {
             ..
         } = self.layout;
         let value = number.read(&self.bytes, self.place(x, y, band), big_endian);
-        if missing.is_some_and(|missing| is_missing(value, missing, number)) {
+        let is_told = missing.is_some_and(|missing| is_missing(value, missing, number));
+        if is_told || value.abs() >= ABSURD {
             f64::NAN
         } else {
             value
@@ -370,11 +375,10 @@ impl Cube {
             big_endian,
             inside,
         );
-        if let Some(missing) = missing {
-            for value in inside {
-                if is_missing(*value, missing, number) {
-                    *value = f64::NAN;
-                }
+        for value in inside {
+            let is_told = missing.is_some_and(|missing| is_missing(*value, missing, number));
+            if is_told || value.abs() >= ABSURD {
+                *value = f64::NAN;
             }
         }
     }

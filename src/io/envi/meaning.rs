@@ -133,6 +133,9 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
     }
 }
 
+/// Scale factors that make sense; others are passed over.
+const SENSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
 /// Kind and scale of the values.
 #[derive(Debug)]
 pub struct Values {
@@ -163,7 +166,7 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
     let lines: Vec<(usize, &str)> = words.iter().map(|w| (1, w.as_str())).collect();
     let factor = header
         .number("reflectance scale factor")?
-        .filter(|factor| *factor > 0.0);
+        .filter(|factor| SENSIBLE_FACTORS.contains(factor));
     let mut guesses = Vec::new();
     let mut sizes: Vec<f64> = sample
         .iter()
@@ -238,7 +241,8 @@ fn stated_factor(title: &str) -> Option<f64> {
         .skip_while(|c| !c.is_ascii_digit())
         .take_while(char::is_ascii_digit)
         .collect();
-    digits.parse().ok().filter(|factor| *factor > 0.0)
+    let factor = digits.parse().ok();
+    factor.filter(|factor| SENSIBLE_FACTORS.contains(factor))
 }
 
 #[cfg(test)]

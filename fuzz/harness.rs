@@ -1,0 +1,487 @@
+//! What must hold whatever a file holds: one harness for the fuzz targets and for
+//! `tests/hostile.rs`.
+//!
+//! [`attack`] hands bytes to one reader, directly and through the sniffers, as they are and with a
+//! person's choices, and panics when a promise is broken: an answer in time and within memory, a
+//! refusal of one line that says what was expected, and nothing but finite numbers in a spectrum.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::fmt::Debug;
+use std::hint::black_box;
+use std::io::{Cursor, Write};
+use std::time::{Duration, Instant};
+
+use spectral_explorer::io::units::WavelengthUnit;
+use spectral_explorer::io::write::{Columns, Provenance};
+use spectral_explorer::io::{
+    Choices, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, read_bytes, read_bytes_as,
+    read_path,
+};
+use spectral_explorer::spectrum::{Composite, Kind, NamedSpectrum, Rect, SpectralImage};
+use zip::CompressionMethod;
+use zip::write::{SimpleFileOptions, ZipWriter};
+
+/// Memory that any file may take, in bytes.
+const MEMORY_FLOOR: usize = 16 << 20;
+/// Memory that each byte of a file may take besides, in bytes.
+const MEMORY_TIMES: usize = 20;
+/// Time that any file may take: what a machine with other work may put between two ticks.
+const TIME_FLOOR: Duration = Duration::from_millis(250);
+/// Time for each MiB; ten times the promise where the program is not optimised.
+const TIME_PER_MIB: Duration = Duration::from_secs(if cfg!(debug_assertions) { 10 } else { 1 });
+/// A slow answer is asked for again so often before it counts: the machine may have been busy.
+const PATIENCE: usize = 3;
+
+/// What parts the first file of a pair from the one beside it.
+pub const BESIDE: &[u8] = b"\n=== BESIDE ===\n";
+/// Readers that look for a second file: the names that the first and the second get.
+const PAIRS: [(&str, &str, &str); 2] = [
+    ("ENVI", "a.hdr", "a.sli"),
+    (
+        "USGS splib07",
+        "splib07a_Alunite_BECKa_AREF.txt",
+        "splib07a_Wavelengths_BECK_3_ch.txt",
+    ),
+];
+
+/// Longest spectrum that is written and read back, in points.
+const LONGEST_WRITTEN: usize = 2000;
+/// Most spectra of a file that are looked at closely.
+const MOST_WRITTEN: usize = 3;
+/// Largest image whose whole planes are asked for, in pixels.
+const LARGEST_PLANE: usize = 1 << 16;
+
+/// Counts what this thread holds.
+struct Counting;
+
+thread_local! {
+    static HELD: Cell<usize> = const { Cell::new(0) };
+    static PEAK: Cell<usize> = const { Cell::new(0) };
+}
+
+fn hold(bytes: usize) {
+    // The thread may be past its end.
+    let _ = HELD.try_with(|held| {
+        held.set(held.get().wrapping_add(bytes));
+        let _ = PEAK.try_with(|peak| {
+            // What another thread made and this one drops takes the count below zero.
+            if (held.get().wrapping_sub(peak.get())).cast_signed() > 0 {
+                peak.set(held.get());
+            }
+        });
+    });
+}
+
+fn drop_held(bytes: usize) {
+    let _ = HELD.try_with(|held| held.set(held.get().wrapping_sub(bytes)));
+}
+
+// SAFETY: everything is the system's allocator; counting allocates nothing.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        hold(layout.size());
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        hold(layout.size());
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
+        drop_held(layout.size());
+        unsafe { System.dealloc(place, layout) }
+    }
+
+    unsafe fn realloc(&self, place: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        drop_held(layout.size());
+        hold(size);
+        unsafe { System.realloc(place, layout, size) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// What one reader made of one file.
+type Answer = Result<Reading, ReadError>;
+
+/// The format of a name in [`FORMATS`].
+fn format_of(name: &str) -> &'static Format {
+    let found = FORMATS.iter().find(|format| format.name == name);
+    found.unwrap_or_else(|| panic!("no format is called {name:?}"))
+}
+
+/// A zip archive.
+pub fn zipped(members: &[(&str, &[u8])], method: CompressionMethod) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let options = SimpleFileOptions::default().compression_method(method);
+    for (name, content) in members {
+        zip.start_file(*name, options).expect("a member");
+        zip.write_all(content).expect("its content");
+    }
+    zip.finish().expect("an archive").into_inner()
+}
+
+/// A workbook whose only sheet has this content, and a list of texts.
+pub fn workbook(sheet: &[u8], texts: &[u8], method: CompressionMethod) -> Vec<u8> {
+    let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+    let office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+    let package = "http://schemas.openxmlformats.org/package/2006/relationships";
+    let book = format!(
+        "<workbook xmlns=\"{main}\" xmlns:r=\"{office}\"><sheets>\
+         <sheet name=\"Data\" sheetId=\"1\" r:id=\"rId1\"/></sheets></workbook>"
+    );
+    let links = format!(
+        "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
+         Type=\"{office}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
+    );
+    let root = format!(
+        "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
+         Type=\"{office}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
+    );
+    let mut members = vec![
+        ("_rels/.rels", root.as_bytes()),
+        ("xl/workbook.xml", book.as_bytes()),
+        ("xl/_rels/workbook.xml.rels", links.as_bytes()),
+        ("xl/worksheets/sheet1.xml", sheet),
+    ];
+    if !texts.is_empty() {
+        members.push(("xl/sharedStrings.xml", texts));
+    }
+    zipped(&members, method)
+}
+
+/// What is no archive put into one, for readers of archives: checksums keep changed bytes of a
+/// packed member from ever being read.
+fn dressed(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
+    if bytes.starts_with(b"PK") {
+        return None;
+    }
+    let one = |member| zipped(&[(member, bytes)], CompressionMethod::Stored);
+    match name {
+        "GDTF" => Some(one("description.xml")),
+        "Ocean Optics ProcSpec" => Some(one("ps_0.xml")),
+        "Excel workbook" => {
+            let (sheet, texts) = halves(bytes).unwrap_or((bytes, b""));
+            Some(workbook(sheet, texts, CompressionMethod::Stored))
+        }
+        _ => None,
+    }
+}
+
+/// What stands before and behind [`BESIDE`].
+fn halves(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
+    let cut = bytes.windows(BESIDE.len()).position(|w| w == BESIDE)?;
+    Some((&bytes[..cut], &bytes[cut + BESIDE.len()..]))
+}
+
+/// Hands bytes to the reader of a name, which is one of [`FORMATS`].
+///
+/// # Panics
+/// When a promise is broken.
+pub fn attack(name: &str, bytes: &[u8]) {
+    if let Some(archive) = dressed(name, bytes) {
+        return attack(name, &archive);
+    }
+    let format = format_of(name);
+    let file = format!("a.{}", format.extensions.first().unwrap_or(&"txt"));
+    let direct = || {
+        let input = Input::new(&file, bytes);
+        // What a sniffer says does not matter here, but it may not panic either.
+        black_box((format.sniff)(&input));
+        (format.read)(&input)
+    };
+    // An empty file never gets to a reader.
+    if !bytes.is_empty() {
+        judge(&file, &in_bounds(bytes.len(), direct), false);
+    }
+    judge(
+        &file,
+        &in_bounds(bytes.len(), || read_bytes(&file, bytes)),
+        true,
+    );
+    let choices = choices_of(bytes);
+    let chosen = in_bounds(bytes.len(), || read_bytes_as(&file, bytes, &choices));
+    judge(&file, &chosen, true);
+    for (_, first, second) in PAIRS.iter().filter(|pair| pair.0 == name) {
+        attack_pair(first, second, bytes);
+    }
+}
+
+/// Whether a file is taken for one of a format by its content, and read. One of the format that is
+/// not read is refused.
+#[allow(dead_code, reason = "the fuzz targets do not ask")]
+pub fn opens_as(name: &str, bytes: &[u8]) -> bool {
+    let format = format_of(name);
+    if let Some(archive) = dressed(name, bytes) {
+        return opens_as(name, &archive);
+    }
+    let first = halves(bytes).map_or(bytes, |(first, _)| first);
+    let file = format!("a.{}", format.extensions.first().unwrap_or(&"txt"));
+    match read_bytes(&file, first) {
+        Ok(reading) => reading.format == name,
+        // What needs a file beside it says so.
+        Err(why) => {
+            name == "a format that is not read"
+                || why.expected.contains("beside")
+                || why.expected.contains("same folder")
+        }
+    }
+}
+
+/// Puts two files beside one another and reads each.
+fn attack_pair(first: &str, second: &str, bytes: &[u8]) {
+    thread_local! {
+        static FOLDER: tempfile::TempDir = tempfile::tempdir().expect("a folder");
+    }
+    let Some((one, other)) = halves(bytes) else {
+        return;
+    };
+    FOLDER.with(|folder| {
+        for (name, bytes) in [(first, one), (second, other)] {
+            std::fs::write(folder.path().join(name), bytes).expect("room for a file");
+        }
+        for name in [first, second] {
+            let path = folder.path().join(name);
+            let answer = in_bounds(bytes.len(), || read_path(&path));
+            // A refusal may name either of the two.
+            match &answer {
+                Err(why) if why.file == second => judge(second, &answer, true),
+                Err(why) if why.file == first => judge(first, &answer, true),
+                _ => judge(name, &answer, true),
+            }
+        }
+    });
+}
+
+/// Decisions of a person who decides by the file's bytes.
+fn choices_of(bytes: &[u8]) -> Choices {
+    let sum = bytes.iter().fold(bytes.len(), |sum, byte| {
+        sum.wrapping_mul(31).wrapping_add(usize::from(*byte))
+    });
+    // The sum in a base of its own for every decision; the last digit is "the reader decides".
+    let mut rest = sum;
+    let mut one_of = |count: usize| {
+        let digit = rest % (count + 1);
+        rest /= count + 1;
+        (digit < count).then_some(digit)
+    };
+    Choices {
+        dialect: one_of(Dialect::ALL.len()).map(|i| Dialect::ALL[i]),
+        axis_column: one_of(4),
+        wavelengths: one_of(WavelengthUnit::ALL.len()).map(|i| WavelengthUnit::ALL[i]),
+        kind: one_of(Kind::ALL.len()).map(|i| Kind::ALL[i]),
+        percent: one_of(2).map(|i| i == 1),
+    }
+}
+
+/// Reads and sees that it took no more time and memory than a file of some bytes may take.
+fn in_bounds(bytes: usize, read: impl Fn() -> Answer) -> Answer {
+    let memory = MEMORY_FLOOR + MEMORY_TIMES * bytes;
+    let time = TIME_FLOOR + TIME_PER_MIB.mul_f64(bytes as f64 / f64::from(1 << 20));
+    let mut slow = 0;
+    loop {
+        let before = HELD.get();
+        PEAK.set(before);
+        let start = Instant::now();
+        let answer = read();
+        let (took, peak) = (start.elapsed(), PEAK.get().wrapping_sub(before));
+        assert!(
+            peak <= memory,
+            "{peak} bytes of memory for a file of {bytes}"
+        );
+        if took <= time {
+            return answer;
+        }
+        slow += 1;
+        assert!(slow < PATIENCE, "{took:?} for a file of {bytes} bytes");
+    }
+}
+
+fn is_line(text: &str) -> bool {
+    !text.is_empty() && !text.contains(char::is_control)
+}
+
+/// Sees that an answer is one that a person can use. What [`read_bytes`] does for every format is
+/// looked at where the answer is `whole`.
+fn judge(file: &str, answer: &Answer, whole: bool) {
+    let reading = match answer {
+        Ok(reading) => reading,
+        Err(why) => {
+            let said = why.to_string();
+            assert!(
+                said.starts_with(file),
+                "{said:?} does not start with {file}"
+            );
+            assert!(said.contains(", expected "), "{said:?}");
+            assert!(is_line(&said), "{said:?} is not one line");
+            assert!(said.chars().count() < 1000, "{said:?} is long");
+            assert!(
+                !why.found.is_empty() && !why.expected.is_empty(),
+                "{said:?}"
+            );
+            return;
+        }
+    };
+    let Reading {
+        file: _,
+        format: _,
+        spectra,
+        composites,
+        table: _,
+        understood: _,
+        results,
+        images,
+        guesses,
+        notes,
+    } = reading;
+    assert!(
+        !spectra.is_empty() || !composites.is_empty() || !images.is_empty(),
+        "read, and nothing in it"
+    );
+    for guess in guesses {
+        assert!(guess.spectrum < spectra.len(), "{guess:?}");
+        assert!(
+            is_line(&guess.chosen) && is_line(&guess.because),
+            "{guess:?}"
+        );
+    }
+    for result in results {
+        assert!(result.value.is_finite(), "{result:?}");
+        assert!(
+            result.spectrum.is_none_or(|i| i < spectra.len()),
+            "{result:?}"
+        );
+    }
+    for composite in composites {
+        finite(&composite.composite);
+    }
+    for spectrum in spectra {
+        sound(spectrum, whole);
+    }
+    for image in images {
+        look_about(image, whole);
+    }
+    if whole {
+        lines(notes);
+        for result in results {
+            assert!(is_line(&result.as_written), "{result:?}");
+        }
+        for composite in composites {
+            assert!(is_line(&composite.name), "{composite:?}");
+        }
+        for spectrum in spectra.iter().take(MOST_WRITTEN) {
+            comes_back(spectrum);
+        }
+    }
+}
+
+fn lines(notes: &[String]) {
+    for note in notes {
+        assert!(is_line(note), "{note:?} is not one line");
+    }
+}
+
+fn all_finite(values: &[f64], what: impl Debug) {
+    let odd = values.iter().find(|v| !v.is_finite());
+    assert!(odd.is_none(), "{odd:?} in {what:?}");
+}
+
+fn sound(spectrum: &NamedSpectrum, whole: bool) {
+    let NamedSpectrum {
+        name,
+        kind: _,
+        unit,
+        scale,
+        samples,
+        notes,
+        source,
+    } = spectrum;
+    assert!(samples.len() >= 2, "{name}: {} points", samples.len());
+    all_finite(samples.nm(), name);
+    all_finite(samples.values(), name);
+    let rising = samples.nm().windows(2).all(|w| w[0] < w[1]);
+    assert!(rising, "{name}: wavelengths that do not rise");
+    assert!(scale.is_finite() && *scale > 0.0, "{name}: scale {scale}");
+    assert!(samples.step_nm() > 0.0, "{name}: {}", samples.step_nm());
+    if whole {
+        assert!(is_line(name) && !name.trim().is_empty(), "name {name:?}");
+        assert!(unit.is_empty() || is_line(unit), "unit {unit:?}");
+        assert!(source.is_empty() || is_line(source), "source {source:?}");
+        lines(notes);
+    }
+}
+
+fn finite(composite: &Composite) {
+    all_finite(&composite.smooth.coefficients, "coefficients");
+    for spike in &composite.spikes {
+        all_finite(&[spike.at_nm, spike.weight], spike);
+    }
+    black_box(composite.on_band());
+}
+
+/// Asks an image for everything that a view may ask for, also beyond its borders.
+fn look_about(image: &SpectralImage, whole: bool) {
+    let cube = &image.cube;
+    let (width, height, bands) = (cube.width(), cube.height(), cube.nm().len());
+    assert!(width > 0 && height > 0 && bands >= 2);
+    assert!(image.scale.is_finite() && image.scale > 0.0);
+    all_finite(cube.nm(), &image.name);
+    let probes = [0, 1, width / 2, width - 1, width, usize::MAX];
+    for x in probes {
+        for y in [0, height / 2, height - 1, height, usize::MAX] {
+            black_box(cube.value(x, y, bands - 1));
+            if let Some(spectrum) = image.pixel(x, y) {
+                sound(&spectrum, whole);
+            }
+        }
+    }
+    black_box(cube.value(0, 0, usize::MAX));
+    assert!(cube.nearest_band(f64::NAN) < bands && cube.nearest_band(550.0) < bands);
+    for spectrum in image.probes() {
+        sound(&spectrum, whole);
+    }
+    let beyond = Rect {
+        x: width - 1,
+        y: height - 1,
+        width: usize::MAX,
+        height: usize::MAX,
+    };
+    if let Some(spectrum) = image.mean_of(beyond) {
+        sound(&spectrum, whole);
+    }
+    if width.saturating_mul(height) <= LARGEST_PLANE {
+        assert_eq!(cube.plane(bands - 1).len(), width * height);
+        if let Some(spectrum) = image.mean() {
+            sound(&spectrum, whole);
+        }
+    }
+}
+
+/// Writes a spectrum as CSV and reads it again to the same numbers. Under 100 nm and over
+/// 1 mm a table is not believed to count nanometres, whatever its title says.
+fn comes_back(spectrum: &NamedSpectrum) {
+    let samples = &spectrum.samples;
+    let is_axis = samples.first_nm() >= 100.0 && samples.last_nm() <= 1e6;
+    if samples.len() > LONGEST_WRITTEN || !is_axis {
+        return;
+    }
+    let text = csv::write(
+        spectrum,
+        &Columns::measured(spectrum),
+        &Provenance::default(),
+    );
+    let again = read_bytes("again.csv", text.as_bytes());
+    let again = again.unwrap_or_else(|why| panic!("{why}\n{text}"));
+    assert_eq!(again.spectra.len(), 1, "{text}");
+    let back = &again.spectra[0];
+    let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(back.samples.nm()), bits(samples.nm()), "{text}");
+    assert_eq!(
+        bits(back.samples.values()),
+        bits(samples.values()),
+        "{text}"
+    );
+}
