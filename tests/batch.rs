@@ -410,7 +410,7 @@ fn a_file_beyond_the_limit_is_refused_unread() {
 #[test]
 fn projects_in_a_folder_do_not_put_everything_else_away() {
     let folder = tempfile::tempdir().unwrap();
-    let text = spectral_explorer::app::workspace::to_json(App::new().document(), None);
+    let text = spectral_explorer::app::workspace::to_json(App::new().document(), None).unwrap();
     fs::write(folder.path().join("a.json"), text).unwrap();
     fs::write(folder.path().join("b.csv"), LAMP).unwrap();
     let finished = read_all(&[folder.path().to_owned()]);

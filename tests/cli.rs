@@ -764,6 +764,87 @@ fn a_model_is_converted_as_it_is_reported_and_copied_bit_by_bit() {
 }
 
 #[test]
+fn a_model_keeps_name_and_kind_and_a_line_of_text_is_asked_about() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let leaf = write(
+        folder.path(),
+        "leaf.csv",
+        "nm,oak reflectance\n380,0.1\n500,0.3\n600,0.2\n780,0.5\n",
+    );
+    let (model, table) = (place("m.composite.json"), place("t.csv"));
+    said(&["convert", &leaf, &model, "--order", "2"]);
+    let text = said(&["convert", &model, &table, "--as", "spectrum"]);
+    assert!(text.contains("leaf (reflectance, 401 points)"), "{text}");
+    let line = place("m.txt");
+    said(&["convert", &model, &line]);
+    let reading = read_path(Path::new(&line)).unwrap();
+    assert!(reading.is_doubtful(), "{:?}", reading.guesses);
+    let text = said(&["convert", &line, &table, "--kind", "reflectance"]);
+    assert!(text.contains("reflectance, 401 points"), "{text}");
+}
+
+#[test]
+fn a_table_beside_the_range_is_not_modelled_as_zero() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("m.txt").display().to_string();
+    let infrared = write(
+        folder.path(),
+        "ir.csv",
+        "nm,irradiance\n1000,1\n1100,3\n1200,2\n1300,2\n",
+    );
+    let line = refusal(1, &["convert", &infrared, &out]);
+    assert!(
+        line.contains("found values of 1000-1300 nm, expected some in the model's range"),
+        "{line}"
+    );
+    assert!(!Path::new(&out).exists());
+    let text = said(&["report", &infrared]);
+    assert!(
+        text.contains("Nothing was measured in 380-780 nm: the table covers 1000-1300 nm."),
+        "{text}"
+    );
+    assert!(!text.contains("is zero"), "{text}");
+    let text = said(&["convert", &infrared, &out, "--range", "1000:1300"]);
+    assert!(text.contains("Note      "), "{text}");
+}
+
+#[test]
+fn a_kind_said_on_the_command_line_is_taken_as_in_the_window() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = write(folder.path(), "hl.csv", "380,40\n500,60\n600,70\n780,80\n");
+    let out = folder.path().join("o.json").display().to_string();
+    said(&["convert", &input, &out, "--kind", "reflectance"]);
+    let read = read_path(Path::new(&out)).unwrap();
+    let hundredths = [40.0, 60.0, 70.0, 80.0].map(|percent| 0.01 * percent);
+    assert_eq!(read.spectra[0].samples.values(), hundredths);
+    let report = json(&["report", &input, "--json", "--kind", "reflectance"]);
+    let y = at(&report, "colour/exact/xyz")[1].as_f64().unwrap();
+    assert!((40.0..100.0).contains(&y), "{y}");
+}
+
+#[test]
+fn what_has_no_colour_is_converted_all_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = write(
+        folder.path(),
+        "glass.csv",
+        "nm,absorbance\n400,0.1\n500,0.5\n600,2.5\n",
+    );
+    for extension in ["csv", "json"] {
+        let out = folder.path().join(format!("o.{extension}"));
+        said(&["convert", &input, out.to_str().unwrap()]);
+        let read = read_path(&out).unwrap();
+        assert_eq!(
+            read.spectra[0].samples.values(),
+            [0.1, 0.5, 2.5],
+            "{extension}"
+        );
+        assert_eq!(read.spectra[0].kind.word(), "absorbance", "{extension}");
+    }
+}
+
+#[test]
 fn the_papers_lamp_is_converted_with_its_own_printed_numbers() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mercury.json");
@@ -836,7 +917,7 @@ fn a_saved_project_is_taken_with_its_own_settings() {
         order: 11,
         ..settings
     }));
-    let text = workspace::to_json(app.document(), None);
+    let text = workspace::to_json(app.document(), None).unwrap();
     let file = write(folder.path(), "lesson.json", &text);
     let report = json(&["report", &file, "--json"]);
     assert_eq!(at(&report, "model/order"), 11);
@@ -872,6 +953,19 @@ fn without_a_command_files_and_presets_are_for_the_window() {
         neither.contains("\"reprot\": found no such file"),
         "{neither}"
     );
+    // A file that is not there does not stop the others.
+    let told = tell(&["gone.csv", "FL2"]);
+    let Outcome::Window { files, .. } = told.outcome else {
+        panic!("{}", told.err);
+    };
+    let (app, refused) = cli::app_with(&files);
+    assert_eq!(app.document().light.name(), "FL2");
+    assert!(
+        refused.len() == 1 && refused[0].starts_with("gone.csv: found no such file"),
+        "{refused:?}"
+    );
+    let alone = refusal(1, &["gone.csv"]);
+    assert!(alone.contains("gone.csv"), "{alone}");
     let told = tell(&[folder.path().to_str().unwrap(), "FL2"]);
     let Outcome::Window { files, .. } = told.outcome else {
         panic!("{}", told.err);

@@ -26,7 +26,7 @@ use spectral_explorer::{
         pages::Page,
         picture::{self, Eye, Held, ImageMemory, RasterAsk, Show, Source, developed, step_of},
         state::Tone,
-        workspace::{self, Preferences},
+        workspace::{self, Preferences, StoredImage},
     },
     color::{Observer, xyz_from_light, xyz_from_reflectance},
     spectrum::{
@@ -568,9 +568,33 @@ fn images_come_back_after_a_restart_and_what_is_gone_is_said() {
         "{problems:?}"
     );
     assert!(!app(&ui).can_undo(), "nothing that a person did");
+    ui.state_mut().0.keep_now();
     drop(ui.into_state());
     let kept = workspace::load(&path).expect("readable").expect("kept");
-    assert_eq!(kept.images.len(), 2, "written before they were there");
+    assert_eq!(kept.images.len(), 2, "a disk may be plugged in again");
+    assert!(kept.images.iter().all(|image| image.path.is_absolute()));
+}
+
+#[test]
+fn a_missing_image_is_looked_for_at_every_start_until_it_is_forgotten() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("workspace.json");
+    let saver = Some(Saver::new(path.clone()));
+    let files = Arc::new(|_: &_| Picked::Cancelled);
+    let mut window = Window::new(App::new(), Preferences::default(), files, saver);
+    let lost = StoredImage {
+        key: "image/7".to_owned(),
+        path: folder.path().join("unplugged.hdr"),
+        index: 0,
+    };
+    window.bring_back(vec![lost], &egui::Context::default());
+    let mut ui = over(window, [1280.0, 800.0]);
+    settle(&mut ui);
+    ui.state_mut().0.keep_now();
+    click(&mut ui, "forget 1 missing image");
+    drop(ui.into_state());
+    let kept = workspace::load(&path).expect("readable").expect("kept");
+    assert_eq!(kept.images, []);
 }
 
 #[test]

@@ -194,7 +194,7 @@ fn a_disk_that_cannot_be_written_is_a_message() {
 fn a_damaged_workspace_is_kept_aside_under_a_name_that_is_told() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("workspace.json");
-    let whole = workspace::to_json(App::new().document(), Some(&Preferences::default()));
+    let whole = workspace::to_json(App::new().document(), Some(&Preferences::default())).unwrap();
     // Cut short anywhere, or with a byte changed into another, it loads or is set aside.
     let cuts = (0..whole.len()).step_by(whole.len() / 60 + 1);
     for cut in cuts {

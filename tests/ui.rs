@@ -841,7 +841,7 @@ fn a_dropped_project_is_opened_and_can_be_undone() {
     let mut other = App::new();
     other.apply(light(&other, "cie_illuminants/CIE A"));
     other.apply(Command::Scale(Scale::OneWatt));
-    let text = workspace::to_json(other.document(), None);
+    let text = workspace::to_json(other.document(), None).unwrap();
     let mut ui = fresh();
     let before = app(&ui).document().clone();
     drop_file(&mut ui, "project.json", text.as_bytes());
@@ -1321,7 +1321,9 @@ fn a_window_is_restored_as_it_was_left() {
 #[test]
 fn what_could_not_be_restored_is_said_in_the_window() {
     let document = App::new().document().clone();
-    let text = workspace::to_json(&document, None).replace("cie_fluorescent_1nm/FL11", "gone/FL11");
+    let text = workspace::to_json(&document, None)
+        .unwrap()
+        .replace("cie_fluorescent_1nm/FL11", "gone/FL11");
     let restored = workspace::from_json(&text).expect("sound");
     let (app_again, ..) = Window::restored(restored);
     let ui = over(window(app_again, no_files()));

@@ -152,7 +152,7 @@ impl Export {
             Self::CurveCsv => Ok(curve_csv(app)),
             Self::PlotSvg => Ok(spectrum_chart(app, theme).to_svg(1000, 640)),
             Self::CurveSvg => Ok(curve_chart(app, theme).to_svg(1000, 560)),
-            Self::Project => Ok(workspace::to_json(document, None)),
+            Self::Project => workspace::to_json(document, None),
         }
     }
 }
@@ -190,6 +190,7 @@ pub fn composite_file(app: &App) -> CompositeFile {
         unit: spectrum.unit.clone(),
         source: spectrum.source.clone(),
         name: spectrum.name.clone(),
+        kind: spectrum.kind,
     }
 }
 

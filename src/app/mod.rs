@@ -30,6 +30,7 @@ pub mod settings;
 pub mod spectral_unit;
 pub mod spike_hand;
 pub mod state;
+pub mod stored_path;
 pub mod studies;
 pub mod study_report;
 pub mod tables;

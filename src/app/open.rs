@@ -42,17 +42,25 @@ pub enum Loaded {
 
 /// Reads a file.
 pub fn load_path(path: &Path) -> Loaded {
-    // A project is JSON of our own: it is looked for by its format word, not by its extension.
-    if let Some(loaded) = project_at(path) {
-        return loaded;
-    }
-    load_path_as(path, &Choices::default())
+    load_path_of_kind(path, None)
+}
+
+/// Reads a file of values of a kind that somebody said; per cent is told by that kind, as in the
+/// window.
+pub fn load_path_of_kind(path: &Path, kind: Option<Kind>) -> Loaded {
+    let choices = Choices {
+        kind,
+        ..Choices::default()
+    };
+    project_at(path).unwrap_or_else(|| load_path_as(path, &choices))
 }
 
 /// Reads a file with decisions about it.
 pub fn load_path_as(path: &Path, choices: &Choices) -> Loaded {
     let reading = io::read_path_as(path, choices);
-    from_reading(reading, Some(path.to_owned()), None, choices)
+    // It is found again from any folder that the program is started in.
+    let kept = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    from_reading(reading, Some(kept), None, choices)
 }
 
 /// Reads a file that is in memory with decisions about it.
@@ -71,6 +79,7 @@ pub fn load_bytes(name: &str, bytes: &[u8]) -> Loaded {
     load_bytes_as(name, &Arc::from(bytes), &Choices::default())
 }
 
+/// A project is JSON of our own: it is looked for by its format word, not by its extension.
 fn project_at(path: &Path) -> Option<Loaded> {
     use std::io::Read;
     // Looking into a pipe would eat its beginning.
@@ -233,7 +242,7 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
     Some(NamedSpectrum {
         samples: sampled_from_composite(&file.composite)?,
         name: file.name,
-        kind: Kind::Light,
+        kind: file.kind,
         unit: file.unit,
         scale: 1.0,
         notes: {
@@ -276,23 +285,11 @@ pub fn resolve_pixels(
     pixels: Option<Rect>,
     kind: Option<Kind>,
 ) -> Result<Entry, String> {
-    let path = Path::new(input);
-    // Not `is_file`: a pipe is a fine input too.
-    let mut entry = if path.exists() && !path.is_dir() {
-        from_file(path, pick, pixels)?
-    } else if pixels.is_some() {
-        return Err(format!(
-            "{input}: found no file, expected a spectral image with --pixel and --region"
-        ));
-    } else {
-        from_library(input, path, pick)?
-    };
-    if let Some(kind) = kind {
-        entry.spectrum.kind = kind;
-    }
+    let entry = resolve_any(input, pick, pixels, kind)?;
     if !entry.is_usable() {
         return Err(format!(
-            "{}: found {} values, expected a light, a reflectance or a transmittance (say --kind)",
+            "{}: found {} values, expected a light, a reflectance or a transmittance (say --kind, \
+             or --spectrum for another of the file)",
             entry.name(),
             entry.kind()
         ));
@@ -300,8 +297,42 @@ pub fn resolve_pixels(
     Ok(entry)
 }
 
-fn from_file(path: &Path, pick: Option<&str>, pixels: Option<Rect>) -> Result<Entry, String> {
-    let (mut spectra, makers) = match load_path(path) {
+/// The same, whatever its values are: absorbance, weighting functions and n and k have no colour,
+/// but are kept and written.
+///
+/// # Errors
+/// One line that says what was found and what was expected.
+pub fn resolve_any(
+    input: &str,
+    pick: Option<&str>,
+    pixels: Option<Rect>,
+    kind: Option<Kind>,
+) -> Result<Entry, String> {
+    let path = Path::new(input);
+    // Not `is_file`: a pipe is a fine input too.
+    let entry = if path.exists() && !path.is_dir() {
+        from_file(path, pick, pixels, kind)?
+    } else if pixels.is_some() {
+        return Err(format!(
+            "{input}: found no file, expected a spectral image with --pixel and --region"
+        ));
+    } else {
+        let mut preset = from_library(input, path, pick)?;
+        if let Some(kind) = kind {
+            preset.spectrum.kind = kind;
+        }
+        preset
+    };
+    Ok(entry)
+}
+
+fn from_file(
+    path: &Path,
+    pick: Option<&str>,
+    pixels: Option<Rect>,
+    kind: Option<Kind>,
+) -> Result<Entry, String> {
+    let (mut spectra, makers) = match load_path_of_kind(path, kind) {
         Loaded::File(opened) => match pixels {
             Some(pixels) => (opened.spectra_of_pixels(pixels)?, Vec::new()),
             None => {
@@ -313,7 +344,9 @@ fn from_file(path: &Path, pick: Option<&str>, pixels: Option<Rect>) -> Result<En
         },
         Loaded::Refused(why) => return Err(why),
         Loaded::Project { restored, .. } => {
-            return Ok(Entry::clone(restored.document.subject_entry()));
+            let mut entry = Entry::clone(restored.document.subject_entry());
+            entry.spectrum.kind = kind.unwrap_or(entry.spectrum.kind);
+            return Ok(entry);
         }
     };
     let index = match pick {
@@ -331,6 +364,8 @@ fn from_file(path: &Path, pick: Option<&str>, pixels: Option<Rect>) -> Result<En
     };
     let count = spectra.len();
     let mut spectrum = spectra.swap_remove(index);
+    // An image's pixels have the image's kind.
+    spectrum.kind = kind.unwrap_or(spectrum.kind);
     if count > 1 {
         spectrum
             .notes
@@ -355,13 +390,18 @@ fn picked(spectra: &[NamedSpectrum], pick: &str) -> Option<usize> {
     by_name.or_else(by_number).or_else(by_any_case)
 }
 
-fn from_library(input: &str, path: &Path, pick: Option<&str>) -> Result<Entry, String> {
-    let looks_like_path = path.extension().is_some_and(|e| {
+/// Whether a word means a file, be it there or not: it ends as files do, or is a whole path.
+pub fn names_a_file(path: &Path) -> bool {
+    let is_ending = |e: &std::ffi::OsStr| {
         e.len() <= 5 && e.to_string_lossy().chars().all(|c| c.is_ascii_alphabetic())
-    }) || path.is_absolute();
+    };
+    path.extension().is_some_and(is_ending) || path.is_absolute()
+}
+
+fn from_library(input: &str, path: &Path, pick: Option<&str>) -> Result<Entry, String> {
     let preset = match Library::bundled().find(input) {
         Ok(preset) => preset,
-        Err(_) if looks_like_path => {
+        Err(_) if names_a_file(path) => {
             // The reader's own words for a missing file or a folder.
             return Err(io::read_path(path).err().map_or_else(
                 || format!("{input}: found no file, expected a file or a preset's name"),

@@ -141,9 +141,11 @@ fn composite_json(file: &CompositeFile) -> Value {
         unit,
         source,
         name,
+        kind,
     } = file;
     json!({
         "name": name,
+        "kind": kind.word(),
         "unit": unit,
         "source": source,
         "range_nm": [composite.band().min_nm(), composite.band().max_nm()],

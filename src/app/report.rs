@@ -217,7 +217,7 @@ pub fn text(app: &App) -> String {
             (1e5 * e.energy).round() / 1e3 + 0.0,
             100.0 * e.lowest
         )),
-        None => line("Error     none to speak of: the spectrum is zero".to_owned()),
+        None => line("Error     none to speak of: there is nothing in the range".to_owned()),
     }
     let mut colour_line = |what: &str, colour: Option<Colour>| {
         let Some(c) = colour else {

@@ -149,6 +149,13 @@ impl App {
         &self.derived
     }
 
+    /// Whether the subject's table reaches into the model's range.
+    pub fn is_measured_in_range(&self) -> bool {
+        let samples = &self.document.subject_entry().spectrum.samples;
+        let band = self.derived.band;
+        samples.first_nm() <= band.max_nm() && samples.last_nm() >= band.min_nm()
+    }
+
     /// The shared tables, for benches and studies.
     pub fn tables(&self) -> &Arc<Tables> {
         &self.tables

@@ -19,6 +19,7 @@ use super::{
     products::{Link, Products, Times},
     scale::Scale,
     settings::Settings,
+    stored_path,
 };
 use crate::{
     io::{
@@ -44,6 +45,7 @@ pub struct Preferences {
     /// Large type and thick lines.
     pub projector: bool,
     /// Files opened last, newest first.
+    #[serde(with = "stored_path::list")]
     pub recent: Vec<PathBuf>,
     /// Inner size of the window in points, if it was ever shown.
     pub window: Option<[f32; 2]>,
@@ -149,6 +151,7 @@ pub struct StoredImage {
     /// Its key.
     pub key: String,
     /// The file.
+    #[serde(with = "stored_path")]
     pub path: PathBuf,
     /// Which of the file's images, from 0.
     pub index: usize,
@@ -262,16 +265,23 @@ pub struct Restored {
 }
 
 /// The text of a workspace (with preferences) or a project (without).
-pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> String {
+///
+/// # Errors
+/// One line when it cannot be written as text; then nothing must be saved over what is there.
+pub fn to_json(document: &Document, preferences: Option<&Preferences>) -> Result<String, String> {
     to_json_with(document, preferences, &[])
 }
 
-/// The same with images that are still being read again: what is not there yet is not lost.
+/// The same with images that are still being read again, or that were not found this time: what
+/// is not there yet is not lost.
+///
+/// # Errors
+/// As [`to_json`].
 pub fn to_json_with(
     document: &Document,
     preferences: Option<&Preferences>,
     waiting: &[StoredImage],
-) -> String {
+) -> Result<String, String> {
     let Document {
         light,
         factor,
@@ -320,8 +330,8 @@ pub fn to_json_with(
         products: Some(StoredProducts::of(products)),
         preferences: preferences.cloned(),
     };
-    // The structure holds nothing that JSON cannot: no map with other keys than text.
-    serde_json::to_string_pretty(&stored).unwrap_or_default()
+    serde_json::to_string_pretty(&stored)
+        .map_err(|error| format!("the document cannot be written as JSON: {error}"))
 }
 
 /// Reads a workspace or project.

@@ -16,6 +16,7 @@ use crate::{
         export,
         library::Library,
         open::{self, Loaded},
+        ticks::short,
     },
     io::{
         self, CompositeFile, Provenance,
@@ -76,6 +77,9 @@ fn as_measured() -> Provenance {
     }
 }
 
+/// Most notes told of a file of many spectra.
+const MOST_NOTES: usize = 12;
+
 /// Every spectrum of a file, side by side.
 fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
     let usage = |words: String| Err(Refusal::Usage(words));
@@ -93,7 +97,7 @@ fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
     }
     let input = &options.input;
     let file = |why: String| Refusal::File(format!("{input}: {why}"));
-    let mut spectra = match open::load_path(Path::new(input)) {
+    let spectra = match open::load_path_of_kind(Path::new(input), pick.kind) {
         Loaded::File(opened) => opened.into_spectra(),
         Loaded::Refused(why) => return Err(Refusal::File(why)),
         Loaded::Project { .. } => {
@@ -102,11 +106,6 @@ fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
             ));
         }
     };
-    if let Some(kind) = pick.kind {
-        for spectrum in &mut spectra {
-            spectrum.kind = kind;
-        }
-    }
     let columns = Columns::together(&spectra).map_err(file)?;
     let mut about = spectra[0].clone();
     if spectra.len() > 1 {
@@ -114,20 +113,30 @@ fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
     }
     write_as(&options.out, &about, &columns, &as_measured())
         .map_err(|why| Refusal::File(why.to_string()))?;
-    let mut what = format!(
-        "{} spectra ({}, {} wavelengths)",
-        spectra.len(),
+    let what = format!(
+        "{} ({}, {} wavelengths)",
+        match spectra.len() {
+            1 => "1 spectrum".to_owned(),
+            count => format!("{count} spectra"),
+        },
         about.kind,
         columns.nm.len()
     );
+    let mut notes: Vec<String> = Vec::new();
+    for note in spectra.iter().flat_map(|spectrum| &spectrum.notes) {
+        if !notes.contains(note) && notes.len() < MOST_NOTES {
+            notes.push(note.clone());
+        }
+    }
     if columns
         .columns
         .iter()
         .any(|c| c.values.iter().any(|v| v.is_nan()))
     {
-        what += "\nNote      their wavelengths differ: a cell is empty where a spectrum has none";
+        notes
+            .push("their wavelengths differ: a cell is empty where a spectrum has none".to_owned());
     }
-    Ok(what)
+    Ok(with_notes(what, &notes))
 }
 
 fn form(options: &Convert, extension: &str, is_composite: bool) -> Result<Form, Refusal> {
@@ -168,7 +177,7 @@ fn form(options: &Convert, extension: &str, is_composite: bool) -> Result<Form, 
 
 fn spectrum(options: &Convert) -> Result<String, Refusal> {
     let pick = &options.pick;
-    let entry = open::resolve_pixels(
+    let entry = open::resolve_any(
         &options.input,
         pick.spectrum.as_deref(),
         pick.pixels(),
@@ -183,19 +192,25 @@ fn spectrum(options: &Convert) -> Result<String, Refusal> {
         &as_measured(),
     )
     .map_err(|why| Refusal::File(why.to_string()))?;
-    let mut what = format!(
+    let what = format!(
         "{} ({}, {} points)",
         spectrum.name,
         spectrum.kind,
         spectrum.samples.len()
     );
     // How it was read belongs to it: a guessed unit, or further spectra that were not written.
-    let lost = losses(&words::extension(&options.out), spectrum);
-    for note in lost.iter().chain(&spectrum.notes) {
+    let mut notes = losses(&words::extension(&options.out), spectrum);
+    notes.extend(spectrum.notes.iter().cloned());
+    Ok(with_notes(what, &notes))
+}
+
+/// What was written, and what a person should know about it, a line each.
+fn with_notes(mut what: String, notes: &[String]) -> String {
+    for note in notes {
         what += "\nNote      ";
         what += note;
     }
-    Ok(what)
+    what
 }
 
 fn model(
@@ -203,11 +218,26 @@ fn model(
     kept: Option<CompositeFile>,
     err: &mut dyn Write,
 ) -> Result<String, Refusal> {
-    let file = match kept {
-        Some(file) if !options.model.is_given() => file,
+    let (file, notes) = match kept {
+        Some(file) if !options.model.is_given() => (file, Vec::new()),
         _ => {
             let app = subject::app(&options.input, &options.pick, options.model, err)?;
-            export::composite_file(&app)
+            if !app.is_measured_in_range() {
+                let spectrum = &app.document().subject_entry().spectrum;
+                let band = app.derived().band;
+                return Err(Refusal::File(format!(
+                    "{}: found values of {}-{} nm, expected some in the model's range, {}-{} nm \
+                     (say --range)",
+                    spectrum.name,
+                    short(spectrum.samples.first_nm()),
+                    short(spectrum.samples.last_nm()),
+                    band.min_nm(),
+                    band.max_nm()
+                )));
+            }
+            let spectrum = &app.document().subject_entry().spectrum;
+            let notes = spectrum.notes.iter().chain(&app.derived().warnings);
+            (export::composite_file(&app), notes.cloned().collect())
         }
     };
     let text = if words::extension(&options.out) == LINE {
@@ -217,11 +247,12 @@ fn model(
     };
     text.and_then(|text| save_atomically(&options.out, text.as_bytes()))
         .map_err(|why| Refusal::File(why.to_string()))?;
-    Ok(format!(
+    let what = format!(
         "the model of {}, {}",
         file.name,
         composite_json::in_words(&file.composite)
-    ))
+    );
+    Ok(with_notes(what, &notes))
 }
 
 /// The composite that an input is, if it is one: a file's or a preset's.
@@ -248,5 +279,6 @@ fn composite(input: &str, pick: Option<&str>) -> Option<CompositeFile> {
         unit: preset.unit.clone(),
         source: preset.source.clone(),
         name: preset.name.clone(),
+        kind: preset.kind,
     })
 }

@@ -11,7 +11,7 @@ use crate::{
     app::{
         App, Command, Entry,
         library::Library,
-        open::{Loaded, Outcome, batch::read_all},
+        open::{Loaded, Outcome, batch::read_all, names_a_file},
         state::Tone,
     },
     io::error::quoted,
@@ -44,12 +44,21 @@ impl Input {
     }
 }
 
-/// The words as files and presets.
+/// The words as files and presets. A file that is not there does not stop the others: it is told
+/// among what was refused.
 ///
 /// # Errors
-/// [`Refusal::File`] for the first word that is neither.
+/// [`Refusal::File`] for the first word that means no file, or when nothing is there.
 pub fn inputs(words: &[OsString]) -> Result<Vec<Input>, Refusal> {
-    words.iter().map(input).collect()
+    let found: Vec<_> = words.iter().map(input).collect();
+    if found.iter().all(Result::is_err) {
+        return found.into_iter().collect();
+    }
+    let or_missing = |(input, word): (Result<Input, Refusal>, &OsString)| match input {
+        Err(_) if names_a_file(Path::new(word)) => Ok(Input::File(word.into())),
+        input => input,
+    };
+    found.into_iter().zip(words).map(or_missing).collect()
 }
 
 fn input(word: &OsString) -> Result<Input, Refusal> {

@@ -14,7 +14,8 @@ pub const UNFINISHED: &str = ".saving-";
 
 /// Saves bytes as a file, replacing an old one in a single step.
 ///
-/// A link is followed, and the permissions of a file that is replaced are kept.
+/// A link is followed, and the permissions of a file that is replaced are kept. A pipe or device
+/// is written into and stays what it is.
 ///
 /// # Errors
 /// [`WriteError`] in words: no such folder, read-only folder, disk full, ...
@@ -28,7 +29,11 @@ fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
         return Err(Error::from(ErrorKind::IsADirectory));
     }
     let folder = folder_of(&target);
-    let old = fs::metadata(&target).ok().map(|about| about.permissions());
+    let about = fs::metadata(&target).ok();
+    if about.as_ref().is_some_and(|about| !about.is_file()) {
+        return write_into(&target, bytes);
+    }
+    let old = about.map(|about| about.permissions());
     if old.as_ref().is_some_and(fs::Permissions::readonly) {
         return Err(Error::new(
             ErrorKind::PermissionDenied,
@@ -54,6 +59,13 @@ fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     file.persist(&target).map_err(|refused| refused.error)?;
     sync_folder(&folder);
     Ok(())
+}
+
+/// Writes into a pipe or device: it takes what comes, and a file renamed over it would end it.
+fn write_into(target: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let mut taker = fs::OpenOptions::new().write(true).open(target)?;
+    taker.write_all(bytes)?;
+    taker.flush()
 }
 
 fn folder_of(target: &Path) -> PathBuf {
@@ -139,6 +151,21 @@ mod tests {
         fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
         save_atomically(&path, b"2").unwrap();
         assert_eq!(mode(&path), 0o640);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_written_into_and_stays_a_pipe() {
+        use std::os::unix::fs::FileTypeExt;
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe.csv");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.is_ok_and(|status| status.success()));
+        let end = pipe.clone();
+        let reader = std::thread::spawn(move || fs::read(end).unwrap());
+        save_atomically(&pipe, b"380,1").unwrap();
+        assert_eq!(reader.join().unwrap(), b"380,1");
+        assert!(fs::metadata(&pipe).unwrap().file_type().is_fifo());
     }
 
     #[cfg(unix)]

@@ -34,6 +34,10 @@ impl Choices {
             }
         };
         reading.spectra.iter_mut().for_each(impose);
+        reading
+            .composites
+            .iter_mut()
+            .for_each(|model| model.kind = kind);
         reading.guesses.retain(|guess| guess.what != Guessed::Kind);
     }
 }

@@ -4,17 +4,20 @@
 //! {"format": "composite-spectrum", "version": 1, "range_nm": [min, max],
 //!  "basis": "fourier" | "cosine",
 //!  "coefficients": {"a": [N+1], "b": [N]} | {"c": [2N+1]},
-//!  "spikes": [{"at_nm", "weight"}], "unit", "source", "scale_in_force", "written_by"}
+//!  "spikes": [{"at_nm", "weight"}], "unit", "source", "name", "kind", "scale_in_force",
+//!  "written_by"}
 //! ```
 //!
-//! The last two are for people; a model is always written in its file's own numbers.
+//! `name` and `kind` ("light", "reflectance", ...) may be missing: then the model is called as its
+//! file and is a light. The last two are for people; a model is always written in its file's own
+//! numbers.
 //!
 //! The Fourier `a0` is the paper's, halved in the series; the cosine `c0` is not. A Fourier series
 //! whose last sine was dropped is written with a zero in its place.
 
 use serde::{Deserialize, Serialize};
 
-use crate::spectrum::{Band, Basis, Composite, Series, Spike};
+use crate::spectrum::{Band, Basis, Composite, Kind, Series, Spike};
 
 use super::error::WriteError;
 use super::number::is_measured;
@@ -48,6 +51,10 @@ struct File {
     unit: String,
     #[serde(default)]
     source: String,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    name: String,
+    #[serde(default)]
+    kind: Option<Kind>,
     #[serde(default, skip_serializing_if = "String::is_empty")]
     scale_in_force: String,
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -118,6 +125,8 @@ fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
         spikes,
         unit,
         source,
+        name,
+        kind,
         scale_in_force: _,
         written_by: _,
     } = file;
@@ -141,7 +150,12 @@ fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
         composite,
         unit,
         source,
-        name: input.stem().to_owned(),
+        name: if name.is_empty() {
+            input.stem().to_owned()
+        } else {
+            name
+        },
+        kind: kind.unwrap_or(Kind::Light),
     })
 }
 
@@ -232,6 +246,7 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         unit,
         source,
         name,
+        kind,
     } = file;
     let smooth = &composite.smooth;
     let finite = smooth.coefficients.iter().all(|c| c.is_finite())
@@ -275,6 +290,8 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
             .collect(),
         unit: unit.clone(),
         source: source.clone(),
+        name: name.clone(),
+        kind: Some(*kind),
         scale_in_force: "as measured".to_owned(),
         written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
     };

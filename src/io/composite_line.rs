@@ -6,18 +6,18 @@
 //! ```
 //!
 //! Five fields: mark and version, basis, range in nm, coefficients in prefix order, spikes as
-//! `nm*weight`. Numbers are the shortest decimals that read back to the same bits. Unit and source
-//! are not in the line.
+//! `nm*weight`. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
+//! and kind are not in the line: it is taken as a light unless a person says otherwise.
 
 use std::fmt;
 
-use crate::spectrum::{Band, Basis, Composite, Spike};
+use crate::spectrum::{Band, Basis, Composite, Kind, Spike};
 
 use super::composite_json::{checked, in_words};
 use super::error::quoted;
 use super::number::number;
 use super::write::shortest;
-use super::{CompositeFile, Confidence, Format, Input, ReadError, Reading};
+use super::{CompositeFile, Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
 /// First field of the line: the format and its version.
 pub const MARK: &str = "cs1";
@@ -72,6 +72,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             unit: String::new(),
             source: String::new(),
             name: input.stem().to_owned(),
+            kind: Kind::Light,
+        }],
+        guesses: vec![Guess {
+            spectrum: 0,
+            what: Guessed::Kind,
+            chosen: Kind::Light.word().to_owned(),
+            because: "the line does not say".to_owned(),
         }],
         ..Reading::default()
     })
@@ -280,7 +287,8 @@ mod tests {
                 composite: composite.clone(),
                 unit: "W m-2 nm-1".to_owned(),
                 source: "a \"test\"".to_owned(),
-                name: "x".to_owned(),
+                name: "a leaf".to_owned(),
+                kind: Kind::Reflectance,
             };
             let text = composite_json::write(&file).unwrap();
             let back = read_bytes("x.json", text.as_bytes()).unwrap().composites.remove(0);

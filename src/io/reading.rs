@@ -89,8 +89,10 @@ pub struct CompositeFile {
     pub unit: String,
     /// Where the numbers come from; empty when unknown.
     pub source: String,
-    /// What lists and plots call it. The file format has no name, so this is the file's own.
+    /// What lists and plots call it; the file's own name where the format has none.
     pub name: String,
+    /// What its values stand for; a light where the format does not say.
+    pub kind: Kind,
 }
 
 /// Everything that one file holds.

@@ -21,7 +21,10 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme) {
     }
     let colour = &app.derived().colour;
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
-        ui.weak("No visible light in this range: there is no colour to show.");
+        ui.weak(match colour.exact {
+            None => "No visible light in this range: there is no colour to show.",
+            Some(_) => "The model has no colour in this range: there is nothing to compare.",
+        });
         errors(ui, app);
         warnings(ui, app, theme);
         return;

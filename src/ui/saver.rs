@@ -33,7 +33,8 @@ impl Saver {
                 }
                 let (document, preferences, waiting) = job;
                 let text = workspace::to_json_with(&document, Some(&preferences), &waiting);
-                if let Err(why) = workspace::save(&path, &text) {
+                let text = text.map_err(|why| format!("Workspace not saved: {why}."));
+                if let Err(why) = text.and_then(|text| workspace::save(&path, &text)) {
                     // The window may be gone already; then nobody is left to be told.
                     let _ = trouble.send(why);
                 }

@@ -70,6 +70,17 @@ pub struct Derived {
     pub warnings: Vec<String>,
 }
 
+/// What is said of a table that lies beside the range.
+pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
+    format!(
+        "Nothing was measured in {}-{} nm: the table covers {}-{} nm.",
+        band.min_nm(),
+        band.max_nm(),
+        short(first_nm),
+        short(last_nm)
+    )
+}
+
 impl Derived {
     /// Answers the question: fit, errors, colours, patches and the whole order curve.
     pub fn of(question: Question<'_>, tables: &Tables) -> Self {
@@ -86,7 +97,11 @@ impl Derived {
             .collect();
         add_spikes(band, &fitted.spikes, &mut residual);
         let colour = fitted.colour(question, tables, &coefficients);
-        let patches = fitted.patches(question, tables, &coefficients);
+        // Without a white there is nothing to bring patches to.
+        let is_visible = colour.exact.is_some() && colour.model.is_some();
+        let patches = is_visible
+            .then(|| fitted.patches(question, tables, &coefficients))
+            .flatten();
         let mut derived = Self {
             band,
             measured: question.measured.to_vec(),
@@ -139,8 +154,16 @@ impl Derived {
     fn warnings_for(&self, question: Question<'_>) -> Vec<String> {
         let settings = question.settings;
         let mut warnings = Vec::new();
-        if self.errors.is_none() {
+        let [first_nm, last_nm] = question.table_nm;
+        let is_beside = first_nm > self.band.max_nm() || last_nm < self.band.min_nm();
+        if is_beside {
+            warnings.push(nothing_measured(self.band, question.table_nm));
+        } else if self.errors.is_none() {
             warnings.push("The spectrum is zero over the whole range.".to_owned());
+        } else if self.colour.exact.is_some() && self.colour.model.is_none() {
+            warnings.push(
+                "The model's X, Y, Z are not all positive: it has no colour to compare.".to_owned(),
+            );
         } else if self.colour.exact.is_none() {
             warnings.push(
                 "No visible light in this range (X, Y, Z are not positive): there is no colour."
@@ -180,8 +203,7 @@ impl Derived {
                 short(top)
             ));
         }
-        let [first_nm, last_nm] = question.table_nm;
-        if first_nm > self.band.min_nm() || last_nm < self.band.max_nm() {
+        if !is_beside && (first_nm > self.band.min_nm() || last_nm < self.band.max_nm()) {
             let outside = if question.is_light {
                 "it is zero"
             } else {
@@ -194,6 +216,7 @@ impl Derived {
             ));
         }
         if let Some(colour) = self.colour.exact
+            && self.colour.model.is_some()
             && !colour.swatch.in_gamut
         {
             warnings.push(format!(

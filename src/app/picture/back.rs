@@ -35,6 +35,7 @@ pub struct Reader {
     sender: Sender<News>,
     receiver: Receiver<News>,
     waiting: Vec<StoredImage>,
+    lost: Vec<StoredImage>,
 }
 
 impl Default for Reader {
@@ -44,6 +45,7 @@ impl Default for Reader {
             sender,
             receiver,
             waiting: Vec::new(),
+            lost: Vec::new(),
         }
     }
 }
@@ -104,7 +106,7 @@ impl Reader {
     /// What has come since the last call.
     pub fn news(&mut self) -> Vec<News> {
         let mut news: Vec<News> = self.receiver.try_iter().collect();
-        let waiting = &mut self.waiting;
+        let (waiting, lost) = (&mut self.waiting, &mut self.lost);
         news.retain(|one| {
             let key = match one {
                 News::Back(image) => &image.key,
@@ -112,8 +114,14 @@ impl Reader {
                 News::Needs(_) => return true,
             };
             let place = waiting.iter().position(|waiting| waiting.key == *key);
+            let is_awaited = place.map(|place| waiting.remove(place)).is_some();
+            if let News::Lost(stored, _) = one
+                && is_awaited
+            {
+                lost.push(stored.clone());
+            }
             // What was forgotten meanwhile is no news.
-            place.map(|place| waiting.remove(place)).is_some()
+            is_awaited
         });
         news
     }
@@ -121,11 +129,28 @@ impl Reader {
     /// Nobody waits for images any more: they were of another document.
     pub fn forget(&mut self) {
         self.waiting.clear();
+        self.lost.clear();
     }
 
     /// Images that are still being read.
     pub fn waiting(&self) -> &[StoredImage] {
         &self.waiting
+    }
+
+    /// Images that were not found this time.
+    pub fn lost(&self) -> &[StoredImage] {
+        &self.lost
+    }
+
+    /// Gives up the images that were not found.
+    pub fn give_up(&mut self) {
+        self.lost.clear();
+    }
+
+    /// What the workspace names besides the images that are there: a disk that is not plugged in
+    /// today may be tomorrow.
+    pub fn absent(&self) -> Vec<StoredImage> {
+        self.waiting.iter().chain(&self.lost).cloned().collect()
     }
 }
 

@@ -26,7 +26,8 @@ pub(super) fn hover(
     let Some(pointer) = ui.input(|i| i.pointer.hover_pos()) else {
         return;
     };
-    if !plot.contains(pointer) {
+    // A dialog may lie over the plot.
+    if !ui.rect_contains_pointer(plot) {
         return;
     }
     let derived = app.derived();
@@ -35,9 +36,14 @@ pub(super) fn hover(
         return;
     }
     let value = |values: &[f64]| ticks::short(axis.factor * derived.band.interpolate(values, nm));
+    let samples = &app.document().subject_entry().spectrum.samples;
+    let measured = if (samples.first_nm()..=samples.last_nm()).contains(&nm) {
+        format!("measured {}", value(&derived.measured))
+    } else {
+        "not measured".to_owned()
+    };
     let mut text = format!(
-        "{nm:.1} nm   measured {}   model {}",
-        value(&derived.measured),
+        "{nm:.1} nm   {measured}   model {}",
         value(&derived.model_values()),
     );
     if let Some(line) = nearest_line(nm, app.element_lines()) {

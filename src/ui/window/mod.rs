@@ -427,6 +427,7 @@ impl Window {
                     ui.spinner();
                     ui.label(format!("reading {images} images again"));
                 }
+                self.offer_to_forget(ui);
                 if self.waiting.is_some() {
                     if ui
                         .small_button("stop waiting")
@@ -498,13 +499,35 @@ impl Window {
         }
     }
 
+    /// A button that gives up the images of the last time that were not found.
+    fn offer_to_forget(&mut self, ui: &mut Ui) {
+        let lost = self.images.lost();
+        if lost.is_empty() {
+            return;
+        }
+        let words = match lost.len() {
+            1 => "forget 1 missing image".to_owned(),
+            count => format!("forget {count} missing images"),
+        };
+        let names: Vec<String> = lost.iter().map(|l| l.path.display().to_string()).collect();
+        let forgets = ui.small_button(words).on_hover_text(format!(
+            "Not found this time: {}. They are looked for again at every start until you forget \
+             them.",
+            names.join(", ")
+        ));
+        if forgets.clicked() {
+            self.images.give_up();
+            self.keep_now();
+        }
+    }
+
     /// Hands the workspace to the saver at once.
     pub fn keep_now(&mut self) {
         if let Some(saver) = &self.saver {
             saver.keep_with(
                 self.app.document(),
                 &self.preferences,
-                self.images.waiting(),
+                &self.images.absent(),
             );
             self.kept = (self.app.revision(), self.preferences.clone());
             self.changed_at = None;
