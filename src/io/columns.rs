@@ -12,7 +12,7 @@ use super::draft::{Draft, header_field};
 use super::error::quoted;
 use super::layout::{self, Layout};
 use super::pick::{self, NoTable, Table};
-use super::roles::value_columns;
+use super::roles::{self, value_columns};
 use super::rows::{AlongRow, read_rows};
 use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
@@ -254,6 +254,7 @@ fn read_columns(
     let title = titles.whole(rows.wavelength);
     let stem = header_field(&block.header, "name:").unwrap_or(input.stem());
     let is_whole = rows.run.len() == block.rows();
+    let is_rgb = are_rgb(titles, &values);
     for (number, column) in values.iter().enumerate() {
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
@@ -265,7 +266,11 @@ fn read_columns(
         let name = column_name(titles, *column, values.len(), number);
         let draft = Draft {
             name: name_with_part(stem, &name, &rows.part),
-            title: titles.whole(*column),
+            title: if is_rgb {
+                String::new()
+            } else {
+                titles.whole(*column)
+            },
             axis_title: title.clone(),
             says_nm,
             header: &block.header,
@@ -293,11 +298,21 @@ fn read_columns(
     Ok(())
 }
 
+/// Whether columns are a camera's or a display's R, G and B: then R is no reflectance.
+fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
+    ["r", "g", "b"].iter().all(|letter| {
+        let mut names = values.iter().map(|column| titles.names[*column].trim());
+        names.any(|name| name.eq_ignore_ascii_case(letter))
+    })
+}
+
 /// Title of a value column where it says more than what kind of value it is.
 fn column_name(titles: &Titles, column: usize, columns: usize, number: usize) -> String {
     let title = titles.names[column].trim();
     let generic = super::kinds::kind_of_title(title).is_some()
         || title.len() == 1
+        || roles::is_processed(title)
+        || super::units::names_wavelength(title)
         || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str());
     match (title.is_empty(), columns) {
         (true, 1) => String::new(),
@@ -312,5 +327,22 @@ fn name_with_part(stem: &str, name: &str, part: &str) -> String {
         (true, _) => format!("{stem}{part}"),
         (false, true) => format!("{stem}, {name}{part}"),
         (false, false) => format!("{name}{part}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn the_r_of_rgb_is_no_reflectance() {
+        let text = b"nm,R,G,B\n400,0.1,0.2,0.3\n410,0.2,0.3,0.4\n420,0.3,0.4,0.5\n";
+        let spectra = read_bytes("a.csv", text).unwrap().spectra;
+        assert!(spectra.iter().all(|s| s.kind == Kind::Light), "{spectra:?}");
+        assert_eq!(spectra[0].name, "R");
+        let alone = b"nm,R\n400,0.1\n410,0.2\n420,0.3\n";
+        let leaf = &read_bytes("a.csv", alone).unwrap().spectra[0];
+        assert_eq!(leaf.kind, Kind::Reflectance);
     }
 }

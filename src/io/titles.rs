@@ -48,7 +48,9 @@ impl Titles {
                 continue;
             };
             let filled = cells.iter().filter(|c| !c.is_empty()).count();
-            if is_unit_line(&cells) {
+            if is_setting(&cells) {
+                next_above = false;
+            } else if is_unit_line(&cells) {
                 found.units = cells;
             } else if filled < 2 && width > 2 {
                 // A row of empty cells ("Name,,,,"): look above it.
@@ -106,6 +108,12 @@ fn is_unit_line(cells: &[String]) -> bool {
         && filled.all(|c| {
             c.starts_with('[') && c.ends_with(']') || c.starts_with('(') && c.ends_with(')')
         })
+}
+
+/// A line such as "Time: 130msec" or "#AxisUnit[1]= nm": its first cell ends with the mark of a key.
+fn is_setting(cells: &[String]) -> bool {
+    let first = cells[0].trim_matches(['"', ' ']);
+    first.ends_with([':', '=']) && !names_wavelength(first)
 }
 
 /// A line such as "Integration time, 92.0" above two columns.
@@ -181,6 +189,14 @@ mod tests {
     fn a_setting_above_two_columns_is_no_title() {
         for line in ["I-Time,92.0", "SSI1,---"] {
             let found = titles(&format!("{line}\n380nm,1\n381nm,2\n"), Delimiter::Comma);
+            assert!(!found.any(), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn keys_with_their_mark_are_no_titles() {
+        for line in ["\"Time: 130msec\"", "#AxisUnit[1]= nm", "Serial: X1"] {
+            let found = titles(&format!("{line}\n380 1\n381 2\n"), Delimiter::Space);
             assert!(!found.any(), "{found:?}");
         }
     }
