@@ -255,6 +255,7 @@ fn read_columns(
     let stem = header_field(&block.header, "name:").unwrap_or(input.stem());
     let is_whole = rows.run.len() == block.rows();
     let is_rgb = are_rgb(titles, &values);
+    let above = names_above(block, dialect, titles, &values);
     for (number, column) in values.iter().enumerate() {
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
@@ -263,7 +264,10 @@ fn read_columns(
         } else {
             of_column[rows.run.clone()].to_vec()
         };
-        let name = column_name(titles, *column, values.len(), number);
+        let name = match above.get(number) {
+            Some(name) => name.clone(),
+            None => column_name(titles, *column, values.len(), number),
+        };
         let draft = Draft {
             name: name_with_part(stem, &name, &rows.part),
             title: if is_rgb {
@@ -296,6 +300,44 @@ fn read_columns(
         }
     }
     Ok(())
+}
+
+/// Names of columns that all have one title, from the line above their titles: a sample's name over
+/// its values, or over the wavelengths to the left of them. Empty where none tells them apart.
+fn names_above(
+    block: &super::table::Block,
+    dialect: Dialect,
+    titles: &Titles,
+    values: &[usize],
+) -> Vec<String> {
+    let title = |column: &usize| titles.names[*column].trim();
+    let (Some(first), true) = (values.first(), values.len() > 1) else {
+        return Vec::new();
+    };
+    if title(first).is_empty() || values.iter().any(|column| title(column) != title(first)) {
+        return Vec::new();
+    }
+    let mut cells = Vec::new();
+    let mut lines = block.header.iter().rev().map(|(_, line)| *line).take(6);
+    if !lines.any(|line| line.contains(title(first))) {
+        return Vec::new();
+    }
+    let Some(line) = lines.next() else {
+        return Vec::new();
+    };
+    dialect.split(line, &mut cells);
+    let mut left = 0;
+    let mut names: Vec<String> = Vec::with_capacity(values.len());
+    for column in values {
+        let over = (left..=*column).rev().filter_map(|at| cells.get(at));
+        let mut filled = over.map(|cell| cell.trim().trim_matches('"').trim());
+        match filled.find(|cell| !cell.is_empty()) {
+            Some(name) if !names.iter().any(|other| other == name) => names.push(name.to_owned()),
+            _ => return Vec::new(),
+        }
+        left = column + 1;
+    }
+    names
 }
 
 /// Whether columns are a camera's or a display's R, G and B: then R is no reflectance.
@@ -344,5 +386,17 @@ mod tests {
         let alone = b"nm,R\n400,0.1\n410,0.2\n420,0.3\n";
         let leaf = &read_bytes("a.csv", alone).unwrap().spectra[0];
         assert_eq!(leaf.kind, Kind::Reflectance);
+    }
+
+    #[test]
+    fn columns_of_one_title_are_named_by_the_line_above() {
+        for text in [
+            "WP,first,second\nWavelength,Processed,Processed\n400,1,2\n410,3,4\n420,5,6\n",
+            "first,,second,,\nWavelength (nm),%T,Wavelength (nm),%T,\n400,1,400,2,\n410,3,410,4,\n420,5,420,6,\n",
+        ] {
+            let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
+            let names: Vec<&str> = spectra.iter().map(|s| s.name.as_str()).collect();
+            assert_eq!(names, ["first", "second"], "{text}");
+        }
     }
 }

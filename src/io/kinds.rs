@@ -91,6 +91,7 @@ const WORDS: [(Kind, &[&str]); 6] = [
             "radiant",
             "w/m",
             "w/(m",
+            "w/(c",
             "w m-2",
             "wm-2",
             "w*m-2",

@@ -94,7 +94,7 @@ pub fn unit(title: &str, header: &[(usize, &str)]) -> String {
         let lower = line.trim().to_lowercase();
         let states = lower.starts_with("unit") || lower.starts_with("y unit");
         if states && let Some(after) = line.split([':', '=', '\t', ',']).nth(1) {
-            let after = after.trim().trim_matches(['(', ')', '[', ']', '"']);
+            let after = without_brackets(after.trim().trim_matches('"'));
             if looks_like_unit(after) {
                 return after.to_owned();
             }
@@ -109,6 +109,16 @@ pub fn unit(title: &str, header: &[(usize, &str)]) -> String {
         }
     }
     String::new()
+}
+
+/// A unit without the brackets around the whole of it.
+fn without_brackets(unit: &str) -> &str {
+    let unit = unit.trim();
+    [('(', ')'), ('[', ']')]
+        .into_iter()
+        .find_map(|(open, close)| unit.strip_prefix(open)?.strip_suffix(close))
+        .unwrap_or(unit)
+        .trim()
 }
 
 /// The first unit in brackets; brackets inside it and a divisor in brackets belong to it, as in
@@ -182,6 +192,7 @@ mod tests {
         assert_eq!(unit("Strahlung in W/(m²·nm)", &[]), "W/(m²·nm)");
         assert_eq!(unit("Global tilt  W*m-2*nm-1", &[]), "W*m-2*nm-1");
         assert_eq!(unit("W/m2", &[]), "W/m2");
+        assert_eq!(unit("", &[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
         assert_eq!(unit("W 10/12", &[]), "");
         assert_eq!(unit("TL01", &[]), "");
     }
