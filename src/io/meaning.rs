@@ -154,7 +154,8 @@ fn bare(title: &str) -> Option<&str> {
     })
 }
 
-fn looks_like_unit(text: &str) -> bool {
+/// Whether a text is a unit of values and nothing else.
+pub fn looks_like_unit(text: &str) -> bool {
     const WORDS: [&str; 6] = ["counts", "1.0", "fraction", "a.u.", "relative", "W"];
     !text.is_empty()
         && text.len() <= 40

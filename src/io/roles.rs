@@ -73,7 +73,7 @@ fn is_counter(title: &str) -> bool {
     )
 }
 
-/// A column of standard deviations or uncertainties.
+/// A column of standard deviations, uncertainties or widths of the spectrometer's bands.
 fn is_spread(title: &str) -> bool {
     let title = title.to_lowercase();
     let words = [
@@ -88,6 +88,7 @@ fn is_spread(title: &str) -> bool {
         "variance",
     ];
     words.iter().any(|w| title.contains(w))
+        || ["sd", "se", "sem", "fwhm", "bandwidth"].contains(&title.trim())
 }
 
 /// Raw readings that stand beside the processed values: dark, reference and sample counts next to
@@ -117,7 +118,23 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
         let title = titles.whole(*c);
         !raw(*c) && (kind_of_title(&title).is_some() || is_processed(&title))
     });
-    if processed { raws } else { Vec::new() }
+    if processed {
+        return raws;
+    }
+    // A sample in counts beside what was measured without it.
+    let is_sample = |column: &usize| {
+        let title = titles.whole(*column).to_lowercase();
+        title.starts_with("sample") || title.starts_with("scope")
+    };
+    let (samples, others): (Vec<usize>, Vec<usize>) = raws.into_iter().partition(is_sample);
+    let has_dark = others
+        .iter()
+        .any(|column| titles.whole(*column).to_lowercase().starts_with("dark"));
+    if samples.len() == 1 && has_dark {
+        others
+    } else {
+        Vec::new()
+    }
 }
 
 /// Whether a title says no more than that its column is the result.
@@ -148,6 +165,16 @@ mod tests {
         assert_eq!(columns, [4]);
         assert_eq!(notes.len(), 3);
         assert!(notes[0].contains("Dark"));
+    }
+
+    #[test]
+    fn of_counts_the_sample_is_kept_where_a_dark_reading_stands_beside_it() {
+        let text =
+            "Wave;Dark;Reference;Sample\n[nm];[counts];[counts];[counts]\n300;1;9;5\n301;1;9;4\n";
+        let (columns, notes) = values(text);
+        assert_eq!(columns, [3]);
+        assert_eq!(notes.len(), 2);
+        assert_eq!(values("nm;Reference;Sample\n300;9;5\n301;9;4\n").0, [1, 2]);
     }
 
     #[test]
@@ -195,5 +222,6 @@ mod tests {
     fn a_spread_is_no_spectrum_but_a_sample_alone_is() {
         assert_eq!(values("nm;T;Std.Dev.\n300;1;0.1\n301;2;0.1\n").0, [1]);
         assert_eq!(values("nm;Sample\n300;1\n301;2\n").0, [1]);
+        assert_eq!(values("nm;leaf;FWHM;sd\n300;1;5;2\n301;2;5;1\n").0, [1]);
     }
 }

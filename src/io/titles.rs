@@ -1,6 +1,7 @@
 //! Titles of a table's columns, found in the lines above it.
 
 use super::dialect::{Delimiter, Dialect, used};
+use super::meaning::looks_like_unit;
 use super::table::Block;
 use super::units::names_wavelength;
 
@@ -102,7 +103,21 @@ fn cells_for(line: &str, dialect: Dialect, width: usize, row_names: bool) -> Opt
     Some(titles)
 }
 
+/// A line of nothing but units: all in brackets, or plain ones behind the wavelengths' own.
 fn is_unit_line(cells: &[String]) -> bool {
+    is_plain_unit_line(cells) || is_bracketed_unit_line(cells)
+}
+
+/// "nm, W/m^2/nm, %".
+fn is_plain_unit_line(cells: &[String]) -> bool {
+    let of_values = cells.get(1..).unwrap_or(&[]);
+    let is_unit = |cell: &String| cell.is_empty() || looks_like_unit(cell);
+    ["nm", "um", "µm", "μm", "cm-1", "1/cm"].contains(&cells[0].trim())
+        && of_values.iter().any(|cell| !cell.is_empty())
+        && of_values.iter().all(is_unit)
+}
+
+fn is_bracketed_unit_line(cells: &[String]) -> bool {
     let mut filled = cells.iter().filter(|c| !c.is_empty()).peekable();
     filled.peek().is_some()
         && filled.all(|c| {
@@ -165,6 +180,18 @@ mod tests {
         );
         assert_eq!(found.names, ["Wave", "Dark", "Transmittance"]);
         assert_eq!(found.units, ["[nm]", "[counts]", "[%]"]);
+    }
+
+    #[test]
+    fn a_line_of_plain_units_stands_below_the_titles() {
+        let found = titles(
+            "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n",
+            Delimiter::Semicolon,
+        );
+        assert_eq!(found.names, ["Wavelength", "Irradiance", "R"]);
+        assert_eq!(found.units, ["nm", "W/m^2/nm", "%"]);
+        let alone = titles("nm;W/m2\n300;3\n301;2\n", Delimiter::Semicolon);
+        assert_eq!(alone.whole(1), "W/m2");
     }
 
     #[test]
