@@ -256,7 +256,13 @@ fn read_columns(
     let is_whole = rows.run.len() == block.rows();
     let is_rgb = are_rgb(titles, &values);
     let above = names_above(block, dialect, titles, &values);
+    let mut other_axes = Vec::new();
     for (number, column) in values.iter().enumerate() {
+        let own_axis = roles::axis_of(block, titles, rows.wavelength, &values, *column);
+        let own_numbers = (own_axis != rows.wavelength).then(|| block.column(own_axis).to_vec());
+        if own_numbers.is_some() {
+            other_axes.push((own_axis, *column));
+        }
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
         let of_column = if is_whole {
@@ -275,10 +281,13 @@ fn read_columns(
             } else {
                 titles.whole(*column)
             },
-            axis_title: title.clone(),
+            axis_title: match own_numbers {
+                Some(_) => titles.whole(own_axis),
+                None => title.clone(),
+            },
             says_nm,
             header: &block.header,
-            axis: &axis[rows.run.clone()],
+            axis: &own_numbers.as_deref().unwrap_or(axis)[rows.run.clone()],
             values: of_column,
             lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
             percent_signs: block.columns[*column].percents > 0,
@@ -294,7 +303,19 @@ fn read_columns(
         }
         draft.finish(input, reading)?;
     }
-    for note in left_out {
+    for (axis, column) in &other_axes {
+        let of = format!(
+            "column {} has its wavelengths in column {}",
+            column + 1,
+            axis + 1
+        );
+        reading.notes.push(of);
+    }
+    let is_used = |note: &String| {
+        let starts = |axis: usize| note.starts_with(&format!("column {} ", axis + 1));
+        note.ends_with(roles::SECOND_AXIS) && other_axes.iter().any(|(axis, _)| starts(*axis))
+    };
+    for note in left_out.into_iter().filter(|note| !is_used(note)) {
         if !reading.notes.contains(&note) {
             reading.notes.push(note);
         }
@@ -398,5 +419,29 @@ mod tests {
             let names: Vec<&str> = spectra.iter().map(|s| s.name.as_str()).collect();
             assert_eq!(names, ["first", "second"], "{text}");
         }
+    }
+
+    #[test]
+    fn pairs_side_by_side_have_wavelengths_of_their_own() {
+        let text = b"nm,%T,nm,%T\n400,1,402,5\n410,2,412,6\n420,3,422,7\n,,432,8\n";
+        let reading = read_bytes("a.csv", text).unwrap();
+        let samples: Vec<_> = reading.spectra.iter().map(|s| &s.samples).collect();
+        assert_eq!(samples[0].nm(), [400.0, 410.0, 420.0]);
+        assert_eq!(samples[1].nm(), [402.0, 412.0, 422.0, 432.0]);
+        let said = "has its wavelengths in column";
+        assert!(
+            reading.notes.iter().any(|note| note.contains(said)),
+            "{reading:?}"
+        );
+    }
+
+    #[test]
+    fn the_other_end_of_a_band_is_no_axis_of_its_own() {
+        let text = b"wl_min,wl_max,E,F\n400,401,1,5\n401,402,2,6\n402,403,3,7\n";
+        let spectra = read_bytes("a.csv", text).unwrap().spectra;
+        assert!(
+            spectra.iter().all(|s| s.samples.first_nm() == 400.0),
+            "{spectra:?}"
+        );
     }
 }

@@ -5,8 +5,38 @@ use super::table::Block;
 use super::titles::Titles;
 use super::units::names_wavelength;
 
+/// The column that holds the wavelengths of a column of values: the nearest one to its left that is
+/// titled so, where pairs of wavelengths and values stand side by side with a grid each, else the
+/// table's own.
+pub fn axis_of(
+    block: &Block,
+    titles: &Titles,
+    wavelength: usize,
+    values: &[usize],
+    column: usize,
+) -> usize {
+    let nearest = (0..column).rev().find(|at| {
+        !values.contains(at)
+            && block.columns[*at].numbers > 0
+            && names_wavelength(&titles.whole(*at))
+    });
+    // "Lower wvl, upper wvl, value" is no pair: nothing stands between the two.
+    let is_pair = |at: &usize| {
+        let between = wavelength.min(*at)..wavelength.max(*at);
+        values.iter().any(|v| between.contains(v))
+    };
+    let differs = |at: &usize| {
+        let (own, table) = (block.column(*at), block.column(wavelength));
+        own.iter().zip(table).any(|(a, b)| a != b && !a.is_nan())
+    };
+    nearest
+        .filter(is_pair)
+        .filter(differs)
+        .unwrap_or(wavelength)
+}
+
 /// What is said of further columns of wavelengths.
-const SECOND_AXIS: &str = "is a second axis and was left out";
+pub const SECOND_AXIS: &str = "is a second axis and was left out";
 
 /// Columns that are spectra, and why others were left out, a sentence each.
 pub fn value_columns(
