@@ -6,6 +6,8 @@
 //! values stand for, [`curve`](super::curve) puts them in order. Each decision is a note, each
 //! guess a [`Guess`](super::Guess).
 
+use std::collections::HashSet;
+
 use super::alternating;
 use super::dialect::Dialect;
 use super::draft::{Draft, header_field};
@@ -256,12 +258,13 @@ fn read_columns(
     let is_whole = rows.run.len() == block.rows();
     let is_rgb = are_rgb(titles, &values);
     let above = names_above(block, dialect, titles, &values);
-    let mut other_axes = Vec::new();
+    let axes = roles::other_axes(block, titles, rows.wavelength, &values);
+    let mut paired = Vec::new();
     for (number, column) in values.iter().enumerate() {
-        let own_axis = roles::axis_of(block, titles, rows.wavelength, &values, *column);
+        let own_axis = roles::axis_of(&axes, rows.wavelength, *column);
         let own_numbers = (own_axis != rows.wavelength).then(|| block.column(own_axis).to_vec());
         if own_numbers.is_some() {
-            other_axes.push((own_axis, *column));
+            paired.push((own_axis, *column));
         }
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
@@ -303,7 +306,7 @@ fn read_columns(
         }
         draft.finish(input, reading)?;
     }
-    for (axis, column) in &other_axes {
+    for (axis, column) in &paired {
         let of = format!(
             "column {} has its wavelengths in column {}",
             column + 1,
@@ -313,7 +316,7 @@ fn read_columns(
     }
     let is_used = |note: &String| {
         let starts = |axis: usize| note.starts_with(&format!("column {} ", axis + 1));
-        note.ends_with(roles::SECOND_AXIS) && other_axes.iter().any(|(axis, _)| starts(*axis))
+        note.ends_with(roles::SECOND_AXIS) && paired.iter().any(|(axis, _)| starts(*axis))
     };
     for note in left_out.into_iter().filter(|note| !is_used(note)) {
         if !reading.notes.contains(&note) {
@@ -349,11 +352,12 @@ fn names_above(
     dialect.split(line, &mut cells);
     let mut left = 0;
     let mut names: Vec<String> = Vec::with_capacity(values.len());
+    let mut seen = HashSet::new();
     for column in values {
         let over = (left..=*column).rev().filter_map(|at| cells.get(at));
         let mut filled = over.map(|cell| cell.trim().trim_matches('"').trim());
         match filled.find(|cell| !cell.is_empty()) {
-            Some(name) if !names.iter().any(|other| other == name) => names.push(name.to_owned()),
+            Some(name) if seen.insert(name) => names.push(name.to_owned()),
             _ => return Vec::new(),
         }
         left = column + 1;

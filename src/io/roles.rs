@@ -5,34 +5,40 @@ use super::table::Block;
 use super::titles::Titles;
 use super::units::names_wavelength;
 
-/// The column that holds the wavelengths of a column of values: the nearest one to its left that is
-/// titled so, where pairs of wavelengths and values stand side by side with a grid each, else the
-/// table's own.
-pub fn axis_of(
+/// Columns of wavelengths beside the table's own: such as are titled so, hold other numbers, and
+/// have values between the two. "Lower wvl, upper wvl, value" has none.
+pub fn other_axes(
     block: &Block,
     titles: &Titles,
     wavelength: usize,
     values: &[usize],
-    column: usize,
-) -> usize {
-    let nearest = (0..column).rev().find(|at| {
-        !values.contains(at)
-            && block.columns[*at].numbers > 0
-            && names_wavelength(&titles.whole(*at))
-    });
-    // "Lower wvl, upper wvl, value" is no pair: nothing stands between the two.
+) -> Vec<usize> {
+    let is_titled =
+        |at: &usize| block.columns[*at].numbers > 0 && names_wavelength(&titles.whole(*at));
     let is_pair = |at: &usize| {
         let between = wavelength.min(*at)..wavelength.max(*at);
-        values.iter().any(|v| between.contains(v))
+        !values.contains(at) && values.iter().any(|v| between.contains(v))
     };
     let differs = |at: &usize| {
         let (own, table) = (block.column(*at), block.column(wavelength));
         own.iter().zip(table).any(|(a, b)| a != b && !a.is_nan())
     };
-    nearest
+    (0..block.width)
+        .filter(|at| *at != wavelength)
+        .filter(is_titled)
         .filter(is_pair)
         .filter(differs)
-        .unwrap_or(wavelength)
+        .collect()
+}
+
+/// The column that holds the wavelengths of a column of values: the nearest axis to its left, where
+/// pairs of wavelengths and values stand side by side with a grid each, else the table's own.
+pub fn axis_of(others: &[usize], wavelength: usize, column: usize) -> usize {
+    let nearest = others.iter().copied().rfind(|at| *at < column);
+    match nearest {
+        Some(at) if wavelength > column || at > wavelength => at,
+        _ => wavelength,
+    }
 }
 
 /// What is said of further columns of wavelengths.
