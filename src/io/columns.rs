@@ -93,6 +93,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         };
         read_table(input, text, dialect, table, &part, &mut reading)?;
     }
+    if reading.spectra.is_empty() {
+        return Err(input.error("wavelengths and no values", A_TABLE));
+    }
     reading.notes.push(dialect.words());
     Ok(reading)
 }

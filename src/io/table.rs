@@ -122,7 +122,7 @@ impl<'a> Block<'a> {
     /// Whether a column holds one number in every row.
     pub fn is_constant(&self, column: usize) -> bool {
         let values = self.column(column);
-        values.windows(2).all(|pair| pair[0] == pair[1])
+        values.len() >= SETTLED && values.windows(2).all(|pair| pair[0] == pair[1])
     }
 
     /// Whether a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
