@@ -361,11 +361,18 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
     if let Some(kind) = kind_of_name(&input.name) {
         return guess(kind, "the file's name".to_owned());
     }
-    let factors = values
-        .iter()
-        .flatten()
-        .all(|v| v.is_nan() || (-0.05..=1.3).contains(v));
-    if factors {
+    let all_in = |low: f64, high: f64| {
+        let mut known = values.iter().flatten().filter(|v| !v.is_nan());
+        known.all(|v| (low..=high).contains(v))
+    };
+    // Several patches of a chart with per cent, by a program that is not Argyll.
+    let is_chart = values.len() > 1 && table.kind.starts_with("CGATS") && all_in(-1.0, 130.0);
+    if is_chart && !all_in(-0.05, 1.3) {
+        guess(
+            Kind::Reflectance,
+            "nothing states it; several sets with values of 0..100".to_owned(),
+        )
+    } else if all_in(-0.05, 1.3) {
         guess(
             Kind::Reflectance,
             "nothing states it; all values lie in 0..1".to_owned(),

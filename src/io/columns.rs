@@ -6,13 +6,15 @@
 //! values stand for, [`curve`](super::curve) puts them in order. Each decision is a note, each
 //! guess a [`Guess`](super::Guess).
 
+use std::collections::HashSet;
+
 use super::alternating;
 use super::dialect::Dialect;
 use super::draft::{Draft, header_field};
 use super::error::quoted;
 use super::layout::{self, Layout};
 use super::pick::{self, NoTable, Table};
-use super::roles::value_columns;
+use super::roles::{self, value_columns};
 use super::rows::{AlongRow, read_rows};
 use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
@@ -90,6 +92,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             String::new()
         };
         read_table(input, text, dialect, table, &part, &mut reading)?;
+    }
+    if reading.spectra.is_empty() {
+        return Err(input.error("wavelengths and no values", A_TABLE));
     }
     reading.notes.push(dialect.words());
     Ok(reading)
@@ -254,7 +259,16 @@ fn read_columns(
     let title = titles.whole(rows.wavelength);
     let stem = header_field(&block.header, "name:").unwrap_or(input.stem());
     let is_whole = rows.run.len() == block.rows();
+    let is_rgb = are_rgb(titles, &values);
+    let above = names_above(block, dialect, titles, &values);
+    let axes = roles::other_axes(block, titles, rows.wavelength, &values);
+    let mut paired = Vec::new();
     for (number, column) in values.iter().enumerate() {
+        let own_axis = roles::axis_of(&axes, rows.wavelength, *column);
+        let own_numbers = (own_axis != rows.wavelength).then(|| block.column(own_axis).to_vec());
+        if own_numbers.is_some() {
+            paired.push((own_axis, *column));
+        }
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
         let of_column = if is_whole {
@@ -262,14 +276,24 @@ fn read_columns(
         } else {
             of_column[rows.run.clone()].to_vec()
         };
-        let name = column_name(titles, *column, values.len(), number);
+        let name = match above.get(number) {
+            Some(name) => name.clone(),
+            None => column_name(titles, *column, values.len(), number),
+        };
         let draft = Draft {
             name: name_with_part(stem, &name, &rows.part),
-            title: titles.whole(*column),
-            axis_title: title.clone(),
+            title: if is_rgb {
+                String::new()
+            } else {
+                titles.whole(*column)
+            },
+            axis_title: match own_numbers {
+                Some(_) => titles.whole(own_axis),
+                None => title.clone(),
+            },
             says_nm,
             header: &block.header,
-            axis: &axis[rows.run.clone()],
+            axis: &own_numbers.as_deref().unwrap_or(axis)[rows.run.clone()],
             values: of_column,
             lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
             percent_signs: block.columns[*column].percents > 0,
@@ -285,7 +309,19 @@ fn read_columns(
         }
         draft.finish(input, reading)?;
     }
-    for note in left_out {
+    for (axis, column) in &paired {
+        let of = format!(
+            "column {} has its wavelengths in column {}",
+            column + 1,
+            axis + 1
+        );
+        reading.notes.push(of);
+    }
+    let is_used = |note: &String| {
+        let starts = |axis: usize| note.starts_with(&format!("column {} ", axis + 1));
+        note.ends_with(roles::SECOND_AXIS) && paired.iter().any(|(axis, _)| starts(*axis))
+    };
+    for note in left_out.into_iter().filter(|note| !is_used(note)) {
         if !reading.notes.contains(&note) {
             reading.notes.push(note);
         }
@@ -293,11 +329,60 @@ fn read_columns(
     Ok(())
 }
 
+/// Names of columns that all have one title, from the line above their titles: a sample's name over
+/// its values, or over the wavelengths to the left of them. Empty where none tells them apart.
+fn names_above(
+    block: &super::table::Block,
+    dialect: Dialect,
+    titles: &Titles,
+    values: &[usize],
+) -> Vec<String> {
+    let title = |column: &usize| titles.names[*column].trim();
+    let (Some(first), true) = (values.first(), values.len() > 1) else {
+        return Vec::new();
+    };
+    if title(first).is_empty() || values.iter().any(|column| title(column) != title(first)) {
+        return Vec::new();
+    }
+    let mut cells = Vec::new();
+    let mut lines = block.header.iter().rev().map(|(_, line)| *line).take(6);
+    if !lines.any(|line| line.contains(title(first))) {
+        return Vec::new();
+    }
+    let Some(line) = lines.next() else {
+        return Vec::new();
+    };
+    dialect.split(line, &mut cells);
+    let mut left = 0;
+    let mut names: Vec<String> = Vec::with_capacity(values.len());
+    let mut seen = HashSet::new();
+    for column in values {
+        let over = (left..=*column).rev().filter_map(|at| cells.get(at));
+        let mut filled = over.map(|cell| cell.trim().trim_matches('"').trim());
+        match filled.find(|cell| !cell.is_empty()) {
+            Some(name) if seen.insert(name) => names.push(name.to_owned()),
+            _ => return Vec::new(),
+        }
+        left = column + 1;
+    }
+    names
+}
+
+/// Whether columns are a camera's or a display's R, G and B: then R is no reflectance.
+fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
+    ["r", "g", "b"].iter().all(|letter| {
+        let mut names = values.iter().map(|column| titles.names[*column].trim());
+        names.any(|name| name.eq_ignore_ascii_case(letter))
+    })
+}
+
 /// Title of a value column where it says more than what kind of value it is.
 fn column_name(titles: &Titles, column: usize, columns: usize, number: usize) -> String {
     let title = titles.names[column].trim();
     let generic = super::kinds::kind_of_title(title).is_some()
         || title.len() == 1
+        || roles::is_processed(title)
+        || super::units::names_wavelength(title)
         || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str());
     match (title.is_empty(), columns) {
         (true, 1) => String::new(),
@@ -312,5 +397,58 @@ fn name_with_part(stem: &str, name: &str, part: &str) -> String {
         (true, _) => format!("{stem}{part}"),
         (false, true) => format!("{stem}, {name}{part}"),
         (false, false) => format!("{name}{part}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn the_r_of_rgb_is_no_reflectance() {
+        let text = b"nm,R,G,B\n400,0.1,0.2,0.3\n410,0.2,0.3,0.4\n420,0.3,0.4,0.5\n";
+        let spectra = read_bytes("a.csv", text).unwrap().spectra;
+        assert!(spectra.iter().all(|s| s.kind == Kind::Light), "{spectra:?}");
+        assert_eq!(spectra[0].name, "R");
+        let alone = b"nm,R\n400,0.1\n410,0.2\n420,0.3\n";
+        let leaf = &read_bytes("a.csv", alone).unwrap().spectra[0];
+        assert_eq!(leaf.kind, Kind::Reflectance);
+    }
+
+    #[test]
+    fn columns_of_one_title_are_named_by_the_line_above() {
+        for text in [
+            "WP,first,second\nWavelength,Processed,Processed\n400,1,2\n410,3,4\n420,5,6\n",
+            "first,,second,,\nWavelength (nm),%T,Wavelength (nm),%T,\n400,1,400,2,\n410,3,410,4,\n420,5,420,6,\n",
+        ] {
+            let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
+            let names: Vec<&str> = spectra.iter().map(|s| s.name.as_str()).collect();
+            assert_eq!(names, ["first", "second"], "{text}");
+        }
+    }
+
+    #[test]
+    fn pairs_side_by_side_have_wavelengths_of_their_own() {
+        let text = b"nm,%T,nm,%T\n400,1,402,5\n410,2,412,6\n420,3,422,7\n,,432,8\n";
+        let reading = read_bytes("a.csv", text).unwrap();
+        let samples: Vec<_> = reading.spectra.iter().map(|s| &s.samples).collect();
+        assert_eq!(samples[0].nm(), [400.0, 410.0, 420.0]);
+        assert_eq!(samples[1].nm(), [402.0, 412.0, 422.0, 432.0]);
+        let said = "has its wavelengths in column";
+        assert!(
+            reading.notes.iter().any(|note| note.contains(said)),
+            "{reading:?}"
+        );
+    }
+
+    #[test]
+    fn the_other_end_of_a_band_is_no_axis_of_its_own() {
+        let text = b"wl_min,wl_max,E,F\n400,401,1,5\n401,402,2,6\n402,403,3,7\n";
+        let spectra = read_bytes("a.csv", text).unwrap().spectra;
+        assert!(
+            spectra.iter().all(|s| s.samples.first_nm() == 400.0),
+            "{spectra:?}"
+        );
     }
 }

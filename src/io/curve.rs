@@ -10,7 +10,11 @@ use super::number::is_measured;
 pub const MOST_SAMPLES: usize = 10_000_000;
 
 /// More steps backwards than this share of all steps is not a table of wavelengths.
-const MOST_REVERSALS: f64 = 0.1;
+pub const MOST_REVERSALS: f64 = 0.1;
+
+/// The same where a title says that they are wavelengths: a curve traced by hand from a printed
+/// plot goes back and forth, and may be traced in two pieces.
+pub const TRACED_REVERSALS: f64 = 0.5;
 
 /// A spectrum and what was done to get it.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +77,8 @@ impl Trouble {
 }
 
 /// As [`clean`], for a column beside another of the same table: where nothing needs to be done
-/// the values are kept as they are, and equal wavelengths are kept in memory once.
+/// the values are kept as they are, and equal wavelengths are kept in memory once. At most
+/// `reversals` of the steps may go backwards.
 ///
 /// # Errors
 /// As [`clean`].
@@ -81,10 +86,11 @@ pub fn clean_beside(
     before: Option<&Sampled>,
     nm: &[f64],
     values: Vec<f64>,
+    reversals: f64,
 ) -> Result<Cleaned, Trouble> {
     if let Some(before) = before.filter(|before| before.nm() == nm && values.len() == nm.len()) {
         if !values.iter().all(|v| is_measured(*v)) {
-            return clean(nm, &values);
+            return clean_within(nm, &values, reversals);
         }
         match before.sharing(values) {
             Ok(samples) => {
@@ -93,10 +99,10 @@ pub fn clean_beside(
                     notes: Vec::new(),
                 });
             }
-            Err((_, with_gaps)) => return clean(nm, &with_gaps),
+            Err((_, with_gaps)) => return clean_within(nm, &with_gaps, reversals),
         }
     }
-    clean(nm, &values)
+    clean_within(nm, &values, reversals)
 }
 
 /// Makes a spectrum of wavelengths (nm) and values: gaps (anything that is not finite or of a size
@@ -107,6 +113,10 @@ pub fn clean_beside(
 /// # Errors
 /// [`Trouble`] when that leaves no spectrum.
 pub fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
+    clean_within(nm, values, MOST_REVERSALS)
+}
+
+fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<Cleaned, Trouble> {
     let mut notes = Vec::new();
     let given = nm.len().min(values.len());
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
@@ -140,7 +150,7 @@ pub fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
             found: points.len(),
         });
     }
-    put_in_order(&mut points, &whence, &mut notes)?;
+    put_in_order(&mut points, &whence, most_reversals, &mut notes)?;
     average_doubles(&mut points, &mut notes);
     let (nm, values) = points.iter().copied().unzip();
     match Sampled::new(nm, values) {
@@ -154,6 +164,7 @@ pub fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
 fn put_in_order(
     points: &mut [(f64, f64)],
     whence: &[u32],
+    most_reversals: f64,
     notes: &mut Vec<String>,
 ) -> Result<(), Trouble> {
     let steps = points.len() - 1;
@@ -164,7 +175,7 @@ fn put_in_order(
     }
     let falling = down > up;
     let reversals = up.min(down);
-    if reversals > 0 && reversals as f64 > MOST_REVERSALS * steps as f64 {
+    if reversals > 0 && reversals as f64 > most_reversals * steps as f64 {
         let at = points
             .windows(2)
             .position(|p| {

@@ -10,7 +10,7 @@ use super::curve::{self, Trouble};
 use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
 use super::reading::{Told, Understood, provenance};
-use super::units::WavelengthUnit;
+use super::units::{WavelengthUnit, names_wavelength};
 use super::{Guess, Guessed, Input, ReadError, Reading};
 
 /// What a table says about one spectrum.
@@ -99,7 +99,13 @@ impl Draft<'_> {
             drop_sentinels(&mut self.values, &mut notes);
         }
         let before = reading.spectra.last().map(|spectrum| &spectrum.samples);
-        let cleaned = curve::clean_beside(before, &nm, std::mem::take(&mut self.values))
+        let reversals = if names_wavelength(&self.axis_title) {
+            curve::TRACED_REVERSALS
+        } else {
+            curve::MOST_REVERSALS
+        };
+        let values = std::mem::take(&mut self.values);
+        let cleaned = curve::clean_beside(before, &nm, values, reversals)
             .map_err(|trouble| self.trouble(input, trouble))?;
         notes.extend(cleaned.notes);
         let mut samples = cleaned.samples;

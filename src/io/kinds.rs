@@ -45,7 +45,10 @@ const WORDS: [(Kind, &[&str]); 6] = [
             "responsivity",
         ],
     ),
-    (Kind::Absorbance, &["absorbance", "optical density"]),
+    (
+        Kind::Absorbance,
+        &["absorban", "optical density", "extinktion"],
+    ),
     (
         Kind::Other,
         &[
@@ -53,25 +56,49 @@ const WORDS: [(Kind, &[&str]); 6] = [
             "optical constants",
             "extinction coeff",
             "tabulated n",
+            "epsilon",
+            "absorptivity",
+            "absorptance",
         ],
     ),
     (
         Kind::Reflectance,
-        &["reflect", "%r", "r%", "r (%)", "r [%]", "albedo"],
+        &[
+            "reflect",
+            "%r",
+            "r%",
+            "r (%)",
+            "r [%]",
+            "albedo",
+            "reflexion",
+            "réflect",
+            "réflex",
+            "riflett",
+            "remission",
+        ],
     ),
     (
         Kind::Transmittance,
-        &["transmit", "transmis", "%t", "t%", "t (%)", "t [%]"],
+        &[
+            "transmit", "transmis", "%t", "t%", "t (%)", "t [%]", "trasmitt",
+        ],
     ),
     (
         Kind::Light,
         &[
-            "irradian",
+            "irrad",
             "radiance",
             "radiant",
             "w/m",
+            "w/(m",
+            "w/(c",
             "w m-2",
             "wm-2",
+            "w*m-2",
+            "bestrahlungsst",
+            "strahldichte",
+            "strahlungs",
+            "éclairement",
             "w/nm",
             "w/cm",
             "/nm",
@@ -79,7 +106,7 @@ const WORDS: [(Kind, &[&str]); 6] = [
             "spectral power",
             "power distribution",
             "photon",
-            "intensity",
+            "intensi",
             "counts",
         ],
     ),
@@ -127,12 +154,14 @@ const NAME_WORDS: [(Kind, &[&str]); 7] = [
 pub fn kind_of_title(title: &str) -> Option<Kind> {
     let title = title.trim().to_lowercase();
     let stem = title.split(['(', '[', ' ', '_', '.']).next().unwrap_or("");
+    // "Rfr" and "Tpc" are the R packages' fractions and per cent.
     kind_of_words(&title).or(match stem {
-        "r" | "refl" | "rho" => Some(Kind::Reflectance),
-        "t" | "trans" | "tau" => Some(Kind::Transmittance),
+        "r" | "refl" | "rho" | "rfr" | "rpc" => Some(Kind::Reflectance),
+        "t" | "trans" | "tau" | "tfr" | "tpc" => Some(Kind::Transmittance),
         "abs" | "od" => Some(Kind::Absorbance),
         "n" | "k" | "eta" => Some(Kind::Other),
         "spd" | "power" | "energy" | "irr" | "irrad" | "rad" | "dn" => Some(Kind::Light),
+        _ if title.contains("response") => Some(Kind::Weighting),
         _ => None,
     })
 }
@@ -248,6 +277,17 @@ mod tests {
             ("Reflect. [1.0]", Some(Kind::Reflectance)),
             ("irradiance [W m-2 nm-1]", Some(Kind::Light)),
             ("x_bar", Some(Kind::Weighting)),
+            ("Reflexionsgrad [%]", Some(Kind::Reflectance)),
+            ("Réflectance (%)", Some(Kind::Reflectance)),
+            ("Riflettanza %", Some(Kind::Reflectance)),
+            ("Trasmittanza", Some(Kind::Transmittance)),
+            ("Absorbanz", Some(Kind::Absorbance)),
+            ("Bestrahlungsstärke in W/(m²·nm)", Some(Kind::Light)),
+            ("Logarithm epsilon", Some(Kind::Other)),
+            ("s.e.response", Some(Kind::Weighting)),
+            ("Tfr", Some(Kind::Transmittance)),
+            ("Rpc", Some(Kind::Reflectance)),
+            ("s.e.irrad", Some(Kind::Light)),
             ("n", Some(Kind::Other)),
             ("Rad. (Ref.)", Some(Kind::Light)),
             ("TL01", None),

@@ -36,8 +36,14 @@ const FILLED: f64 = 0.9;
 /// What a column of nanometres that says so scores.
 const SUREST: u32 = 14;
 
+/// Steps in a hundred that may go against the others: rounding and overlapping detectors.
+const FEW_REVERSALS: usize = 10;
+
+/// The same under a title that names wavelengths: a curve traced by hand goes back and forth.
+const TRACED_REVERSALS: usize = 50;
+
 /// How sure a sequence of numbers is a wavelength axis: 0 is no.
-fn strength(values: impl Iterator<Item = f64> + Clone) -> u32 {
+fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) -> u32 {
     let mut min = f64::INFINITY;
     let mut max = f64::NEG_INFINITY;
     let (mut count, mut up, mut down, mut ones) = (0usize, 0usize, 0usize, 0usize);
@@ -55,7 +61,7 @@ fn strength(values: impl Iterator<Item = f64> + Clone) -> u32 {
         last = v;
     }
     let reversals = up.min(down);
-    if count < 2 || up + down == 0 || reversals * 10 > count {
+    if count < 2 || up + down == 0 || reversals * 100 > count * most_reversals {
         return 0;
     }
     let counts_rows = ones + 1 == count && min <= 1.0 && min.fract() == 0.0;
@@ -92,7 +98,12 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         }
         let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
             || names_wavelength(titles.units.get(column).map_or("", String::as_str));
-        let by_values = strength(block.column(column).iter().copied());
+        let most_reversals = if titled {
+            TRACED_REVERSALS
+        } else {
+            FEW_REVERSALS
+        };
+        let by_values = strength(block.column(column).iter().copied(), most_reversals);
         let score = match (by_values, titled || stats.nanometres * 2 > stats.numbers) {
             (0, _) => 0,
             (s, true) => s + 10,
@@ -164,7 +175,7 @@ fn wavelength_header(block: &Block, dialect: Dialect) -> Option<(Layout, u32)> {
 fn strength_of_row(axis: &[f64]) -> Option<u32> {
     let rising = axis.windows(2).all(|p| p[1] > p[0]);
     let falling = axis.windows(2).all(|p| p[1] < p[0]);
-    let found = strength(axis.iter().copied());
+    let found = strength(axis.iter().copied(), FEW_REVERSALS);
     (axis.len() >= FEWEST_IN_A_ROW && (rising || falling) && found >= 2).then_some(found)
 }
 
@@ -221,6 +232,14 @@ mod tests {
     fn wavelengths_stand_behind_a_column_that_counts_rows() {
         let text = "0,380,1.5\n1,385,1.6\n2,390,1.7\n";
         assert_eq!(layout(text), Some(Layout::Column(1)));
+    }
+
+    #[test]
+    fn a_curve_traced_by_hand_may_go_back_and_forth_under_its_title() {
+        let rows = "735,1\n734.5,0\n734.7,3\n734.1,0\n734.3,4\n733,0\n";
+        assert_eq!(layout(rows), None);
+        let titled = format!("w.length,response\n{rows}");
+        assert_eq!(layout(&titled), Some(Layout::Column(0)));
     }
 
     #[test]

@@ -9,6 +9,8 @@
 //!  300  1.518E-04
 //! ```
 
+use crate::spectrum::Kind;
+
 use super::error::quoted;
 use super::makers_results::{MakersResult, Quantity};
 use super::meaning::{PHOTON_NOTE, PHOTONS};
@@ -30,6 +32,19 @@ fn field<'a>(line: &'a str, word: &str) -> Option<&'a str> {
     let line = line.trim().trim_matches('"').trim();
     let rest = line.strip_prefix(word)?.trim_start();
     rest.strip_prefix(':').map(str::trim)
+}
+
+/// Reflectance or transmittance, where a word of the remark (capitals) begins so.
+fn factor_of_remark(remark: &str) -> Option<Kind> {
+    remark.split_whitespace().find_map(|word| {
+        if word.starts_with("REFL") {
+            Some(Kind::Reflectance)
+        } else if word.starts_with("TRANSM") || word == "TRANS" || word == "TRAN" {
+            Some(Kind::Transmittance)
+        } else {
+            None
+        }
+    })
 }
 
 fn sniff(input: &Input) -> Confidence {
@@ -85,6 +100,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "the remark names neither WATT nor QNTM: the unit is not known",
         )
     };
+    // A remark that names no unit may say what was held under the meter instead.
+    let factor = unit.is_empty().then(|| factor_of_remark(&upper)).flatten();
     let name = remark
         .split("(QNTM")
         .flat_map(|part| part.split("(WATT"))
@@ -94,7 +111,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let name = if name.is_empty() { input.stem() } else { name };
     let mut spectrum = Measured::light(name, &nm, values, unit);
     spectrum.lines = &at;
-    spectrum.notes.push(because.to_owned());
+    if let Some(kind) = factor {
+        (spectrum.kind, spectrum.scale) = (kind, None);
+        spectrum.kind_because = Some("the words of the remark".to_owned());
+    } else {
+        spectrum.notes.push(because.to_owned());
+    }
     if unit == PHOTONS {
         spectrum.notes.push(PHOTON_NOTE.to_owned());
     }
@@ -135,6 +157,17 @@ mod tests {
         let watt = SMALL.replace("QNTM", "WATT").replace('\n', "\r\n");
         let reading = read_bytes("a.PRN", watt.as_bytes()).unwrap();
         assert_eq!(reading.spectra[0].unit, "W m-2 nm-1");
+    }
+
+    #[test]
+    fn a_remark_without_a_unit_may_name_a_reflectance() {
+        let leaf = SMALL.replace("TLD 36W       (QNTM)", "REFL OAK AD 1 ");
+        let spectrum = &read_bytes("a.PRN", leaf.as_bytes()).unwrap().spectra[0];
+        assert_eq!(spectrum.kind, crate::spectrum::Kind::Reflectance);
+        assert_eq!((spectrum.unit.as_str(), spectrum.scale), ("fraction", 1.0));
+        let lamp = SMALL.replace("TLD", "REFLECTOR TLD");
+        let spectrum = &read_bytes("a.PRN", lamp.as_bytes()).unwrap().spectra[0];
+        assert_eq!(spectrum.kind, crate::spectrum::Kind::Light);
     }
 
     #[test]

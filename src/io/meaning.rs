@@ -49,10 +49,13 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
     if signs {
         return stated(true, "per cent signs");
     }
-    if title.contains('%') || title.contains("percent") {
+    if title.contains('%') || title.contains("percent") || ["tpc", "rpc"].contains(&title.trim()) {
         return stated(true, "the column's title");
     }
-    if title.contains("[1.0]") || title.contains("fraction") {
+    if title.contains("[1.0]")
+        || title.contains("fraction")
+        || ["tfr", "rfr"].contains(&title.trim())
+    {
         return stated(false, "the column's title");
     }
     for (_, line) in header.iter().rev().filter(|(_, line)| states_values(line)) {
@@ -80,7 +83,7 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
 
 /// The unit that a title or a header gives for values: text in brackets, or after "unit:".
 pub fn unit(title: &str, header: &[(usize, &str)]) -> String {
-    if let Some(unit) = bracketed(title) {
+    if let Some(unit) = bracketed(title).or_else(|| bare(title)) {
         return unit.to_owned();
     }
     for (_, line) in header.iter().rev() {
@@ -91,7 +94,7 @@ pub fn unit(title: &str, header: &[(usize, &str)]) -> String {
         let lower = line.trim().to_lowercase();
         let states = lower.starts_with("unit") || lower.starts_with("y unit");
         if states && let Some(after) = line.split([':', '=', '\t', ',']).nth(1) {
-            let after = after.trim().trim_matches(['(', ')', '[', ']', '"']);
+            let after = without_brackets(after.trim().trim_matches('"'));
             if looks_like_unit(after) {
                 return after.to_owned();
             }
@@ -108,14 +111,51 @@ pub fn unit(title: &str, header: &[(usize, &str)]) -> String {
     String::new()
 }
 
-fn bracketed(text: &str) -> Option<&str> {
-    let open = text.find(['[', '('])?;
-    let close = text[open..].find([']', ')'])? + open;
-    let inside = text[open + 1..close].trim();
-    looks_like_unit(inside).then_some(inside)
+/// A unit without the brackets around the whole of it.
+fn without_brackets(unit: &str) -> &str {
+    let unit = unit.trim();
+    [('(', ')'), ('[', ']')]
+        .into_iter()
+        .find_map(|(open, close)| unit.strip_prefix(open)?.strip_suffix(close))
+        .unwrap_or(unit)
+        .trim()
 }
 
-fn looks_like_unit(text: &str) -> bool {
+/// The first unit in brackets; brackets inside it and a divisor in brackets belong to it, as in
+/// "E(lambda) [W/(m²·nm)]".
+fn bracketed(text: &str) -> Option<&str> {
+    text.match_indices(['[', '('])
+        .filter(|(open, _)| !text[..*open].ends_with('/'))
+        .find_map(|(open, mark)| {
+            let (open_mark, close_mark) = if mark == "[" { ('[', ']') } else { ('(', ')') };
+            let mut depth = 0;
+            let close = text[open..].find(|c| {
+                depth += i32::from(c == open_mark) - i32::from(c == close_mark);
+                depth == 0 && c == close_mark
+            });
+            // Titles close brackets of one form with the other now and then.
+            let close = close.or_else(|| text[open..].find([']', ')']))? + open;
+            let inside = text[open + 1..close].trim();
+            looks_like_unit(inside).then_some(inside)
+        })
+}
+
+/// A unit of light without brackets at the end of a title: "Global W*m-2*nm-1", "W/m2".
+fn bare(title: &str) -> Option<&str> {
+    let starts = ["mW", "uW", "µW", "μW", "W"];
+    let words = std::iter::once(0).chain(title.match_indices(' ').map(|(at, _)| at + 1));
+    words.map(|at| title[at..].trim()).find(|rest| {
+        let quantity = starts.iter().find_map(|start| rest.strip_prefix(start));
+        quantity.is_some_and(|divisor| {
+            divisor.trim_start().starts_with(['/', '*', '·', 'm', 'c'])
+                && looks_like_unit(rest)
+                && !rest.contains(['%', '='])
+        })
+    })
+}
+
+/// Whether a text is a unit of values and nothing else.
+pub fn looks_like_unit(text: &str) -> bool {
     const WORDS: [&str; 6] = ["counts", "1.0", "fraction", "a.u.", "relative", "W"];
     !text.is_empty()
         && text.len() <= 40
@@ -149,6 +189,12 @@ mod tests {
         assert_eq!(unit("Irradiance [µW/cm2/nm]", &[]), "µW/cm2/nm");
         assert_eq!(unit("", &[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
         assert_eq!(unit("", &[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
+        assert_eq!(unit("E(lambda) [W/(m²·nm)]", &[]), "W/(m²·nm)");
+        assert_eq!(unit("Strahlung in W/(m²·nm)", &[]), "W/(m²·nm)");
+        assert_eq!(unit("Global tilt  W*m-2*nm-1", &[]), "W*m-2*nm-1");
+        assert_eq!(unit("W/m2", &[]), "W/m2");
+        assert_eq!(unit("", &[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
+        assert_eq!(unit("W 10/12", &[]), "");
         assert_eq!(unit("TL01", &[]), "");
     }
 }

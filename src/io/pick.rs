@@ -109,9 +109,16 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
             step_back: step_back(block),
         });
     let mut tables: Vec<Table> = Vec::new();
-    for (block, notes) in joined(found.blocks, dialect)? {
+    let mut above = Vec::new();
+    for (mut block, notes) in joined(found.blocks, dialect)? {
         if block.rows() * SHORTEST_SHARE < longest {
+            // Times or angles over the columns: what stands above them is the next block's header.
+            above = block.header;
             continue;
+        }
+        if !above.is_empty() {
+            let own = std::mem::replace(&mut block.header, std::mem::take(&mut above));
+            block.header.extend(own);
         }
         let titles = Titles::of(&block, dialect);
         if let Some(layout) = layout::of(&block, &titles, dialect) {
@@ -264,6 +271,24 @@ mod tests {
             };
             assert_eq!((bad.line, bad.text.as_str()), (at + 2, "1.234.5"));
         }
+    }
+
+    #[test]
+    fn the_header_above_a_few_rows_of_numbers_is_the_tables() {
+        let mut text = String::from(
+            "Irradiance, W m-2 nm-1\nsza = 1 2\n 12.0 12.5 13.0\n 1.8 5.7 13.2\nend\n",
+        );
+        for nm in 290..330 {
+            text += &format!("{nm} 0.5 0.25\n");
+        }
+        let tables = tables(&text, dialect(&text)).unwrap();
+        assert!(
+            tables[0]
+                .block
+                .header
+                .iter()
+                .any(|(_, line)| line.starts_with("Irradiance"))
+        );
     }
 
     #[test]

@@ -50,6 +50,14 @@ fn names_shifts(head: &str) -> bool {
     })
 }
 
+/// Whether a header as Horiba's LabSpec writes it counts its first axis in 1/cm: shifts from the
+/// laser that it names.
+fn counts_shifts(head: &str) -> bool {
+    let unit = headers(head).find(|line| line.to_lowercase().contains("axisunit[1]"));
+    unit.is_some_and(|line| line.contains("1/cm") || line.contains("cm-1"))
+        && laser_of_header(head).is_some()
+}
+
 /// The laser in a file's name: `iR785`.
 fn laser_of_name(name: &str) -> Option<f64> {
     name.match_indices("iR").find_map(|(at, _)| {
@@ -82,7 +90,10 @@ fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     if head.is_empty() || head.starts_with(['{', '<']) || head.starts_with("##") {
         Confidence::No
-    } else if names_shifts(head) || laser_of_name(&input.name).is_some() && !names_nm(head) {
+    } else if names_shifts(head)
+        || counts_shifts(head)
+        || laser_of_name(&input.name).is_some() && !names_nm(head)
+    {
         Confidence::Likely
     } else {
         Confidence::No
@@ -174,6 +185,10 @@ mod tests {
             (
                 "a.txt",
                 format!("Laser wavelength: 785 nm\nRaman shift (cm-1)\tIntensity\n{rows}"),
+            ),
+            (
+                "a.txt",
+                format!("#Laser=\t785.0\n#AxisType[1]=\tSpectr\n#AxisUnit[1]=\t1/cm\n{rows}"),
             ),
             (
                 "a.txt",

@@ -3,6 +3,8 @@
 use super::columns::bad_cell;
 use super::dialect::Dialect;
 use super::draft::Draft;
+use super::kinds::kind_of_words;
+use super::number::number;
 use super::pick::Table;
 use super::text::lines;
 use super::{Input, ReadError, Reading};
@@ -39,15 +41,16 @@ pub fn read_rows(
         return Err(bad_cell(input, bad));
     }
     for row in along.from_row..block.rows() {
-        let label = labels.get(row).filter(|l| !l.is_empty());
-        let name = match label {
-            Some(label) if label.parse::<f64>().is_ok() => format!("{}, row {label}", input.stem()),
-            Some(label) => label.clone(),
-            None => format!("{}, row {}", input.stem(), row + 1 - along.from_row),
+        let words = labels.get(row).map_or(&[][..], Vec::as_slice);
+        let name = name_of(words)
+            .unwrap_or_else(|| format!("{}, row {}", input.stem(), row + 1 - along.from_row));
+        let name = match name.parse::<f64>() {
+            Ok(_) => format!("{}, row {name}", input.stem()),
+            Err(_) => name,
         };
         let draft = Draft {
             name,
-            title: String::new(),
+            title: kind_word(words).unwrap_or("").to_owned(),
             axis_title: kind_title.clone(),
             says_nm: along.says_nm,
             header: &block.header,
@@ -75,6 +78,26 @@ pub fn read_rows(
     Ok(())
 }
 
+/// A row's name: its words, and its numbers only where there are none. Meters write results such
+/// as lux and chromaticity before the values.
+fn name_of(words: &[&str]) -> Option<String> {
+    let is_word = |cell: &&&str| number(cell.trim_matches('"'), false).is_none();
+    let named: Vec<&str> = words.iter().filter(is_word).copied().collect();
+    match (named.is_empty(), words.is_empty()) {
+        (false, _) => Some(named.join(" ")),
+        (true, false) => Some(words.join(" ")),
+        (true, true) => None,
+    }
+}
+
+/// A cell before the values that says nothing but what kind of value follows: "Transmittance".
+fn kind_word<'a>(words: &[&'a str]) -> Option<&'a str> {
+    words
+        .iter()
+        .copied()
+        .find(|cell| !cell.trim().contains(' ') && cell.len() > 2 && kind_of_words(cell).is_some())
+}
+
 /// What stands before the wavelengths in their row ("wavelength (nm)").
 fn titles_before(table: &Table, first: usize) -> String {
     (0..first)
@@ -84,7 +107,12 @@ fn titles_before(table: &Table, first: usize) -> String {
 }
 
 /// The words before the values in each row.
-fn row_labels(text: &str, dialect: Dialect, rows: &[u32], first: usize) -> Vec<String> {
+fn row_labels<'a>(
+    text: &'a str,
+    dialect: Dialect,
+    rows: &[u32],
+    first: usize,
+) -> Vec<Vec<&'a str>> {
     let mut labels = Vec::with_capacity(rows.len());
     let mut cells = Vec::new();
     let mut wanted = rows.iter().copied().peekable();
@@ -93,14 +121,28 @@ fn row_labels(text: &str, dialect: Dialect, rows: &[u32], first: usize) -> Vec<S
         if line as u64 == u64::from(*next) {
             wanted.next();
             dialect.split(content.trim_matches(' '), &mut cells);
-            let words: Vec<&str> = cells
-                .iter()
-                .take(first)
-                .copied()
-                .filter(|c| !c.is_empty())
-                .collect();
-            labels.push(words.join(" "));
+            let words = cells.iter().take(first).copied();
+            labels.push(words.filter(|c| !c.is_empty()).collect());
         }
     }
     labels
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn a_row_is_named_by_its_words_and_its_kind_by_a_cell_of_its_own() {
+        let text = "id,mode,lux,400,410,420,430,440\n1,Reflectance,3.5,10,20,30,40,50\n2,Transmittance,4.5,1,2,3,4,5\n";
+        let spectra = read_bytes("leaf.csv", text.as_bytes()).unwrap().spectra;
+        assert_eq!(spectra[0].name, "Reflectance");
+        let kinds: Vec<Kind> = spectra.iter().map(|s| s.kind).collect();
+        assert_eq!(kinds, [Kind::Reflectance, Kind::Transmittance]);
+        assert_eq!(spectra[0].scale, 0.01);
+        let numbered = "id,400,410,420,430,440\n7,1,2,3,4,5\n";
+        let spectra = read_bytes("a.csv", numbered.as_bytes()).unwrap().spectra;
+        assert_eq!(spectra[0].name, "a, row 7");
+    }
 }

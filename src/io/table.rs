@@ -119,6 +119,12 @@ impl<'a> Block<'a> {
                 .all(|(row, v)| *v == first + row as f64)
     }
 
+    /// Whether a column holds one number in every row.
+    pub fn is_constant(&self, column: usize) -> bool {
+        let values = self.column(column);
+        values.len() >= SETTLED && values.windows(2).all(|pair| pair[0] == pair[1])
+    }
+
     /// Whether a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
     /// where the block has shown its width.
     fn takes(&self, used: usize, all: usize) -> bool {

@@ -1,6 +1,7 @@
 //! Titles of a table's columns, found in the lines above it.
 
 use super::dialect::{Delimiter, Dialect, used};
+use super::meaning::looks_like_unit;
 use super::table::Block;
 use super::units::names_wavelength;
 
@@ -48,7 +49,9 @@ impl Titles {
                 continue;
             };
             let filled = cells.iter().filter(|c| !c.is_empty()).count();
-            if is_unit_line(&cells) {
+            if is_setting(&cells) {
+                next_above = false;
+            } else if is_unit_line(&cells) {
                 found.units = cells;
             } else if filled < 2 && width > 2 {
                 // A row of empty cells ("Name,,,,"): look above it.
@@ -100,12 +103,32 @@ fn cells_for(line: &str, dialect: Dialect, width: usize, row_names: bool) -> Opt
     Some(titles)
 }
 
+/// A line of nothing but units: all in brackets, or plain ones behind the wavelengths' own.
 fn is_unit_line(cells: &[String]) -> bool {
+    is_plain_unit_line(cells) || is_bracketed_unit_line(cells)
+}
+
+/// "nm, W/m^2/nm, %".
+fn is_plain_unit_line(cells: &[String]) -> bool {
+    let of_values = cells.get(1..).unwrap_or(&[]);
+    let is_unit = |cell: &String| cell.is_empty() || looks_like_unit(cell);
+    ["nm", "um", "µm", "μm", "cm-1", "1/cm"].contains(&cells[0].trim())
+        && of_values.iter().any(|cell| !cell.is_empty())
+        && of_values.iter().all(is_unit)
+}
+
+fn is_bracketed_unit_line(cells: &[String]) -> bool {
     let mut filled = cells.iter().filter(|c| !c.is_empty()).peekable();
     filled.peek().is_some()
         && filled.all(|c| {
             c.starts_with('[') && c.ends_with(']') || c.starts_with('(') && c.ends_with(')')
         })
+}
+
+/// A line such as "Time: 130msec" or "#AxisUnit[1]= nm": its first cell ends with the mark of a key.
+fn is_setting(cells: &[String]) -> bool {
+    let first = cells[0].trim_matches(['"', ' ']);
+    first.ends_with([':', '=']) && !names_wavelength(first)
 }
 
 /// A line such as "Integration time, 92.0" above two columns.
@@ -160,6 +183,18 @@ mod tests {
     }
 
     #[test]
+    fn a_line_of_plain_units_stands_below_the_titles() {
+        let found = titles(
+            "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n",
+            Delimiter::Semicolon,
+        );
+        assert_eq!(found.names, ["Wavelength", "Irradiance", "R"]);
+        assert_eq!(found.units, ["nm", "W/m^2/nm", "%"]);
+        let alone = titles("nm;W/m2\n300;3\n301;2\n", Delimiter::Semicolon);
+        assert_eq!(alone.whole(1), "W/m2");
+    }
+
+    #[test]
     fn numbered_columns_take_the_word_before_them() {
         let found = titles(
             "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n",
@@ -181,6 +216,14 @@ mod tests {
     fn a_setting_above_two_columns_is_no_title() {
         for line in ["I-Time,92.0", "SSI1,---"] {
             let found = titles(&format!("{line}\n380nm,1\n381nm,2\n"), Delimiter::Comma);
+            assert!(!found.any(), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn keys_with_their_mark_are_no_titles() {
+        for line in ["\"Time: 130msec\"", "#AxisUnit[1]= nm", "Serial: X1"] {
+            let found = titles(&format!("{line}\n380 1\n381 2\n"), Delimiter::Space);
             assert!(!found.any(), "{found:?}");
         }
     }

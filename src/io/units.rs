@@ -113,14 +113,32 @@ pub fn names_wavelength(title: &str) -> bool {
         .trim()
         .trim_matches(['"', '#', '[', ']', '(', ')'])
         .to_lowercase();
+    // A quantity over the wavelength, "E(lambda)" or "S(λ) [W]", is none.
+    if let Some((quantity, behind)) = title.split_once('(')
+        && !quantity.trim().is_empty()
+        && ["lambda)", "λ)", "wavelength)"]
+            .iter()
+            .any(|l| behind.trim_start().starts_with(l))
+    {
+        return false;
+    }
     if matches!(
         title.trim(),
         "x" | "wl" | "nm" | "um" | "µm" | "w.length" | "λ" | "lam" | "cm-1" | "wn" | "ev"
     ) {
         return true;
     }
-    const STARTS: [&str; 9] = [
-        "wave", "wvl", "lambda", "longitud", "longueur", "wellen", "λ", "wl_", "wl ",
+    const STARTS: [&str; 10] = [
+        "wave",
+        "wvl",
+        "lambda",
+        "longitud",
+        "longueur",
+        "wellen",
+        "lunghezza",
+        "λ",
+        "wl_",
+        "wl ",
     ];
     STARTS.iter().any(|word| title.starts_with(word))
         || ["wvl", "wavelength", "wavenumber", "lambda"]
@@ -187,7 +205,13 @@ mod tests {
         ] {
             assert!(names_wavelength(title), "{title}");
         }
-        for title in ["R(adaxial)", "white", "Transmittance(%)", "watt"] {
+        for title in [
+            "R(adaxial)",
+            "white",
+            "Transmittance(%)",
+            "watt",
+            "E(lambda) [W/m2]",
+        ] {
             assert!(!names_wavelength(title), "{title}");
         }
     }

@@ -58,6 +58,15 @@ fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
         ("a GIF image", A_SPECTRUM)
     } else if starts(b"\x89HDF\r\n\x1a\n") {
         ("an HDF5 file", AS_CSV)
+    } else if is_asd(bytes) {
+        ("an ASD binary spectrum (.asd)", FROM_MAKER)
+    } else if starts(b"\n\n\xfe\xfe") {
+        ("a Bruker OPUS binary spectrum", FROM_MAKER)
+    } else if starts(b"AVS8") {
+        (
+            "an AvaSoft 8 binary spectrum (.RFL8, .IRR8, ...)",
+            FROM_MAKER,
+        )
     } else if starts(b"PEPE") {
         ("a PerkinElmer binary spectrum (.sp)", FROM_MAKER)
     } else if starts(b"\x1f\x8b") {
@@ -68,6 +77,13 @@ fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
         return None;
     };
     Some((found, expected))
+}
+
+/// ASD's files begin with the version of their layout, "ASD" at first, later "as2" to "as8", and
+/// hold numbers after it.
+fn is_asd(bytes: &[u8]) -> bool {
+    let version = matches!(bytes, [b'a', b's', b'2'..=b'9', ..]) || bytes.starts_with(b"ASD");
+    version && bytes[..bytes.len().min(512)].contains(&0)
 }
 
 /// Galactic files have no magic: the second byte is the version, 0x4B or 0x4D.
@@ -121,6 +137,8 @@ fn known_text(input: &Input) -> Option<(&'static str, &'static str)> {
         ("a web page (HTML)", A_SPECTRUM)
     } else if lower.starts_with("<svg") || lower.contains("<svg ") && lower.starts_with("<?xml") {
         ("an SVG drawing", A_SPECTRUM)
+    } else if first.trim_start_matches('"').starts_with("TOA5") {
+        ("a data logger's table over time (TOA5)", A_SPECTRUM)
     } else if first.starts_with("{\\rtf") {
         ("a rich text document (.rtf)", AS_CSV)
     } else {
@@ -144,6 +162,14 @@ mod tests {
             ("a.sli", b"\0\x01\x02\x03\x04\x05\x06\0\0", "ENVI"),
             ("a.spdx", b"SPDXVersion: SPDX-2.3\n", "software licence"),
             ("a.dx", b"<br />\n<b>Warning</b>", "web page"),
+            ("a.asd", b"as7\0\0\x01\0\0", "ASD binary"),
+            ("a.0", b"\n\n\xfe\xfe\x01\0\0\0", "OPUS"),
+            ("a.IRR8", b"AVS84\x01\0\0\0", "AvaSoft"),
+            (
+                "a.dat",
+                b"\"TOA5\",\"CR6\"\n\"TS\",1\n\"x\",2\n",
+                "data logger",
+            ),
             ("a", b"\x01\x02\x03\x04\x05", "binary data"),
         ] {
             let refusal = read_bytes(name, bytes).unwrap_err().to_string();

@@ -50,10 +50,8 @@ fn sniff(input: &Input) -> Confidence {
     let first = head.lines().next().unwrap_or("").to_lowercase();
     let second = head.lines().nth(1).unwrap_or("").trim();
     let one_number = matches!(number::parse(second, false), Cell::Number(_) | Cell::Gap);
-    if first.contains("record=")
-        && (first.contains("splib") || first.contains("usgs"))
-        && one_number
-    {
+    // "splib07a Record=18377: ...", and libraries of other names made alike.
+    if first.contains(" record=") && first.contains(':') && one_number {
         Confidence::Certain
     } else {
         Confidence::No
@@ -108,9 +106,14 @@ fn spectrometer(title: &str) -> Option<&'static str> {
     .find(|word| title.contains(word))
 }
 
-/// Wavelengths in nm of as many channels from a file beside, and the file's name.
+/// Wavelengths in nm of as many channels from a file beside, or in the folder above as the library
+/// keeps them, and the file's name.
 fn beside(path: &Path, channels: usize, title: &str) -> Option<(String, Vec<f64>)> {
-    let folder = path.parent()?;
+    let mut folders = path.ancestors().skip(1).take(2);
+    folders.find_map(|folder| in_folder(folder, channels, title))
+}
+
+fn in_folder(folder: &Path, channels: usize, title: &str) -> Option<(String, Vec<f64>)> {
     let wanted = spectrometer(title);
     let mut names: Vec<String> = std::fs::read_dir(folder)
         .ok()?
@@ -187,6 +190,14 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let words: Vec<&str> = title.split_whitespace().collect();
     let stated = words.last().is_some_and(|w| w.ends_with("REF"));
+    let kind = if words.last() == Some(&"TRAN") {
+        Kind::Transmittance
+    } else if words.first() == Some(&"SRF") {
+        Kind::Weighting
+    } else {
+        Kind::Reflectance
+    };
+    let stated = stated || kind != Kind::Reflectance;
     let words: Vec<&str> = words.into_iter().filter(|w| !w.ends_with("REF")).collect();
     let name = if words.is_empty() {
         input.stem().to_owned()
@@ -194,7 +205,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         words.join(" ")
     };
     let mut spectrum = Measured::light(name, &nm, list.numbers, "");
-    spectrum.kind = Kind::Reflectance;
+    spectrum.kind = kind;
     spectrum.kind_because = (!stated).then(|| "the library mostly holds reflectances".to_owned());
     spectrum.lines = &list.lines;
     spectrum.notes.push(note.clone());
@@ -242,6 +253,28 @@ mod tests {
             ("Alunite X BECKa", Kind::Reflectance)
         );
         assert_eq!(spectrum.samples.nm(), [400.0, 600.0], "-1.23e34 is a gap");
+    }
+
+    #[test]
+    fn a_library_of_any_name_keeps_its_wavelengths_in_the_folder_above() {
+        let library = tempfile::tempdir().unwrap();
+        let chapter = library.path().join("ChapterM");
+        std::fs::create_dir(&chapter).unwrap();
+        let wavelengths = " ours Record=1: Wavelengths AVIRIS um\n 0.4\n 0.5\n 0.6\n";
+        std::fs::write(
+            library.path().join("ours_Wavelengths_AVIRIS.txt"),
+            wavelengths,
+        )
+        .unwrap();
+        let file = chapter.join("ours_Glass_AVIRISb_TRAN.txt");
+        std::fs::write(
+            &file,
+            " ours Record=2: Glass AVIRISb TRAN\n 0.8\n 0.9\n 0.7\n",
+        )
+        .unwrap();
+        let spectrum = &read_path(&file).unwrap().spectra[0];
+        assert_eq!(spectrum.kind, Kind::Transmittance);
+        assert_eq!(spectrum.samples.nm(), [400.0, 500.0, 600.0]);
     }
 
     #[test]

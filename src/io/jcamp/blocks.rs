@@ -177,9 +177,9 @@ impl<'a> Block<'a> {
     /// Whether numbers mark their decimals by commas: a limit or a factor does, or the first row
     /// of pairs is two numbers of one comma each.
     pub fn has_decimal_comma(&self, data: &Data) -> bool {
-        const NUMBERS: [&str; 11] = [
-            "FIRSTX", "LASTX", "FIRSTY", "LASTY", "DELTAX", "XFACTOR", "YFACTOR", "MAXX", "MINX",
-            "MAXY", "MINY",
+        // Factors do not tell: SpectraSuite writes 1.0 over numbers with commas.
+        const NUMBERS: [&str; 9] = [
+            "FIRSTX", "LASTX", "FIRSTY", "LASTY", "DELTAX", "MAXX", "MINX", "MAXY", "MINY",
         ];
         let texts = || NUMBERS.iter().filter_map(|label| self.text(label));
         if texts().any(|text| number::number(text, false).is_some() && text.contains('.')) {

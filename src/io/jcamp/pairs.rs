@@ -1,4 +1,7 @@
 //! `(XY..XY)`: pairs of abscissa and ordinate, any number on a line.
+//!
+//! Where decimals are marked by commas, a comma may part the two numbers as well: before a blank
+//! (`400,5, 12,75`), or as the second of three (`400,5,12,75`).
 
 use super::super::error::quoted;
 use super::super::number;
@@ -31,7 +34,10 @@ pub fn read(
     // A pair may be broken over two lines.
     let mut abscissa = None;
     for (line, row) in &data.rows {
-        for cell in row.split(is_gap).filter(|cell| !cell.is_empty()) {
+        let cells = row
+            .split(is_gap)
+            .flat_map(|cell| parted_by_comma(cell, decimal_comma));
+        for cell in cells.filter(|cell| !cell.is_empty()) {
             let value = match cell {
                 "?" => f64::NAN,
                 _ => number::number(cell, decimal_comma)
@@ -60,6 +66,20 @@ pub fn read(
         }
     }
     Ok((axis, values))
+}
+
+/// The one or two numbers of a cell between blanks: a comma at its end, and the middle one of
+/// three, part numbers whose decimals are marked by commas too.
+fn parted_by_comma(cell: &str, decimal_comma: bool) -> [&str; 2] {
+    if !decimal_comma {
+        return [cell, ""];
+    }
+    let cell = cell.trim_end_matches(',');
+    let mut commas = cell.match_indices(',').map(|(at, _)| at);
+    match (commas.next(), commas.next(), commas.next(), commas.next()) {
+        (Some(_), Some(middle), Some(_), None) => [&cell[..middle], &cell[middle + 1..]],
+        _ => [cell, ""],
+    }
 }
 
 /// The refusal of points beyond what a file of its size may unfold to.

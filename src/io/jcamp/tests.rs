@@ -185,3 +185,18 @@ fn broken_files_never_panic() {
         let _ = read_bytes("a.jdx", &bytes);
     }
 }
+
+#[test]
+fn a_comma_may_part_numbers_whose_decimals_are_commas_too() {
+    let head = "##XFACTOR= 1.0\n##YFACTOR= 1.0\n##FIRSTX= 400,5\n##LASTX= 402,25\n##FIRSTY= 12,75";
+    for data in [
+        "400,5, 12,75\n401, -3\n402,25, 1E-2",
+        "400,5,12,75\n401, -3,0\n402,25,0,01",
+        "400,5 12,75; 401 -3; 402,25 0,01",
+    ] {
+        let text = file(head, &format!("##XYPOINTS= (XY..XY)\n{data}"));
+        let samples = &read(&text).spectra[0].samples;
+        assert_eq!(samples.nm(), [400.5, 401.0, 402.25], "{data}");
+        assert_eq!(samples.values(), [12.75, -3.0, 0.01], "{data}");
+    }
+}
