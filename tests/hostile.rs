@@ -5,6 +5,8 @@
 //! a fixed number of changed miniature files. Large files are read by a child process, whose peak
 //! of memory the system counts.
 
+#[path = "hostile/found.rs"]
+mod found;
 #[path = "../fuzz/harness.rs"]
 mod harness;
 #[path = "hostile/large.rs"]

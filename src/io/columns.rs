@@ -93,8 +93,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         };
         read_table(input, text, dialect, table, &part, &mut reading)?;
     }
+    // Columns and rows that are nearly empty were left out; here that was all of them.
     if reading.spectra.is_empty() {
-        return Err(input.error("wavelengths and no values", A_TABLE));
+        return Err(too_sparse(input, &tables));
     }
     reading.notes.push(dialect.words());
     Ok(reading)
@@ -166,6 +167,22 @@ fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
                 input.error(found, A_TABLE).at_line(line)
             }
         },
+    }
+}
+
+/// The refusal for tables whose every column or row has next to no values.
+fn too_sparse(input: &Input, tables: &[Table]) -> ReadError {
+    let of = match tables.first().map(|table| &table.layout) {
+        Some(Layout::Row { .. }) => "row",
+        _ => "column",
+    };
+    let refusal = input.error(
+        format!("fewer than two values in every {of}"),
+        "at least two values of a spectrum",
+    );
+    match tables.first().and_then(|table| table.block.lines.first()) {
+        Some(line) => refusal.at_line(*line as usize),
+        None => refusal,
     }
 }
 
