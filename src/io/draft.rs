@@ -7,6 +7,7 @@ use crate::spectrum::{Kind, NamedSpectrum};
 use super::argyll_write::ORIGINATOR;
 use super::axis::{self, Axis, AxisUnit};
 use super::curve::{self, Trouble};
+use super::error::kept;
 use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
 use super::reading::{Told, Understood, provenance};
@@ -224,7 +225,7 @@ pub fn header_field<'a>(header: &[(usize, &'a str)], word: &str) -> Option<&'a s
     header.iter().rev().find_map(|(_, line)| {
         let start = line.trim_start().get(..word.len())?;
         let value = line.trim_start()[word.len()..].trim();
-        (start.eq_ignore_ascii_case(word) && !value.is_empty()).then_some(value)
+        (start.eq_ignore_ascii_case(word) && !value.is_empty()).then(|| kept(value))
     })
 }
 

@@ -117,6 +117,15 @@ fn part(text: &str) -> String {
     }
 }
 
+/// Most of a text that is kept with every spectrum of a file, in bytes: one long title in front of
+/// many spectra must not be kept in full with each.
+const LONGEST_KEPT: usize = 500;
+
+/// The start of a text that is kept with every spectrum of a file.
+pub fn kept(text: &str) -> &str {
+    &text[..text.floor_char_boundary(LONGEST_KEPT)]
+}
+
 /// Text of one line, anything unprintable as a blank.
 pub fn one_line(text: &str) -> String {
     text.chars()

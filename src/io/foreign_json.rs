@@ -16,7 +16,7 @@ use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::colorimetry_json;
 use super::curve;
-use super::error::quoted;
+use super::error::{kept, quoted};
 use super::keyed_json;
 use super::meaning;
 use super::reading::provenance as provenance_line;
@@ -169,7 +169,7 @@ pub fn add(
 /// A word at a place in the JSON, unless it is empty.
 pub fn word<'a>(value: &'a Value, pointer: &str) -> Option<&'a str> {
     let text = value.pointer(pointer)?.as_str()?.trim();
-    (!text.is_empty()).then_some(text)
+    (!text.is_empty()).then(|| kept(text))
 }
 
 /// A list of numbers; `null` stands for a missing one.

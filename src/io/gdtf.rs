@@ -12,7 +12,7 @@ use roxmltree::Node;
 use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::archive::{Archive, seems_to_hold};
-use super::error::quoted;
+use super::error::{kept, quoted};
 use super::meaning;
 use super::reading::provenance;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
@@ -53,7 +53,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let root = document.root_element();
     let fixture = xml::named(root, "FixtureType")
         .find_map(|node| xml::attribute(node, "LongName").or(xml::attribute(node, "Name")))
-        .unwrap_or(input.stem());
+        .map_or(input.stem(), kept);
     let slots = slots(root);
     let mut reading = Reading::default();
     let mut without = 0_usize;

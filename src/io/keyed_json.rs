@@ -9,6 +9,9 @@ use super::foreign_json::{Found, add, numbers, word};
 use super::kinds;
 use super::{Input, ReadError, Reading};
 
+/// Most channels of a rawtoaces file; a camera has three.
+const MOST_CHANNELS: usize = 100;
+
 /// Wavelengths of a table's keys with their places in it, in rising order.
 fn wavelengths(input: &Input, table: &Map<String, Value>) -> Result<Vec<(f64, usize)>, ReadError> {
     // Keys are in the order of the parser, which need not be that of the numbers.
@@ -41,6 +44,13 @@ pub fn read_rawtoaces(
         .map(|row| numbers(input, row, "\"main\""))
         .collect::<Result<Vec<_>, _>>()?;
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
+    // Each is gone through with every wavelength, also where most rows are empty.
+    if width > MOST_CHANNELS {
+        return Err(input.error(
+            format!("{width} channels"),
+            format!("at most {MOST_CHANNELS} channels"),
+        ));
+    }
     let names: Vec<&str> = value
         .pointer("/spectral_data/index/main")
         .and_then(Value::as_array)

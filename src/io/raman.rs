@@ -76,14 +76,61 @@ fn laser_of_name(name: &str) -> Option<f64> {
 
 /// The laser in a header line: `Laser wavelength: 785 nm`, `#Laser=785nm_edge`.
 fn laser_of_header(text: &str) -> Option<f64> {
-    headers(text).find_map(|line| {
-        let lower = line.to_lowercase();
-        let at = lower.find("laser").or_else(|| lower.find("excitation"))?;
-        lower[at..]
-            .split(|c: char| !(c.is_ascii_digit() || c == '.'))
-            .filter_map(|word| word.parse::<f64>().ok())
-            .find(|nm| LASERS_NM.contains(nm) && *nm != 1000.0)
-    })
+    let named: Vec<Laser> = headers(text).flat_map(lasers_of_line).collect();
+    let by_unit = named.iter().find(|laser| laser.says_nm);
+    by_unit.or(named.first()).map(|laser| laser.nm)
+}
+
+/// A number behind the word "laser".
+struct Laser {
+    nm: f64,
+    /// Whether it is said to be a wavelength.
+    says_nm: bool,
+}
+
+/// The numbers of a header line that may be a laser's wavelength: not its power or its share.
+fn lasers_of_line(line: &str) -> Vec<Laser> {
+    let lower = line.to_lowercase();
+    let Some(at) = lower.find("laser").or_else(|| lower.find("excitation")) else {
+        return Vec::new();
+    };
+    let is_number = |c: char| c.is_ascii_digit() || c == '.';
+    let names_wavelength = lower.contains("wavelength") || lower.contains("lambda");
+    let names_other = ["power", "attenuation", "exposure"]
+        .iter()
+        .any(|word| lower.contains(word));
+    let mut lasers = Vec::new();
+    let mut rest = &lower[at..];
+    while let Some(from) = rest.find(is_number) {
+        rest = &rest[from..];
+        let end = rest.find(|c| !is_number(c)).unwrap_or(rest.len());
+        let (number, behind) = rest.split_at(end);
+        let unit = behind.trim_start();
+        let counts_other = ["mw", "w", "%", "µw", "s", "ms"]
+            .iter()
+            .any(|other| word_of(unit) == *other);
+        let says_nm = word_of(unit).starts_with("nm");
+        if let Ok(nm) = number.parse::<f64>()
+            && LASERS_NM.contains(&nm)
+            && nm != 1000.0
+            && (says_nm || !counts_other && !names_other)
+        {
+            lasers.push(Laser {
+                nm,
+                says_nm: says_nm || names_wavelength,
+            });
+        }
+        rest = behind;
+    }
+    lasers
+}
+
+/// The letters (or per cent sign) that a text begins with.
+fn word_of(text: &str) -> &str {
+    let end = text
+        .find(|c: char| !(c.is_alphabetic() || c == '%'))
+        .unwrap_or(text.len());
+    &text[..end]
 }
 
 fn sniff(input: &Input) -> Confidence {
@@ -176,6 +223,21 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 #[cfg(test)]
 mod tests {
     use crate::io::read_bytes;
+
+    #[test]
+    fn the_lasers_power_is_not_its_wavelength() {
+        let rows = "100.5\t10\n200.5\t20\n300.5\t30\n400.5\t40\n";
+        for header in [
+            "Laser power: 300 mW\nLaser wavelength: 785 nm\n",
+            "Laser: 300 mW, 785 nm\n",
+            "Laser power 300\nLaser 785\n",
+        ] {
+            let text = format!("{header}Raman shift (cm-1)\tIntensity\n{rows}");
+            let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
+            let first = reading.spectra[0].samples.first_nm();
+            assert!((790.0..800.0).contains(&first), "{header}: {first}");
+        }
+    }
 
     #[test]
     fn shifts_from_a_known_laser_become_wavelengths() {

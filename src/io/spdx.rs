@@ -9,7 +9,7 @@ use roxmltree::Node;
 use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::curve;
-use super::error::quoted;
+use super::error::{kept, quoted};
 use super::kinds;
 use super::meaning;
 use super::number;
@@ -109,7 +109,7 @@ fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
 /// A header field, unless it is empty or says that it is unknown.
 fn field<'a>(header: Option<Node<'a, 'a>>, name: &str) -> Option<&'a str> {
     let text = child(header?, name)?.text()?.trim();
-    (!text.is_empty() && !text.eq_ignore_ascii_case("unknown")).then_some(text)
+    (!text.is_empty() && !text.eq_ignore_ascii_case("unknown")).then(|| kept(text))
 }
 
 fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError> {

@@ -9,7 +9,9 @@
 //!
 //! Results may also stand behind the spectrum, several measurements side by side in columns. The
 //! values are mW m-2 nm-1; files of photons (µmol m-2 s-1 nm-1) look the same, so that the
-//! spectrum's total, by the trapezium rule, is held against the maker's `IRR` and `PFD`.
+//! spectrum's total, by the trapezium rule, is held against the maker's `IRR`, `PFD` and `PPFD`.
+
+use std::ops::RangeInclusive;
 
 use super::error::quoted;
 use super::keyed_lines::{KeyedLines, is_point};
@@ -142,11 +144,14 @@ struct UnitFound {
 }
 
 fn unit(nm: &[f64], values: &[f64], results: &[MakersResult], makers: &str) -> UnitFound {
-    let total: f64 = nm
-        .windows(2)
-        .zip(values.windows(2))
-        .map(|(x, y)| 0.5 * (x[1] - x[0]) * (y[0] + y[1]))
-        .sum();
+    let total_of = |range: RangeInclusive<f64>| -> f64 {
+        nm.windows(2)
+            .zip(values.windows(2))
+            .filter(|(x, _)| range.contains(&x[0]) && range.contains(&x[1]))
+            .map(|(x, y)| 0.5 * (x[1] - x[0]) * (y[0] + y[1]))
+            .sum()
+    };
+    let total = total_of(f64::MIN..=f64::MAX);
     let stated = |quantity: &Quantity| {
         results
             .iter()
@@ -169,7 +174,12 @@ fn unit(nm: &[f64], values: &[f64], results: &[MakersResult], makers: &str) -> U
             }
         }
     }
-    for quantity in [Quantity::Pfd, Quantity::Ppfd] {
+    // Photosynthesis counts 400-700 nm only.
+    let fluxes = [
+        (Quantity::Pfd, total),
+        (Quantity::Ppfd, total_of(400.0..=700.0)),
+    ];
+    for (quantity, total) in fluxes {
         if let Some(flux) = stated(&quantity)
             && same(total, flux)
         {
@@ -196,6 +206,16 @@ mod tests {
 
     const SMALL: &str = "Model Name\tMK350\nMemo\t\nLUX\t12.5\nCCT\t3000.0\nx\t0.44\nI-Time\t100\n\
                          CRI\t92.0\nR9\t50.5\nRf\t90\nIRR\t0.03\n380nm\t1.0\n390nm\t2.0\n400nm\t-0.5\n";
+
+    #[test]
+    fn photons_are_told_by_their_flux_in_the_range_of_photosynthesis() {
+        let rows: String = (0..=40)
+            .map(|i| format!("{}nm\t0.5\n", 380 + 10 * i))
+            .collect();
+        let text = format!("Model Name\tMK350\nPPFD\t150.0\n{rows}");
+        let reading = read_bytes("a.xls", text.as_bytes()).unwrap();
+        assert_eq!(reading.spectra[0].unit, super::PHOTONS);
+    }
 
     #[test]
     fn spectrum_unit_and_results_are_read() {

@@ -429,6 +429,39 @@ const CASES: &[Case] = &[
           {\"start\":1,\"end\":10000000,\"interval\":1}},\"spectral_data\":{\"values\":[1,2]}}]}"
             .to_vec()
     }),
+    case("long_name_of_columns.csv", "", || {
+        let row = |nm: usize| format!("{nm}{}\n", ",1".repeat(5_000));
+        let name = "x".repeat(300_000);
+        let rows: String = (400..405).map(row).collect();
+        format!("# name: {name}\n# source: {name}\n{rows}").into_bytes()
+    }),
+    case("channels.json", "100 channels", || {
+        let row = format!("[{}1]", "1,".repeat(60_000));
+        let empty: String = (1000..20_000).map(|nm| format!(",\"{nm}\":[]")).collect();
+        let main = format!("{{\"400\":{row},\"401\":{row}{empty}}}");
+        format!("{{\"spectral_data\":{{\"data\":{{\"main\":{main}}}}}}}").into_bytes()
+    }),
+    case("long_title.json", "100 spectra", || {
+        let row = format!("[{}1]", "1,".repeat(99));
+        let main = format!("{{\"400\":{row},\"401\":{row}}}");
+        let title = "x".repeat(500_000);
+        let data = format!("{{\"data\":{{\"main\":{main}}}}}");
+        format!("{{\"header\":{{\"description\":\"{title}\"}},\"spectral_data\":{data}}}")
+            .into_bytes()
+    }),
+    case("long_fixture.gdtf", "3000 spectra", || {
+        let point = "<MeasurementPoint WaveLength='400' Energy='1'/><MeasurementPoint WaveLength='500' Energy='1'/>";
+        let one = format!("<Emitter Name='a'><Measurement>{point}</Measurement></Emitter>\n");
+        let name = "x".repeat(300_000);
+        let text = format!(
+            "<GDTF><FixtureType Name='{name}'/>{}</GDTF>",
+            one.repeat(3_000)
+        );
+        harness::zipped(
+            &[("description.xml", text.as_bytes())],
+            CompressionMethod::Stored,
+        )
+    }),
     case("row_far_away.xlsx", "far larger", || {
         let cells = "<row><c r='A1'><v>400</v></c></row><row><c r='B1'><v>1</v></c></row>\
             <row><c r='A4294967295'><v>500</v></c><c r='B4294967295'><v>2</v></c></row>";

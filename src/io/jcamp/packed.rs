@@ -108,6 +108,25 @@ struct Grid {
 }
 
 impl Grid {
+    /// The same ends the other way round, where every line start agrees with that and not with
+    /// the ends as they are labelled: the abscissa beside a number is believed before a label.
+    fn turned(&self, starts: &[(usize, f64, usize)], count: usize) -> Option<Self> {
+        let (first, last) = (self.first?, self.last?);
+        let step = (last - first) / count.checked_sub(1).filter(|steps| *steps > 0)? as f64;
+        let agree = |from: f64, step: f64| {
+            let near = |(_, x, index): &(usize, f64, usize)| {
+                (from + *index as f64 * step - x).abs() <= step.abs()
+            };
+            !starts.is_empty() && starts.iter().all(near)
+        };
+        (!agree(first, step) && agree(last, -step)).then_some(Self {
+            first: self.last,
+            last: self.first,
+            delta: self.delta.map(|delta| -delta),
+            announced: self.announced,
+        })
+    }
+
     /// Evenly spaced abscissas for `count` points, compared with those at the line starts.
     fn axis(
         &self,
@@ -115,6 +134,13 @@ impl Grid {
         count: usize,
         notes: &mut Vec<String>,
     ) -> Vec<f64> {
+        if let Some(turned) = self.turned(starts, count) {
+            notes.push(
+                "FIRSTX and LASTX stand the wrong way round: the abscissas at the line starts tell"
+                    .to_owned(),
+            );
+            return turned.axis(starts, count, notes);
+        }
         let first = self
             .first
             .or(starts.first().map(|s| s.1))

@@ -46,6 +46,26 @@ fn plain_and_packed_forms_of_the_same_numbers_read_alike() {
 }
 
 #[test]
+fn abscissas_beside_the_numbers_are_believed_before_the_labels() {
+    let text = file(
+        "##FIRSTX= 400\n##LASTX= 480\n##NPOINTS= 9\n##XFACTOR= 1\n##YFACTOR= 1",
+        "##XYDATA= (X++(Y..Y))\n480 10 20 30\n450 40 50 60\n420 70 80 90",
+    );
+    let reading = read(&text);
+    let samples = &reading.spectra[0].samples;
+    assert_eq!((samples.first_nm(), samples.last_nm()), (400.0, 480.0));
+    assert_eq!(
+        samples.values(),
+        [90.0, 80.0, 70.0, 60.0, 50.0, 40.0, 30.0, 20.0, 10.0]
+    );
+    let notes = &reading.spectra[0].notes;
+    assert!(
+        notes.iter().any(|n| n.contains("the wrong way round")),
+        "{notes:?}"
+    );
+}
+
+#[test]
 fn differences_are_checked_at_line_starts() {
     // 28 - 31 = -3, + 6 = 3, + 0.
     let good = file(HEAD, "##XYDATA= (X++(Y..Y))\n400@J0%TJ8\n408B8l1O%\n414C");
