@@ -168,6 +168,13 @@ mod tests {
         assert!(fs::metadata(&pipe).unwrap().file_type().is_fifo());
     }
 
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_device_is_told_in_words() {
+        let full = save_atomically(Path::new("/dev/full"), b"380,1").unwrap_err();
+        assert!(full.to_string().contains("found the disk full"), "{full}");
+    }
+
     #[cfg(unix)]
     #[test]
     fn a_link_stays_a_link() {
