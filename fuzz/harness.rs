@@ -274,6 +274,8 @@ fn choices_of(bytes: &[u8]) -> Choices {
         wavelengths: one_of(WavelengthUnit::ALL.len()).map(|i| WavelengthUnit::ALL[i]),
         kind: one_of(Kind::ALL.len()).map(|i| Kind::ALL[i]),
         percent: one_of(2).map(|i| i == 1),
+        // No reader's business.
+        keep_photons: false,
     }
 }
 

@@ -824,6 +824,42 @@ fn a_kind_said_on_the_command_line_is_taken_as_in_the_window() {
 }
 
 #[test]
+fn photons_are_looked_at_as_power_and_converted_as_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = |value: fn(f64) -> f64| -> String {
+        (0..=40)
+            .map(|i| 380.0 + 10.0 * f64::from(i))
+            .map(|nm| format!("{nm},{}\n", value(nm)))
+            .collect()
+    };
+    // The same light twice: even power, and its photons.
+    let title = "nm,irradiance (W m-2 nm-1)\n";
+    let power = write(folder.path(), "p.csv", &format!("{title}{}", rows(|_| 1.0)));
+    let title = "nm,photon irradiance (µmol m-2 s-1 nm-1)\n";
+    let text = format!("{title}{}", rows(|nm| nm / 119.626_565_8));
+    let photons = write(folder.path(), "q.csv", &text);
+    let xy = |file: &str| {
+        let report = json(&["report", file, "--json"]);
+        let xy = at(&report, "colour/exact/xy").clone();
+        [0, 1].map(|i| xy[i].as_f64().unwrap())
+    };
+    let (by_power, by_photons) = (xy(&power), xy(&photons));
+    assert!(
+        by_power
+            .iter()
+            .zip(by_photons)
+            .all(|(a, b)| (a - b).abs() < 1e-8),
+        "{by_power:?} {by_photons:?}"
+    );
+    let said_of = said(&["report", &photons]);
+    assert!(said_of.contains("photons turned into power"), "{said_of}");
+    let out = folder.path().join("o.csv");
+    said(&["convert", &photons, out.to_str().unwrap()]);
+    let sum = |path: &str| json(&["read", path, "--json"])[0]["spectra"][0]["sum"].clone();
+    assert_eq!(sum(out.to_str().unwrap()), sum(&photons));
+}
+
+#[test]
 fn what_has_no_colour_is_converted_all_the_same() {
     let folder = tempfile::tempdir().unwrap();
     let input = write(

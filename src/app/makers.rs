@@ -7,6 +7,7 @@
 use super::{
     cells,
     entry::Entry,
+    photons::JOULE_NM_PER_MICROMOLE,
     scale::LUMENS_PER_WATT,
     spectral_unit::{Counted, SpectralUnit},
 };
@@ -26,10 +27,6 @@ pub const NOT_YET: &str = "not computed here yet";
 
 /// Square metres in a square foot: lux of one foot-candle are its inverse.
 const SQUARE_FOOT_M2: f64 = 0.3048 * 0.3048;
-
-/// Planck's constant x speed of light x Avogadro's number, J nm per µmol of photons: what turns
-/// a photon flux at a wavelength in nm into power (all three exact in the SI of 2019).
-const JOULE_NM_PER_MICROMOLE: f64 = 6.626_070_15e-34 * 299_792_458.0 * 1e9 * 6.022_140_76e23 * 1e-6;
 
 /// One number of the instrument and ours.
 #[derive(Clone, Debug, PartialEq)]

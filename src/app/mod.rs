@@ -18,6 +18,7 @@ pub mod makers;
 pub mod open;
 pub mod opened;
 pub mod pages;
+pub mod photons;
 pub mod picture;
 pub mod plot_svg;
 pub mod product_report;

@@ -16,7 +16,7 @@ use super::{
     entry::{Entry, sampled_from_composite},
     library::{Body, Library},
     opened::Opened,
-    picture,
+    photons, picture,
     workspace::{self, Restored},
 };
 use crate::{
@@ -42,17 +42,12 @@ pub enum Loaded {
 
 /// Reads a file.
 pub fn load_path(path: &Path) -> Loaded {
-    load_path_of_kind(path, None)
+    load_path_with(path, &Choices::default())
 }
 
-/// Reads a file of values of a kind that somebody said; per cent is told by that kind, as in the
-/// window.
-pub fn load_path_of_kind(path: &Path, kind: Option<Kind>) -> Loaded {
-    let choices = Choices {
-        kind,
-        ..Choices::default()
-    };
-    project_at(path).unwrap_or_else(|| load_path_as(path, &choices))
+/// Reads a project, or any other file with decisions about it.
+pub fn load_path_with(path: &Path, choices: &Choices) -> Loaded {
+    project_at(path).unwrap_or_else(|| load_path_as(path, choices))
 }
 
 /// Reads a file with decisions about it.
@@ -145,7 +140,11 @@ fn from_reading(
         guesses,
         notes,
     } = reading;
-    let spectra = spectra_of(spectra, composites, &notes, &file);
+    let mut spectra = spectra_of(spectra, composites, &notes, &file);
+    let photons = spectra.iter().any(photons::counts_photons);
+    if !choices.keep_photons {
+        spectra.iter_mut().for_each(photons::to_power);
+    }
     if spectra.is_empty() && images.is_empty() {
         return Loaded::Refused(format!("{file}: found no spectrum, expected at least one"));
     }
@@ -160,6 +159,7 @@ fn from_reading(
         images: images.into_iter().map(Arc::new).collect(),
         table,
         understood,
+        photons,
         guesses,
         choices: *choices,
     }))
@@ -285,7 +285,11 @@ pub fn resolve_pixels(
     pixels: Option<Rect>,
     kind: Option<Kind>,
 ) -> Result<Entry, String> {
-    let entry = resolve_any(input, pick, pixels, kind)?;
+    let choices = Choices {
+        kind,
+        ..Choices::default()
+    };
+    let entry = resolve_any(input, pick, pixels, &choices)?;
     if !entry.is_usable() {
         return Err(format!(
             "{}: found {} values, expected a light, a reflectance or a transmittance (say --kind, \
@@ -297,8 +301,8 @@ pub fn resolve_pixels(
     Ok(entry)
 }
 
-/// The same, whatever its values are: absorbance, weighting functions and n and k have no colour,
-/// but are kept and written.
+/// The same, whatever its values are, with decisions about a file: absorbance, weighting functions
+/// and n and k have no colour, but are kept and written.
 ///
 /// # Errors
 /// One line that says what was found and what was expected.
@@ -306,21 +310,19 @@ pub fn resolve_any(
     input: &str,
     pick: Option<&str>,
     pixels: Option<Rect>,
-    kind: Option<Kind>,
+    choices: &Choices,
 ) -> Result<Entry, String> {
     let path = Path::new(input);
     // Not `is_file`: a pipe is a fine input too.
     let entry = if path.exists() && !path.is_dir() {
-        from_file(path, pick, pixels, kind)?
+        from_file(path, pick, pixels, choices)?
     } else if pixels.is_some() {
         return Err(format!(
             "{input}: found no file, expected a spectral image with --pixel and --region"
         ));
     } else {
         let mut preset = from_library(input, path, pick)?;
-        if let Some(kind) = kind {
-            preset.spectrum.kind = kind;
-        }
+        preset.spectrum.kind = choices.kind.unwrap_or(preset.spectrum.kind);
         preset
     };
     Ok(entry)
@@ -330,9 +332,10 @@ fn from_file(
     path: &Path,
     pick: Option<&str>,
     pixels: Option<Rect>,
-    kind: Option<Kind>,
+    choices: &Choices,
 ) -> Result<Entry, String> {
-    let (mut spectra, makers) = match load_path_of_kind(path, kind) {
+    let kind = choices.kind;
+    let (mut spectra, makers) = match load_path_with(path, choices) {
         Loaded::File(opened) => match pixels {
             Some(pixels) => (opened.spectra_of_pixels(pixels)?, Vec::new()),
             None => {

@@ -33,6 +33,8 @@ pub struct Opened {
     pub table: Option<TableFound>,
     /// How its first spectrum was understood; `None` where the format leaves nothing open.
     pub understood: Option<Understood>,
+    /// Whether one of its lights counts photons, in the file.
+    pub photons: bool,
     /// What had to be guessed.
     pub guesses: Vec<Guess>,
     /// What a person decided about it.
@@ -57,6 +59,7 @@ impl Opened {
             images: Vec::new(),
             table: None,
             understood: None,
+            photons: false,
             guesses: Vec::new(),
             choices: Choices::default(),
         }

@@ -36,7 +36,7 @@ enum Of {
 }
 
 /// Signs, longer ones before what they begin with; all lower case but where it would mislead.
-const SIGNS: [(&str, Of, f64); 24] = [
+const SIGNS: [(&str, Of, f64); 26] = [
     ("watts", Of::Watt, 1.0),
     ("watt", Of::Watt, 1.0),
     ("µmol", Of::Micromole, 1.0),
@@ -44,6 +44,8 @@ const SIGNS: [(&str, Of, f64); 24] = [
     ("mmol", Of::Micromole, 1e3),
     ("nmol", Of::Micromole, 1e-3),
     ("mol", Of::Micromole, 1e6),
+    ("µe", Of::Micromole, 1.0),
+    ("ue", Of::Micromole, 1.0),
     ("kw", Of::Watt, 1e3),
     ("mw", Of::Watt, 1e-3),
     ("µw", Of::Watt, 1e-6),
@@ -116,6 +118,31 @@ impl SpectralUnit {
     }
 }
 
+impl SpectralUnit {
+    /// The unit of factor 1 in words: "W m-2 nm-1".
+    pub fn words(&self) -> String {
+        let Self {
+            counted,
+            factor: _,
+            per_area,
+            per_nm,
+            per_steradian,
+        } = *self;
+        let (what, per_second) = match counted {
+            Counted::Watts => ("W", false),
+            Counted::Micromoles => ("µmol", true),
+        };
+        let parts = [
+            (per_area, " m-2"),
+            (per_second, " s-1"),
+            (per_steradian, " sr-1"),
+            (per_nm, " nm-1"),
+        ];
+        let said = parts.iter().filter(|(is, _)| *is).map(|(_, part)| *part);
+        std::iter::once(what).chain(said).collect()
+    }
+}
+
 /// The exponent at the beginning of a text, 1 where there is none, and what follows.
 fn power(text: &str) -> Option<(i32, &str)> {
     let text = text.strip_prefix('^').unwrap_or(text);
@@ -166,6 +193,12 @@ mod tests {
             assert!(unit.per_area && !unit.per_nm);
         }
         assert!(SpectralUnit::of("W m-2 sr-1 nm-1").is_some_and(|u| u.per_steradian));
+        for words in ["W m-2 nm-1", "W m-2 sr-1 nm-1", "µmol m-2 s-1 nm-1", "W"] {
+            assert_eq!(
+                SpectralUnit::of(words).map(|u| u.words()).as_deref(),
+                Some(words)
+            );
+        }
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::{io::Write, path::Path};
 
 use super::{
     arguments::{Convert, Form},
+    options::PickOptions,
     print,
     refusal::Refusal,
     subject, words,
@@ -19,7 +20,7 @@ use crate::{
         ticks::short,
     },
     io::{
-        self, CompositeFile, Provenance,
+        self, Choices, CompositeFile, Provenance,
         atomic::save_atomically,
         composite_json, composite_line,
         write::{Columns, WRITABLE, losses},
@@ -80,6 +81,15 @@ fn as_measured() -> Provenance {
 /// Most notes told of a file of many spectra.
 const MOST_NOTES: usize = 12;
 
+/// Decisions about a file whose numbers go into another file as they are.
+fn as_they_are(pick: &PickOptions) -> Choices {
+    Choices {
+        kind: pick.kind,
+        keep_photons: true,
+        ..Choices::default()
+    }
+}
+
 /// Every spectrum of a file, side by side.
 fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
     let usage = |words: String| Err(Refusal::Usage(words));
@@ -97,7 +107,7 @@ fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
     }
     let input = &options.input;
     let file = |why: String| Refusal::File(format!("{input}: {why}"));
-    let spectra = match open::load_path_of_kind(Path::new(input), pick.kind) {
+    let spectra = match open::load_path_with(Path::new(input), &as_they_are(pick)) {
         Loaded::File(opened) => opened.into_spectra(),
         Loaded::Refused(why) => return Err(Refusal::File(why)),
         Loaded::Project { .. } => {
@@ -181,7 +191,7 @@ fn spectrum(options: &Convert) -> Result<String, Refusal> {
         &options.input,
         pick.spectrum.as_deref(),
         pick.pixels(),
-        pick.kind,
+        &as_they_are(pick),
     )
     .map_err(Refusal::File)?;
     let spectrum = &entry.spectrum;

@@ -17,6 +17,9 @@ pub struct Choices {
     pub kind: Option<Kind>,
     /// Whether values of a factor are per cent.
     pub percent: Option<bool>,
+    /// Whether a light's photon counts stay what they are. Readers never touch them; where this is
+    /// not set, what opens a file for its light turns them into power.
+    pub keep_photons: bool,
 }
 
 impl Choices {
