@@ -3,6 +3,7 @@
 use super::columns::bad_cell;
 use super::dialect::Dialect;
 use super::draft::Draft;
+use super::heading::Heading;
 use super::pick::Table;
 use super::text::lines;
 use super::{Input, ReadError, Reading};
@@ -33,6 +34,7 @@ pub fn read_rows(
 ) -> Result<(), ReadError> {
     let block = &table.block;
     let labels = row_labels(text, dialect, block.lines.as_slice(), along.first);
+    let heading = Heading::of(&block.header);
     let kind_title = titles_before(table, along.first);
     let columns = along.first..along.first + along.axis.len();
     if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
@@ -50,7 +52,7 @@ pub fn read_rows(
             title: String::new(),
             axis_title: kind_title.clone(),
             says_nm: along.says_nm,
-            header: &block.header,
+            heading: &heading,
             axis: along.axis,
             values: block.values[columns.clone()]
                 .iter()
