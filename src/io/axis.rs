@@ -196,7 +196,7 @@ mod tests {
             nm("nm, not Å")
         );
         assert_eq!(of_visible("Wavelength (Å)", ""), nm("nm, not Å"));
-        assert_eq!(of_visible("Frequency (PHz)", ""), nm("nm, not phz"));
+        assert_eq!(of_visible("Frequency (PHz)", ""), nm("nm, not PHz"));
         assert_eq!(of_visible("Frequency (THz)", ""), ("THz".to_owned(), true));
         assert_eq!(of_visible("[cm-1]", ""), ("1/cm".to_owned(), true));
     }

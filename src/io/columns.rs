@@ -353,6 +353,7 @@ fn read_groups(
         None => Heading::of(&table.block.header),
     };
     let columns = groups.iter().map(|group| group.values.len()).sum();
+    let heading = heading.shared_by(columns);
     let mut before = 0;
     for group in groups {
         let rows = match groups {

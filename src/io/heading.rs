@@ -57,7 +57,25 @@ impl<'a> Heading<'a> {
             unit: unit.to_owned(),
         }
     }
+
+    /// The same for a number of spectra: each has name, source and unit for itself, so that long
+    /// ones under thousands of columns are cut.
+    #[must_use]
+    pub fn shared_by(mut self, spectra: usize) -> Self {
+        let most = (MOST_SHARED / spectra.max(1)).max(LEAST_SHARED);
+        let cut = |text: &'a str| &text[..text.floor_char_boundary(most)];
+        self.name = self.name.map(cut);
+        self.source = self.source.map(cut);
+        self.unit.truncate(self.unit.floor_char_boundary(most));
+        self
+    }
 }
+
+/// Bytes that all copies of a text of the header may take together.
+const MOST_SHARED: usize = 4 << 20;
+
+/// Bytes of such a text that are kept in any case.
+const LEAST_SHARED: usize = 60;
 
 /// What a header line says behind a word ("name:", "source:"); upper or lower case.
 pub fn field<'a>(lines: &Lines<'a>, word: &str) -> Option<&'a str> {
@@ -86,5 +104,14 @@ mod tests {
         assert_eq!(own.kind.own, Some(Kind::Light));
         assert_eq!(Heading::of(&lines), own);
         assert!(!Heading::of(&lines[..3]).is_own);
+    }
+
+    #[test]
+    fn thousands_of_spectra_share_a_long_source_cut_short() {
+        let source = format!("source: {}", "ä".repeat(10_000));
+        let heading = Heading::of(&[(1, &source)]);
+        assert_eq!(heading.clone().shared_by(1), heading);
+        let cut = heading.shared_by(60_000);
+        assert_eq!(cut.source.map(str::len), Some(68));
     }
 }

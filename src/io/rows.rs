@@ -34,7 +34,7 @@ pub fn read_rows(
 ) -> Result<(), ReadError> {
     let block = &table.block;
     let labels = row_labels(text, dialect, block.lines.as_slice(), along.first);
-    let heading = Heading::of(&block.header);
+    let heading = Heading::of(&block.header).shared_by(block.rows());
     let kind_title = titles_before(table, along.first);
     let columns = along.first..along.first + along.axis.len();
     if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {

@@ -222,19 +222,20 @@ pub fn unknown_unit(title: &str) -> Option<String> {
     const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
     // Where a wavelength was measured, and what else is no unit.
     const HARMLESS: [&str; 7] = ["air", "vacuum", "vac", "vac.", "x", "lambda", "λ"];
-    let lower = title.trim().to_lowercase();
-    let name = without_brackets(&lower);
-    if QUANTITIES.contains(&name) && name == lower {
+    let title = title.trim();
+    let name = without_brackets(title).to_lowercase();
+    if QUANTITIES.contains(&name.as_str()) && name.len() == title.len() {
         return Some(format!("a {name}"));
     }
-    let is_axis = names_wavelength(name) || QUANTITIES.iter().any(|word| name.starts_with(word));
-    let unit = match lower.find(['(', '[']) {
-        Some(open) => lower[open + 1..].split([')', ']']).next(),
-        None => lower.split_once(" / ").map(|(_, unit)| unit),
+    let is_axis = names_wavelength(&name) || QUANTITIES.iter().any(|word| name.starts_with(word));
+    let unit = match title.find(['(', '[']) {
+        Some(open) => title[open + 1..].split([')', ']']).next(),
+        None => title.split_once(" / ").map(|(_, unit)| unit),
     };
+    let is_harmless = |unit: &str| HARMLESS.contains(&unit.to_lowercase().as_str());
     unit.map(str::trim)
         .filter(|unit| is_axis && unit.chars().any(char::is_alphabetic))
-        .filter(|unit| unit.chars().count() <= 12 && !HARMLESS.contains(unit))
+        .filter(|unit| unit.chars().count() <= 12 && !is_harmless(unit))
         .map(str::to_owned)
 }
 

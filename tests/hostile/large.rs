@@ -210,6 +210,11 @@ const CASES: &[Case] = &[
             .collect();
         (long_header() + "name,400,410,420,430,440\n" + &rows).into_bytes()
     }),
+    case("long_source_over_many_columns.csv", "2000 spectra", || {
+        let row = |nm: usize| format!("{nm}{}\n", ",0.5".repeat(2000));
+        let rows = (400..404).map(row).collect::<String>();
+        format!("# source: {}\n{rows}", "a book ".repeat(20_000)).into_bytes()
+    }),
     case("single_rows_among_comments.txt", "expected", || {
         let comments = "#\n".repeat(200);
         filled(
