@@ -15,8 +15,8 @@ use std::time::{Duration, Instant};
 use spectral_explorer::io::units::WavelengthUnit;
 use spectral_explorer::io::write::{Columns, Provenance};
 use spectral_explorer::io::{
-    Choices, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, read_bytes, read_bytes_as,
-    read_path,
+    Choices, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, number, read_bytes,
+    read_bytes_as, read_path,
 };
 use spectral_explorer::spectrum::{Composite, Kind, NamedSpectrum, Rect, SpectralImage};
 use zip::CompressionMethod;
@@ -462,28 +462,49 @@ fn look_about(image: &SpectralImage, whole: bool) {
     }
 }
 
-/// Writes a spectrum as CSV and reads it again to the same numbers. Under 100 nm and over
-/// 1 mm a table is not believed to count nanometres, whatever its title says.
+/// Names that look like something else in a table: a spread, an axis, a number, a unit.
+const HOSTILE_NAMES: [&str; 10] = [
+    "standard deviation",
+    "A sigma",
+    "wavelength",
+    "x",
+    "[nm]",
+    "5%",
+    "380nm",
+    "R(ref) target",
+    "LED (1/2), old; \u{b1}",
+    "n/a",
+];
+
+/// Writes a spectrum as CSV, alone and several times beside itself under hostile names, and reads
+/// it again to the same names and numbers.
 fn comes_back(spectrum: &NamedSpectrum) {
     let samples = &spectrum.samples;
-    let is_axis = samples.first_nm() >= 100.0 && samples.last_nm() <= 1e6;
-    if samples.len() > LONGEST_WRITTEN || !is_axis {
+    if samples.len() > LONGEST_WRITTEN || samples.last_nm() >= number::ABSURD {
         return;
     }
-    let text = csv::write(
-        spectrum,
-        &Columns::measured(spectrum),
-        &Provenance::default(),
-    );
+    let alone = Columns::measured(spectrum);
+    comes_back_as(spectrum, &alone, std::slice::from_ref(spectrum));
+    let renamed = HOSTILE_NAMES.map(|name| NamedSpectrum {
+        name: name.to_owned(),
+        ..spectrum.clone()
+    });
+    let together = Columns::together(&renamed).expect("one kind and unit");
+    comes_back_as(&renamed[0], &together, &renamed);
+}
+
+fn comes_back_as(first: &NamedSpectrum, columns: &Columns, all: &[NamedSpectrum]) {
+    let text = csv::write(first, columns, &Provenance::default());
     let again = read_bytes("again.csv", text.as_bytes());
     let again = again.unwrap_or_else(|why| panic!("{why}\n{text}"));
-    assert_eq!(again.spectra.len(), 1, "{text}");
-    let back = &again.spectra[0];
+    assert_eq!(again.spectra.len(), all.len(), "{text}");
     let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(back.samples.nm()), bits(samples.nm()), "{text}");
-    assert_eq!(
-        bits(back.samples.values()),
-        bits(samples.values()),
-        "{text}"
-    );
+    for (back, was) in again.spectra.iter().zip(all) {
+        if all.len() > 1 {
+            assert_eq!(back.name, was.name, "{text}");
+        }
+        assert_eq!(bits(back.samples.nm()), bits(was.samples.nm()), "{text}");
+        let same = bits(back.samples.values()) == bits(was.samples.values());
+        assert!(same, "{text}");
+    }
 }

@@ -1,6 +1,7 @@
 //! One number a line: wavelengths and values by turns, as Macam radiometers write them.
 
 use super::draft::Draft;
+use super::heading::Heading;
 use super::number::{self, Cell};
 use super::text::lines;
 use super::units::WavelengthUnit;
@@ -76,6 +77,12 @@ pub fn find(text: &str) -> Option<Pairs<'_>> {
         let run = longest_run(text, decimal_comma);
         // An odd count has one number of a header in front (a count, a scan number).
         let skip = run.numbers.len() % 2;
+        let numbers = || run.numbers.iter().skip(skip);
+        // Wavelengths alone, without values between them.
+        let pairs = || numbers().zip(numbers().skip(1));
+        if pairs().all(|(a, b)| a < b) || pairs().all(|(a, b)| a > b) {
+            return None;
+        }
         let axis: Vec<f64> = run.numbers.iter().skip(skip).step_by(2).copied().collect();
         let rising = axis.windows(2).all(|p| p[1] > p[0]);
         let falling = axis.windows(2).all(|p| p[1] < p[0]);
@@ -117,7 +124,7 @@ pub fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
         title: String::new(),
         axis_title: String::new(),
         says_nm: false,
-        header: &pairs.header,
+        heading: &Heading::of(&pairs.header),
         axis: &pairs.axis,
         values: pairs.values.clone(),
         lines: &pairs.lines,
@@ -144,6 +151,15 @@ mod tests {
             reading.spectra[0].samples.values(),
             [0.0, 0.5, 1.0, 0.5, 0.25]
         );
+    }
+
+    #[test]
+    fn a_list_of_wavelengths_alone_is_refused() {
+        let rising: String = (0..20).map(|i| format!("{}\n", 380 + 10 * i)).collect();
+        let refusal = read_bytes("a.txt", rising.as_bytes()).unwrap_err();
+        assert_eq!(refusal.found, "20 lines of one number each");
+        let falling: String = (0..21).map(|i| format!("{}\n", 780 - 10 * i)).collect();
+        assert!(read_bytes("a.txt", falling.as_bytes()).is_err());
     }
 
     #[test]

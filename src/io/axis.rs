@@ -1,6 +1,8 @@
 //! The unit of a table's wavelength axis: told by a title or the header, else guessed.
 
-use super::units::{WavelengthUnit, names_wavelength};
+use super::heading::Lines;
+use super::units::{WavelengthUnit, names_wavelength, unknown_unit};
+use super::words::holds_any;
 
 /// A unit and what told it.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +13,19 @@ pub struct AxisUnit {
     pub because: String,
     /// Whether the file states it.
     pub stated: bool,
+    /// Another unit that the file names, which makes no sense or is not known here.
+    pub against: Option<String>,
+}
+
+impl AxisUnit {
+    /// The unit in words: "nm", or "nm, not Å" where the file says otherwise and a person should
+    /// look.
+    pub fn words(&self) -> String {
+        match &self.against {
+            Some(other) => format!("{}, not {other}", self.unit.word()),
+            None => self.unit.word().to_owned(),
+        }
+    }
 }
 
 /// What is known of an axis.
@@ -18,8 +33,8 @@ pub struct AxisUnit {
 pub struct Axis<'a> {
     /// Title and unit above it.
     pub title: &'a str,
-    /// Lines above the table.
-    pub header: &'a [(usize, &'a str)],
+    /// Units that lines above the table name, the nearest line first ([`units_of_header`]).
+    pub header: &'a [WavelengthUnit],
     /// Whether its numbers carry "nm".
     pub says_nm: bool,
     /// Whether the file is one of Bruker's `.dpt` tables.
@@ -28,45 +43,90 @@ pub struct Axis<'a> {
     pub range: (f64, f64),
 }
 
+/// Wavelengths in nm that numbers of an axis plausibly are.
+const PLAUSIBLE_NM: (f64, f64) = (100.0, 50_000.0);
+
+/// Units that lines of a header name for the wavelength axis, the nearest to the table first.
+pub fn units_of_header(lines: &Lines) -> Vec<WavelengthUnit> {
+    let is_about_axis = |line: &str| {
+        names_wavelength(line)
+            || holds_any(line, &["wvl", "wavelength", "wavenumber", "lambda"])
+            || line.starts_with("x unit")
+            || line.starts_with("xunit")
+    };
+    let mut units = Vec::new();
+    for (_, line) in lines.iter().rev() {
+        let lower = line.trim().to_lowercase();
+        if is_about_axis(&lower)
+            && let Some(unit) = WavelengthUnit::of_title(&lower)
+            && !units.contains(&unit)
+        {
+            units.push(unit);
+        }
+    }
+    units
+}
+
 /// The unit of an axis. A stated unit that makes nonsense of the numbers (under 1 nm or over
-/// 1 mm) is passed over.
+/// 1 mm) is passed over; one that takes numbers which would be plausible nanometres to where hardly
+/// any light is measured is a guess: a length is then taken for nanometres, other quantities for
+/// what they say they are.
 pub fn unit(axis: &Axis) -> AxisUnit {
     let told = |unit, because: &str, stated| AxisUnit {
         unit,
         because: because.to_owned(),
         stated,
+        against: None,
     };
     let (min, max) = axis.range;
-    let makes_sense = |unit: &WavelengthUnit| {
+    let ends = |unit: WavelengthUnit| {
         let (a, b) = (unit.to_nm(min), unit.to_nm(max));
-        a.min(b) >= 1.0 && a.max(b) <= 1e6
+        (a.min(b), a.max(b))
     };
+    let makes_sense = |unit: &WavelengthUnit| ends(*unit).0 >= 1.0 && ends(*unit).1 <= 1e6;
+    let is_plausible = |(low, high): (f64, f64)| low >= PLAUSIBLE_NM.0 && high <= PLAUSIBLE_NM.1;
     if axis.says_nm {
         return told(WavelengthUnit::Nanometre, "the file's own labels", true);
     }
-    if let Some(unit) = WavelengthUnit::of_title(axis.title).filter(makes_sense) {
-        return told(unit, "the column's title", true);
-    }
-    let in_header = axis.header.iter().rev().find_map(|(_, line)| {
-        let lower = line.trim().to_lowercase();
-        let about_axis =
-            names_wavelength(&lower) || lower.starts_with("x unit") || lower.starts_with("xunit");
-        WavelengthUnit::of_title(&lower).filter(|unit| about_axis && makes_sense(unit))
-    });
-    if let Some(unit) = in_header {
-        return told(unit, "the header", true);
+    let by_title = WavelengthUnit::of_title(axis.title).map(|unit| (unit, "the column's title"));
+    let by_header = || axis.header.iter().map(|unit| (*unit, "the header"));
+    let named = || by_title.into_iter().chain(by_header());
+    if let Some((unit, whence)) = named().find(|(unit, _)| makes_sense(unit)) {
+        if is_plausible(ends(unit)) || !is_plausible((min, max)) {
+            return told(unit, whence, true);
+        }
+        let (low, high) = ends(unit);
+        let because = format!(
+            "{whence} says {}, which makes {low:.4} to {high:.4} nm of {min} to {max}",
+            unit.word()
+        );
+        return if unit.is_length() {
+            AxisUnit {
+                against: Some(unit.word().to_owned()),
+                ..told(WavelengthUnit::Nanometre, &because, false)
+            }
+        } else {
+            told(unit, &because, false)
+        };
     }
     if axis.is_dpt {
         let because = "Bruker's .dpt tables mostly count wave numbers; flip it if these are nm";
         return told(WavelengthUnit::PerCentimetre, because, false);
     }
-    match WavelengthUnit::of_range(min, max) {
+    let guessed = match WavelengthUnit::of_range(min, max) {
         Some(unit) => told(unit, &format!("the range {min} to {max}"), false),
         None => told(
             WavelengthUnit::Nanometre,
             &format!("no unit fits the range {min} to {max} well"),
             false,
         ),
+    };
+    let nonsense = by_title.map(|(unit, _)| unit.word().to_owned());
+    AxisUnit {
+        against: nonsense
+            .or_else(|| unknown_unit(axis.title))
+            .filter(|other| other != guessed.unit.word()),
+        ..guessed
     }
 }
 
@@ -76,7 +136,7 @@ mod tests {
 
     #[test]
     fn a_title_outweighs_the_header_and_the_header_the_range() {
-        let header = [(1, "X Units: Wavelength (micrometers)")];
+        let header = units_of_header(&[(1, "X Units: Wavelength (micrometers)")]);
         let mut axis = Axis {
             title: "Wavelength (nm)",
             header: &header,
@@ -111,5 +171,33 @@ mod tests {
             range: (800.0, 2500.0),
         };
         assert_eq!(unit(&axis).unit, WavelengthUnit::PerCentimetre);
+    }
+
+    /// The unit of 380 to 780 under a title and a header line, and whether a person should look.
+    fn of_visible(title: &str, line: &str) -> (String, bool) {
+        let header = units_of_header(&[(1, line)]);
+        let found = unit(&Axis {
+            title,
+            header: &header,
+            says_nm: false,
+            is_dpt: false,
+            range: (380.0, 780.0),
+        });
+        (found.words(), found.stated)
+    }
+
+    #[test]
+    fn a_unit_that_takes_nanometres_away_from_light_is_only_a_guess() {
+        let nm = |words: &str| (words.to_owned(), false);
+        assert_eq!(of_visible("Våglängd", ""), nm("nm"));
+        assert_eq!(of_visible("lambda (Micronix spectrometer)", ""), nm("nm"));
+        assert_eq!(
+            of_visible("", "Wavelength calibration lamp, Ångström Laboratory"),
+            nm("nm, not Å")
+        );
+        assert_eq!(of_visible("Wavelength (Å)", ""), nm("nm, not Å"));
+        assert_eq!(of_visible("Frequency (PHz)", ""), nm("nm, not PHz"));
+        assert_eq!(of_visible("Frequency (THz)", ""), ("THz".to_owned(), true));
+        assert_eq!(of_visible("[cm-1]", ""), ("1/cm".to_owned(), true));
     }
 }

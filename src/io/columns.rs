@@ -9,17 +9,21 @@
 use std::collections::HashSet;
 
 use super::alternating;
-use super::dialect::Dialect;
-use super::draft::{Draft, header_field};
+use super::csv::Own;
+use super::dialect::{Delimiter, Dialect, used};
+use super::draft::Draft;
 use super::error::quoted;
+use super::heading::Heading;
 use super::layout::{self, Layout};
 use super::pick::{self, NoTable, Table};
-use super::roles::{self, value_columns};
+use super::roles::{self, Group};
 use super::rows::{AlongRow, read_rows};
 use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
 use super::titles::Titles;
-use super::{Confidence, Format, Input, ReadError, Reading, budget, csv, reading::TableFound};
+use super::{
+    Confidence, Format, Guess, Guessed, Input, ReadError, Reading, budget, csv, reading::TableFound,
+};
 
 /// Plain columns of numbers.
 pub const FORMAT: Format = Format {
@@ -37,7 +41,7 @@ const A_TABLE: &str = "two or more columns of numbers: wavelengths and values";
 
 fn sniff(input: &Input) -> Confidence {
     match input.text() {
-        Some(_) if csv::is_own(input.head()) => Confidence::Own,
+        Some(text) if csv::is_own(&text.text) => Confidence::Own,
         Some(_) => Confidence::Possible,
         None => Confidence::No,
     }
@@ -45,8 +49,16 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let dialect = input.choices.dialect.unwrap_or_else(|| pick::dialect(text));
-    let mut tables = match pick::tables(text, dialect) {
+    let own = Own::of(text).filter(|_| input.choices.dialect.is_none());
+    let dialect = match &own {
+        Some(_) => csv::DIALECT,
+        None => (input.choices.dialect).unwrap_or_else(|| pick::dialect(text)),
+    };
+    let found = match &own {
+        Some(own) => pick::own_tables(own),
+        None => pick::tables(text, dialect),
+    };
+    let mut tables = match found {
         Ok(tables) => tables,
         // A table with a word in it is a table: read in another way it would be nonsense.
         Err(bad @ NoTable::Bad(_)) => return Err(refusal(input, text, bad)),
@@ -72,7 +84,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let several = tables.len() > 1;
     if let Some(column) = input.choices.axis_column {
-        for table in &mut tables {
+        for table in tables.iter_mut().filter(|table| !table.is_short) {
             if column >= table.block.width {
                 return Err(input.error(
                     format!("a table of {} columns", table.block.width),
@@ -91,7 +103,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         } else {
             String::new()
         };
-        read_table(input, text, dialect, table, &part, &mut reading)?;
+        let file = File {
+            input,
+            text,
+            dialect,
+            own: own.as_ref(),
+        };
+        if table.is_short {
+            read_short_table(&file, table, &part, &mut reading);
+        } else {
+            read_table(&file, table, &part, &mut reading)?;
+        }
     }
     // Columns and rows that are nearly empty were left out; here that was all of them.
     if reading.spectra.is_empty() {
@@ -99,6 +121,33 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     reading.notes.push(dialect.words());
     Ok(reading)
+}
+
+/// A file on its way through this reader.
+struct File<'a, 'i> {
+    input: &'a Input<'i>,
+    text: &'a str,
+    dialect: Dialect,
+    /// Its parts where this program wrote it.
+    own: Option<&'a Own<'a>>,
+}
+
+/// Reads a table that may be none: where it is refused, that is said and the others stay.
+fn read_short_table(file: &File, table: &mut Table, part: &str, reading: &mut Reading) {
+    let (spectra, guesses, notes) = (
+        reading.spectra.len(),
+        reading.guesses.len(),
+        reading.notes.len(),
+    );
+    let left_out = pick::lines_left_out(&table.block);
+    if let Err(why) = read_table(file, table, part, reading) {
+        reading.spectra.truncate(spectra);
+        reading.guesses.truncate(guesses);
+        reading.notes.truncate(notes);
+        reading
+            .notes
+            .push(format!("{left_out}: found {}", why.found));
+    }
 }
 
 /// The refusal for a word among numbers.
@@ -187,34 +236,30 @@ fn too_sparse(input: &Input, tables: &[Table]) -> ReadError {
 }
 
 fn read_table(
-    input: &Input,
-    text: &str,
-    dialect: Dialect,
+    file: &File,
     table: &mut Table,
     part: &str,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     reading.notes.extend(table.notes.iter().cloned());
+    let first = reading.spectra.len();
+    let doubt = titles_short_of_cells(table, file.dialect);
     match &table.layout {
         Layout::Column(wavelength) => {
             let wavelength = *wavelength;
-            let axis = table.block.column(wavelength).to_vec();
-            let runs = layout::runs(&axis);
-            let several = runs.len() > 1;
-            for (number, run) in runs.into_iter().enumerate() {
-                let run_part = if several {
-                    format!("{part}, part {}", number + 1)
-                } else {
-                    part.to_owned()
-                };
-                let rows = Rows {
-                    wavelength,
-                    run,
-                    part: run_part,
-                };
-                read_columns(input, dialect, table, &axis, &rows, reading)?;
+            let (groups, left_out) = match file.own {
+                Some(_) => (vec![all_beside(wavelength, table.block.width)], Vec::new()),
+                None => roles::groups(&table.block, &table.titles, wavelength),
+            };
+            check(file, table, wavelength, &groups)?;
+            if let Some(found) = &mut reading.table
+                && found.values.is_empty()
+            {
+                let values = groups.iter().flat_map(|group| &group.values);
+                found.values = values.copied().collect();
             }
-            Ok(())
+            read_groups(file, table, &groups, part, reading)?;
+            reading.notes.extend(left_out);
         }
         Layout::Row {
             first,
@@ -228,38 +273,49 @@ fn read_table(
                 from_row: *from_row,
                 says_nm: *says_nm,
             };
-            read_rows(input, text, dialect, table, &row, reading)
+            read_rows(file.input, file.text, file.dialect, table, &row, reading)?;
         }
     }
-}
-
-/// A run of rows under one wavelength column.
-struct Rows {
-    wavelength: usize,
-    run: std::ops::Range<usize>,
-    part: String,
-}
-
-fn read_columns(
-    input: &Input,
-    dialect: Dialect,
-    table: &mut Table,
-    axis: &[f64],
-    rows: &Rows,
-    reading: &mut Reading,
-) -> Result<(), ReadError> {
-    let Table { block, titles, .. } = table;
-    let (values, left_out) = value_columns(block, titles, rows.wavelength);
-    if let Some(bad) = block
-        .bad
-        .iter()
-        .filter(|bad| bad.column == rows.wavelength || values.contains(&bad.column))
-        .min_by_key(|bad| bad.line)
+    if let Some(because) = doubt
+        && first < reading.spectra.len()
     {
-        return Err(bad_cell(input, bad));
+        reading.guesses.push(Guess {
+            spectrum: first,
+            what: Guessed::Columns,
+            chosen: file.dialect.words(),
+            because,
+        });
     }
-    if values.is_empty() {
-        return Err(input
+    Ok(())
+}
+
+/// Every column but the wavelengths.
+fn all_beside(axis: usize, width: usize) -> Group {
+    Group {
+        axis,
+        values: (0..width).filter(|column| *column != axis).collect(),
+    }
+}
+
+/// Refuses words among the numbers that count, and tables without any.
+fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Result<(), ReadError> {
+    let block = &table.block;
+    let mut counts = vec![false; block.width];
+    counts[wavelength] = true;
+    for group in groups {
+        counts[group.axis] = true;
+        group
+            .values
+            .iter()
+            .for_each(|column| counts[*column] = true);
+    }
+    let bad = block.bad.iter().filter(|bad| counts[bad.column]);
+    if let Some(bad) = bad.min_by_key(|bad| bad.line) {
+        return Err(bad_cell(file.input, bad));
+    }
+    if groups.iter().all(|group| group.values.is_empty()) {
+        return Err(file
+            .input
             .error(
                 "wavelengths and no values (empty cells, words such as NaN and numbers of 1e30 \
                  and beyond count as missing)",
@@ -267,25 +323,123 @@ fn read_columns(
             )
             .at_line(block.lines[0] as usize));
     }
-    if let Some(found) = &mut reading.table
-        && found.values.is_empty()
-    {
-        found.values.clone_from(&values);
-    }
-    let says_nm = block.columns[rows.wavelength].nanometres > 0;
-    let title = titles.whole(rows.wavelength);
-    let stem = header_field(&block.header, "name:").unwrap_or(input.stem());
-    let is_whole = rows.run.len() == block.rows();
-    let is_rgb = are_rgb(titles, &values);
-    let above = names_above(block, dialect, titles, &values);
-    let axes = roles::other_axes(block, titles, rows.wavelength, &values);
-    let mut paired = Vec::new();
-    for (number, column) in values.iter().enumerate() {
-        let own_axis = roles::axis_of(&axes, rows.wavelength, *column);
-        let own_numbers = (own_axis != rows.wavelength).then(|| block.column(own_axis).to_vec());
-        if own_numbers.is_some() {
-            paired.push((own_axis, *column));
+    Ok(())
+}
+
+/// What speaks against the cells of a table with commas between them: fewer titles than numbers in
+/// each row. Decimal commas without quotes look so.
+fn titles_short_of_cells(table: &Table, dialect: Dialect) -> Option<String> {
+    let block = &table.block;
+    let (line, titles) = block.header.last()?;
+    let mut cells = Vec::new();
+    dialect.split(titles, &mut cells);
+    let count = used(&cells);
+    let is_title = |cell: &&str| cell.contains(char::is_alphabetic);
+    let has_row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
+    (dialect.delimiter == Delimiter::Comma
+        && !dialect.decimal_comma
+        && !has_row_names
+        && (2..block.width).contains(&count)
+        && cells[..count].iter().all(is_title)
+        && block.columns[count..]
+            .iter()
+            .all(|column| column.numbers > 0))
+    .then(|| {
+        format!(
+            "line {line} has {count} titles and the rows {} cells; commas may mark decimals",
+            block.width
+        )
+    })
+}
+
+/// Rows under one column of wavelengths.
+struct Rows<'a> {
+    axis: &'a [f64],
+    group: &'a Group,
+    run: std::ops::Range<usize>,
+    part: String,
+    /// Spectra of the whole table, and of its groups before this one.
+    columns: usize,
+    before: usize,
+    /// Names from a line above the titles; empty where none tells columns apart.
+    above: &'a [String],
+    /// Whether the columns are a camera's R, G and B.
+    is_rgb: bool,
+}
+
+fn read_groups(
+    file: &File,
+    table: &mut Table,
+    groups: &[Group],
+    part: &str,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let heading = match file.own {
+        Some(own) => Heading::own(&own.header),
+        None => Heading::of(&table.block.header),
+    };
+    let all: Vec<usize> = groups
+        .iter()
+        .flat_map(|g| g.values.iter().copied())
+        .collect();
+    let columns = all.len();
+    let heading = heading.shared_by(columns);
+    let above = names_above(&table.block, file.dialect, &table.titles, &all);
+    let is_rgb = are_rgb(&table.titles, &all);
+    let mut before = 0;
+    for group in groups {
+        let rows = match groups {
+            [_] => table.block.rows(),
+            _ => rows_of(table, group),
+        };
+        let axis = table.block.column(group.axis)[..rows].to_vec();
+        let runs = layout::runs(&axis);
+        let several = runs.len() > 1;
+        for (number, run) in runs.into_iter().enumerate() {
+            let rows = Rows {
+                axis: &axis,
+                group,
+                run,
+                part: if several {
+                    format!("{part}, part {}", number + 1)
+                } else {
+                    part.to_owned()
+                },
+                columns,
+                before,
+                above: &above,
+                is_rgb,
+            };
+            read_columns(file, table, &heading, &rows, reading)?;
         }
+        before += group.values.len();
+    }
+    Ok(())
+}
+
+/// Rows of a table beside another, without those below its end.
+fn rows_of(table: &Table, group: &Group) -> usize {
+    let columns = || group.values.iter().chain([&group.axis]);
+    (0..table.block.rows())
+        .rev()
+        .find(|row| columns().any(|column| !table.block.column(*column)[*row].is_nan()))
+        .map_or(0, |row| row + 1)
+}
+
+fn read_columns(
+    file: &File,
+    table: &mut Table,
+    heading: &Heading,
+    rows: &Rows,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let Table { block, titles, .. } = table;
+    let values = &rows.group.values;
+    let says_nm = block.columns[rows.group.axis].nanometres > 0;
+    let axis_title = titles.whole(rows.group.axis);
+    let stem = heading.name.unwrap_or(file.input.stem());
+    let is_whole = rows.run.len() == block.rows();
+    for (number, column) in values.iter().enumerate() {
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
         let of_column = if is_whole {
@@ -293,28 +447,27 @@ fn read_columns(
         } else {
             of_column[rows.run.clone()].to_vec()
         };
-        let name = match above.get(number) {
+        let name = match rows.above.get(rows.before + number) {
             Some(name) => name.clone(),
-            None => column_name(titles, *column, values.len(), number),
+            None => column_name(titles, *column, rows.columns, rows.before + number),
         };
         let draft = Draft {
-            name: name_with_part(stem, &name, &rows.part),
-            title: if is_rgb {
-                String::new()
-            } else {
-                titles.whole(*column)
+            name: match file.own {
+                Some(own) => own.name(*column).unwrap_or(stem).to_owned(),
+                None => name_with_part(stem, &name, &rows.part),
             },
-            axis_title: match own_numbers {
-                Some(_) => titles.whole(own_axis),
-                None => title.clone(),
+            title: match file.own {
+                None if !rows.is_rgb => titles.whole(*column),
+                _ => String::new(),
             },
+            axis_title: axis_title.clone(),
             says_nm,
-            header: &block.header,
-            axis: &own_numbers.as_deref().unwrap_or(axis)[rows.run.clone()],
+            heading,
+            axis: &rows.axis[rows.run.clone()],
             values: of_column,
             lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
             percent_signs: block.columns[*column].percents > 0,
-            decimal_comma: dialect.decimal_comma,
+            decimal_comma: file.dialect.decimal_comma,
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
         if values.len() > 1 && draft.values.iter().filter(|v| !v.is_nan()).count() < 2 {
@@ -324,24 +477,7 @@ fn read_columns(
             ));
             continue;
         }
-        draft.finish(input, reading)?;
-    }
-    for (axis, column) in &paired {
-        let of = format!(
-            "column {} has its wavelengths in column {}",
-            column + 1,
-            axis + 1
-        );
-        reading.notes.push(of);
-    }
-    let is_used = |note: &String| {
-        let starts = |axis: usize| note.starts_with(&format!("column {} ", axis + 1));
-        note.ends_with(roles::SECOND_AXIS) && paired.iter().any(|(axis, _)| starts(*axis))
-    };
-    for note in left_out.into_iter().filter(|note| !is_used(note)) {
-        if !reading.notes.contains(&note) {
-            reading.notes.push(note);
-        }
+        draft.finish(file.input, reading)?;
     }
     Ok(())
 }
@@ -419,7 +555,7 @@ fn name_with_part(stem: &str, name: &str, part: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::{Guessed, Reading, read_bytes};
     use crate::spectrum::Kind;
 
     #[test]
@@ -452,7 +588,7 @@ mod tests {
         let samples: Vec<_> = reading.spectra.iter().map(|s| &s.samples).collect();
         assert_eq!(samples[0].nm(), [400.0, 410.0, 420.0]);
         assert_eq!(samples[1].nm(), [402.0, 412.0, 422.0, 432.0]);
-        let said = "has its wavelengths in column";
+        let said = "holds the wavelengths of the columns behind it";
         assert!(
             reading.notes.iter().any(|note| note.contains(said)),
             "{reading:?}"
@@ -467,5 +603,103 @@ mod tests {
             spectra.iter().all(|s| s.samples.first_nm() == 400.0),
             "{spectra:?}"
         );
+    }
+
+    fn read(text: &str) -> Reading {
+        read_bytes("a.csv", text.as_bytes()).expect("a table")
+    }
+
+    fn names(reading: &Reading) -> Vec<&str> {
+        reading.spectra.iter().map(|s| s.name.as_str()).collect()
+    }
+
+    /// Rows of two columns that rise by 1 nm from a wavelength on.
+    fn rows(from: usize, count: usize) -> String {
+        (0..count)
+            .map(|i| format!("{},0.{}\n", from + i, i % 10))
+            .collect()
+    }
+
+    #[test]
+    fn a_second_table_is_read_however_short() {
+        let text = format!(
+            "nm,lamp A\n{}\nnm,lamp B\n{}",
+            rows(380, 401),
+            rows(400, 41)
+        );
+        let reading = read(&text);
+        assert_eq!(names(&reading), ["lamp A, table 1", "lamp B, table 2"]);
+        assert_eq!(reading.spectra[1].samples.len(), 41);
+    }
+
+    #[test]
+    fn a_block_that_is_left_out_is_said() {
+        let text = format!("gains\n1,7\n2,3\n1,4\nnm,lamp\n{}", rows(380, 401));
+        let reading = read(&text);
+        assert_eq!(reading.spectra.len(), 1);
+        let said = "lines 2 to 4 left out".to_owned();
+        assert!(reading.notes.contains(&said), "{:?}", reading.notes);
+    }
+
+    #[test]
+    fn tables_side_by_side_keep_their_own_wavelengths() {
+        let text = "Wavelength (nm),A,Wavelength (nm),B\n380,0,1000,100\n390,1,1010,101\n\
+                    400,2,,\n";
+        let reading = read(text);
+        assert_eq!(names(&reading), ["A", "B"]);
+        assert_eq!(reading.spectra[0].samples.nm(), [380.0, 390.0, 400.0]);
+        assert_eq!(reading.spectra[1].samples.nm(), [1000.0, 1010.0]);
+        assert_eq!(reading.spectra[1].samples.values(), [100.0, 101.0]);
+        let missing = |note: &String| note.contains("missing");
+        assert!(!reading.spectra[1].notes.iter().any(missing));
+    }
+
+    #[test]
+    fn a_column_of_names_does_not_hide_the_table() {
+        for text in [
+            "sample,nm,value\nleaf,380,0.10\nleaf,390,0.20\nleaf,400,0.15\n",
+            "380,leaf,0.10\n390,leaf,0.20\n400,leaf,0.15\n",
+            "sample;nm;value\nleaf a;380;0,10\nleaf a;390;0,20\nleaf a;400;0,15\n",
+        ] {
+            let reading = read(text);
+            assert_eq!(
+                reading.spectra[0].samples.nm(),
+                [380.0, 390.0, 400.0],
+                "{text}"
+            );
+            assert_eq!(reading.spectra[0].samples.values(), [0.1, 0.2, 0.15]);
+        }
+    }
+
+    #[test]
+    fn fewer_titles_than_cells_are_doubtful() {
+        let reading = read("nm,lamp (W/m2/nm)\n380,0,10\n390,0,20\n400,0,15\n");
+        assert!(reading.is_doubtful());
+        let columns = |guess: &crate::io::Guess| guess.what == Guessed::Columns;
+        assert!(reading.guesses.iter().any(columns), "{:?}", reading.guesses);
+        let whole = read("nm,a (W/m2/nm),b\n380,0,10\n390,0,20\n400,0,15\n");
+        assert!(!whole.guesses.iter().any(columns));
+    }
+
+    #[test]
+    fn a_humidity_in_per_cent_does_not_scale_the_values() {
+        let text = "Measurement humidity: 45 %\nWavelength (nm);Reflectance\n\
+                    380;0.2\n390;0.4\n400;0.5\n";
+        let spectrum = &read(text).spectra[0];
+        assert_eq!((spectrum.scale, spectrum.samples.values()[2]), (1.0, 0.5));
+    }
+
+    #[test]
+    fn a_long_name_of_a_wavelength_column_is_no_unit() {
+        let reading = read("Våglängd;Reflektans\n380;0.2\n580;0.4\n780;0.5\n");
+        assert_eq!(reading.spectra[0].samples.nm(), [380.0, 580.0, 780.0]);
+    }
+
+    #[test]
+    fn a_line_of_key_and_value_names_no_spectrum() {
+        let text = "Name: Dry grass\nY Units: Reflectance (percent)\n\
+                    Additional Information:  None.\n\n380 14.2\n390 14.5\n400 14.9\n";
+        let reading = read_bytes("a.txt", text.as_bytes()).expect("a table");
+        assert_eq!(names(&reading), ["Dry grass"]);
     }
 }

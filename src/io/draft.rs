@@ -4,10 +4,9 @@ use std::borrow::Cow;
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
-use super::argyll_write::ORIGINATOR;
 use super::axis::{self, Axis, AxisUnit};
 use super::curve::{self, Trouble};
-use super::error::kept;
+use super::heading::Heading;
 use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
 use super::reading::{Told, Understood, provenance};
@@ -24,8 +23,8 @@ pub struct Draft<'a> {
     pub axis_title: String,
     /// Whether the wavelengths say "nm" themselves.
     pub says_nm: bool,
-    /// Lines above the table.
-    pub header: &'a [(usize, &'a str)],
+    /// What the lines above the table say.
+    pub heading: &'a Heading<'a>,
     /// Wavelengths in the file's unit; NaN where one is missing.
     pub axis: &'a [f64],
     /// Values in the file's number; NaN where one is missing.
@@ -41,6 +40,10 @@ pub struct Draft<'a> {
 /// Numbers that instruments write for "not measured", when they stand apart from the other
 /// values.
 const SENTINELS: [f64; 4] = [-9999.0, -999.0, -99.99, -9.999];
+
+/// What is said of a light over an axis that counts no lengths.
+const PER_OTHER_NOTE: &str = "the values are kept as written: where they are per unit of that axis \
+     (per THz, per 1/cm, per eV) and not per nm, they are not rescaled";
 
 impl Draft<'_> {
     /// Decides what the file leaves open, notes it, and adds the spectrum to a reading.
@@ -62,26 +65,30 @@ impl Draft<'_> {
             });
         };
 
-        let AxisUnit {
-            unit,
-            because,
-            stated,
-        } = match input.choices.wavelengths {
+        let found = match input.choices.wavelengths {
             Some(unit) => AxisUnit {
                 unit,
                 because: "chosen by hand".to_owned(),
                 stated: true,
+                against: None,
             },
             None => axis::unit(&Axis {
                 title: &self.axis_title,
-                header: self.header,
-                says_nm: self.says_nm,
+                header: &self.heading.axis_units,
+                says_nm: self.says_nm || self.heading.is_own,
                 is_dpt: input.has_extension("dpt"),
                 range: extent(self.axis),
             }),
         };
+        let chosen = found.words();
+        let AxisUnit {
+            unit,
+            because,
+            stated,
+            against: _,
+        } = found;
         if !stated {
-            guess(Guessed::WavelengthUnit, unit.word(), &because, &mut notes);
+            guess(Guessed::WavelengthUnit, &chosen, &because, &mut notes);
         } else if unit != WavelengthUnit::Nanometre {
             notes.push(format!(
                 "wavelengths converted from {} ({because})",
@@ -93,10 +100,8 @@ impl Draft<'_> {
             _ => Cow::Owned(self.axis.iter().map(|x| unit.to_nm(*x)).collect()),
         };
 
-        let is_own = header_field(self.header, "written by:")
-            .is_some_and(|program| program.starts_with(ORIGINATOR));
         // In a file of this program every number was measured.
-        if !is_own {
+        if !self.heading.is_own {
             drop_sentinels(&mut self.values, &mut notes);
         }
         let before = reading.spectra.last().map(|spectrum| &spectrum.samples);
@@ -117,14 +122,20 @@ impl Draft<'_> {
                 because: "chosen by hand".to_owned(),
                 stated: true,
             },
-            None => kinds::kind(&self.title, self.header, &input.name, samples.values()),
+            None => {
+                let (title, header) = (&self.title, &self.heading.kind);
+                kinds::kind(title, header, &input.name, samples.values())
+            }
         };
         if !found.stated {
             guess(Guessed::Kind, found.kind.word(), &found.because, &mut notes);
         }
         let mut counted = None;
         let mut scale = 1.0;
-        let mut unit_of_values = meaning::unit(&self.title, self.header);
+        let mut unit_of_values = match meaning::unit_of_title(&self.title) {
+            Some(unit) => unit.to_owned(),
+            None => self.heading.unit.clone(),
+        };
         if found.kind.is_factor() {
             let percent = match input.choices.percent {
                 Some(percent) => PercentFound {
@@ -132,9 +143,9 @@ impl Draft<'_> {
                     because: "chosen by hand".to_owned(),
                     stated: true,
                 },
-                None => meaning::percent(
+                None => meaning::percent_told(
                     &self.title,
-                    self.header,
+                    self.heading.percent,
                     self.percent_signs,
                     samples.values(),
                 ),
@@ -166,6 +177,9 @@ impl Draft<'_> {
         if found.kind == Kind::Light && meaning::counts_photons(&unit_of_values) {
             notes.push(meaning::PHOTON_NOTE.to_owned());
         }
+        if found.kind == Kind::Light && !unit.is_length() {
+            notes.push(PER_OTHER_NOTE.to_owned());
+        }
         let comma = if self.decimal_comma {
             "decimal comma"
         } else {
@@ -179,9 +193,7 @@ impl Draft<'_> {
             scale,
             samples,
             notes: Vec::new(),
-            source: header_field(self.header, "source:")
-                .unwrap_or(&input.name)
-                .to_owned(),
+            source: self.heading.source.unwrap_or(&input.name).to_owned(),
         };
         let line = provenance(&spectrum, &[percent, comma]);
         if index == 0 {
@@ -220,15 +232,6 @@ impl Draft<'_> {
     }
 }
 
-/// What a header line says behind a word ("name:", "source:"); upper or lower case.
-pub fn header_field<'a>(header: &[(usize, &'a str)], word: &str) -> Option<&'a str> {
-    header.iter().rev().find_map(|(_, line)| {
-        let start = line.trim_start().get(..word.len())?;
-        let value = line.trim_start()[word.len()..].trim();
-        (start.eq_ignore_ascii_case(word) && !value.is_empty()).then(|| kept(value))
-    })
-}
-
 fn extent(axis: &[f64]) -> (f64, f64) {
     axis.iter()
         .filter(|x| !x.is_nan())
@@ -237,7 +240,7 @@ fn extent(axis: &[f64]) -> (f64, f64) {
         })
 }
 
-/// Turns a repeated "not measured" number into gaps, if all other values lie well above it.
+/// Turns "not measured" numbers into gaps, if all other values lie well above them.
 fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
     // All of them are below this: a long column is looked through once, not four times.
     if !values.iter().any(|v| *v < -9.0) {
@@ -249,13 +252,49 @@ fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
             .iter()
             .filter(|v| **v != sentinel && !v.is_nan())
             .fold(f64::INFINITY, |a, v| a.min(*v));
-        if count >= 2 && lowest > 0.5 * sentinel {
+        // A single one of the small numbers may well have been measured.
+        let fewest = if sentinel <= -999.0 { 1 } else { 2 };
+        if count >= fewest && lowest.is_finite() && lowest > 0.5 * sentinel {
             for v in values.iter_mut().filter(|v| **v == sentinel) {
                 *v = f64::NAN;
             }
+            let values = if count == 1 { "value" } else { "values" };
             notes.push(format!(
-                "{count} values of {sentinel} taken as not measured"
+                "{count} {values} of {sentinel} taken as not measured"
             ));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Reading, read_bytes};
+
+    fn read(text: &str) -> Reading {
+        read_bytes("a.csv", text.as_bytes()).expect("a table")
+    }
+
+    #[test]
+    fn a_single_not_measured_number_is_a_gap_too() {
+        let one = read("nm,lamp\n380,1\n390,-9999\n400,2\n");
+        assert_eq!(one.spectra[0].samples.values(), [1.0, 2.0]);
+        let notes = &one.spectra[0].notes;
+        assert!(notes.contains(&"1 value of -9999 taken as not measured".to_owned()));
+        let low = read("nm,lamp\n380,1\n390,-9.999\n400,2\n");
+        assert_eq!(low.spectra[0].samples.values(), [1.0, -9.999, 2.0]);
+    }
+
+    #[test]
+    fn frequencies_and_small_units_are_turned_into_wavelengths_and_said() {
+        let thz = read("Frequency (THz),lamp\n400,1\n500,2\n600,3\n");
+        let samples = &thz.spectra[0].samples;
+        assert!((samples.last_nm() - 299_792.458 / 400.0).abs() < 1e-9);
+        assert_eq!(samples.values(), [3.0, 2.0, 1.0]);
+        let notes = thz.spectra[0].notes.join("; ");
+        assert!(notes.contains("not rescaled"), "{notes}");
+        let mev = read("Energy (meV),lamp\n1600,1\n2000,2\n");
+        assert!((mev.spectra[0].samples.first_nm() - 619.92).abs() < 0.01);
+        let odd = read("Frequency (PHz),lamp [W/m2/nm]\n400,1\n500,2\n");
+        assert!(odd.is_doubtful(), "{:?}", odd.guesses);
     }
 }

@@ -1,6 +1,6 @@
 //! A file as the formats see it: name, bytes and, if it is text, its text.
 
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::path::{Path, PathBuf};
 
 use super::choices::Choices;
@@ -22,6 +22,7 @@ pub struct Input<'a> {
     /// What a person decided about it.
     pub choices: Choices,
     text: OnceCell<Option<Text<'a>>>,
+    is_read_as_text: Cell<bool>,
 }
 
 impl<'a> Input<'a> {
@@ -33,6 +34,7 @@ impl<'a> Input<'a> {
             path: None,
             choices: Choices::default(),
             text: OnceCell::new(),
+            is_read_as_text: Cell::new(false),
         }
     }
 
@@ -72,8 +74,18 @@ impl<'a> Input<'a> {
     /// # Errors
     /// [`ReadError`] for a binary file.
     pub fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
+        self.is_read_as_text.set(true);
         self.text()
             .ok_or_else(|| self.error("binary data", "a text file"))
+    }
+
+    /// What is odd about the text, a sentence each; nothing where a format read the bytes
+    /// themselves, whatever they look like.
+    pub fn text_notes(&self) -> Vec<String> {
+        self.text()
+            .filter(|_| self.is_read_as_text.get())
+            .map(Text::notes)
+            .unwrap_or_default()
     }
 
     /// Whether the name ends in an extension (lower case, without the dot).
@@ -103,4 +115,18 @@ pub fn name_of(path: &Path) -> String {
         || path.display().to_string(),
         |name| name.to_string_lossy().into_owned(),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_odd_about_a_text_is_of_interest_where_it_was_read_as_one() {
+        let input = Input::new("a.sli", b"k\xe4se\0");
+        assert!(input.head().starts_with('k'));
+        assert_eq!(input.text_notes(), Vec::<String>::new());
+        assert!(input.needs_text().is_ok());
+        assert_eq!(input.text_notes().len(), 2);
+    }
 }

@@ -9,6 +9,7 @@
 //! The separator (TAB, semicolon or comma) is the one that the points use; decimals may be marked
 //! by commas wherever the separator is another.
 
+use super::dialect::{Delimiter, Dialect, used};
 use super::makers_results::MakersResult;
 use super::number::{self, Cell, label_nm};
 use super::text::lines;
@@ -101,6 +102,25 @@ fn separator(line: &str) -> Option<(char, usize)> {
         .find_map(|mark| line.find(mark).map(|at| (mark, at)))
 }
 
+/// The cells of a line; a mark inside of quotes separates none, where the quotes come in pairs.
+fn split<'a>(line: &'a str, mark: char, cells: &mut Vec<&'a str>) {
+    if line.matches('"').count() % 2 == 1 {
+        cells.clear();
+        cells.extend(line.split(mark).map(str::trim));
+        return;
+    }
+    let delimiter = match mark {
+        '\t' => Delimiter::Tab,
+        ';' => Delimiter::Semicolon,
+        _ => Delimiter::Comma,
+    };
+    let dialect = Dialect {
+        delimiter,
+        decimal_comma: false,
+    };
+    dialect.split(line, cells);
+}
+
 fn unquoted(cell: &str) -> &str {
     cell.trim().trim_matches('"').trim()
 }
@@ -117,22 +137,30 @@ impl<'a> KeyedLines<'a> {
             ..Self::default()
         };
         let (mark, comma) = mark;
+        let mut cells = Vec::new();
         for (line, content) in lines(text) {
             let content = content.trim_matches(' ');
             if content.trim().is_empty() {
                 continue;
             }
-            let Some(at) = content.find(mark) else {
-                out.setting(line, content, Vec::new());
+            split(content, mark, &mut cells);
+            let key = unquoted(cells[0]);
+            if cells.len() == 1 {
+                out.setting(line, key, Vec::new());
                 continue;
-            };
-            let (key, rest) = (unquoted(&content[..at]), &content[at + 1..]);
+            }
             let Some(nm) = point_nm(key) else {
-                let cells = rest.split(mark).take(MOST_COLUMNS).map(unquoted).collect();
-                out.setting(line, key, cells);
+                let values = cells[1..].iter().take(MOST_COLUMNS);
+                out.setting(line, key, values.map(|cell| unquoted(cell)).collect());
                 continue;
             };
-            out.point(line, nm, rest, mark, comma)?;
+            // Comma between key and value and in the value: 0,000012 is one number.
+            if comma && mark == ',' && !content.contains('"') {
+                let rest = content.split_once(mark).map_or("", |(_, rest)| rest);
+                out.point(line, nm, &[rest], comma)?;
+            } else {
+                out.point(line, nm, &cells[1..], comma)?;
+            }
         }
         Ok(out)
     }
@@ -152,36 +180,21 @@ impl<'a> KeyedLines<'a> {
         }
     }
 
-    fn point(
-        &mut self,
-        line: usize,
-        nm: f64,
-        rest: &str,
-        mark: char,
-        comma: bool,
-    ) -> Result<(), BadValue> {
-        // Comma between key and value and in the value: 0,000012 is one number.
-        let joined = comma && mark == ',';
-        let cells = rest.split(if joined { '\u{0}' } else { mark });
+    fn point(&mut self, line: usize, nm: f64, cells: &[&str], comma: bool) -> Result<(), BadValue> {
         if self.nm.is_empty() {
-            let filled = rest.trim_matches([mark, ' ']);
-            self.columns = if joined {
-                1
-            } else {
-                filled.split(mark).count().min(MOST_COLUMNS)
-            };
+            self.columns = used(cells).clamp(1, MOST_COLUMNS);
         }
         self.nm.push(nm);
         self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
         let before = self.values.len();
-        for cell in cells.take(self.columns) {
+        for cell in cells.iter().take(self.columns) {
             let value = match number::parse(unquoted(cell), comma) {
                 Cell::Number(v) | Cell::Percent(v) | Cell::Nanometres(v) => v,
                 Cell::Empty | Cell::Gap => f64::NAN,
                 Cell::Text => {
                     return Err(BadValue {
                         line,
-                        text: cell.to_owned(),
+                        text: (*cell).to_owned(),
                     });
                 }
             };
@@ -322,6 +335,18 @@ mod tests {
                 found.values
             );
         }
+    }
+
+    #[test]
+    fn a_comma_inside_of_quotes_belongs_to_the_value() {
+        let text = "Title,\"A, B\"\nIlluminance [lx],\"1,234.5\"\nMemo,5\" lamp, old\n\
+                    Spectral Data 380[nm],0.5\nSpectral Data 381[nm],\"0.25\"\n";
+        let found = KeyedLines::of(text).unwrap();
+        assert_eq!(found.get("Title"), Some("A, B"));
+        assert_eq!(found.get("Memo"), Some("5\" lamp"));
+        assert_eq!(found.values, [0.5, 0.25]);
+        let results = found.results(None, 0, 10);
+        assert_eq!(results[0].value, 1234.5);
     }
 
     #[test]

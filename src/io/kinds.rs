@@ -5,6 +5,9 @@
 
 use crate::spectrum::Kind;
 
+use super::heading::Lines;
+use super::words::holds_any;
+
 /// A kind and what told it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KindFound {
@@ -16,31 +19,50 @@ pub struct KindFound {
     pub stated: bool,
 }
 
-/// Words in a title or a header line, lower case, and the kind they tell, strongest first.
-const WORDS: [(Kind, &[&str]); 6] = [
+/// Words for how strongly each of the eye's receptors sees a wavelength: they end alike, and so do
+/// "tropic" and "spectroscopic".
+const RECEPTORS: [&str; 12] = [
+    "|opic|",
+    "|aopic|",
+    "cone-opic",
+    "coneopic",
+    "|melanopic",
+    "|rhodopic",
+    "|cyanopic",
+    "|photopic",
+    "|scotopic",
+    "|mesopic",
+    "|chloropic",
+    "|erythropic",
+];
+
+/// Words in a title or a header line, lower case, and the kind they tell, strongest first; a bar
+/// asks for the edge of a word ([`super::words::holds`]).
+const WORDS: [(Kind, &[&str]); 7] = [
+    (Kind::Weighting, &RECEPTORS),
     (
         Kind::Weighting,
         &[
-            "xbar",
-            "ybar",
-            "zbar",
-            "x_bar",
-            "y_bar",
-            "z_bar",
-            "x-bar",
-            "y-bar",
-            "z-bar",
+            "|xbar",
+            "|ybar",
+            "|zbar",
+            "|x_bar",
+            "|y_bar",
+            "|z_bar",
+            "|x-bar",
+            "|y-bar",
+            "|z-bar",
             "colour-matching",
             "color-matching",
             "colour matching",
             "color matching",
-            "cmf",
+            "|cmf",
             "luminous efficiency",
-            "v(l",
-            "v(λ",
+            "|v(lambda",
+            "|v(l)",
+            "|v(λ",
             "action spectr",
             "cone fundamental",
-            "opic",
             "spectral sensitivity",
             "responsivity",
         ],
@@ -65,10 +87,13 @@ const WORDS: [(Kind, &[&str]); 6] = [
         Kind::Reflectance,
         &[
             "reflect",
-            "%r",
-            "r%",
-            "r (%)",
-            "r [%]",
+            "|%r|",
+            "|%refl",
+            "|%rs|",
+            "|%rp|",
+            "|r%",
+            "|r (%)",
+            "|r [%]",
             "albedo",
             "reflexion",
             "réflect",
@@ -80,7 +105,8 @@ const WORDS: [(Kind, &[&str]); 6] = [
     (
         Kind::Transmittance,
         &[
-            "transmit", "transmis", "%t", "t%", "t (%)", "t [%]", "trasmitt",
+            "transmit", "transmis", "|%t|", "|%trans", "|%ts|", "|%tp|", "|t%", "|t (%)", "|t [%]",
+            "trasmitt",
         ],
     ),
     (
@@ -113,7 +139,8 @@ const WORDS: [(Kind, &[&str]); 6] = [
 ];
 
 /// Words in a file's name only: too weak for a line of text.
-const NAME_WORDS: [(Kind, &[&str]); 7] = [
+const NAME_WORDS: [(Kind, &[&str]); 8] = [
+    (Kind::Weighting, &RECEPTORS),
     (
         Kind::Other,
         &[
@@ -123,8 +150,7 @@ const NAME_WORDS: [(Kind, &[&str]); 7] = [
     (
         Kind::Weighting,
         &[
-            "cmf", "xyz_", "ciexyz", "linss", "sbrgb", "vlambda", "vl_", "opic", "action",
-            "sensitiv",
+            "cmf", "xyz_", "ciexyz", "linss", "sbrgb", "vlambda", "vl_", "|action", "sensitiv",
         ],
     ),
     (
@@ -171,7 +197,7 @@ pub fn kind_of_words(line: &str) -> Option<Kind> {
     let line = line.to_lowercase();
     WORDS
         .iter()
-        .find(|(_, words)| words.iter().any(|w| line.contains(w)))
+        .find(|(_, words)| holds_any(&line, words))
         .map(|(kind, _)| *kind)
 }
 
@@ -180,7 +206,7 @@ pub fn kind_of_name(name: &str) -> Option<Kind> {
     let name = name.to_lowercase();
     NAME_WORDS
         .iter()
-        .find(|(_, words)| words.iter().any(|w| name.contains(w)))
+        .find(|(_, words)| holds_any(&name, words))
         .map(|(kind, _)| *kind)
 }
 
@@ -199,31 +225,52 @@ pub fn states_values(line: &str) -> bool {
     .any(|start| line.starts_with(start))
 }
 
+/// What the lines above a table say of the kind of its values.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FromHeader {
+    /// What this program's own files say under "kind:".
+    pub own: Option<Kind>,
+    /// The kind that a line tells, and the line.
+    telling: Option<(Kind, String)>,
+    /// Whether a spectrometer says that it saw no white panel.
+    no_white: bool,
+}
+
+impl FromHeader {
+    /// Looks through the lines, the nearest to the table first.
+    pub fn of(header: &Lines) -> Self {
+        let lines = || header.iter().rev().map(|(_, line)| *line);
+        let own = lines().find_map(|line| {
+            let word = line.strip_prefix("kind:")?.trim();
+            Kind::ALL.into_iter().find(|kind| kind.word() == word)
+        });
+        let telling = lines()
+            .filter(|line| states_values(line))
+            .chain(lines())
+            .find_map(|line| kind_of_words(line).map(|kind| (kind, short(line))));
+        Self {
+            own,
+            telling,
+            no_white: lines().any(|line| line.contains("not compared to a white reference")),
+        }
+    }
+}
+
 /// The kind of one column.
-pub fn kind(title: &str, header: &[(usize, &str)], file: &str, values: &[f64]) -> KindFound {
+pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> KindFound {
     let stated = |kind, because: String| KindFound {
         kind,
         because,
         stated: true,
     };
-    let lines = || header.iter().rev().map(|(_, line)| *line);
-    // What this program's own files say.
-    let own = lines().find_map(|line| {
-        let word = line.strip_prefix("kind:")?.trim();
-        Kind::ALL.into_iter().find(|kind| kind.word() == word)
-    });
-    if let Some(kind) = own {
+    if let Some(kind) = header.own {
         return stated(kind, "the header".to_owned());
     }
     if let Some(kind) = kind_of_title(title) {
         return stated(kind, format!("the column's title \"{}\"", short(title)));
     }
-    let telling = lines()
-        .filter(|line| states_values(line))
-        .chain(lines())
-        .find_map(|line| kind_of_words(line).map(|kind| (kind, line)));
-    if let Some((kind, line)) = telling {
-        return stated(kind, format!("the header line \"{}\"", short(line)));
+    if let Some((kind, line)) = &header.telling {
+        return stated(*kind, format!("the header line \"{line}\""));
     }
     let guess = |kind, because: &str| KindFound {
         kind,
@@ -235,8 +282,7 @@ pub fn kind(title: &str, header: &[(usize, &str)], file: &str, values: &[f64]) -
     }
     // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
     let mut sorted: Vec<f64> = Vec::new();
-    let no_white = lines().any(|line| line.contains("not compared to a white reference"));
-    if title.to_lowercase().trim_end().ends_with(".asd") && !no_white {
+    if title.to_lowercase().trim_end().ends_with(".asd") && !header.no_white {
         sorted.extend(values);
         sorted.sort_by(f64::total_cmp);
     }
@@ -303,22 +349,53 @@ mod tests {
             (1, "Y Units: Reflectance (percent)"),
             (2, "irradiance of the sample"),
         ];
-        assert_eq!(kind("", &header, "a.txt", &[50.0]).kind, Kind::Reflectance);
+        assert_eq!(
+            kind("", &FromHeader::of(&header), "a.txt", &[50.0]).kind,
+            Kind::Reflectance
+        );
     }
 
     #[test]
     fn a_kind_that_nothing_states_is_a_guess() {
-        let found = kind("", &[], "x.csv", &[0.1, 0.5]);
+        let none = FromHeader::default();
+        let found = kind("", &none, "x.csv", &[0.1, 0.5]);
         assert_eq!((found.kind, found.stated), (Kind::Light, false));
         assert!(found.because.contains("may be a reflectance"));
         assert_eq!(
-            kind("a.asd", &[], "x.txt", &[0.1, 0.5]).kind,
+            kind("a.asd", &none, "x.txt", &[0.1, 0.5]).kind,
             Kind::Reflectance
         );
         assert_eq!(
-            kind("a.asd", &[], "irrad.txt", &[0.1, 0.5]).kind,
+            kind("a.asd", &none, "irrad.txt", &[0.1, 0.5]).kind,
             Kind::Light
         );
-        assert_eq!(kind("", &[], "Au.eta.spd", &[1.0]).kind, Kind::Other);
+        assert_eq!(kind("", &none, "Au.eta.spd", &[1.0]).kind, Kind::Other);
+    }
+
+    #[test]
+    fn words_inside_of_other_words_tell_no_kind() {
+        for text in [
+            "Spectroscopic measurement of an LED",
+            "topic: LED",
+            "isotropic source",
+            "mV(lamp)",
+            "Light%",
+            "Solar%",
+            "laser (%)",
+        ] {
+            assert_eq!(kind_of_words(text), None, "{text}");
+        }
+        for (text, kind) in [
+            ("tropical lamp (W/m2/nm)", Kind::Light),
+            ("melanopic", Kind::Weighting),
+            ("s-cone-opic", Kind::Weighting),
+            ("V(lambda)", Kind::Weighting),
+            ("R%", Kind::Reflectance),
+            ("%T", Kind::Transmittance),
+            ("TotalReflectance", Kind::Reflectance),
+        ] {
+            assert_eq!(kind_of_words(text), Some(kind), "{text}");
+        }
+        assert_eq!(kind_of_name("tropical_fruit.csv"), None);
     }
 }

@@ -41,6 +41,8 @@ const FEW_REVERSALS: usize = 10;
 
 /// The same under a title that names wavelengths: a curve traced by hand goes back and forth.
 const TRACED_REVERSALS: usize = 50;
+/// What numbers in the range of nanometres score, and every axis that is titled so.
+const CLEAR: u32 = 4;
 
 /// How sure a sequence of numbers is a wavelength axis: 0 is no.
 fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) -> u32 {
@@ -75,6 +77,17 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
 
 /// The block's layout, or `None` when it holds no wavelengths.
 pub fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
+    with_strength(block, titles, dialect).map(|(layout, _)| layout)
+}
+
+/// The layout of a block where its numbers or titles say clearly that they are wavelengths: what
+/// is asked of a few rows beside a long table.
+pub fn clear(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
+    let (layout, strength) = with_strength(block, titles, dialect)?;
+    (strength >= CLEAR).then_some(layout)
+}
+
+fn with_strength(block: &Block, titles: &Titles, dialect: Dialect) -> Option<(Layout, u32)> {
     let (down, down_strength) = wavelength_column(block, titles);
     let along = wavelength_row(block).or_else(|| wavelength_header(block, dialect));
     match along {
@@ -82,9 +95,9 @@ pub fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
             if along_strength > down_strength
                 || along_strength == down_strength && block.width > block.rows() =>
         {
-            Some(layout)
+            Some((layout, along_strength))
         }
-        _ => (down_strength > 0).then_some(Layout::Column(down)),
+        _ => (down_strength > 0).then_some((Layout::Column(down), down_strength)),
     }
 }
 

@@ -1,5 +1,8 @@
 //! How values are counted: per cent or fraction, and the unit.
 
+use crate::spectrum::Kind;
+
+use super::heading::Lines;
 use super::kinds::{kind_of_words, states_values};
 
 /// Photons in the unit that plant scientists use.
@@ -35,16 +38,22 @@ pub struct PercentFound {
 /// Unstated, it is per cent when more than 1 % of the values exceed 1.5 and they are not just
 /// noise over fractions: the middle value exceeds 1.5 too, or lies far under the largest (a
 /// narrow filter is near 0 nearly everywhere).
-pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64]) -> PercentFound {
+pub fn percent(title: &str, header: &Lines, signs: bool, values: &[f64]) -> PercentFound {
+    percent_told(title, percent_of_header(header), signs, values)
+}
+
+/// Per cent or fraction as [`percent`], where it is known what the header says.
+pub fn percent_told(
+    title: &str,
+    header: Option<bool>,
+    signs: bool,
+    values: &[f64],
+) -> PercentFound {
     let stated = |percent, because: &str| PercentFound {
         percent,
         because: because.to_owned(),
         stated: true,
     };
-    // What this program's own files say, whatever the spectrum is called.
-    if header.iter().any(|(_, line)| *line == "unit: fraction") {
-        return stated(false, "the header");
-    }
     let title = title.to_lowercase();
     if signs {
         return stated(true, "per cent signs");
@@ -58,14 +67,8 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
     {
         return stated(false, "the column's title");
     }
-    for (_, line) in header.iter().rev().filter(|(_, line)| states_values(line)) {
-        let line = line.to_lowercase();
-        if line.contains('%') || line.contains("percent") {
-            return stated(true, "the header");
-        }
-        if line.contains("fraction") {
-            return stated(false, "the header");
-        }
+    if let Some(percent) = header {
+        return stated(percent, "the header");
     }
     let mut sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
     let mut at = |share: f64| {
@@ -81,11 +84,40 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
     }
 }
 
-/// The unit that a title or a header gives for values: text in brackets, or after "unit:".
-pub fn unit(title: &str, header: &[(usize, &str)]) -> String {
-    if let Some(unit) = bracketed(title).or_else(|| bare(title)) {
-        return unit.to_owned();
-    }
+/// Whether a header says that values are per cent, or fractions; `None` where it does not.
+pub fn percent_of_header(header: &Lines) -> Option<bool> {
+    header.iter().rev().find_map(|(_, line)| {
+        let line = line.trim().to_lowercase();
+        if !is_about_factors(&line) {
+            None
+        } else if line.contains('%') || line.contains("percent") {
+            Some(true)
+        } else {
+            line.contains("fraction").then_some(false)
+        }
+    })
+}
+
+/// Whether a line (lower case) states how the values of a factor are counted: humidities and other
+/// settings are per cent too. It names the y axis or the factor, or nothing but a unit.
+fn is_about_factors(line: &str) -> bool {
+    let bare = ["unit", "units"].iter().any(|key| {
+        line.strip_prefix(key).is_some_and(|rest| {
+            let rest = rest.trim_matches(|c: char| !c.is_alphanumeric() && c != '%');
+            ["%", "percent", "per cent", "fraction"].contains(&rest)
+        })
+    });
+    let names_factor = || kind_of_words(line).is_some_and(Kind::is_factor);
+    bare || states_values(line) && (line.starts_with('y') || names_factor())
+}
+
+/// The unit of values that a title gives: text in brackets, or a unit at its end.
+pub fn unit_of_title(title: &str) -> Option<&str> {
+    bracketed(title).or_else(|| bare(title))
+}
+
+/// The unit of values that header lines give: in brackets, or behind "unit:".
+pub fn unit_of_header(header: &Lines) -> String {
     for (_, line) in header.iter().rev() {
         // What this program's own files say, whatever it is.
         if let Some(own) = line.strip_prefix("unit: ") {
@@ -185,16 +217,47 @@ mod tests {
     }
 
     #[test]
-    fn units_stand_in_brackets_or_behind_the_word() {
-        assert_eq!(unit("Irradiance [µW/cm2/nm]", &[]), "µW/cm2/nm");
-        assert_eq!(unit("", &[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
-        assert_eq!(unit("", &[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
-        assert_eq!(unit("E(lambda) [W/(m²·nm)]", &[]), "W/(m²·nm)");
-        assert_eq!(unit("Strahlung in W/(m²·nm)", &[]), "W/(m²·nm)");
-        assert_eq!(unit("Global tilt  W*m-2*nm-1", &[]), "W*m-2*nm-1");
-        assert_eq!(unit("W/m2", &[]), "W/m2");
-        assert_eq!(unit("", &[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
-        assert_eq!(unit("W 10/12", &[]), "");
-        assert_eq!(unit("TL01", &[]), "");
+    fn a_per_cent_of_something_else_is_not_the_values() {
+        for line in [
+            "Measurement humidity: 45 %",
+            "measurement: 5 % uncertainty",
+            "Unit serial 50%",
+        ] {
+            assert_eq!(percent_of_header(&[(1, line)]), None, "{line}");
+        }
+        for line in [
+            "Y Units: %",
+            "Unit: %",
+            "Units\t[%]",
+            "Measurement: % Reflectance",
+        ] {
+            assert_eq!(percent_of_header(&[(1, line)]), Some(true), "{line}");
+        }
+        assert_eq!(percent_of_header(&[(1, "unit: fraction")]), Some(false));
+    }
+
+    #[test]
+    fn units_stand_in_brackets_or_behind_the_word_or_alone() {
+        assert_eq!(unit_of_title("Irradiance [µW/cm2/nm]"), Some("µW/cm2/nm"));
+        assert_eq!(unit_of_title("mW/m2/nm"), Some("mW/m2/nm"));
+        assert_eq!(unit_of_title("W m-2 nm-1"), Some("W m-2 nm-1"));
+        assert_eq!(unit_of_title("TL01"), None);
+        assert_eq!(unit_of_title("LED 1/2"), None);
+        assert_eq!(unit_of_title("W"), None);
+        assert_eq!(unit_of_header(&[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
+        assert_eq!(unit_of_header(&[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
+        assert_eq!(unit_of_header(&[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
+        for title in [
+            "E(lambda) [W/(m²·nm)]",
+            "Strahlung in W/(m²·nm)",
+            "Global tilt  W*m-2*nm-1",
+            "W/m2",
+        ] {
+            let unit = unit_of_title(title).unwrap_or("");
+            assert!(
+                unit.starts_with("W/m2") || unit.starts_with("W/(m²") || unit.starts_with("W*m")
+            );
+        }
+        assert_eq!(unit_of_title("W 10/12"), None);
     }
 }

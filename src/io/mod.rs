@@ -36,6 +36,7 @@ pub mod error;
 pub mod foreign_json;
 pub mod gdtf;
 pub mod guarded;
+pub mod heading;
 pub mod input;
 pub mod jcamp;
 pub mod keyed_json;
@@ -77,6 +78,7 @@ pub mod unreadable;
 pub mod uprtek;
 pub mod usgs;
 pub mod wasatch;
+pub mod words;
 pub mod write;
 pub mod xlsx;
 pub mod xml;
@@ -239,9 +241,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     reading.format = format.name;
     reading.tidy();
     reading.name_apart();
-    if let Some(text) = input.text() {
-        reading.notes.extend(text.notes());
-    }
+    reading.notes.extend(input.text_notes());
     Ok(reading)
 }
 

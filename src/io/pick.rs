@@ -1,8 +1,11 @@
 //! Chooses the dialect of a text table and finds its tables.
 
+use super::csv::{self, Own};
 use super::dialect::Dialect;
 use super::layout::{self, Layout};
-use super::table::{BadCell, Block, Scan, TooMuch, carries_on, row_gone_wrong_above, scan};
+use super::table::{
+    BadCell, Block, Scan, TooMuch, carries_on, row_gone_wrong_above, scan, scan_behind,
+};
 use super::titles::Titles;
 
 /// How much text decides the dialect, in bytes: many times the longest header.
@@ -11,8 +14,12 @@ const SAMPLE_BYTES: usize = 256 * 1024;
 /// How much is looked at when the first sample holds no table.
 const LONG_SAMPLE_BYTES: usize = 16 * 1024 * 1024;
 
-/// A block that holds much fewer rows than the longest is part of a header or footer.
+/// A block that holds much fewer rows than the longest may be part of a header or footer: it must
+/// say clearly that it holds wavelengths.
 const SHORTEST_SHARE: usize = 8;
+
+/// Fewest rows of such a short block that make a table.
+const FEWEST_SHORT_ROWS: usize = 3;
 
 /// Longest break inside a table, in lines, that is passed over and said.
 const LONGEST_BREAK: usize = 5;
@@ -28,6 +35,8 @@ pub struct Table<'a> {
     pub layout: Layout,
     /// What was passed over to get it, a sentence each.
     pub notes: Vec<String>,
+    /// Whether it is far shorter than the longest: it may be none, and others do not hang on it.
+    pub is_short: bool,
 }
 
 /// Why a text holds no table that can be read.
@@ -80,9 +89,13 @@ fn first_lines(text: &str, limit: usize) -> &str {
 fn score(found: &Scan, dialect: Dialect) -> (usize, usize) {
     let mut score = (0, 0);
     for block in &found.blocks {
-        let numbers: usize = block.columns.iter().map(|c| c.numbers).sum();
-        let texts: usize = block.columns.iter().map(|c| c.texts).sum();
-        let worth = numbers.saturating_sub(2 * texts);
+        // Words among numbers are worse than a column of names beside them.
+        let (mut gained, mut lost) = (0, 0);
+        for column in &block.columns {
+            gained += 4 * column.numbers;
+            lost += column.texts * if column.numbers == 0 { 3 } else { 8 };
+        }
+        let worth: usize = gained.saturating_sub(lost);
         score.1 += worth;
         if layout::of(block, &Titles::of(block, dialect), dialect).is_some() {
             score.0 += worth;
@@ -109,31 +122,79 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
             step_back: step_back(block),
         });
     let mut tables: Vec<Table> = Vec::new();
-    let mut above = Vec::new();
+    let (mut left_out, mut above) = (Vec::new(), Vec::new());
     for (mut block, notes) in joined(found.blocks, dialect)? {
-        if block.rows() * SHORTEST_SHARE < longest {
-            // Times or angles over the columns: what stands above them is the next block's header.
-            above = block.header;
-            continue;
-        }
         if !above.is_empty() {
             let own = std::mem::replace(&mut block.header, std::mem::take(&mut above));
             block.header.extend(own);
         }
         let titles = Titles::of(&block, dialect);
-        if let Some(layout) = layout::of(&block, &titles, dialect) {
-            tables.push(Table {
+        let is_short = block.rows() * SHORTEST_SHARE < longest;
+        let layout = if !is_short {
+            layout::of(&block, &titles, dialect)
+        } else if block.rows() >= FEWEST_SHORT_ROWS {
+            layout::clear(&block, &titles, dialect)
+        } else {
+            None
+        };
+        match layout {
+            Some(layout) => tables.push(Table {
                 block,
                 titles,
                 layout,
                 notes,
-            });
+                is_short,
+            }),
+            None => {
+                left_out.push(lines_left_out(&block));
+                // Times or angles over the columns: what stands above them is the next block's
+                // header.
+                if is_short {
+                    above = block.header;
+                }
+            }
         }
     }
-    if tables.is_empty() {
+    let Some(first) = tables.first_mut() else {
         return Err(no_wavelengths);
-    }
+    };
+    first.notes.extend(left_out);
     Ok(tables)
+}
+
+/// What is said of a block that is not read.
+pub fn lines_left_out(block: &Block) -> String {
+    let (first, last) = (block.lines.first(), block.lines.last());
+    let line = |line: Option<&u32>| line.copied().unwrap_or_default();
+    format!("lines {} to {} left out", line(first), line(last))
+}
+
+/// The table of a file that this program wrote.
+///
+/// # Errors
+/// [`NoTable`] when its rows are none, or one is broken by a word.
+pub fn own_tables<'a>(own: &Own<'a>) -> Result<Vec<Table<'a>>, NoTable> {
+    let found = scan_behind(own.rows, own.lines_before(), csv::DIALECT);
+    let blocks = joined(found.map_err(NoTable::TooMany)?.blocks, csv::DIALECT)?;
+    if blocks.is_empty() {
+        return Err(NoTable::NoRows);
+    }
+    let table = |(mut block, notes): (Block<'a>, Vec<String>)| {
+        block.header.clone_from(&own.header);
+        let mut names = own.titles.clone();
+        names.resize(block.width, String::new());
+        Table {
+            titles: Titles {
+                units: vec![String::new(); block.width],
+                names,
+            },
+            layout: Layout::Column(0),
+            block,
+            notes,
+            is_short: false,
+        }
+    };
+    Ok(blocks.into_iter().map(table).collect())
 }
 
 /// The first step against the way that most steps of the first column go, if its numbers lie

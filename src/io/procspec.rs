@@ -11,6 +11,7 @@ use crate::spectrum::Kind;
 
 use super::archive::{Archive, is_zip, seems_to_hold};
 use super::draft::Draft;
+use super::heading::Heading;
 use super::number;
 use super::{Confidence, Format, Input, ReadError, Reading, text, xml};
 
@@ -149,7 +150,7 @@ fn read_spectrum(
         title: title.to_owned(),
         axis_title: "nm".to_owned(),
         says_nm: true,
-        header: &[],
+        heading: &Heading::default(),
         axis: &axis,
         values,
         lines: &[],

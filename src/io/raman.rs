@@ -175,6 +175,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             continue;
         };
         let block = &table.block;
+        if table.is_short {
+            reading.notes.push(pick::lines_left_out(block));
+            continue;
+        }
         let nm: Vec<f64> = block
             .column(axis)
             .iter()

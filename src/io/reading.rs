@@ -1,6 +1,6 @@
 //! What comes out of a file.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::{Dialect, units::WavelengthUnit};
 use crate::spectrum::{Composite, Kind, NamedSpectrum, SpectralImage};
@@ -17,6 +17,8 @@ pub enum Guessed {
     WavelengthUnit,
     /// Whether the values are per cent or fractions.
     Percent,
+    /// What stands between the cells of a table.
+    Columns,
 }
 
 /// One guess: what was chosen and why.
@@ -74,7 +76,7 @@ impl Guess {
     /// anything but nanometres is rare enough to ask.
     pub fn is_doubtful(&self) -> bool {
         match self.what {
-            Guessed::Kind | Guessed::Percent => true,
+            Guessed::Kind | Guessed::Percent | Guessed::Columns => true,
             Guessed::WavelengthUnit => self.chosen != WavelengthUnit::Nanometre.word(),
         }
     }
@@ -176,12 +178,19 @@ impl Reading {
 
     /// Gives every spectrum a name of its own: doubles get "(2)", "(3)", ...
     pub fn name_apart(&mut self) {
+        // The names as the file has them are taken first: one of them may end in "(2)".
+        let mut taken: HashSet<String> = self.spectra.iter().map(|s| s.name.clone()).collect();
         let mut seen: HashMap<String, usize> = HashMap::new();
         for spectrum in &mut self.spectra {
             let count = seen.entry(spectrum.name.clone()).or_default();
             *count += 1;
-            if *count > 1 {
-                spectrum.name = format!("{} ({count})", spectrum.name);
+            while *count > 1 {
+                let name = format!("{} ({count})", spectrum.name);
+                if taken.insert(name.clone()) {
+                    spectrum.name = name;
+                    break;
+                }
+                *count += 1;
             }
         }
     }
@@ -286,5 +295,16 @@ mod tests {
         reading.name_apart();
         let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
         assert_eq!(names, ["a", "b", "a (2)"]);
+    }
+
+    #[test]
+    fn a_name_that_ends_in_a_count_is_kept_for_its_own() {
+        let mut reading = Reading {
+            spectra: ["a", "a (2)", "a", "a (2)"].map(spectrum).to_vec(),
+            ..Reading::default()
+        };
+        reading.name_apart();
+        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(names, ["a", "a (2)", "a (3)", "a (2) (2)"]);
     }
 }

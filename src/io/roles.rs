@@ -3,85 +3,110 @@
 use super::kinds::kind_of_title;
 use super::table::Block;
 use super::titles::Titles;
-use super::units::names_wavelength;
+use super::units::{WavelengthUnit, names_wavelength};
+use super::words::{holds, without_brackets};
 
-/// Columns of wavelengths beside the table's own: such as are titled so, hold other numbers, and
-/// have values between the two. "Lower wvl, upper wvl, value" has none.
-pub fn other_axes(
-    block: &Block,
-    titles: &Titles,
-    wavelength: usize,
-    values: &[usize],
-) -> Vec<usize> {
-    let is_titled =
-        |at: &usize| block.columns[*at].numbers > 0 && names_wavelength(&titles.whole(*at));
-    let is_pair = |at: &usize| {
-        let between = wavelength.min(*at)..wavelength.max(*at);
-        !values.contains(at) && values.iter().any(|v| between.contains(v))
-    };
-    let differs = |at: &usize| {
-        let (own, table) = (block.column(*at), block.column(wavelength));
-        own.iter().zip(table).any(|(a, b)| a != b && !a.is_nan())
-    };
-    (0..block.width)
-        .filter(|at| *at != wavelength)
-        .filter(is_titled)
-        .filter(is_pair)
-        .filter(differs)
-        .collect()
+/// What is said of further columns of wavelengths that nothing stands under.
+const SECOND_AXIS: &str = "is a second axis and was left out";
+
+/// A column of wavelengths and the columns with values at them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// The column of wavelengths.
+    pub axis: usize,
+    /// Columns that are spectra.
+    pub values: Vec<usize>,
 }
 
-/// The column that holds the wavelengths of a column of values: the nearest axis to its left, where
-/// pairs of wavelengths and values stand side by side with a grid each, else the table's own.
-pub fn axis_of(others: &[usize], wavelength: usize, column: usize) -> usize {
-    let nearest = others.iter().copied().rfind(|at| *at < column);
-    match nearest {
-        Some(at) if wavelength > column || at > wavelength => at,
-        _ => wavelength,
+/// Columns that are spectra, each under its wavelengths, and what else was found, a sentence each.
+///
+/// Tables that stand side by side have several columns of wavelengths: each holds for the columns
+/// behind it up to the next.
+pub fn groups(block: &Block, titles: &Titles, wavelength: usize) -> (Vec<Group>, Vec<String>) {
+    let axes = axes(block, titles, wavelength);
+    let (values, mut notes) = roles(block, titles, wavelength, &axes);
+    let mut of_axis = vec![Vec::new(); axes.len()];
+    for column in values {
+        let before = axes.partition_point(|axis| *axis < column);
+        of_axis[before.saturating_sub(1)].push(column);
     }
+    let groups: Vec<Group> = axes
+        .into_iter()
+        .zip(of_axis)
+        .filter(|(_, values)| !values.is_empty())
+        .map(|(axis, values)| Group { axis, values })
+        .collect();
+    let others = groups.iter().filter(|group| group.axis != wavelength);
+    notes.extend(others.map(|group| {
+        format!(
+            "{} holds the wavelengths of the columns behind it",
+            shown(titles, group.axis)
+        )
+    }));
+    (groups, notes)
 }
 
-/// What is said of further columns of wavelengths.
-pub const SECOND_AXIS: &str = "is a second axis and was left out";
-
-/// Columns that are spectra, and why others were left out, a sentence each.
+/// Columns that are spectra under one column of wavelengths, and why others were left out, a
+/// sentence each.
 pub fn value_columns(
     block: &Block,
     titles: &Titles,
     wavelength: usize,
 ) -> (Vec<usize>, Vec<String>) {
+    roles(block, titles, wavelength, &[wavelength])
+}
+
+/// A column as notes call it.
+fn shown(titles: &Titles, column: usize) -> String {
+    let title = titles.whole(column);
+    if title.is_empty() {
+        format!("column {}", column + 1)
+    } else {
+        format!("column {} ({title})", column + 1)
+    }
+}
+
+fn roles(
+    block: &Block,
+    titles: &Titles,
+    wavelength: usize,
+    axes: &[usize],
+) -> (Vec<usize>, Vec<String>) {
     let (mut values, mut notes) = (Vec::new(), Vec::new());
+    let mut spreads = Vec::new();
     let raw_beside = beside_processed(titles, wavelength);
-    for column in (0..block.width).filter(|c| *c != wavelength) {
+    for column in (0..block.width).filter(|c| axes.binary_search(c).is_err()) {
         let stats = &block.columns[column];
         let title = titles.whole(column);
-        let shown = if title.is_empty() {
-            format!("column {}", column + 1)
-        } else {
-            format!("column {} ({})", column + 1, title)
-        };
+        let mut leave_out = |why: &str| notes.push(format!("{} {why}", shown(titles, column)));
         if stats.numbers == 0 {
             if stats.texts > 0 {
-                notes.push(format!("{shown} holds words and was left out"));
+                leave_out("holds words and was left out");
             }
         } else if column < wavelength && (block.counts_rows(column) || is_counter(&title)) {
-            notes.push(format!("{shown} counts the rows and was left out"));
+            leave_out("counts the rows and was left out");
         } else if column < wavelength && title.is_empty() && block.is_constant(column) {
-            notes.push(format!("{shown} is one number throughout and was left out"));
+            leave_out("is one number throughout and was left out");
         } else if is_spread(&title) {
-            notes.push(format!("{shown} is a spread and was left out"));
-        } else if names_wavelength(&title) {
-            notes.push(format!("{shown} {SECOND_AXIS}"));
-        } else if raw_beside.contains(&column) {
-            notes.push(format!("{shown} is a raw reading and was left out"));
+            spreads.push(column);
+        } else if names_axis_beside(&title, titles, wavelength) {
+            leave_out(SECOND_AXIS);
+        } else if raw_beside.binary_search(&column).is_ok() {
+            leave_out("is a raw reading and was left out");
         } else {
             values.push(column);
         }
     }
+    if values.is_empty() {
+        values = spreads;
+    } else {
+        let left_out = |column| format!("{} is a spread and was left out", shown(titles, column));
+        notes.extend(spreads.into_iter().map(left_out));
+    }
     // "AxisUnit = nm" above the values is no second axis: there is nothing else that they could be.
     if values.is_empty() {
         let second_axis = |column: &usize| {
-            *column != wavelength
+            axes.binary_search(column).is_err()
                 && block.columns[*column].numbers > 0
                 && names_wavelength(&titles.whole(*column))
         };
@@ -109,22 +134,96 @@ fn is_counter(title: &str) -> bool {
     )
 }
 
-/// A column of standard deviations, uncertainties or widths of the spectrometer's bands.
+/// Whether a column's title says that it is another axis. An "x" beside nanometres is a
+/// coordinate of a colour.
+fn names_axis_beside(title: &str, titles: &Titles, wavelength: usize) -> bool {
+    let is_x = |title: &str| title.trim().eq_ignore_ascii_case("x");
+    names_wavelength(title) && (!is_x(title) || is_x(&titles.whole(wavelength)))
+}
+
+/// Columns of wavelengths from left to right: the one that was found, and others that are titled
+/// so, rise or fall throughout, and have values behind them. A second one of the same points (1/cm
+/// beside nm) is none.
+fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
+    let is_axis = |column: &usize| {
+        *column == wavelength
+            || names_axis_beside(&titles.whole(*column), titles, wavelength)
+                && runs_one_way(block.column(*column))
+    };
+    let found: Vec<usize> = (0..block.width).filter(is_axis).collect();
+    let has_numbers = |mut columns: std::ops::Range<usize>| {
+        columns.any(|column| block.columns[column].numbers > 0)
+    };
+    let mut kept: Vec<usize> = Vec::new();
+    for (number, column) in found.iter().copied().enumerate() {
+        let end = found.get(number + 1).copied().unwrap_or(block.width);
+        let last = kept.last().copied();
+        let same = last.is_some_and(|last| {
+            !has_numbers(last + 1..column) || are_same_points(block, titles, last, column)
+        });
+        if column == wavelength {
+            // The column that was found stands for those that say the same.
+            kept.pop_if(|_| same);
+            kept.push(column);
+        } else if !same && has_numbers(column + 1..end) {
+            kept.push(column);
+        }
+    }
+    kept
+}
+
+/// Whether numbers rise or fall throughout; gaps do not matter.
+fn runs_one_way(column: &[f64]) -> bool {
+    let numbers = || column.iter().filter(|v| !v.is_nan());
+    let pairs = || numbers().zip(numbers().skip(1));
+    numbers().count() >= 2 && (pairs().all(|(a, b)| a < b) || pairs().all(|(a, b)| a > b))
+}
+
+/// Whether two columns hold the same wavelengths: the same numbers in one unit, or in two units to
+/// the rounding of a table.
+fn are_same_points(block: &Block, titles: &Titles, one: usize, other: usize) -> bool {
+    let unit = |column: usize| {
+        let numbers = || block.column(column).iter().filter(|v| !v.is_nan());
+        let low = numbers().copied().fold(f64::INFINITY, f64::min);
+        let high = numbers().copied().fold(f64::NEG_INFINITY, f64::max);
+        WavelengthUnit::of_title(&titles.whole(column))
+            .or_else(|| WavelengthUnit::of_range(low, high))
+            .unwrap_or(WavelengthUnit::Nanometre)
+    };
+    let (a, b) = (unit(one), unit(other));
+    let rounding = if a == b { 1e-9 } else { 2e-3 };
+    let mut rows = block.column(one).iter().zip(block.column(other));
+    rows.all(|(x, y)| {
+        let (x, y) = (a.to_nm(*x), b.to_nm(*y));
+        x.is_nan() && y.is_nan() || (x - y).abs() <= rounding * x.abs()
+    })
+}
+
+/// A column of standard deviations or uncertainties: its title is such a word or ends with one. A
+/// name may begin with it ("Std D65").
 fn is_spread(title: &str) -> bool {
-    let title = title.to_lowercase();
-    let words = [
-        "std",
-        "st.dev",
-        "stdev",
-        "standard dev",
-        "uncert",
-        "sigma",
-        "error",
-        "±",
+    const ENDS: [&str; 10] = [
+        "std", "stdev", "stddev", "std.dev", "std dev", "st.dev", "st dev", "sigma", "error",
         "variance",
     ];
-    words.iter().any(|w| title.contains(w))
-        || ["sd", "se", "sem", "fwhm", "bandwidth"].contains(&title.trim())
+    const STARTS: [&str; 6] = [
+        "standard dev|",
+        "standard deviation|",
+        "std.dev|",
+        "stdev|",
+        "uncertainty|",
+        "uncert.",
+    ];
+    let title = title.to_lowercase();
+    let name = without_brackets(&title).trim_end_matches('.');
+    let ends = |word: &str| name.ends_with(word) && holds(name, &format!("|{word}|"));
+    let starts = |word: &str| name.starts_with(word.trim_end_matches('|')) && holds(name, word);
+    title.contains('±')
+        || ENDS.iter().any(|word| ends(word))
+        || STARTS.iter().any(|word| starts(word))
+        || ends("standard deviation")
+        || ends("uncertainty")
+        || ["sd", "se", "sem", "fwhm", "bandwidth"].contains(&name)
 }
 
 /// Raw readings that stand beside the processed values: dark, reference and sample counts next to
@@ -259,5 +358,66 @@ mod tests {
         assert_eq!(values("nm;T;Std.Dev.\n300;1;0.1\n301;2;0.1\n").0, [1]);
         assert_eq!(values("nm;Sample\n300;1\n301;2\n").0, [1]);
         assert_eq!(values("nm;leaf;FWHM;sd\n300;1;5;2\n301;2;5;1\n").0, [1]);
+    }
+
+    #[test]
+    fn a_name_with_a_word_of_spreads_in_it_is_a_spectrum() {
+        assert_eq!(
+            values("nm;Std A;Std D65;Other\n300;1;2;3\n301;2;3;4\n").0,
+            [1, 2, 3]
+        );
+        assert_eq!(values("nm;std\n300;1\n301;2\n").0, [1]);
+        assert_eq!(values("nm;A;A std\n300;1;0.1\n301;2;0.1\n").0, [1]);
+        assert_eq!(
+            values("nm;A;Uncertainty (k=2)\n300;1;0.1\n301;2;0.1\n").0,
+            [1]
+        );
+    }
+
+    #[test]
+    fn functions_of_the_wavelength_are_no_second_axis() {
+        assert_eq!(values("nm;V(lambda)\n300;1\n301;2\n").0, [1]);
+        assert_eq!(values("nm;S(lambda);D65\n300;1;2\n301;2;3\n").0, [1, 2]);
+        assert_eq!(values("nm;x;y\n300;.1;.2\n301;.2;.3\n").0, [1, 2]);
+        assert_eq!(values("nm;A;cm-1\n300;1;33333\n301;2;33223\n").0, [1]);
+    }
+
+    fn sides(text: &str) -> Vec<(usize, Vec<usize>)> {
+        let dialect = Dialect {
+            delimiter: Delimiter::Semicolon,
+            decimal_comma: false,
+        };
+        let scan = scan(text, dialect).unwrap();
+        let block = &scan.blocks[0];
+        let (groups, _) = groups(block, &Titles::of(block, dialect), 0);
+        groups.into_iter().map(|g| (g.axis, g.values)).collect()
+    }
+
+    #[test]
+    fn tables_side_by_side_keep_their_own_wavelengths() {
+        assert_eq!(
+            sides("nm;A;Wavelength (nm);B;C\n380;1;1000;2;3\n390;2;1010;3;4\n"),
+            [(0, vec![1]), (2, vec![3, 4])]
+        );
+        assert_eq!(
+            sides("nm;A;;nm;B\n380;1;;1000;2\n390;2;;1010;3\n400;3;;;\n"),
+            [(0, vec![1]), (3, vec![4])]
+        );
+    }
+
+    #[test]
+    fn the_same_points_in_another_unit_are_no_axis_of_their_own() {
+        assert_eq!(
+            sides("nm;A;Wavenumber (cm-1);B\n400;1;25000;2\n500;2;20000;3\n"),
+            [(0, vec![1, 3])]
+        );
+        assert_eq!(
+            sides("nm;Wavenumber (cm-1);A\n400;900;1\n500;800;2\n"),
+            [(0, vec![2])]
+        );
+        assert_eq!(
+            sides("nm;A;nm;B\n400;1;400;2\n500;2;500;3\n"),
+            [(0, vec![1, 3])]
+        );
     }
 }

@@ -3,6 +3,7 @@
 use super::columns::bad_cell;
 use super::dialect::Dialect;
 use super::draft::Draft;
+use super::heading::Heading;
 use super::kinds::kind_of_words;
 use super::number::number;
 use super::pick::Table;
@@ -35,6 +36,7 @@ pub fn read_rows(
 ) -> Result<(), ReadError> {
     let block = &table.block;
     let labels = row_labels(text, dialect, block.lines.as_slice(), along.first);
+    let heading = Heading::of(&block.header).shared_by(block.rows());
     let kind_title = titles_before(table, along.first);
     let columns = along.first..along.first + along.axis.len();
     if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
@@ -53,7 +55,7 @@ pub fn read_rows(
             title: kind_word(words).unwrap_or("").to_owned(),
             axis_title: kind_title.clone(),
             says_nm: along.says_nm,
-            header: &block.header,
+            heading: &heading,
             axis: along.axis,
             values: block.values[columns.clone()]
                 .iter()

@@ -7,8 +7,9 @@ use std::fmt::Write;
 
 use crate::spectrum::NamedSpectrum;
 
-use super::draft::{Draft, header_field};
+use super::draft::Draft;
 use super::error::quoted;
+use super::heading::Heading;
 use super::number;
 use super::text::lines;
 use super::write::{Provenance, shortest};
@@ -70,13 +71,14 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         values.push(value);
         at.push(u32::try_from(line).unwrap_or(u32::MAX));
     }
-    let name = header_field(&comments, "name:").unwrap_or(input.stem());
+    let heading = Heading::of(&comments);
+    let name = heading.name.unwrap_or(input.stem());
     let draft = Draft {
         name: name.to_owned(),
         title: String::new(),
         axis_title: String::new(),
         says_nm: true,
-        header: &comments,
+        heading: &heading,
         axis: &nm,
         values,
         lines: &at,

@@ -326,7 +326,7 @@ mod tests {
     #[test]
     fn a_bomb_of_entities_is_refused() {
         let bomb = "<!DOCTYPE a [<!ENTITY b \"bbbbbbbb\"><!ENTITY c \"&b;&b;&b;\">]><IESTM2714>&c;</IESTM2714>";
-        assert!(refusal(bomb).contains("broken XML"));
+        assert!(refusal(bomb).contains("with a DTD"));
         let deep = "<IESTM2714>".to_owned() + &"<a>".repeat(100_000);
         assert!(refusal(&deep).contains("broken XML"));
     }

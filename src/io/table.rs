@@ -213,12 +213,20 @@ pub struct Scan<'a> {
 ///
 /// # Errors
 /// [`TooMuch`] when the text holds more numbers than the program keeps.
-pub fn scan<'a>(text: &'a str, dialect: Dialect) -> Result<Scan<'a>, TooMuch> {
+pub fn scan(text: &str, dialect: Dialect) -> Result<Scan<'_>, TooMuch> {
+    scan_behind(text, 0, dialect)
+}
+
+/// As [`scan`], for what stands in a file behind a number of lines.
+///
+/// # Errors
+/// As [`scan`].
+pub fn scan_behind(text: &str, lines: usize, dialect: Dialect) -> Result<Scan<'_>, TooMuch> {
     let mut blocks = Vec::new();
     let mut header: Vec<(usize, &str)> = Vec::new();
     let mut block: Option<Block> = None;
     let (mut cells, mut kinds) = (Vec::new(), Vec::new());
-    let (mut held, mut line) = (0, 0);
+    let (mut held, mut line) = (0, lines);
     let mut rest = text;
     let mut plain = PlainRow::new(dialect);
     loop {
@@ -414,6 +422,11 @@ fn close<'a>(
     *header = block.header;
     push_header(header, block.lines[0] as usize, block.first_row);
     header.extend(after);
+    // Else it would grow with every single row, and each line that it loses cost all of it.
+    if header.len() > HEADER_LINES {
+        let over = header.len() - HEADER_LINES;
+        header.drain(HEADER_LINES / 2..HEADER_LINES / 2 + over);
+    }
 }
 
 fn push_header<'a>(header: &mut Vec<(usize, &'a str)>, line: usize, content: &'a str) {
@@ -515,6 +528,17 @@ mod tests {
             matches!(found, Err(TooMuch::Columns { line: 1, .. })),
             "{found:?}"
         );
+    }
+
+    #[test]
+    fn single_rows_among_comments_do_not_lengthen_the_header() {
+        let text: String = (0..20)
+            .map(|i| "1,2\n1,2,3\n".repeat(i % 2) + &"# c\n".repeat(150))
+            .collect();
+        let text = text + "380,1\n385,2\n";
+        let found = blocks(&text);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].header.len(), HEADER_LINES);
     }
 
     #[test]

@@ -55,7 +55,7 @@ impl Titles {
                 found.units = cells;
             } else if filled < 2 && width > 2 {
                 // A row of empty cells ("Name,,,,"): look above it.
-            } else if (next_above || names_wavelength(&cells[0])) && !is_key_and_number(&cells) {
+            } else if (next_above || names_wavelength(&cells[0])) && !is_key_and_value(&cells) {
                 found.names = with_label(cells);
                 break;
             } else {
@@ -131,9 +131,10 @@ fn is_setting(cells: &[String]) -> bool {
     first.ends_with([':', '=']) && !names_wavelength(first)
 }
 
-/// A line such as "Integration time, 92.0" above two columns.
-fn is_key_and_number(cells: &[String]) -> bool {
-    cells.len() == 2 && !cells[1].contains(char::is_alphabetic)
+/// A line such as "Integration time, 92.0" above two columns, or "Remarks: none".
+fn is_key_and_value(cells: &[String]) -> bool {
+    let is_key = cells[0].ends_with(':') && !names_wavelength(&cells[0]);
+    is_key || cells.len() == 2 && !cells[1].contains(char::is_alphabetic)
 }
 
 /// Titles that are bare numbers take the first column's word: "Index 13".
@@ -214,7 +215,7 @@ mod tests {
 
     #[test]
     fn a_setting_above_two_columns_is_no_title() {
-        for line in ["I-Time,92.0", "SSI1,---"] {
+        for line in ["I-Time,92.0", "SSI1,---", "Remarks:, none"] {
             let found = titles(&format!("{line}\n380nm,1\n381nm,2\n"), Delimiter::Comma);
             assert!(!found.any(), "{found:?}");
         }

@@ -1,5 +1,7 @@
 //! Units of the wavelength axis: told by a header, else guessed from the range.
 
+use super::words::{holds, holds_any, without_brackets};
+
 /// What a file counts its wavelength axis in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WavelengthUnit {
@@ -13,23 +15,38 @@ pub enum WavelengthUnit {
     PerCentimetre,
     /// Photon energy, electronvolts.
     Electronvolt,
+    /// Picometres.
+    Picometre,
+    /// Photon energy, thousandths of an electronvolt.
+    Millielectronvolt,
+    /// Frequency, 1e12 Hz.
+    Terahertz,
+    /// Frequency, 1e9 Hz.
+    Gigahertz,
 }
 
 /// Planck's constant times the speed of light in eV nm: 6.62607015e-34 x 299792458 /
 /// 1.602176634e-19 x 1e9, all three exact in the SI of 2019.
 const EV_NM: f64 = 6.626_070_15e-34 * 299_792_458.0 / 1.602_176_634e-19 * 1e9;
 
+/// Speed of light in THz nm, exact in the SI.
+const THZ_NM: f64 = 299_792.458;
+
 impl WavelengthUnit {
     /// Every unit, the likeliest first.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 9] = [
         Self::Nanometre,
         Self::Micrometre,
         Self::Angstrom,
         Self::PerCentimetre,
         Self::Electronvolt,
+        Self::Picometre,
+        Self::Millielectronvolt,
+        Self::Terahertz,
+        Self::Gigahertz,
     ];
 
-    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`.
+    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`.
     pub fn word(self) -> &'static str {
         match self {
             Self::Nanometre => "nm",
@@ -37,6 +54,10 @@ impl WavelengthUnit {
             Self::Angstrom => "Å",
             Self::PerCentimetre => "1/cm",
             Self::Electronvolt => "eV",
+            Self::Picometre => "pm",
+            Self::Millielectronvolt => "meV",
+            Self::Terahertz => "THz",
+            Self::Gigahertz => "GHz",
         }
     }
 
@@ -48,6 +69,10 @@ impl WavelengthUnit {
             Self::Angstrom => x / 10.0,
             Self::PerCentimetre => 1e7 / x,
             Self::Electronvolt => EV_NM / x,
+            Self::Picometre => x / 1000.0,
+            Self::Millielectronvolt => 1000.0 * EV_NM / x,
+            Self::Terahertz => THZ_NM / x,
+            Self::Gigahertz => 1000.0 * THZ_NM / x,
         }
     }
 
@@ -59,35 +84,33 @@ impl WavelengthUnit {
             Self::Angstrom => nm * 10.0,
             Self::PerCentimetre => 1e7 / nm,
             Self::Electronvolt => EV_NM / nm,
+            Self::Picometre => nm * 1000.0,
+            Self::Millielectronvolt => 1000.0 * EV_NM / nm,
+            Self::Terahertz => THZ_NM / nm,
+            Self::Gigahertz => 1000.0 * THZ_NM / nm,
         }
     }
 
-    /// The unit that a title of the wavelength column names (`Wavelength (nm)`, `[um]`, `Å`).
+    /// Whether the unit is one of length, not of something that falls as wavelengths rise.
+    pub fn is_length(self) -> bool {
+        match self {
+            Self::Nanometre | Self::Micrometre | Self::Angstrom | Self::Picometre => true,
+            Self::PerCentimetre
+            | Self::Electronvolt
+            | Self::Millielectronvolt
+            | Self::Terahertz
+            | Self::Gigahertz => false,
+        }
+    }
+
+    /// The unit that a title of the wavelength column names (`Wavelength (nm)`, `[um]`, `Å`), by
+    /// whole words: an `å` in "våglängd" is none.
     pub fn of_title(title: &str) -> Option<Self> {
         let title = title.to_lowercase();
-        let has = |words: &[&str]| words.iter().any(|w| title.contains(w));
-        let tokens = || title.split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ');
-        if has(&[
-            "wavenumber",
-            "wave number",
-            "cm-1",
-            "cm^-1",
-            "cm⁻¹",
-            "1/cm",
-            "kayser",
-        ]) {
-            Some(Self::PerCentimetre)
-        } else if has(&["nanomet"]) || tokens().any(|t| t == "nm") {
-            Some(Self::Nanometre)
-        } else if has(&["micromet", "micron", "µm", "μm"]) || tokens().any(|t| t == "um") {
-            Some(Self::Micrometre)
-        } else if has(&["angstr", "ångstr", "å", "\u{212b}"]) {
-            Some(Self::Angstrom)
-        } else if tokens().any(|t| t == "ev") {
-            Some(Self::Electronvolt)
-        } else {
-            None
-        }
+        UNIT_WORDS
+            .iter()
+            .find(|(_, words)| holds_any(&title, words))
+            .map(|(unit, _)| *unit)
     }
 
     /// The unit that a range of positive numbers suggests; `None` where no unit fits.
@@ -107,24 +130,70 @@ impl WavelengthUnit {
     }
 }
 
-/// Whether a column's title says that it is the wavelength axis.
+/// Words that name a unit, lower case, the surest first. A lone "pm" may be the time of day, so it
+/// must stand where units stand.
+const UNIT_WORDS: [(WavelengthUnit, &[&str]); 9] = [
+    (
+        WavelengthUnit::PerCentimetre,
+        &[
+            "wavenumber",
+            "wave number",
+            "cm-1",
+            "cm^-1",
+            "cm⁻¹",
+            "|1/cm|",
+            "kayser",
+        ],
+    ),
+    (WavelengthUnit::Nanometre, &["nanomet", "|nm|"]),
+    (
+        WavelengthUnit::Micrometre,
+        &["micromet", "|micron|", "|microns|", "|µm|", "|μm|", "|um|"],
+    ),
+    (
+        WavelengthUnit::Angstrom,
+        &[
+            "|angstrom|",
+            "|angstroms|",
+            "|angstroem|",
+            "|ångstrom|",
+            "|ångström|",
+            "|ångströms|",
+            "|å|",
+        ],
+    ),
+    (WavelengthUnit::Millielectronvolt, &["|mev|"]),
+    (WavelengthUnit::Electronvolt, &["|ev|", "electronvolt"]),
+    (
+        WavelengthUnit::Picometre,
+        &["picomet", "(pm)", "[pm]", "/ pm|", "/pm|", "_pm|"],
+    ),
+    (WavelengthUnit::Terahertz, &["|thz|", "terahertz"]),
+    (WavelengthUnit::Gigahertz, &["|ghz|", "gigahertz"]),
+];
+
+/// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
+/// not by what stands in brackets behind another (`S(lambda)`).
 pub fn names_wavelength(title: &str) -> bool {
     let title = title
         .trim()
         .trim_matches(['"', '#', '[', ']', '(', ')'])
         .to_lowercase();
-    // A quantity over the wavelength, "E(lambda)" or "S(λ) [W]", is none.
-    if let Some((quantity, behind)) = title.split_once('(')
-        && !quantity.trim().is_empty()
-        && ["lambda)", "λ)", "wavelength)"]
-            .iter()
-            .any(|l| behind.trim_start().starts_with(l))
-    {
-        return false;
-    }
     if matches!(
         title.trim(),
-        "x" | "wl" | "nm" | "um" | "µm" | "w.length" | "λ" | "lam" | "cm-1" | "wn" | "ev"
+        "x" | "wl"
+            | "nm"
+            | "um"
+            | "µm"
+            | "w.length"
+            | "λ"
+            | "lam"
+            | "cm-1"
+            | "wn"
+            | "ev"
+            | "mev"
+            | "thz"
+            | "ghz"
     ) {
         return true;
     }
@@ -140,10 +209,43 @@ pub fn names_wavelength(title: &str) -> bool {
         "wl_",
         "wl ",
     ];
+    const ENDS: [&str; 3] = ["wvl", "wavelength", "wavenumber"];
+    // Energies and frequencies are axes where they are counted in a unit of theirs only: "Energy"
+    // alone is mostly what a lamp emits.
+    const OTHERS: [&str; 3] = ["frequency", "energy", "photon energy"];
+    let name = without_brackets(&title);
     STARTS.iter().any(|word| title.starts_with(word))
-        || ["wvl", "wavelength", "wavenumber", "lambda"]
+        || ENDS
             .iter()
-            .any(|word| title.contains(word))
+            .any(|word| name.ends_with(word) && holds(name, &format!("|{word}|")))
+        || OTHERS.iter().any(|word| title.starts_with(word))
+            && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
+}
+
+/// What a title of a wavelength axis counts in, where that is nothing known here: the word in
+/// brackets or behind a stroke (`Frequency (PHz)`), or a quantity without its unit.
+pub fn unknown_unit(title: &str) -> Option<String> {
+    if WavelengthUnit::of_title(title).is_some() {
+        return None;
+    }
+    const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
+    // Where a wavelength was measured, and what else is no unit.
+    const HARMLESS: [&str; 7] = ["air", "vacuum", "vac", "vac.", "x", "lambda", "λ"];
+    let title = title.trim();
+    let name = without_brackets(title).to_lowercase();
+    if QUANTITIES.contains(&name.as_str()) && name.len() == title.len() {
+        return Some(format!("a {name}"));
+    }
+    let is_axis = names_wavelength(&name) || QUANTITIES.iter().any(|word| name.starts_with(word));
+    let unit = match title.find(['(', '[']) {
+        Some(open) => title[open + 1..].split([')', ']']).next(),
+        None => title.split_once(" / ").map(|(_, unit)| unit),
+    };
+    let is_harmless = |unit: &str| HARMLESS.contains(&unit.to_lowercase().as_str());
+    unit.map(str::trim)
+        .filter(|unit| is_axis && unit.chars().any(char::is_alphabetic))
+        .filter(|unit| unit.chars().count() <= 12 && !is_harmless(unit))
+        .map(str::to_owned)
 }
 
 #[cfg(test)]
@@ -165,6 +267,15 @@ mod tests {
             ("Energy (eV)", Some(Electronvolt)),
             ("wavelength", None),
             ("[W/m2/nmx]", None),
+            ("Våglängd", None),
+            ("lambda (Micronix spectrometer)", None),
+            ("Wavelength (microns)", Some(Micrometre)),
+            ("Våglängd (Å)", Some(Angstrom)),
+            ("Frequency (THz)", Some(Terahertz)),
+            ("f [GHz]", Some(Gigahertz)),
+            ("Energy (meV)", Some(Millielectronvolt)),
+            ("Wavelength (pm)", Some(Picometre)),
+            ("Wavelength scan, 5:14 pm", None),
         ] {
             assert_eq!(WavelengthUnit::of_title(title), unit, "{title}");
         }
@@ -189,6 +300,31 @@ mod tests {
             assert!((nm - 546.1).abs() < 1e-9, "{}", unit.word());
         }
         assert!((WavelengthUnit::Electronvolt.to_nm(2.0) - 619.92).abs() < 0.01);
+        assert!((WavelengthUnit::Millielectronvolt.to_nm(2000.0) - 619.92).abs() < 0.01);
+        assert_eq!(WavelengthUnit::Terahertz.to_nm(500.0), 599.584_916);
+        assert!((WavelengthUnit::Gigahertz.to_nm(500_000.0) - 599.584_916).abs() < 1e-9);
+        assert_eq!(WavelengthUnit::Picometre.to_nm(380_000.0), 380.0);
+    }
+
+    #[test]
+    fn a_unit_that_is_not_known_is_noticed() {
+        for title in [
+            "Frequency (PHz)",
+            "Frequency",
+            "Wavelength [furlong]",
+            "Energy / keV",
+        ] {
+            assert!(unknown_unit(title).is_some(), "{title}");
+        }
+        for title in [
+            "Wavelength (nm)",
+            "Wavelength (air)",
+            "wavelength",
+            "",
+            "Sample (id)",
+        ] {
+            assert_eq!(unknown_unit(title), None, "{title}");
+        }
     }
 
     #[test]
@@ -202,6 +338,8 @@ mod tests {
             "LOWER WVL",
             "\"Wavelength\"",
             "nm",
+            "Vacuum wavelength (nm)",
+            "Frequency (THz)",
         ] {
             assert!(names_wavelength(title), "{title}");
         }
@@ -211,6 +349,10 @@ mod tests {
             "Transmittance(%)",
             "watt",
             "E(lambda) [W/m2]",
+            "V(lambda)",
+            "S(lambda)",
+            "R(wavelength)",
+            "Energy",
         ] {
             assert!(!names_wavelength(title), "{title}");
         }

@@ -57,6 +57,9 @@ impl Provenance {
     }
 }
 
+/// Title of the column of measured samples.
+pub const MEASURED: &str = "measured";
+
 /// A named column of an export. NaN is written as an empty cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
@@ -129,7 +132,7 @@ impl Columns {
         Self {
             nm: spectrum.samples.nm().to_vec(),
             columns: vec![Column {
-                title: "measured".to_owned(),
+                title: MEASURED.to_owned(),
                 values: spectrum.samples.values().to_vec(),
             }],
         }

@@ -14,7 +14,9 @@ use calamine::{DataRef, Reader, Xlsx};
 
 use super::archive::{Archive, seems_to_hold};
 use super::guarded::guarded;
-use super::{Choices, Confidence, Format, Guess, Input, ReadError, Reading, budget, columns};
+use super::{
+    Choices, Confidence, Format, Guess, Input, ReadError, Reading, budget, columns, number,
+};
 
 /// Excel workbooks.
 pub const FORMAT: Format = Format {
@@ -86,6 +88,27 @@ fn sniff(input: &Input) -> Confidence {
 struct Cell {
     text: String,
     is_number: bool,
+    /// Whether it is a number that was typed as text with a decimal comma.
+    had_comma: bool,
+}
+
+impl Cell {
+    /// A cell; numbers that were typed as text are numbers, with a decimal comma too.
+    fn of(text: String, is_number: bool) -> Self {
+        let is_number = is_number || text.parse::<f64>().is_ok();
+        match number::number(&text, true).filter(|_| !is_number) {
+            Some(value) => Self {
+                text: format!("{value:?}"),
+                is_number: true,
+                had_comma: true,
+            },
+            None => Self {
+                text,
+                is_number,
+                had_comma: false,
+            },
+        }
+    }
 }
 
 /// Cells by row and column.
@@ -133,7 +156,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                         spectrum: guess.spectrum + first,
                         ..guess
                     }));
-                reading.notes.extend(one.notes);
+                // Cells are cells: how they are set apart on the way is of no interest.
+                let on_the_way = one.table.map(|table| table.dialect.words());
+                let notes = one.notes.into_iter();
+                let notes = notes.filter(|note| Some(note) != on_the_way.as_ref());
+                reading.notes.extend(notes);
                 reading.understood = reading.understood.or(one.understood);
             }
             Err(refusal) => refusals.push((title, refusal)),
@@ -184,9 +211,7 @@ fn sheets(input: &Input) -> Result<Vec<(String, Sheet)>, Trouble> {
             left = left
                 .checked_sub(CELL_BYTES + text.len())
                 .ok_or(Trouble::TooMany)?;
-            // Numbers that were typed as text are numbers.
-            let is_number = is_number || text.parse::<f64>().is_ok();
-            sheet.insert(cell.get_position(), Cell { text, is_number });
+            sheet.insert(cell.get_position(), Cell::of(text, is_number));
         }
         sheets.push((name, sheet));
     }
@@ -240,6 +265,12 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
         }
     }
     text.push('\n');
+    let commas = sheet.values().filter(|cell| cell.had_comma).count();
+    if commas > 0 {
+        aside.push(format!(
+            "numbers typed as text with a decimal comma: {commas} cells"
+        ));
+    }
     Ok((text, aside))
 }
 
@@ -303,6 +334,24 @@ mod tests {
                 .iter()
                 .any(|n| n == "beside the table: Item 7")
         );
+    }
+
+    #[test]
+    fn numbers_typed_as_text_with_a_decimal_comma_are_numbers() {
+        let row = |row: usize, nm: usize, value: &str| {
+            let nm = format!("<c r=\"A{row}\"><v>{nm}</v></c>");
+            let value = word(&format!("B{row}"), value);
+            format!("<row r=\"{row}\">{nm}{value}</row>")
+        };
+        let rows = row(1, 380, "0,5") + &row(2, 390, "0,25") + &row(3, 400, "1");
+        let reading = read_bytes("a.xlsx", &workbook(&rows)).expect("a spectrum");
+        let spectrum = &reading.spectra[0];
+        assert_eq!(spectrum.samples.values(), [0.5, 0.25, 1.0]);
+        let notes = [&reading.notes[..], &spectrum.notes[..]]
+            .concat()
+            .join("; ");
+        assert!(notes.contains("decimal comma: 2 cells"), "{notes}");
+        assert!(!notes.contains("TAB"), "{notes}");
     }
 
     #[test]

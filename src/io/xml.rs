@@ -30,10 +30,14 @@ pub fn parse<'a>(input: &Input, text: &'a str) -> Result<Document<'a>, ReadError
         nodes_limit: u32::try_from(nodes).unwrap_or(u32::MAX),
         ..ParsingOptions::default()
     };
-    Document::parse_with_options(text, options).map_err(|error| {
-        input
+    Document::parse_with_options(text, options).map_err(|error| match error {
+        roxmltree::Error::DtdDetected => input.error(
+            "an XML document with a DTD (entities)",
+            "one without: such documents are not read",
+        ),
+        _ => input
             .error(format!("broken XML ({error})"), "well-formed XML")
-            .at_line(error.pos().row as usize)
+            .at_line(error.pos().row as usize),
     })
 }
 

@@ -145,6 +145,11 @@ fn table(size: usize, columns: usize) -> Vec<u8> {
     text
 }
 
+/// As many lines as are kept above a table, each of a thousand characters.
+fn long_header() -> String {
+    format!("# {}\n", "Some words ".repeat(91)).repeat(190)
+}
+
 const ENVI: &str = "ENVI\nsamples = 1000000000\nlines = 1000000000\nbands = 1000000000\n\
     data type = 4\ninterleave = bsq\nbyte order = 0\nwavelength = {400, 500}\n";
 
@@ -193,6 +198,30 @@ const CASES: &[Case] = &[
     case("table_of_1_column.csv", "1 spectra", || {
         table(HUNDRED_MB / 2, 1)
     }),
+    case("long_header_over_many_columns.csv", "2000 spectra", || {
+        let row = |nm: usize| format!("{nm}{}\n", ",0.5".repeat(2000));
+        let titles: String = (0..2000).map(|i| format!(",lamp {i}")).collect();
+        let rows = (400..404).map(row).collect::<String>();
+        (long_header() + &format!("nm{titles}\n") + &rows).into_bytes()
+    }),
+    case("long_header_over_many_rows.csv", "3000 spectra", || {
+        let rows: String = (0..3000)
+            .map(|i| format!("lamp {i},0.1,0.2,0.3,0.2,0.1\n"))
+            .collect();
+        (long_header() + "name,400,410,420,430,440\n" + &rows).into_bytes()
+    }),
+    case("long_source_over_many_columns.csv", "2000 spectra", || {
+        let row = |nm: usize| format!("{nm}{}\n", ",0.5".repeat(2000));
+        let rows = (400..404).map(row).collect::<String>();
+        format!("# source: {}\n{rows}", "a book ".repeat(20_000)).into_bytes()
+    }),
+    case("single_rows_among_comments.txt", "expected", || {
+        let comments = "#\n".repeat(200);
+        filled(
+            &format!("1 2\n{comments}1 2 3\n{comments}"),
+            HUNDRED_MB / 10,
+        )
+    }),
     case("line_ends.txt", "expected", || filled("\n", HUNDRED_MB)),
     case("carriage_returns.txt", "expected", || {
         filled("\r", HUNDRED_MB / 4)
@@ -223,11 +252,11 @@ const CASES: &[Case] = &[
         let lines = (0..1_000_000).map(|i| format!("Spectral Data {}[nm],1\n", 380 + i));
         ("Tcp [K],1\n".to_owned() + &lines.collect::<String>()).into_bytes()
     }),
-    case("entities.spdx", "broken XML", || laughs().into_bytes()),
-    case("entities.cxf", "broken XML", || {
+    case("entities.spdx", "with a DTD", || laughs().into_bytes()),
+    case("entities.cxf", "with a DTD", || {
         laughs().replace("IESTM2714", "CxF").into_bytes()
     }),
-    case("entities.gdtf", "broken XML", || {
+    case("entities.gdtf", "with a DTD", || {
         let text = laughs().replace("IESTM2714", "GDTF");
         harness::zipped(
             &[("description.xml", text.as_bytes())],

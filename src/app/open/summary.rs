@@ -143,6 +143,7 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
             Guessed::Kind => format!("taken for {chosen}"),
             Guessed::WavelengthUnit => format!("wavelengths taken as {chosen}"),
             Guessed::Percent => format!("values taken as {chosen}"),
+            Guessed::Columns => format!("taken as {chosen}"),
         };
         let words = format!("{what} ({})", guess.because);
         if !all.contains(&words) {

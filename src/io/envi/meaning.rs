@@ -58,11 +58,11 @@ pub fn channels(header: &Header, stored: usize) -> Result<Channels, ReadError> {
     });
     let unit = found.unit;
     if !found.stated {
-        notes.push(format!("taken as {}: {}", unit.word(), found.because));
+        notes.push(format!("taken as {}: {}", found.words(), found.because));
         guessed = Some(Guess {
             spectrum: 0,
             what: Guessed::WavelengthUnit,
-            chosen: unit.word().to_owned(),
+            chosen: found.words(),
             because: found.because,
         });
     } else if unit != WavelengthUnit::Nanometre {
@@ -175,7 +175,7 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         .collect();
     sizes.sort_by(f64::total_cmp);
     let high = sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0);
-    let found = kinds::kind(title, &lines, data_name, sample);
+    let found = kinds::kind(title, &kinds::FromHeader::of(&lines), data_name, sample);
     let kind = if factor.is_some() {
         Kind::Reflectance
     } else if found.stated {

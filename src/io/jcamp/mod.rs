@@ -19,6 +19,7 @@ pub mod pairs;
 use super::budget;
 use super::draft::Draft;
 use super::error::quoted;
+use super::heading::Heading;
 use super::kinds;
 use super::units::WavelengthUnit;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
@@ -174,7 +175,7 @@ fn read_block(
         title: title.to_owned(),
         axis_title: axis_title.to_owned(),
         says_nm: false,
-        header: &header,
+        heading: &Heading::of(&header),
         axis: &axis,
         values,
         lines: &[data.line as u32],
