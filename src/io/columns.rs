@@ -69,8 +69,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             return Err(refusal(input, text, no_table));
         }
     };
+    let file = File {
+        input,
+        text,
+        dialect,
+        own: own.as_ref(),
+    };
+    let left_out = without_false_tables(&file, &mut tables);
     let mut reading = Reading {
-        table: tables.first().map(|table| TableFound {
+        notes: left_out,
+        table: tables.iter().find(|t| !t.is_short).map(|table| TableFound {
             dialect,
             axis_column: match table.layout {
                 Layout::Column(column) => Some(column),
@@ -103,17 +111,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         } else {
             String::new()
         };
-        let file = File {
-            input,
-            text,
-            dialect,
-            own: own.as_ref(),
-        };
-        if table.is_short {
-            read_short_table(&file, table, &part, &mut reading);
-        } else {
-            read_table(&file, table, &part, &mut reading)?;
-        }
+        read_table(&file, table, &part, &mut reading)?;
     }
     // Columns and rows that are nearly empty were left out; here that was all of them.
     if reading.spectra.is_empty() {
@@ -132,22 +130,19 @@ struct File<'a, 'i> {
     own: Option<&'a Own<'a>>,
 }
 
-/// Reads a table that may be none: where it is refused, that is said and the others stay.
-fn read_short_table(file: &File, table: &mut Table, part: &str, reading: &mut Reading) {
-    let (spectra, guesses, notes) = (
-        reading.spectra.len(),
-        reading.guesses.len(),
-        reading.notes.len(),
-    );
-    let left_out = pick::lines_left_out(&table.block);
-    if let Err(why) = read_table(file, table, part, reading) {
-        reading.spectra.truncate(spectra);
-        reading.guesses.truncate(guesses);
-        reading.notes.truncate(notes);
-        reading
-            .notes
-            .push(format!("{left_out}: found {}", why.found));
-    }
+/// Leaves out short tables that turn out to be none, and says so.
+fn without_false_tables(file: &File, tables: &mut Vec<Table>) -> Vec<String> {
+    let mut left_out = Vec::new();
+    tables.retain(|table| {
+        let read = || read_table(file, &mut table.clone(), "", &mut Reading::default());
+        let Some(why) = table.is_short.then(read).and_then(Result::err) else {
+            return true;
+        };
+        let lines = pick::lines_left_out(&table.block);
+        left_out.push(format!("{lines}: found {}", why.found));
+        false
+    });
+    left_out
 }
 
 /// The refusal for a word among numbers.
@@ -254,6 +249,7 @@ fn read_table(
             check(file, table, wavelength, &groups)?;
             if let Some(found) = &mut reading.table
                 && found.values.is_empty()
+                && !table.is_short
             {
                 let values = groups.iter().flat_map(|group| &group.values);
                 found.values = values.copied().collect();
@@ -630,6 +626,26 @@ mod tests {
         let reading = read(&text);
         assert_eq!(names(&reading), ["lamp A, table 1", "lamp B, table 2"]);
         assert_eq!(reading.spectra[1].samples.len(), 41);
+    }
+
+    #[test]
+    fn a_few_rows_that_are_no_table_leave_the_long_one_alone() {
+        let text = format!(
+            "pixel,gain\n1,400\n2,500\n3,600\n\nnm,lamp\n{}",
+            rows(380, 401)
+        );
+        let reading = read(&text);
+        assert_eq!(names(&reading), ["lamp"]);
+        assert!(
+            reading
+                .notes
+                .iter()
+                .any(|note| note.starts_with("lines 2 to 4 left out"))
+        );
+        // Nor do they stand for a long block without wavelengths.
+        let text = "7,1\n3,9\n".repeat(50) + "nm,b\n" + &rows(380, 5);
+        let refusal = read_bytes("a.csv", text.as_bytes()).unwrap_err();
+        assert_eq!(refusal.found, "numbers with no wavelengths among them");
     }
 
     #[test]

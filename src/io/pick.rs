@@ -25,7 +25,7 @@ const FEWEST_SHORT_ROWS: usize = 3;
 const LONGEST_BREAK: usize = 5;
 
 /// A block with its titles and layout.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Table<'a> {
     /// The numbers.
     pub block: Block<'a>,
@@ -155,7 +155,8 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
             }
         }
     }
-    let Some(first) = tables.first_mut() else {
+    // A few rows beside a long block that is no table are none either.
+    let Some(first) = tables.iter_mut().find(|table| !table.is_short) else {
         return Err(no_wavelengths);
     };
     first.notes.extend(left_out);
