@@ -24,7 +24,7 @@ pub enum Guessed {
 /// One guess: what was chosen and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guess {
-    /// Index into [`Reading::spectra`].
+    /// Index into [`Reading::spectra`], counted on through [`Reading::composites`].
     pub spectrum: usize,
     /// What was guessed.
     pub what: Guessed,
