@@ -1,6 +1,7 @@
 //! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
 
 pub mod absorption_names;
+pub mod already_open;
 pub mod cells;
 pub mod chart;
 pub mod charts;
