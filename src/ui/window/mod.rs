@@ -345,8 +345,9 @@ impl Window {
         self.spend(ui);
         ui.add_space(2.0);
         ui.separator();
-        colour_view::show(ui, &self.app, theme);
-        if let Some(words) = self.makers.show(ui, &self.app) {
+        if !self.makers.tabs(ui, &self.app) {
+            colour_view::show(ui, &self.app, theme);
+        } else if let Some(words) = self.makers.show(ui, &self.app) {
             self.app.say(Tone::Info, words);
         }
     }
