@@ -615,7 +615,17 @@ fn common(entries: &[Arc<Entry>]) -> [usize; 2] {
         least = least.min(name.len());
     }
     let head = head.min(least);
-    [head, tail.min(least - head)]
+    let tail = tail.min(least - head);
+    // Whole words: "…column 1" tells more than "…1".
+    let is_gap = |c: &char| !c.is_alphanumeric();
+    let begun = first[..head].iter().rposition(|c| !is_gap(c)).unwrap_or(0);
+    let head = first[..begun]
+        .iter()
+        .rposition(is_gap)
+        .map_or(0, |at| at + 1);
+    let behind = &first[first.len() - tail..];
+    let tail = behind.iter().position(is_gap).map_or(0, |at| tail - at);
+    [head, tail]
 }
 
 /// A name cut to a width, with an ellipsis in its middle: what tells names apart is often at the

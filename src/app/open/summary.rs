@@ -183,8 +183,8 @@ fn read(opened: &Opened) -> Outcome {
 
 /// Doubtful guesses in words, each once however many spectra share it.
 fn doubts(guesses: &[Guess]) -> Vec<String> {
-    // Guesses for one reason in one phrase.
-    let mut all: Vec<(&str, Vec<String>, &str)> = Vec::new();
+    // Guesses for one reason in one phrase, whatever numbers of each spectrum stand behind it.
+    let mut all: Vec<(&str, Vec<String>, &str, &str)> = Vec::new();
     for guess in guesses.iter().filter(|guess| guess.is_doubtful()) {
         let what = match guess.what {
             Guessed::Kind => "taken for",
@@ -192,14 +192,23 @@ fn doubts(guesses: &[Guess]) -> Vec<String> {
             Guessed::Percent => "values taken as",
         };
         let (chosen, because) = (guess.chosen.to_string(), guess.because.as_str());
-        let same = |known: &&mut (&str, Vec<String>, &str)| (known.0, known.2) == (what, because);
-        match all.iter_mut().find(same) {
-            Some((_, known, _)) if known.contains(&chosen) => {}
-            Some((_, known, _)) => known.push(chosen),
-            None => all.push((what, vec![chosen], because)),
+        let reason = because.split(" (").next().unwrap_or(because);
+        let known = all
+            .iter_mut()
+            .find(|known| (known.0, known.2) == (what, reason));
+        match known {
+            Some((_, known, _, told)) => {
+                if *told != because {
+                    *told = reason;
+                }
+                if !known.contains(&chosen) {
+                    known.push(chosen);
+                }
+            }
+            None => all.push((what, vec![chosen], reason, because)),
         }
     }
-    let phrase = |(what, chosen, because): (&str, Vec<String>, &str)| {
+    let phrase = |(what, chosen, _, because): (&str, Vec<String>, &str, &str)| {
         format!("{what} {} ({because})", chosen.join(" and "))
     };
     all.into_iter().map(phrase).collect()

@@ -95,9 +95,10 @@ impl Developed {
         let share = |count: usize| {
             let percent = 100.0 * count as f64 / self.pixels.len().max(1) as f64;
             match percent {
-                p if p < 0.1 => format!("{count} pixel{}", if count == 1 { "" } else { "s" }),
-                p if p < 10.0 => format!("{p:.1} % of the pixels"),
-                p => format!("{p:.0} % of the pixels"),
+                p if p < 0.1 && count == 1 => "1 pixel is".to_owned(),
+                p if p < 0.1 => format!("{count} pixels are"),
+                p if p < 10.0 => format!("{p:.1} % of the pixels are"),
+                p => format!("{p:.0} % of the pixels are"),
             }
         };
         for (count, what) in [
@@ -106,8 +107,7 @@ impl Developed {
             (self.too_bright, "brighter than white, cut"),
         ] {
             if count > 0 {
-                let verb = if count == 1 { "is" } else { "are" };
-                parts.push(format!("{} {verb} {what}", share(count)));
+                parts.push(format!("{} {what}", share(count)));
             }
         }
         parts.join("; ")
