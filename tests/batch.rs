@@ -157,6 +157,7 @@ fn a_folder_is_opened_in_one_step_with_a_summary_and_undone_in_one() {
     assert_eq!(names.len(), 4, "{names:?}");
     assert_eq!(app(&ui).document().light.key, "own/1");
     let message = app(&ui).message().unwrap();
+    assert!(app(&ui).current_message().is_some());
     assert_eq!(message.tone, Tone::Problem);
     assert!(
         message
@@ -172,7 +173,9 @@ fn a_folder_is_opened_in_one_step_with_a_summary_and_undone_in_one() {
     );
     // The list of files stands over the window.
     assert_written(&ui, "lamps/more/c.csv: plain columns");
-    assert_written(&ui, "lamps/notes.txt: –, refused: notes.txt");
+    // Its name stands in the row and not again in the reason.
+    assert_written(&ui, "lamps/notes.txt: –, refused: ");
+    assert!(!is_written(&ui, "refused: notes.txt"));
     assert_written(&ui, "doubtful: taken for light");
     // The folder is among what was opened last, not its files.
     assert_eq!(ui.state().preferences.recent, [top]);
@@ -188,12 +191,101 @@ fn a_folder_is_opened_in_one_step_with_a_summary_and_undone_in_one() {
     click(&mut ui, "Undo");
     assert_eq!(app(&ui).document(), &before);
     assert!(!app(&ui).can_undo());
+    // What was told of the files is no news of what is shown now.
+    assert_eq!(app(&ui).current_message(), None);
     click(&mut ui, "Redo");
     assert_eq!(app(&ui).document().own.len(), 4);
     // It is still to be had from the menu when the message is gone.
-    click(&mut ui, "Path");
+    click(&mut ui, "Open");
     click(&mut ui, "Files opened together…");
     assert_written(&ui, "lamps/notes.txt: –");
+}
+
+/// A row of the summary by the beginning of its name.
+#[track_caller]
+fn click_row(ui: &mut Ui, begins: &str) {
+    let row = ui.query_all_by_role(Role::Button).find(|node| {
+        let label = node.accesskit_node().label();
+        label.is_some_and(|label| label.starts_with(begins))
+    });
+    row.unwrap_or_else(|| panic!("no row begins with {begins:?}"))
+        .click();
+    ui.run();
+}
+
+#[test]
+fn a_row_of_the_summary_shows_its_spectrum_and_a_doubtful_one_how_it_was_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut ui = fresh();
+    open(&mut ui, vec![mixed(folder.path())]);
+    click_row(&mut ui, "lamps/b.spd: ");
+    assert_eq!(app(&ui).document().light.name(), "b");
+    // A refused one shows nothing and tells why once more.
+    click_row(&mut ui, "lamps/notes.txt: ");
+    assert_eq!(app(&ui).document().light.name(), "b");
+    assert!(app(&ui).message().unwrap().text.contains("refused"));
+    // Escape closes it, and opening it again is one click.
+    ui.key_press(egui::Key::Escape);
+    ui.run();
+    assert!(!is_written(&ui, "lamps/b.spd: "));
+    click(&mut ui, "Open");
+    click(&mut ui, "Files opened together…");
+    click(&mut ui, "Look…");
+    wait_until(&mut ui, "the look at the file", |ui| {
+        is_written(ui, "Remove it again")
+    });
+    assert_written(&ui, "How bare.csv was read");
+    // After an undo the file is gone, and that is said.
+    ui.state_mut().app.apply(Command::Undo);
+    ui.state_mut().app.apply(Command::Undo);
+    ui.state_mut().app.apply(Command::Undo);
+    ui.run();
+    click_row(&mut ui, "lamps/a.csv: ");
+    let message = app(&ui).message().unwrap();
+    assert!(
+        message.text.contains("not among your files any more"),
+        "{message:?}"
+    );
+}
+
+#[test]
+fn a_file_that_is_open_is_shown_again_and_not_opened_twice() {
+    let folder = tempfile::tempdir().unwrap();
+    let (a, b) = (folder.path().join("a.csv"), folder.path().join("b.csv"));
+    fs::write(&a, LAMP).unwrap();
+    fs::write(&b, LAMP.replace("500,4", "500,3")).unwrap();
+    let mut ui = fresh();
+    open(&mut ui, vec![a.clone()]);
+    open(&mut ui, vec![b.clone()]);
+    assert_eq!(app(&ui).document().light.key, "own/2");
+    open(&mut ui, vec![a.clone()]);
+    assert_eq!(app(&ui).document().own.len(), 2);
+    assert_eq!(app(&ui).document().light.key, "own/1");
+    let message = app(&ui).message().unwrap();
+    assert_eq!(message.text, "a.csv is open already, with the same values.");
+    // Shown already: nothing to undo was added, the last step is the showing.
+    open(&mut ui, vec![a.clone()]);
+    ui.state_mut().app.apply(Command::Undo);
+    assert_eq!(app(&ui).document().light.key, "own/2");
+    // In a batch it is told and left out.
+    let c = folder.path().join("c.csv");
+    fs::write(&c, LAMP).unwrap();
+    open(&mut ui, vec![a.clone(), c, b.clone()]);
+    assert_eq!(app(&ui).document().own.len(), 3);
+    let message = app(&ui).message().unwrap();
+    assert!(message.text.contains("; 2 open already"), "{message:?}");
+    click_row(&mut ui, "b.csv: plain columns, open already; ");
+    assert_eq!(app(&ui).document().light.key, "own/2");
+    click(&mut ui, "Close");
+    // With other values it stands beside the first one.
+    fs::write(&a, LAMP.replace("500,4", "500,5")).unwrap();
+    open(&mut ui, vec![a]);
+    assert_eq!(app(&ui).document().own.len(), 4);
+    let message = app(&ui).message().unwrap();
+    assert!(
+        message.text.contains("open already with other values"),
+        "{message:?}"
+    );
 }
 
 #[test]
@@ -208,9 +300,14 @@ fn undo_reaches_back_over_several_loads_and_what_was_done_between() {
     ui.state_mut().app.apply(Command::Show(lamp));
     ui.state_mut().app.end_gesture();
     states.push(app(&ui).document().clone());
-    open(&mut ui, vec![top.join("a.csv"), top.join("b.spd")]);
+    // The same values under other names are other files.
+    for name in ["d.csv", "e.csv", "f.csv"] {
+        fs::write(folder.path().join(name), LAMP).unwrap();
+    }
+    let at = |name: &str| folder.path().join(name);
+    open(&mut ui, vec![at("d.csv"), at("e.csv")]);
     states.push(app(&ui).document().clone());
-    open(&mut ui, vec![top.join("a.csv")]);
+    open(&mut ui, vec![at("f.csv")]);
     for state in states.iter().rev() {
         ui.state_mut().app.apply(Command::Undo);
         assert!(app(&ui).document() == state);
@@ -226,8 +323,8 @@ fn undo_reaches_back_over_several_loads_and_what_was_done_between() {
 fn one_file_alone_is_told_as_one_and_a_folder_of_one_too() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("a.csv"), LAMP).unwrap();
-    let mut ui = fresh();
     for path in [folder.path().join("a.csv"), folder.path().to_owned()] {
+        let mut ui = fresh();
         open(&mut ui, vec![path]);
         let message = app(&ui).message().unwrap();
         assert!(
@@ -273,7 +370,7 @@ fn the_folder_dialog_gives_a_folder() {
         record.lock().unwrap().push(ask.clone());
         Picked::Paths(vec![top.clone()])
     }));
-    click(&mut ui, "Path");
+    click(&mut ui, "Open");
     click(&mut ui, "Open a folder…");
     wait_until(&mut ui, "the folder", |ui| {
         app(ui).document().own.len() == 4
@@ -324,7 +421,7 @@ fn cancelling_keeps_what_was_read_and_tells_what_was_not() {
     assert!(
         message
             .text
-            .starts_with(&format!("{read} of 400 files read")),
+            .starts_with(&format!("Cancelled: {read} of 400 files read")),
         "{message:?}"
     );
     assert!(

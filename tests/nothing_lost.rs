@@ -202,7 +202,8 @@ fn a_damaged_workspace_is_kept_aside_under_a_name_that_is_told() {
         let why = workspace::load(&path).expect_err("half a workspace");
         assert_eq!(why.lines().count(), 1);
         let kept = why.split("kept as ").nth(1).expect("where it is kept");
-        let kept = PathBuf::from(kept.trim_end_matches('.'));
+        let (name, rest) = kept.split_once(" in ").expect("its folder");
+        let kept = PathBuf::from(rest.split(" (").next().expect("a folder")).join(name);
         assert_eq!(
             fs::read(&kept).expect("the damaged one"),
             &whole.as_bytes()[..cut]

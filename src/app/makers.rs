@@ -39,12 +39,23 @@ pub struct Beside {
     pub theirs: f64,
     /// Ours, or why there is none.
     pub ours: Result<f64, &'static str>,
+    /// Half of the last figure that the file writes: how far its number is told at all.
+    pub told_to: Option<f64>,
 }
 
 impl Beside {
     /// Ours less theirs.
     pub fn difference(&self) -> Option<f64> {
         self.ours.ok().map(|ours| ours - self.theirs)
+    }
+
+    /// Whether the difference is no more than what the file's rounding hides.
+    pub fn is_as_told(&self) -> bool {
+        let Some((difference, told_to)) = self.difference().zip(self.told_to) else {
+            return false;
+        };
+        // Half a figure is hardly ever a whole number of bits.
+        difference.abs() <= told_to * (1.0 + 1e-9)
     }
 }
 
@@ -60,16 +71,40 @@ pub fn beside(entry: &Entry) -> Vec<Beside> {
             quantity,
             value,
             unit,
-            as_written: _,
+            as_written,
         } = result;
+        let of_photons = |words: &str| words.starts_with("PFD-");
+        let unit = match quantity {
+            // LI-COR writes no unit beside the parts of the flux whose unit it does write.
+            Quantity::Other(words) if unit.is_empty() && of_photons(words) => {
+                Quantity::Pfd.usual_unit().to_owned()
+            }
+            _ => unit.clone(),
+        };
         Beside {
+            told_to: half_of_last_figure(as_written, *value),
+            ours: light.compute(quantity, &unit),
             quantity: quantity.clone(),
-            unit: unit.clone(),
+            unit,
             theirs: *value,
-            ours: light.compute(quantity, unit),
         }
     };
     entry.makers.iter().map(of).collect()
+}
+
+/// Half of the last figure of a number in the words that it was written in: 0.05 for `PPFD 0.4`.
+fn half_of_last_figure(as_written: &str, value: f64) -> Option<f64> {
+    let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
+    let mut numbers = as_written.rsplit(|c: char| !is_of_number(c));
+    numbers.find_map(|text| {
+        let text = text.replace(',', ".");
+        let number: f64 = text.parse().ok()?;
+        if (number - value.abs()).abs() > 1e-9 * number {
+            return None;
+        }
+        let decimals = text.split_once('.').map_or(0, |(_, behind)| behind.len());
+        Some(0.5 * 10f64.powi(-(decimals as i32)))
+    })
 }
 
 /// The comparison as a table.
@@ -170,7 +205,6 @@ impl<'a> Light<'a> {
             "PFD-G" => [500.0, 600.0],
             "PFD-R" => [600.0, 700.0],
             "PFD-FR" => [700.0, 780.0],
-            "fc" => return Ok(self.photometric(false)? * self.xyz.y * SQUARE_FOOT_M2),
             "Illuminance" if unit == "fc" => {
                 return Ok(self.photometric(false)? * self.xyz.y * SQUARE_FOOT_M2);
             }

@@ -1,6 +1,7 @@
 //! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
 
 pub mod absorption_names;
+pub mod already_open;
 pub mod cells;
 pub mod chart;
 pub mod charts;
@@ -15,6 +16,7 @@ pub mod library;
 pub mod licences;
 pub mod line_names;
 pub mod makers;
+pub mod natural;
 pub mod open;
 pub mod opened;
 pub mod pages;

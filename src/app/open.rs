@@ -10,7 +10,7 @@ use std::{
 };
 
 pub use batch::{Came, FileRead, Finished, Loader, Progress};
-pub use summary::{FileRow, Outcome, Summary};
+pub use summary::{FileRow, OpenBefore, Outcome, Summary};
 
 use super::{
     entry::{Entry, sampled_from_composite},
@@ -228,13 +228,18 @@ impl Opened {
     /// mean.
     pub fn into_spectra(self) -> Vec<NamedSpectrum> {
         if self.spectra.is_empty() {
-            return self
-                .images
-                .iter()
-                .filter_map(|image| image.mean())
-                .collect();
+            return self.means();
         }
         self.spectra
+    }
+
+    /// The means of its images; of one in which nothing was measured the spectra listed.
+    pub fn means(&self) -> Vec<NamedSpectrum> {
+        let means: Vec<_> = self.images.iter().filter_map(|i| i.mean()).collect();
+        if means.is_empty() {
+            return self.spectra.clone();
+        }
+        means
     }
 }
 
@@ -338,6 +343,8 @@ fn from_file(
     let (mut spectra, makers) = match load_path_with(path, choices) {
         Loaded::File(opened) => match pixels {
             Some(pixels) => (opened.spectra_of_pixels(pixels)?, Vec::new()),
+            // What the picture of an image is of, unless one of the listed pixels is named.
+            None if pick.is_none() && !opened.images.is_empty() => (opened.means(), Vec::new()),
             None => {
                 let makers: Vec<_> = (0..opened.spectra.len())
                     .map(|index| opened.makers_of(index))

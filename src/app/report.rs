@@ -127,6 +127,7 @@ fn makers_json(row: &Beside) -> Value {
         unit,
         theirs,
         ours,
+        told_to: _,
     } = row;
     json!({
         "quantity": quantity.to_string(),

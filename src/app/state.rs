@@ -44,6 +44,8 @@ pub struct Message {
     pub text: String,
     /// The revision of the document that it was said about.
     pub revision: u64,
+    /// Whether it is history once the document has changed.
+    pub is_passing: bool,
 }
 
 /// What the shared tables were made for.
@@ -192,10 +194,11 @@ impl App {
     }
 
     /// The newest message, as long as it is about what is shown: what was told of a document that
-    /// has changed since is history. A problem stays until something else is said.
+    /// has changed since is history. A problem stays until something else is said, unless it is
+    /// about what was opened.
     pub fn current_message(&self) -> Option<&Message> {
         self.message()
-            .filter(|m| m.tone == Tone::Problem || m.revision == self.revision)
+            .filter(|m| !m.is_passing || m.revision == self.revision)
     }
 
     /// All messages, oldest first.
@@ -213,16 +216,27 @@ impl App {
         self.history.can_redo()
     }
 
-    /// Says something in the status line.
+    /// Says something in the status line: what was done is history with the next change, a
+    /// problem stays.
     pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
+        self.push_message(tone, text.into(), tone == Tone::Info);
+    }
+
+    /// Says something about the document as it is now: an undo takes it away.
+    pub fn say_for_now(&mut self, tone: Tone, text: impl Into<String>) {
+        self.push_message(tone, text.into(), true);
+    }
+
+    fn push_message(&mut self, tone: Tone, text: String, is_passing: bool) {
         const MOST: usize = 200;
         if self.messages.len() == MOST {
             self.messages.remove(0);
         }
         self.messages.push(Message {
             tone,
-            text: text.into(),
+            text,
             revision: self.revision,
+            is_passing,
         });
     }
 

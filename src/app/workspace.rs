@@ -339,8 +339,7 @@ pub fn to_json_with(
 /// # Errors
 /// One line that says what is wrong with the text.
 pub fn from_json(text: &str) -> Result<Restored, String> {
-    let stored: Stored = serde_json::from_str(text)
-        .map_err(|e| format!("line {}: {e}, expected a {FORMAT} file", e.line()))?;
+    let stored: Stored = serde_json::from_str(text).map_err(|e| broken_json(&e))?;
     if stored.format != FORMAT {
         return Err(format!(
             "found the format {:?}, expected {FORMAT:?}",
@@ -471,6 +470,25 @@ impl OwnSpectrum {
     }
 }
 
+/// What is wrong with a text that is no project, in words.
+fn broken_json(error: &serde_json::Error) -> String {
+    let line = error.line();
+    match error.classify() {
+        serde_json::error::Category::Eof if line <= 1 && error.column() == 0 => {
+            format!("found an empty file, expected a {FORMAT} file")
+        }
+        serde_json::error::Category::Eof => {
+            format!("line {line}: the file ends in the middle, expected a whole {FORMAT} file")
+        }
+        _ => {
+            // serde repeats the place at the end.
+            let words = error.to_string();
+            let words = words.split(" at line ").next().unwrap_or_default();
+            format!("line {line}: {words}, expected a {FORMAT} file")
+        }
+    }
+}
+
 /// Where the workspace lies on this computer; `None` when the system names no data folder.
 pub fn default_path() -> Option<PathBuf> {
     let folders = directories::ProjectDirs::from("org", "", "spectral-explorer")?;
@@ -484,9 +502,27 @@ pub fn default_path() -> Option<PathBuf> {
 pub fn save(path: &Path, text: &str) -> Result<(), String> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)
-            .map_err(|e| format!("workspace not saved: {}: {e}", folder.display()))?;
+            .map_err(|e| format!("Workspace not saved: {}.", no_folder(folder, &e)))?;
     }
-    save_atomically(path, text.as_bytes()).map_err(|e| format!("workspace not saved: {e}"))
+    save_atomically(path, text.as_bytes()).map_err(|e| format!("Workspace not saved: {e}."))
+}
+
+/// Why a folder for the workspace could not be made.
+fn no_folder(folder: &Path, error: &std::io::Error) -> String {
+    use std::io::ErrorKind;
+    let folder = folder.display();
+    match error.kind() {
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+            format!("found no permission to make the folder {folder}, expected one to write to")
+        }
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            format!("found the disk full at {folder}, expected room for the workspace")
+        }
+        ErrorKind::NotADirectory | ErrorKind::AlreadyExists => {
+            format!("found a file in the way of the folder {folder}, expected a folder")
+        }
+        _ => format!("the folder {folder} cannot be made, expected one that can be written to"),
+    }
 }
 
 /// Takes away what a save left unfinished when the program was killed, if it is older than `age`:
@@ -536,9 +572,11 @@ fn set_aside(path: &Path, why: &str) -> String {
         number += 1;
     }
     match std::fs::rename(path, &kept) {
+        // The new name first: a narrow status line cuts the end, its tooltip has all.
         Ok(()) => format!(
-            "The last workspace could not be read ({why}); it is kept as {}.",
-            kept.display()
+            "The last workspace is damaged and kept as {} in {} ({why}).",
+            kept.file_name().unwrap_or_default().to_string_lossy(),
+            kept.parent().unwrap_or(Path::new("")).display()
         ),
         Err(e) => format!("The last workspace could not be read ({why}) nor set aside ({e})."),
     }

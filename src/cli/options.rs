@@ -12,7 +12,8 @@ use crate::{
 /// Which spectrum is meant, what it is and what shines on it.
 #[derive(Args, Clone, Debug, Default)]
 pub struct PickOptions {
-    /// Which spectrum of a file with several, by name or number from 1 [default: the first].
+    /// Which spectrum of a file with several, by name or number from 1 [default: the first; of
+    /// an image the mean of its pixels].
     #[arg(long, value_name = "NAME|INDEX")]
     pub spectrum: Option<String>,
     /// What the values are: light, reflectance or transmittance [default: as the file says].
@@ -21,8 +22,8 @@ pub struct PickOptions {
     /// The light on a reflectance or transmittance, a file or a preset [default: CIE D65].
     #[arg(long, value_name = "NAME")]
     pub light: Option<String>,
-    /// Which pixel of a spectral image: its column and row, from 0 [default: the whole image's
-    /// mean].
+    /// Which pixel of a spectral image: its column and row, from 0 [default: the mean of
+    /// all pixels, unless --spectrum names one].
     #[arg(long, value_name = "X,Y", value_parser = words::pixel, conflicts_with = "region")]
     pub pixel: Option<Rect>,
     /// Which part of a spectral image: first column and row, from 0, width and height; its mean.

@@ -178,6 +178,8 @@ pub enum Mapping {
     AdaptedAndClipped,
     /// A patch that was to be adapted, but the light is too narrow for that: only cut to 0-1.
     TooNarrowToAdapt,
+    /// By the exposure of a picture, channels cut to 0-1.
+    Exposed,
     /// There is no light to show: black.
     NoLight,
 }
@@ -192,6 +194,7 @@ impl Mapping {
             Self::TooNarrowToAdapt => {
                 "the light is too narrow to adapt to: relative to its Y, channels cut to 0-1"
             }
+            Self::Exposed => "by the picture's exposure, channels cut to 0-1",
             Self::NoLight => "no light: black",
         }
     }
@@ -257,6 +260,15 @@ impl Swatch {
             .iter()
             .all(|v| (-GAMUT_SLACK..=1.0 + BRIGHT_SLACK).contains(v));
         Self::new(linear, in_gamut, Mapping::ScaledToMaximum)
+    }
+
+    /// XYZ with 1 for the screen's white, channels cut to 0-1. What is brighter than the screen is
+    /// cut and still of its gamut.
+    pub fn exposed(xyz: Xyz) -> Self {
+        let linear = linear_from_xyz(xyz);
+        let largest = linear.into_iter().fold(1.0, f64::max);
+        let in_gamut = linear.iter().all(|v| *v >= -GAMUT_SLACK * largest);
+        Self::new(linear, in_gamut, Mapping::Exposed)
     }
 
     /// `#rrggbb`.

@@ -144,6 +144,15 @@ impl Quantity {
     pub fn of_key(key: &str) -> (Self, String) {
         let key = key.trim().trim_end_matches([':', '=']).trim();
         let (name, unit) = split_unit(key);
+        // UPRtek writes the foot-candles of Sekonic's "Illuminance [fc]" so.
+        if name == "fc" {
+            return (Self::Other("Illuminance".to_owned()), "fc".to_owned());
+        }
+        // "Custom1(655~665nm)" and "Ratio1(Custom1:Custom2)" say what, not in which unit.
+        let (name, unit) = match unit.contains(['~', ':']) {
+            true => (key, ""),
+            false => (name, unit),
+        };
         let quantity = known(name).unwrap_or_else(|| Self::Other(name.to_owned()));
         let unit = if unit.is_empty() {
             quantity.usual_unit().to_owned()
@@ -320,6 +329,17 @@ mod tests {
             ("LambdaP", Quantity::PeakNm, "nm"),
             ("Peak Wavelength [nm]", Quantity::PeakNm, "nm"),
             ("R:B", Quantity::Other("R:B".to_owned()), ""),
+            ("fc", Quantity::Other("Illuminance".to_owned()), "fc"),
+            (
+                "Custom1(655~665nm)",
+                Quantity::Other("Custom1(655~665nm)".to_owned()),
+                "",
+            ),
+            (
+                "Ratio1(Custom1:Custom2)",
+                Quantity::Other("Ratio1(Custom1:Custom2)".to_owned()),
+                "",
+            ),
             ("R16", Quantity::Other("R16".to_owned()), ""),
         ] {
             assert_eq!(Quantity::of_key(key), (quantity, unit.to_owned()), "{key}");

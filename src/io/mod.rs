@@ -176,7 +176,7 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
     let name = input::name_of(path);
     let trouble = |error: std::io::Error| {
         let (found, expected) = match error.kind() {
-            std::io::ErrorKind::NotFound => ("no such file".to_owned(), "a file that exists"),
+            std::io::ErrorKind::NotFound => (missing(path), "a file that exists"),
             std::io::ErrorKind::PermissionDenied => {
                 ("no permission to read it".to_owned(), "a file you may read")
             }
@@ -197,6 +197,18 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
         .read_to_end(&mut bytes)
         .map_err(trouble)?;
     read(&Input::at(path, &bytes).deciding(choices))
+}
+
+/// What is said of a file that is not there: where it was looked for, too.
+fn missing(path: &Path) -> String {
+    match path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+    {
+        None => "no such file".to_owned(),
+        Some(folder) if folder.is_dir() => format!("no such file in {}", folder.display()),
+        Some(folder) => format!("no folder {}", folder.display()),
+    }
 }
 
 /// Reads a file that is in memory; `name` is what messages and spectra call it.
@@ -266,7 +278,15 @@ mod tests {
         let missing = read_path(&folder.path().join("none.csv")).unwrap_err();
         assert_eq!(
             missing.to_string(),
-            "none.csv: found no such file, expected a file that exists"
+            format!(
+                "none.csv: found no such file in {}, expected a file that exists",
+                folder.path().display()
+            )
+        );
+        let nowhere = read_path(Path::new("/nope/x.csv")).unwrap_err();
+        assert_eq!(
+            nowhere.to_string(),
+            "x.csv: found no folder /nope, expected a file that exists"
         );
     }
 }

@@ -11,9 +11,9 @@ pub const FORMAT: Format = Format {
 };
 
 /// What a person can do instead.
-const AS_CSV: &str = "a spectrum; save it as CSV or text first";
+const AS_CSV: &str = "a format that is read; save it as CSV or text first";
 const FROM_MAKER: &str =
-    "a spectrum; export it as CSV, text or JCAMP-DX from the program that wrote it";
+    "a format that is read; export it as CSV, text or JCAMP-DX from the program that wrote it";
 const WITH_HEADER: &str = "a header .hdr of the same name beside it";
 const A_SPECTRUM: &str = "a file with a spectrum";
 

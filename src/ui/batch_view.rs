@@ -1,7 +1,9 @@
 //! Files that were opened together: how far they are, and what came of each.
 
 use eframe::egui;
-use egui::{Context, RichText, ScrollArea, Ui, vec2};
+use egui::{
+    Align2, Context, Key, Modifiers, Rect, RichText, ScrollArea, Sense, TextStyle, Ui, vec2,
+};
 
 use super::{
     pages::rows::{self, Column, Row},
@@ -63,6 +65,33 @@ enum Shown {
     NotRead,
 }
 
+/// What a file of a batch brought into the document first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Brought {
+    /// Nothing: it was refused, not read, or a project.
+    Nothing,
+    /// A spectrum, by the key of its entry and the file that it is of.
+    Spectrum {
+        /// The entry's key.
+        key: String,
+        /// Its source: after an undo another file may have the key.
+        source: String,
+    },
+    /// An image, by its key.
+    Image(String),
+}
+
+/// What was asked for in the window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// What a file brought is to be shown.
+    Show(Brought),
+    /// How a file was read is to be looked at.
+    Look(Brought),
+    /// A sentence for the status line.
+    Say(String),
+}
+
 /// The last summary, and its window.
 #[derive(Default)]
 pub struct BatchView {
@@ -70,13 +99,22 @@ pub struct BatchView {
     headline: String,
     is_open: bool,
     shown: Shown,
-    /// Rows as they are drawn, made once.
+    /// What each row of the summary brought.
+    brought: Vec<Brought>,
+    /// Rows as they are drawn, made once, and the row of the summary that each is.
     rows: Vec<Row>,
+    of: Vec<usize>,
+    /// The row of the summary that was clicked last.
+    chosen: Option<usize>,
 }
 
 impl BatchView {
     /// A new summary: its window opens.
-    pub fn take(&mut self, summary: Summary) {
+    ///
+    /// `brought` tells what each of its rows brought.
+    pub fn take(&mut self, summary: Summary, brought: Vec<Brought>) {
+        self.brought = brought;
+        self.chosen = None;
         self.headline = format!("{}.", summary.headline());
         self.summary = Some(summary);
         self.choose(Shown::All);
@@ -108,25 +146,25 @@ impl BatchView {
             .map(|(folder, _)| format!("{folder}/"))
             .filter(|folder| rows().all(|row| row.file.starts_with(folder.as_str())))
             .unwrap_or_default();
-        self.rows = rows()
-            .filter(|row| match shown {
-                Shown::All => true,
-                Shown::Doubtful => row.is_doubtful(),
-                Shown::NotRead => !row.is_read(),
-            })
-            .map(|row| drawn(row, &folder))
-            .collect();
+        let seen = rows().enumerate().filter(|(_, row)| match shown {
+            Shown::All => true,
+            Shown::Doubtful => row.is_doubtful(),
+            Shown::NotRead => !row.is_read(),
+        });
+        let (of, rows) = seen.map(|(i, row)| (i, drawn(row, &folder))).unzip();
+        (self.of, self.rows) = (of, rows);
     }
 
-    /// Draws the window if it is open; a sentence for the status line if something was copied.
-    pub fn window(&mut self, context: &Context, theme: Theme) -> Option<String> {
+    /// Draws the window if it is open, and tells what was asked for in it. Escape closes it where
+    /// the key is nobody else's.
+    pub fn window(&mut self, context: &Context, theme: Theme, keys_are_free: bool) -> Option<Wish> {
         if !self.is_open {
             return None;
         }
         let mut open = true;
-        let mut copied = None;
+        let mut wish = None;
         let room = context.content_rect().size();
-        let width = (0.6 * room.x).clamp(800.0, 1100.0);
+        let width = (0.86 * room.x).clamp(800.0, 1680.0);
         egui::Window::new("Files opened together")
             .open(&mut open)
             .collapsible(false)
@@ -136,12 +174,16 @@ impl BatchView {
             ))
             .default_size(vec2(width, 0.5 * room.y).min(room - vec2(40.0, 80.0)))
             .min_size(vec2(420.0, 200.0))
-            .show(context, |ui| copied = self.content(ui, theme));
-        self.is_open &= open;
-        copied
+            .show(context, |ui| wish = self.content(ui, theme));
+        let escaped = keys_are_free
+            && !context.text_edit_focused()
+            && !egui::Popup::is_any_open(context)
+            && context.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape));
+        self.is_open &= open && !escaped;
+        wish
     }
 
-    fn content(&mut self, ui: &mut Ui, theme: Theme) -> Option<String> {
+    fn content(&mut self, ui: &mut Ui, theme: Theme) -> Option<Wish> {
         let summary = self.summary.as_ref()?;
         ui.add(egui::Label::new(&self.headline).wrap());
         ui.add_space(4.0);
@@ -150,7 +192,7 @@ impl BatchView {
             summary.count(FileRow::is_doubtful),
             summary.count(|row| !row.is_read()),
         );
-        let (mut chosen, mut copied, mut closed) = (None, None, false);
+        let (mut chosen, mut wish, mut closed) = (None, None, false);
         ui.horizontal(|ui| {
             for (shown, words, count, meaning) in [
                 (Shown::All, "All", all, "Every file that was opened."),
@@ -180,25 +222,62 @@ impl BatchView {
                 }
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                closed = ui.button("Close").clicked();
+                closed = ui.button("Close").on_hover_text("Escape").clicked();
                 if ui
                     .button("Copy as CSV")
                     .on_hover_text("Every file with format, count, how it was read and its path.")
                     .clicked()
                 {
                     ui.copy_text(summary.csv().trim_end().to_owned());
-                    copied = Some("Copied as CSV: files opened together.".to_owned());
+                    wish = Some(Wish::Say(
+                        "Copied as CSV: files opened together.".to_owned(),
+                    ));
                 }
             });
         });
         ui.add_space(2.0);
-        table(ui, &self.rows, theme);
+        let doubts: Vec<bool> = self
+            .of
+            .iter()
+            .map(|i| summary.rows[*i].is_doubtful() && self.has_spectrum(*i))
+            .collect();
+        let now = self.of.iter().position(|i| Some(*i) == self.chosen);
+        match table(ui, &self.rows, &doubts, now, theme) {
+            Some(Clicked::Row(row)) => {
+                self.chosen = Some(self.of[row]);
+                wish = Some(match &self.brought(self.of[row]) {
+                    Brought::Nothing => Wish::Say(self.rows[row].name.clone()),
+                    brought => Wish::Show(brought.clone()),
+                });
+            }
+            Some(Clicked::Look(row)) => {
+                self.chosen = Some(self.of[row]);
+                wish = Some(Wish::Look(self.brought(self.of[row])));
+            }
+            None => {}
+        }
         if let Some(shown) = chosen {
             self.choose(shown);
         }
         self.is_open &= !closed;
-        copied
+        wish
     }
+
+    fn brought(&self, row: usize) -> Brought {
+        self.brought.get(row).cloned().unwrap_or(Brought::Nothing)
+    }
+
+    fn has_spectrum(&self, row: usize) -> bool {
+        matches!(self.brought.get(row), Some(Brought::Spectrum { .. }))
+    }
+}
+
+/// Where a table was clicked, by the row drawn.
+enum Clicked {
+    /// On a row.
+    Row(usize),
+    /// On the button of a doubtful row.
+    Look(usize),
 }
 
 fn drawn(row: &FileRow, folder: &str) -> Row {
@@ -229,29 +308,43 @@ fn drawn(row: &FileRow, folder: &str) -> Row {
     }
 }
 
-/// The rows in view; there may be thousands.
-fn table(ui: &mut Ui, rows: &[Row], theme: Theme) {
-    let columns = [
+/// The rows in view; there may be thousands. `doubts` tells which of them have a button that
+/// shows how they were read.
+fn table(
+    ui: &mut Ui,
+    rows: &[Row],
+    doubts: &[bool],
+    chosen: Option<usize>,
+    theme: Theme,
+) -> Option<Clicked> {
+    let mut columns = vec![
         Column::words(
             "File",
-            "Its path below the folder that was opened. × refused or not read, ? doubtful.",
-            2.6,
+            "Its path below the folder that was opened. × refused or not read, ? doubtful. A \
+             click shows its first spectrum.",
+            2.4,
         ),
-        Column::words("Format", "The format that read it.", 1.7),
+        Column::words("Format", "The format that read it.", 1.5),
         Column::numbers(
             "Spectra",
             "How many spectra it holds; images beside them.",
-            0.9,
+            0.8,
         ),
         Column::words(
             "How it was read",
             "Grid, points, range, kind and unit; or why it was refused.",
-            5.0,
+            // Long sentences: a wide window is theirs.
+            (ui.available_width() / (110.0 * theme.scale) - 5.4).max(5.0),
         ),
     ];
+    if doubts.contains(&true) {
+        let meaning = "Shows the file's first rows and what was decided, to look at or turn round.";
+        columns.push(Column::words("", meaning, 0.8));
+    }
     let height = rows::height(ui);
     rows::head(ui, &columns, theme);
-    ScrollArea::vertical()
+    let mut looked = None;
+    let row = ScrollArea::vertical()
         .auto_shrink(false)
         .show_rows(ui, height, rows.len(), |ui, range| {
             let first = range.start;
@@ -260,8 +353,33 @@ fn table(ui: &mut Ui, rows: &[Row], theme: Theme) {
                 ui,
                 &columns,
                 (seen, first),
-                (None, false),
-                &mut |_, _, _| {},
-            );
-        });
+                (chosen, true),
+                &mut |ui, [row, column], cell| {
+                    if column == 4 && doubts.get(row) == Some(&true) && look(ui, row, cell) {
+                        looked = Some(row);
+                    }
+                },
+            )
+        })
+        .inner;
+    looked.map(Clicked::Look).or(row.map(Clicked::Row))
+}
+
+/// The button of a doubtful row, over the row itself.
+fn look(ui: &Ui, row: usize, cell: Rect) -> bool {
+    let rect = cell.shrink2(vec2(0.0, 1.0));
+    let response = ui.interact(rect, ui.scope_id().with(("look", row)), Sense::click());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Look…"));
+    let visuals = ui.style().interact(&response);
+    ui.painter().rect_filled(rect, 3.0, visuals.bg_fill);
+    ui.painter().text(
+        rect.center(),
+        Align2::CENTER_CENTER,
+        "Look…",
+        TextStyle::Small.resolve(ui.style()),
+        visuals.text_color(),
+    );
+    response
+        .on_hover_text("How it was read: its first rows, what was decided, the other choices.")
+        .clicked()
 }

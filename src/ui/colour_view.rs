@@ -219,7 +219,7 @@ fn warnings(ui: &mut Ui, app: &App, theme: Theme) {
 }
 
 /// A sentence's first letter.
-fn capitalised(text: &str) -> String {
+pub(super) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     match letters.next() {
         Some(first) => first.to_uppercase().chain(letters).collect(),

@@ -77,13 +77,32 @@ enum Row {
         count: usize,
         folded: bool,
     },
-    Item(Arc<Entry>),
+    /// A file of the user's own with several spectra.
+    File {
+        name: String,
+        count: usize,
+        folded: bool,
+    },
+    Item {
+        entry: Arc<Entry>,
+        /// Letters at the beginning and the end that all names of its file have in common;
+        /// `None` where it stands alone.
+        in_file: Option<[usize; 2]>,
+    },
 }
+
+/// What a file is called among the folds that are remembered: none of the shelves is called so.
+fn fold_of(file: &str) -> String {
+    format!("file: {file}")
+}
+
+/// Indent of a file's spectra, points.
+const INDENT: f32 = 10.0;
 
 /// What a row asked for.
 enum Wish {
     Command(Command),
-    Fold(&'static str),
+    Fold(String),
 }
 
 const OWN: &str = "My files";
@@ -134,11 +153,21 @@ impl LibraryView {
                             folded,
                         } => {
                             if heading(ui, size, title, *count, *folded) {
-                                wish = Some(Wish::Fold(title));
+                                wish = Some(Wish::Fold((*title).to_owned()));
                             }
                         }
-                        Row::Item(entry) => {
-                            if let Some(command) = self.item(ui, size, entry, app, theme) {
+                        Row::File {
+                            name,
+                            count,
+                            folded,
+                        } => {
+                            if file_heading(ui, size, name, *count, *folded) {
+                                wish = Some(Wish::Fold(fold_of(name)));
+                            }
+                        }
+                        Row::Item { entry, in_file } => {
+                            let row = (entry, *in_file);
+                            if let Some(command) = self.item(ui, size, row, app, theme) {
                                 wish = Some(Wish::Command(command));
                             }
                         }
@@ -150,9 +179,9 @@ impl LibraryView {
             Some(Wish::Command(command)) => commands.push(command),
             Some(Wish::Fold(title)) => {
                 let folded = &mut preferences.folded;
-                match folded.iter().position(|f| f == title) {
+                match folded.iter().position(|f| *f == title) {
                     Some(index) => drop(folded.remove(index)),
-                    None => folded.push(title.to_owned()),
+                    None => folded.push(title),
                 }
             }
             None => {}
@@ -211,9 +240,20 @@ impl LibraryView {
                 count: entries.len(),
                 folded,
             });
-            if !folded {
-                rows.extend(entries.into_iter().map(Row::Item));
+            if folded {
+                return;
             }
+            if title == OWN {
+                let is_folded = |file: &str| {
+                    let fold = fold_of(file);
+                    wanted.is_empty() && preferences.folded.contains(&fold)
+                };
+                return by_file(entries, is_folded, &mut rows);
+            }
+            rows.extend(entries.into_iter().map(|entry| Row::Item {
+                entry,
+                in_file: None,
+            }));
         };
         let own = app.document().own.iter();
         shelf(OWN, own.filter(|e| matches(e)).cloned().collect());
@@ -231,7 +271,7 @@ impl LibraryView {
         &mut self,
         ui: &mut Ui,
         size: Vec2,
-        entry: &Arc<Entry>,
+        (entry, in_file): (&Arc<Entry>, Option<[usize; 2]>),
         app: &App,
         theme: Theme,
     ) -> Option<Command> {
@@ -278,8 +318,9 @@ impl LibraryView {
         }
         let (_, art) = self.art.get(&entry.key)?;
         let side = rect.height() - 7.0;
+        let indent = in_file.map_or(0.0, |_| INDENT * theme.scale);
         let field = Rect::from_min_size(
-            pos2(rect.left() + 4.0, rect.center().y - side / 2.0),
+            pos2(rect.left() + 4.0 + indent, rect.center().y - side / 2.0),
             Vec2::splat(side),
         );
         ui.painter().rect_filled(field, 2.0, art.colour);
@@ -307,7 +348,8 @@ impl LibraryView {
             pos2(name_right, rect.bottom()),
         );
         let font = egui::TextStyle::Body.resolve(ui.style());
-        let name = elided(ui, &row_name(entry), &font, name_rect.width());
+        let common = in_file.unwrap_or_default();
+        let name = elided(ui, &row_name(entry), common, &font, name_rect.width());
         ui.painter()
             .with_clip_rect(name_rect.intersect(ui.clip_rect()))
             .text(
@@ -402,11 +444,6 @@ impl Art {
             })
             .collect();
         let top = values.iter().copied().fold(0.0, f64::max);
-        let top = if entry.kind().is_factor() {
-            top.max(1.0)
-        } else {
-            top
-        };
         let swatch = match entry.kind() {
             Kind::Light => {
                 xyz_from_light(samples, Outside::Zero, Observer::Cie1931).map(Swatch::of_light)
@@ -484,6 +521,28 @@ fn heading(ui: &mut Ui, size: Vec2, title: &str, count: usize, folded: bool) -> 
     response.clicked()
 }
 
+/// The name of a file of the user's own; whether it was clicked.
+fn file_heading(ui: &mut Ui, size: Vec2, name: &str, count: usize, folded: bool) -> bool {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let words = format!("{name}, {count} spectra");
+    response.widget_info(|| egui::WidgetInfo::selected(egui::Role::Button, true, !folded, &words));
+    let colour = ui.style().interact(&response).fg_stroke.color;
+    let small = egui::TextStyle::Small.resolve(ui.style());
+    let (painter, middle) = (ui.painter(), rect.center().y);
+    let mark = if folded { "▸" } else { "▾" };
+    let left = pos2(rect.left() + 4.0, middle);
+    painter.text(left, Align2::LEFT_CENTER, mark, small.clone(), colour);
+    let right = pos2(rect.right() - 4.0, middle);
+    let weak = ui.visuals().weak_text_color();
+    let count = count.to_string();
+    let counted = painter.text(right, Align2::RIGHT_CENTER, count, small.clone(), weak);
+    let room = counted.left() - 6.0 - (rect.left() + 17.0);
+    let name = elided(ui, name, [0; 2], &small, room);
+    let left = pos2(rect.left() + 17.0, middle);
+    painter.text(left, Align2::LEFT_CENTER, name, small, colour);
+    response.on_hover_text(words).clicked()
+}
+
 fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], theme: Theme, colour: Color32) {
     let step = rect.width() / (heights.len().max(2) - 1) as f32;
     let points: Vec<_> = heights
@@ -503,9 +562,76 @@ fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], theme: Theme, colour: Color3
     ui.painter().add(Shape::line(points, stroke));
 }
 
+/// Spectra of the user's own with a heading over those of a file that brought several.
+fn by_file(entries: Vec<Arc<Entry>>, is_folded: impl Fn(&str) -> bool, rows: &mut Vec<Row>) {
+    let mut places: HashMap<String, usize> = HashMap::new();
+    let mut files: Vec<Vec<Arc<Entry>>> = Vec::new();
+    for entry in entries {
+        let file = entry.spectrum.source.clone();
+        match places.get(&file) {
+            Some(place) if !file.is_empty() => files[*place].push(entry),
+            _ => {
+                places.insert(file, files.len());
+                files.push(vec![entry]);
+            }
+        }
+    }
+    for file in files {
+        if file.len() == 1 {
+            rows.extend(file.into_iter().map(|entry| Row::Item {
+                entry,
+                in_file: None,
+            }));
+            continue;
+        }
+        let name = file[0].spectrum.source.clone();
+        let folded = is_folded(&name);
+        rows.push(Row::File {
+            count: file.len(),
+            folded,
+            name,
+        });
+        if folded {
+            continue;
+        }
+        let in_file = Some(common(&file));
+        rows.extend(file.into_iter().map(|entry| Row::Item { entry, in_file }));
+    }
+}
+
+/// How many letters all names have in common at their beginning and, behind those, at their end.
+fn common(entries: &[Arc<Entry>]) -> [usize; 2] {
+    let mut names = entries.iter().map(|e| e.name().chars().collect::<Vec<_>>());
+    let Some(first) = names.next() else {
+        return [0; 2];
+    };
+    let same = |a: &mut dyn Iterator<Item = (char, char)>| a.take_while(|(a, b)| a == b).count();
+    let (mut head, mut tail, mut least) = (first.len(), first.len(), first.len());
+    for name in names {
+        let forth = &mut first.iter().copied().zip(name.iter().copied());
+        head = head.min(same(forth));
+        let back = &mut first.iter().rev().copied().zip(name.iter().rev().copied());
+        tail = tail.min(same(back));
+        least = least.min(name.len());
+    }
+    let head = head.min(least);
+    let tail = tail.min(least - head);
+    // Whole words: "…column 1" tells more than "…1".
+    let is_gap = |c: &char| !c.is_alphanumeric();
+    let begun = first[..head].iter().rposition(|c| !is_gap(c)).unwrap_or(0);
+    let head = first[..begun]
+        .iter()
+        .rposition(is_gap)
+        .map_or(0, |at| at + 1);
+    let behind = &first[first.len() - tail..];
+    let tail = behind.iter().position(is_gap).map_or(0, |at| tail - at);
+    [head, tail]
+}
+
 /// A name cut to a width, with an ellipsis in its middle: what tells names apart is often at the
-/// end.
-fn elided(ui: &Ui, text: &str, font: &FontId, width: f32) -> String {
+/// end. Of letters that the names of a file have in common `[at the beginning, at the end]` only
+/// what there is room for is left.
+fn elided(ui: &Ui, text: &str, [head, tail]: [usize; 2], font: &FontId, width: f32) -> String {
     let fits = |text: &str| {
         let galley = ui
             .painter()
@@ -515,7 +641,17 @@ fn elided(ui: &Ui, text: &str, font: &FontId, width: f32) -> String {
     if fits(text) {
         return text.to_owned();
     }
-    let letters: Vec<char> = text.chars().collect();
+    let mut letters: Vec<char> = text.chars().collect();
+    if head + tail > 0 && head + tail < letters.len() {
+        let own = &letters[head..letters.len() - tail];
+        let dots = |count: usize| if count > 0 { "…" } else { "" };
+        let own: String = own.iter().collect();
+        let own = format!("{}{own}{}", dots(head), dots(tail));
+        if fits(&own) {
+            return own;
+        }
+        letters = own.chars().collect();
+    }
     let cut = |kept: usize| -> String {
         let (head, tail) = (kept.div_ceil(2), kept / 2);
         letters[..head]

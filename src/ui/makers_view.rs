@@ -9,6 +9,7 @@ use crate::{
         App,
         entry::Entry,
         makers::{Beside, NOT_YET, beside, to_csv},
+        spectral_unit::{Counted, SpectralUnit},
         ticks::short,
     },
     io::Quantity,
@@ -19,16 +20,33 @@ use std::sync::Arc;
 #[derive(Default)]
 pub struct MakersView {
     made: Option<(Arc<Entry>, Vec<Beside>)>,
+    /// Whether its table stands in the place of our own numbers.
+    is_open: bool,
 }
 
 impl MakersView {
-    /// Draws the section where the shown spectrum has such numbers; says what was copied.
+    /// Where the shown spectrum has such numbers, two tabs: ours, and theirs beside ours. Below
+    /// each other they would not fit in a window of 800 points. Whether theirs are open.
+    pub fn tabs(&mut self, ui: &mut Ui, app: &App) -> bool {
+        let makers = app.document().subject_entry().makers.len();
+        if makers == 0 {
+            self.made = None;
+            return false;
+        }
+        ui.horizontal(|ui| {
+            ui.selectable_value(&mut self.is_open, false, "Colour and error");
+            let words = format!("By the instrument ({makers})");
+            ui.selectable_value(&mut self.is_open, true, words)
+                .on_hover_text(
+                    "What the instrument computed and wrote into the file, beside ours.",
+                );
+        });
+        self.is_open
+    }
+
+    /// Draws the instrument's numbers; says what was copied.
     pub fn show(&mut self, ui: &mut Ui, app: &App) -> Option<String> {
         let entry = app.document().subject_entry();
-        if entry.makers.is_empty() {
-            self.made = None;
-            return None;
-        }
         if !self
             .made
             .as_ref()
@@ -37,7 +55,6 @@ impl MakersView {
             self.made = Some((entry.clone(), beside(entry)));
         }
         let (_, rows) = self.made.as_ref()?;
-        ui.separator();
         let mut said = None;
         ui.horizontal(|ui| {
             section(ui, "By the instrument");
@@ -115,11 +132,19 @@ fn line(ui: &mut Ui, row: &Beside) {
             let difference = ours - row.theirs;
             let percent = 100.0 * difference / row.theirs;
             let text = match decimals {
-                Some(decimals) => format!("{difference:+.decimals$}"),
-                None if percent.is_finite() => format!("{percent:+.2} %"),
+                Some(decimals) => signed(difference, decimals),
+                None if percent.is_finite() => format!("{} %", signed(percent, 2)),
                 None => short(difference),
             };
-            ui.monospace(text);
+            match row.told_to.filter(|_| row.is_as_told()) {
+                Some(told_to) => ui.weak("as told").on_hover_text(format!(
+                    "As far as the file's figures tell: it writes {} and so leaves ±{} open; the \
+                     difference, {text}, is within that.",
+                    short(row.theirs),
+                    short(told_to)
+                )),
+                None => ui.monospace(text),
+            };
         }
         Err(why) => {
             ui.monospace("–");
@@ -132,6 +157,16 @@ fn line(ui: &mut Ui, row: &Beside) {
         }
     }
     ui.end_row();
+}
+
+/// A difference with its sign; what is rounded to zero has none.
+fn signed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:+.decimals$}");
+    if text.contains(|c: char| ('1'..='9').contains(&c)) {
+        text
+    } else {
+        text.trim_start_matches(['+', '-']).to_owned()
+    }
 }
 
 /// Decimals of quantities whose differences are told as such; others differ by per cent.
@@ -193,7 +228,13 @@ fn shortened(words: &str) -> String {
     }
 }
 
-/// A unit with raised exponents.
+/// A unit with raised exponents, spelled alike for every maker.
 fn unit_words(unit: &str) -> String {
+    let photons = |u: &SpectralUnit| {
+        u.counted == Counted::Micromoles && u.factor == 1.0 && u.per_area && !u.per_nm
+    };
+    if SpectralUnit::of(unit).is_some_and(|u| photons(&u) && !u.per_steradian) {
+        return "µmol m⁻² s⁻¹".to_owned();
+    }
     unit.replace("-1", "⁻¹").replace("-2", "⁻²")
 }

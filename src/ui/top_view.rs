@@ -46,16 +46,18 @@ pub fn show(
         {
             preferences.no_library = !preferences.no_library;
         }
-        if ui
-            .add_enabled(!dialog_open, egui::Button::new("Open…"))
-            .on_hover_text(
-                "Open spectra or a project (Ctrl+O). Files and folders can also be dropped here.",
-            )
-            .clicked()
-        {
-            wishes.push(Wish::Act(Act::Open));
-        }
-        ui.menu_button("Path", |ui| {
+        ui.menu_button("Open", |ui| {
+            if ui
+                .add_enabled(!dialog_open, egui::Button::new("Open files…"))
+                .on_hover_text(
+                    "Spectra, spectral images or a project (Ctrl+O). Files and folders can also \
+                     be dropped on the window.",
+                )
+                .clicked()
+            {
+                wishes.push(Wish::Act(Act::Open));
+                ui.close();
+            }
             if ui
                 .add_enabled(!dialog_open, egui::Button::new("Open a folder…"))
                 .on_hover_text(
@@ -74,6 +76,7 @@ pub fn show(
                 wishes.push(Wish::Act(Act::TypePath));
                 ui.close();
             }
+            ui.separator();
             if ui
                 .add_enabled(has_summary, egui::Button::new("Files opened together…"))
                 .on_hover_text("What came of each file of the last folder or choice of files.")
@@ -99,7 +102,7 @@ pub fn show(
             }
         })
         .response
-        .on_hover_text("Open a folder, a typed path, or a recent file.");
+        .on_hover_text("Open files, a folder, a typed path or a recent file.");
         ui.menu_button("Save", |ui| save_menu(ui, dialog_open, wishes))
             .response
             .on_hover_text("Save or copy spectrum, model, tables and pictures.");

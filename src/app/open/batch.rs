@@ -62,6 +62,8 @@ pub struct Finished {
     pub files: Vec<FileRead>,
     /// The files and folders that were named.
     pub named: Vec<PathBuf>,
+    /// Whether a person stopped it before its end.
+    pub cancelled: bool,
 }
 
 impl Finished {
@@ -75,6 +77,7 @@ impl Finished {
         Self {
             files: files.into_iter().map(read).collect(),
             named: Vec::new(),
+            cancelled: false,
         }
     }
 
@@ -82,6 +85,7 @@ impl Finished {
     pub fn summary(&self) -> Summary {
         Summary {
             rows: self.files.iter().map(FileRow::of).collect(),
+            cancelled: self.cancelled,
         }
     }
 
@@ -259,6 +263,8 @@ impl Running {
     }
 
     fn into_finished(self) -> Finished {
+        let is_whole = self.listed.is_some() && self.came.iter().all(Option::is_some);
+        let cancelled = self.watch.is_cancelled() && !is_whole;
         // Cancelled while folders were looked through: what was named stands for what was in it.
         let listed = self.listed.unwrap_or_else(|| {
             let all = self.named.iter();
@@ -279,6 +285,7 @@ impl Running {
         Finished {
             files: files.collect(),
             named: self.named,
+            cancelled,
         }
     }
 }

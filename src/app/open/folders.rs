@@ -9,7 +9,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::io::envi;
+use crate::{app::natural::natural, io::envi};
 
 /// How many folders deep a folder is looked through, itself counted as none.
 pub const MOST_DEPTH: usize = 8;
@@ -106,7 +106,7 @@ impl Walk<'_> {
                 return self.refuse(folder, label, words);
             }
         };
-        items.sort_by_key(std::fs::DirEntry::file_name);
+        items.sort_by_cached_key(|item| natural(&item.file_name().to_string_lossy()));
         for item in items {
             if (self.stop)() {
                 return;

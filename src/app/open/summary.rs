@@ -45,6 +45,31 @@ pub struct FileRow {
     pub path: Option<PathBuf>,
     /// What came of it.
     pub outcome: Outcome,
+    /// Whether it was open before.
+    pub before: OpenBefore,
+}
+
+/// Whether a file of a batch was open before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OpenBefore {
+    /// It was not.
+    #[default]
+    No,
+    /// It was, with the same values: it is not opened twice.
+    Same,
+    /// It was, with other values: it stands beside them.
+    OtherValues,
+}
+
+impl OpenBefore {
+    /// In words, to stand before how a file was read.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::No => "",
+            Self::Same => "open already",
+            Self::OtherValues => "open already with other values, opened beside them",
+        }
+    }
 }
 
 /// What came of all of them.
@@ -52,6 +77,8 @@ pub struct FileRow {
 pub struct Summary {
     /// A row a file, in the order in which they were opened.
     pub rows: Vec<FileRow>,
+    /// Whether a person stopped it before its end.
+    pub cancelled: bool,
 }
 
 impl FileRow {
@@ -67,12 +94,18 @@ impl FileRow {
             file: file.label.clone(),
             path: file.path.clone(),
             outcome,
+            before: OpenBefore::No,
         }
     }
 
     /// Whether it was read.
     pub fn is_read(&self) -> bool {
         matches!(self.outcome, Outcome::Read { .. } | Outcome::Project)
+    }
+
+    /// Whether it was a project.
+    pub fn is_project(&self) -> bool {
+        self.outcome == Outcome::Project
     }
 
     /// Whether it was refused.
@@ -110,15 +143,29 @@ impl FileRow {
 
     /// How it was read, or why not, in a line; a doubtful guess comes first.
     pub fn story(&self) -> String {
-        match &self.outcome {
+        let story = match &self.outcome {
             Outcome::Read { how, doubts, .. } if doubts.is_empty() => how.clone(),
             Outcome::Read { how, doubts, .. } => {
                 format!("doubtful: {}; {how}", doubts.join("; "))
             }
             Outcome::Project => "a project, opened".to_owned(),
-            Outcome::Refused(why) => format!("refused: {why}"),
-            Outcome::NotRead(why) => format!("not read: {why}"),
+            Outcome::Refused(why) => format!("refused: {}", self.without_its_name(why)),
+            Outcome::NotRead(why) => format!("not read: {}", self.without_its_name(why)),
+        };
+        match self.before.words() {
+            "" => story,
+            words => format!("{words}; {story}"),
         }
+    }
+
+    /// A refusal without the file's name in front: it stands in the row already.
+    fn without_its_name<'a>(&self, why: &'a str) -> &'a str {
+        let names = [self.file.rsplit('/').next(), Some(self.file.as_str())];
+        let mut short = names.into_iter().flatten().filter_map(|name| {
+            let rest = why.strip_prefix(name)?;
+            rest.strip_prefix(": ").or(rest.strip_prefix(", "))
+        });
+        short.next().unwrap_or(why)
     }
 }
 
@@ -136,21 +183,36 @@ fn read(opened: &Opened) -> Outcome {
 
 /// Doubtful guesses in words, each once however many spectra share it.
 fn doubts(guesses: &[Guess]) -> Vec<String> {
-    let mut all: Vec<String> = Vec::new();
+    // Guesses for one reason in one phrase, whatever numbers of each spectrum stand behind it.
+    let mut all: Vec<(&str, Vec<String>, &str, &str)> = Vec::new();
     for guess in guesses.iter().filter(|guess| guess.is_doubtful()) {
-        let chosen = &guess.chosen;
         let what = match guess.what {
-            Guessed::Kind => format!("taken for {chosen}"),
-            Guessed::WavelengthUnit => format!("wavelengths taken as {chosen}"),
-            Guessed::Percent => format!("values taken as {chosen}"),
-            Guessed::Columns => format!("taken as {chosen}"),
+            Guessed::Kind => "taken for",
+            Guessed::WavelengthUnit => "wavelengths taken as",
+            Guessed::Percent => "values taken as",
+            Guessed::Columns => "taken as",
         };
-        let words = format!("{what} ({})", guess.because);
-        if !all.contains(&words) {
-            all.push(words);
+        let (chosen, because) = (guess.chosen.to_string(), guess.because.as_str());
+        let reason = because.split(" (").next().unwrap_or(because);
+        let known = all
+            .iter_mut()
+            .find(|known| (known.0, known.2) == (what, reason));
+        match known {
+            Some((_, known, _, told)) => {
+                if *told != because {
+                    *told = reason;
+                }
+                if !known.contains(&chosen) {
+                    known.push(chosen);
+                }
+            }
+            None => all.push((what, vec![chosen], reason, because)),
         }
     }
-    all
+    let phrase = |(what, chosen, _, because): (&str, Vec<String>, &str, &str)| {
+        format!("{what} {} ({because})", chosen.join(" and "))
+    };
+    all.into_iter().map(phrase).collect()
 }
 
 impl Summary {
@@ -180,7 +242,8 @@ impl Summary {
     /// refused".
     pub fn headline(&self) -> String {
         let read = self.count(FileRow::is_read);
-        let mut line = format!("{read} of {} files read", self.rows.len());
+        let stopped = if self.cancelled { "Cancelled: " } else { "" };
+        let mut line = format!("{stopped}{read} of {} files read", self.rows.len());
         if read > 0 {
             line += &format!(", {}", many(self.spectra(), "spectrum", "spectra"));
         }
@@ -192,6 +255,14 @@ impl Summary {
             line += &format!(": {}", self.formats());
         }
         for (count, words) in [
+            (
+                self.count(|row| row.before == OpenBefore::Same),
+                "open already",
+            ),
+            (
+                self.count(|row| row.before == OpenBefore::OtherValues),
+                "open already with other values",
+            ),
             (self.count(FileRow::is_doubtful), "with a doubtful guess"),
             (self.count(FileRow::is_refused), "refused"),
             (

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::Raster;
-use crate::color::{Srgb, Xyz, srgb::linear_from_xyz};
+use crate::color::{Srgb, Swatch, Xyz, srgb::linear_from_xyz};
 
 /// The two greys of the chequers where nothing was measured.
 pub const NOT_MEASURED: [[u8; 3]; 2] = [[70; 3], [100; 3]];
@@ -36,6 +36,14 @@ pub struct Developed {
     pub too_bright: usize,
     /// Drawn pixels that were not measured, drawn as chequers.
     pub not_measured: usize,
+}
+
+/// XYZ as a picture shows it: with its exposure, channels cut to 0-1; `None` where it shows bands
+/// or nothing shines.
+pub fn seen_in(raster: &Raster, stops: f64, xyz: Xyz) -> Option<Swatch> {
+    let full = raster.full[1];
+    let is_lit = raster.is_xyz && full > 0.0 && xyz.is_finite();
+    is_lit.then(|| Swatch::exposed(xyz.scaled(stops.exp2() / full)))
 }
 
 /// Exposes a picture: at 0 stops its 99th percentile is the screen's full brightness.
@@ -87,13 +95,14 @@ impl Developed {
         let share = |count: usize| {
             let percent = 100.0 * count as f64 / self.pixels.len().max(1) as f64;
             match percent {
-                p if p < 0.1 => format!("{count} pixel{}", if count == 1 { "" } else { "s" }),
-                p if p < 10.0 => format!("{p:.1} %"),
-                p => format!("{p:.0} %"),
+                p if p < 0.1 && count == 1 => "1 pixel is".to_owned(),
+                p if p < 0.1 => format!("{count} pixels are"),
+                p if p < 10.0 => format!("{p:.1} % of the pixels are"),
+                p => format!("{p:.0} % of the pixels are"),
             }
         };
         for (count, what) in [
-            (self.not_measured, "not measured (chequered)"),
+            (self.not_measured, "not measured, chequered"),
             (self.outside_gamut, "outside sRGB, cut to it"),
             (self.too_bright, "brighter than white, cut"),
         ] {

@@ -8,7 +8,7 @@ mod memory;
 mod probe;
 mod raster;
 
-pub use develop::{Developed, NOT_MEASURED, developed};
+pub use develop::{Developed, NOT_MEASURED, developed, seen_in};
 pub use eye::Eye;
 pub use memory::{BAND_NM, ImageMemory, STOPS, Show, Spread};
 pub use probe::{ProbeAsk, Probed, named};

@@ -30,10 +30,11 @@ use super::{
 };
 use crate::app::{
     App, Command,
+    already_open::Places,
     import::Origins,
     open::Loader,
     pages::Page,
-    picture::back::Reader,
+    picture::{back::Reader, shown},
     plot_svg,
     spike_hand::SpikeAct,
     state::Tone,
@@ -49,7 +50,7 @@ const MESSAGES_SHOWN: usize = 12;
 type Channel<T> = (Sender<T>, Receiver<T>);
 
 /// The right panel's width: its tables fit, so that it does not jump with its content.
-const RIGHT_WIDTH: f32 = 384.0;
+const RIGHT_WIDTH: f32 = 392.0;
 
 /// How often the progress of a computation is looked at.
 const WATCH_EVERY: std::time::Duration = std::time::Duration::from_millis(80);
@@ -97,6 +98,7 @@ pub struct Window {
     import: ImportView,
     makers: MakersView,
     origins: Origins,
+    places: Places,
 }
 
 impl Window {
@@ -131,6 +133,7 @@ impl Window {
             import: ImportView::default(),
             makers: MakersView::default(),
             origins: Origins::default(),
+            places: Places::default(),
         }
     }
 
@@ -189,7 +192,7 @@ impl Window {
         let status_height = 22.0 * theme.scale;
         Panel::bottom("status")
             .exact_size(status_height)
-            .show(ui, |ui| self.status(ui, theme));
+            .show(ui, |ui| in_its_size(ui, |ui| self.status(ui, theme)));
         if !self.preferences.no_library {
             Panel::left("library")
                 .default_size(224.0)
@@ -214,9 +217,11 @@ impl Window {
             .default_size(RIGHT_WIDTH * theme.scale)
             .size_range(RIGHT_WIDTH * theme.scale..=760.0)
             .show(ui, |ui| {
-                egui::ScrollArea::vertical()
-                    .auto_shrink(false)
-                    .show(ui, |ui| self.right_panel(ui, theme));
+                in_its_size(ui, |ui| {
+                    egui::ScrollArea::vertical()
+                        .auto_shrink(false)
+                        .show(ui, |ui| self.right_panel(ui, theme));
+                });
             });
         let on_spectrum = self.preferences.pages.page == Page::Spectrum;
         if on_spectrum {
@@ -224,7 +229,7 @@ impl Window {
                 .default_size(156.0 * theme.scale)
                 .size_range(90.0..=420.0)
                 .resizable(true)
-                .show(ui, |ui| self.below(ui, theme));
+                .show(ui, |ui| in_its_size(ui, |ui| self.below(ui, theme)));
         }
         self.studies.take_in();
         if self.studies.is_running() {
@@ -253,8 +258,10 @@ impl Window {
                 self.app.end_gesture();
             }
         });
-        if let Some(words) = self.batch.window(&context, theme) {
-            self.app.say(Tone::Info, words);
+        // What lies above the summary has the keys first.
+        let keys_are_free = self.dialog.is_none() && self.import.now.is_none();
+        if let Some(wish) = self.batch.window(&context, theme, keys_are_free) {
+            self.fulfil_of_batch(wish, &context);
         }
         self.importing(&context, theme, centre);
         self.dialog(&context);
@@ -325,6 +332,7 @@ impl Window {
 
     fn right_panel(&mut self, ui: &mut Ui, theme: Theme) {
         let mut commands = Vec::new();
+        self.tell_whose_model(ui);
         model_view::controls(ui, &self.app, &mut commands);
         self.apply(&mut commands);
         curve_view::show(ui, &self.app, &mut self.preferences, theme, &mut commands);
@@ -337,9 +345,30 @@ impl Window {
         self.spend(ui);
         ui.add_space(2.0);
         ui.separator();
-        colour_view::show(ui, &self.app, theme);
-        if let Some(words) = self.makers.show(ui, &self.app) {
+        if !self.makers.tabs(ui, &self.app) {
+            colour_view::show(ui, &self.app, theme);
+        } else if let Some(words) = self.makers.show(ui, &self.app) {
             self.app.say(Tone::Info, words);
+        }
+    }
+
+    /// On the page of images the panel may be of another spectrum than the picture's frame.
+    fn tell_whose_model(&self, ui: &mut Ui) {
+        let pages = &self.preferences.pages;
+        let document = self.app.document();
+        let Some(image) = shown(document, &pages.image).filter(|_| pages.page == Page::Image)
+        else {
+            return;
+        };
+        let chosen = image.image.name_of(pages.image.rect(&image.image.cube));
+        let subject = document.subject_entry().name();
+        if subject != chosen {
+            let words = format!(
+                "This panel is of {subject}, not of the pixels chosen in the picture; \"{}\" brings \
+                 those here.",
+                pages::image_view::names::TAKE
+            );
+            ui.add(egui::Label::new(egui::RichText::new(words).small().weak()).wrap());
         }
     }
 
@@ -533,4 +562,14 @@ impl Window {
             self.changed_at = None;
         }
     }
+}
+
+/// Contents in a panel that neither grows nor shrinks with them.
+fn in_its_size(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    let room = ui.available_rect_before_wrap();
+    let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(room));
+    // Frames of what has the keyboard's focus reach a little beyond.
+    inner.shrink_clip_rect(room.expand(3.0));
+    add(&mut inner);
+    ui.advance_cursor_after_rect(room);
 }

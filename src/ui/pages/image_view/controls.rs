@@ -77,15 +77,7 @@ pub fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
                 .on_hover_text(show.meaning());
         }
         ui.separator();
-        ui.spacing_mut().slider_width = 90.0 * context.theme.scale;
-        let slider = egui::Slider::new(&mut context.memory.image.stops, STOPS)
-            .step_by(0.1)
-            .fixed_decimals(1)
-            .text(names::EXPOSURE);
-        ui.add(slider).on_hover_text(
-            "Exposure, the brightness of the picture alone: each stop doubles it. 0 takes the 99th percentile to \
-             full brightness.",
-        );
+        exposure(ui, context);
         let is_factor = entry.image.kind.is_factor();
         if is_factor && !shows_bands(context.memory.image.show) {
             let document = context.app.document();
@@ -108,16 +100,43 @@ pub fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
     match memory.show {
         Show::TrueColour => {}
         Show::ThreeBands => {
-            ui.horizontal_wrapped(|ui| {
-                for (at, name) in memory.three_nm.iter_mut().zip(names::RGB) {
-                    band_slider(ui, entry, nm, at, name);
+            let scale = context.theme.scale;
+            let bands = memory.three_nm.iter_mut().zip(names::RGB);
+            if ui.available_width() < 3.0 * BAND_ROOM * scale {
+                for (at, name) in bands {
+                    ui.horizontal(|ui| band_slider(ui, entry, nm, at, name));
                 }
-            });
+            } else {
+                ui.horizontal(|ui| {
+                    let share = ui.available_width() / 3.0;
+                    let rail = share - (BAND_ROOM - BAND_RAIL) * scale;
+                    ui.spacing_mut().slider_width = rail.min(2.0 * BAND_RAIL * scale);
+                    bands.for_each(|(at, name)| band_slider(ui, entry, nm, at, name));
+                });
+            }
         }
         Show::OneBand => {
             ui.horizontal(|ui| band_slider(ui, entry, nm, &mut memory.one_nm, names::BAND));
         }
     }
+}
+
+/// Room of a band's name, slider and number, and of the slider's rail in it, points.
+const BAND_ROOM: f32 = 200.0;
+const BAND_RAIL: f32 = 60.0;
+
+/// The exposure with what its 0 means beside it.
+fn exposure(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let meaning = "The brightness of the picture alone: each stop doubles it. At 0 stops the 99th \
+                   percentile of the pixels' strongest channel has the screen's full brightness.";
+    ui.spacing_mut().slider_width = 64.0 * context.theme.scale;
+    let label = ui.label(names::EXPOSURE).on_hover_text(meaning);
+    let slider = egui::Slider::new(&mut context.memory.image.stops, STOPS)
+        .step_by(0.1)
+        .fixed_decimals(1)
+        .suffix(" stops");
+    ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
+    ui.weak("over the 99th percentile").on_hover_text(meaning);
 }
 
 fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: &str) {
@@ -129,10 +148,11 @@ fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: 
         .custom_parser(|text| {
             let nm = text.trim().trim_end_matches("nm").trim().parse().ok()?;
             Some(entry.image.cube.nearest_band(nm) as f64)
-        })
-        .text(name);
+        });
+    let label = ui.label(name);
     let response = ui
         .add(slider)
+        .labelled_by(label.id)
         .on_hover_text("A band of the image by its wavelength, nm.");
     if response.changed() {
         *at = nm[band.min(last)];
@@ -174,7 +194,7 @@ pub(super) fn choice(
         if shown.rect.pixels() > 1 {
             ui.separator();
             let spread = &mut context.memory.image.spread;
-            ui.selectable_value(spread, Spread::Deviation, "± 1 s")
+            ui.selectable_value(spread, Spread::Deviation, "± 1 standard deviation")
                 .on_hover_text("Around the mean: one standard deviation of the pixels.");
             ui.selectable_value(spread, Spread::Extremes, "min–max")
                 .on_hover_text("Around the mean: the smallest and the largest pixel of each band.");

@@ -5,18 +5,26 @@ use egui::{RichText, Ui, vec2};
 
 use super::{Drawn, Shown};
 use crate::{
-    app::{picture::Probed, ticks::short},
-    color::Srgb,
-    ui::{pages::PageContext, swatch, theme::Theme},
+    app::{
+        derived::Derived,
+        picture::{Probed, seen_in},
+        ticks::short,
+    },
+    color::{Srgb, Swatch},
+    spectrum::Sampled,
+    ui::{colour_view::capitalised, pages::PageContext, swatch, theme::Theme},
 };
 
 /// Height of the model's figures, points.
 pub(super) fn height(ui: &Ui, theme: Theme) -> f32 {
-    SWATCH * theme.scale + 2.0 * super::line(ui)
+    (SWATCH + CAPTION) * theme.scale + 2.0 * super::line(ui)
 }
 
 /// Height of the two colours side by side, points.
 const SWATCH: f32 = 24.0;
+
+/// Height of the words under them, points.
+const CAPTION: f32 = 15.0;
 
 /// What is under the pointer; where nothing is, how to choose.
 pub(super) fn pointed(
@@ -75,8 +83,37 @@ fn colour_at(drawn: &Drawn, [x, y]: [usize; 2]) -> Srgb {
     Srgb(pixels.get(index).copied().unwrap_or_default())
 }
 
+/// Measured and model as the picture shows them; `None` where it shows bands.
+fn as_in_picture(
+    probed: &Probed,
+    derived: &Derived,
+    shown: &Shown,
+    drawn: Option<&Drawn>,
+) -> Option<[Swatch; 2]> {
+    let (eye, drawn) = (shown.eye.as_ref()?, drawn?);
+    let band = derived.band;
+    let model = Sampled::even(band.min_nm(), 1.0, derived.model_values()).ok()?;
+    let seen = |samples: &Sampled| seen_in(&drawn.raster, drawn.stops, eye.xyz(samples));
+    Some([seen(&probed.spectrum.samples)?, seen(&model)?])
+}
+
+/// How bright colours are that are not drawn as the picture.
+fn own_scale(shown: &Shown) -> &'static str {
+    if shown.entry.image.kind.is_factor() {
+        "a white under the document's light is the screen's white"
+    } else {
+        "as bright as the screen can"
+    }
+}
+
 /// The model of the chosen spectrum: colours, numbers, errors.
-pub(super) fn model(ui: &mut Ui, context: &PageContext<'_>, probed: &Probed) {
+pub(super) fn model(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    probed: &Probed,
+    shown: &Shown,
+    drawn: Option<&Drawn>,
+) {
     let Some(derived) = &probed.derived else {
         ui.weak(format!(
             "{} values have no model here: it takes a light, a reflectance or a transmittance.",
@@ -90,14 +127,24 @@ pub(super) fn model(ui: &mut Ui, context: &PageContext<'_>, probed: &Probed) {
         .delta_e_2000
         .map_or("–".to_owned(), |d| format!("{d:.3}"));
     if let (Some(exact), Some(model)) = (colour.exact, colour.model) {
+        let (exact, model, scale) = match as_in_picture(probed, derived, shown, drawn) {
+            Some([exact, model]) => (exact, model, "as bright as in the picture"),
+            None => (exact.swatch, model.swatch, own_scale(shown)),
+        };
+        ui.spacing_mut().item_spacing.y = 2.0;
         let name = format!(
             "Image colours: measured {}, model {}",
-            exact.swatch.hex(),
-            model.swatch.hex()
+            exact.hex(),
+            model.hex()
         );
-        swatch::split(ui, size, &exact.swatch, &model.swatch, &name)
-            .on_hover_text("Left the chosen spectrum as measured, right by its model.");
+        swatch::split(ui, size, &exact, &model, &name).on_hover_text(format!(
+            "Left the chosen spectrum as measured, right by its model. {}.",
+            capitalised(exact.mapping.words())
+        ));
+        let words = format!("Measured {}, model {}: {scale}.", exact.hex(), model.hex());
+        ui.add(egui::Label::new(RichText::new(words).small().weak()).truncate());
     } else {
+        let size = size + vec2(0.0, CAPTION * context.theme.scale);
         ui.allocate_ui(size, |ui| {
             ui.set_min_height(size.y);
             ui.weak("No visible light in the model's range: no colour.");

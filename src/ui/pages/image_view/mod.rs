@@ -26,7 +26,7 @@ use crate::{
     color::Observer,
     spectrum::Rect,
     study::Progress,
-    ui::chart_view::ChartView,
+    ui::{chart_view::ChartView, colour_view::capitalised},
 };
 use canvas::{Canvas, Picture, Touched};
 
@@ -43,7 +43,7 @@ pub mod names {
     /// Shows all of the picture.
     pub const FIT: &str = "Fit";
     /// The exposure.
-    pub const EXPOSURE: &str = "stops";
+    pub const EXPOSURE: &str = "Exposure";
     /// The band shown in grey.
     pub const BAND: &str = "Band";
     /// The bands shown as red, green and blue.
@@ -88,8 +88,8 @@ pub struct ImageView {
     drawn: Option<Drawn>,
     charted: Option<Charted>,
     pointed: Option<[usize; 2]>,
-    /// The name of the spectrum that was taken last.
-    taken: Option<String>,
+    /// The spectrum that was taken last: its image's key, its pixels, its name.
+    taken: Option<(String, Rect, String)>,
 }
 
 /// The image on the page, with what is asked about it.
@@ -279,7 +279,6 @@ impl ImageView {
             memory.choose(&shown.entry.key);
             if memory.selection != chosen {
                 memory.selection = chosen;
-                self.taken = None;
                 // Its spectrum was asked for before the hand moved.
                 ui.ctx().request_repaint();
             }
@@ -300,7 +299,8 @@ impl ImageView {
             None => named(&shown.entry.image, rect),
         };
         if let Some(spectrum) = spectrum {
-            self.taken = Some(spectrum.name.clone());
+            let key = shown.entry.key.clone();
+            self.taken = Some((key, rect, spectrum.name.clone()));
             context.commands.push(Command::Adopt(vec![spectrum]));
         }
     }
@@ -311,7 +311,12 @@ impl ImageView {
         if take {
             self.take(context, shown, shown.rect);
         }
-        if let Some(name) = &self.taken {
+        let taken = self.taken.as_ref().filter(|(key, rect, name)| {
+            let is_here = *key == shown.entry.key && *rect == shown.rect;
+            // An undo takes it away again.
+            is_here && context.app.document().own.iter().any(|e| e.name() == name)
+        });
+        if let Some((_, _, name)) = taken {
             row(ui, |ui| controls::taken(ui, context, name));
         }
         let Some(charted) = &self.charted else {
@@ -323,7 +328,7 @@ impl ImageView {
             }
             return;
         };
-        let used = (1.0 + f32::from(u8::from(self.taken.is_some()))) * line(ui);
+        let used = (1.0 + f32::from(u8::from(taken.is_some()))) * line(ui);
         let figures = figures::height(ui, context.theme);
         let room = vec2(
             ui.available_width(),
@@ -331,7 +336,8 @@ impl ImageView {
         );
         let chart = ChartView::show(ui, &charted.chart, "image spectrum", room, context.theme);
         context.wishes.extend(chart.wish);
-        figures::model(ui, context, &charted.probed);
+        let drawn = self.drawn.as_ref();
+        figures::model(ui, context, &charted.probed, shown, drawn);
     }
 }
 
@@ -404,12 +410,12 @@ fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: O
     }
     words.extend(Some(drawn.developed.words()).filter(|words| !words.is_empty()));
     if raster.full.iter().all(|full| *full <= 0.0) {
-        words.push("nothing above zero: black".to_owned());
+        words.push("nothing is above zero: black".to_owned());
     }
     if words.is_empty() {
-        words.push("every pixel is shown as it is".to_owned());
+        words.push("every pixel is drawn as it is".to_owned());
     }
-    let text = format!("Drawn {}.", words.join("; "));
+    let text = format!("{}.", capitalised(&words.join("; ")));
     ui.add(egui::Label::new(egui::RichText::new(text).weak()).truncate())
         .on_hover_text(
             "Exposure 0 takes the 99th percentile of the strongest of red, green and blue, or of \
