@@ -140,9 +140,12 @@ fn from_reading(
         composites,
         table,
         understood,
+        images_understood,
+        axis: _,
         results,
         images,
         guesses,
+        image_guesses: _,
         notes,
     } = reading;
     let spectra = spectra_of(spectra, composites, &notes, &file);
@@ -160,8 +163,9 @@ fn from_reading(
         images: images.into_iter().map(Arc::new).collect(),
         table,
         understood,
+        images_understood,
         guesses,
-        choices: *choices,
+        choices: choices.clone(),
     }))
 }
 

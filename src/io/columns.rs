@@ -295,7 +295,7 @@ fn read_columns(
         };
         let name = match above.get(number) {
             Some(name) => name.clone(),
-            None => column_name(titles, *column, values.len(), number),
+            None => column_name(titles, *column, values.len()),
         };
         let draft = Draft {
             name: name_with_part(stem, &name, &rows.part),
@@ -393,8 +393,9 @@ fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
     })
 }
 
-/// Title of a value column where it says more than what kind of value it is.
-fn column_name(titles: &Titles, column: usize, columns: usize, number: usize) -> String {
+/// Title of a value column where it says more than what kind of value it is, else its number in
+/// the file: the same by which its other columns are called.
+fn column_name(titles: &Titles, column: usize, columns: usize) -> String {
     let title = titles.names[column].trim();
     let generic = super::kinds::kind_of_title(title).is_some()
         || title.len() == 1
@@ -403,7 +404,7 @@ fn column_name(titles: &Titles, column: usize, columns: usize, number: usize) ->
         || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str());
     match (title.is_empty(), columns) {
         (true, 1) => String::new(),
-        (true, _) => format!("column {}", number + 1),
+        (true, _) => format!("column {}", column + 1),
         (false, 1) if generic => String::new(),
         (false, _) => title.to_owned(),
     }

@@ -19,6 +19,11 @@ pub fn counts_photons(unit: &str) -> bool {
         || lower.starts_with("μe")
 }
 
+/// Largest values that only fractions, and only per cent, have: nothing reflects less than 1 %
+/// everywhere or more than all of the light by much.
+const PLAIN_FRACTION: std::ops::RangeInclusive<f64> = 0.1..=1.2;
+const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
+
 /// Whether values of a factor (reflectance, transmittance) are per cent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PercentFound {
@@ -28,6 +33,8 @@ pub struct PercentFound {
     pub because: String,
     /// Whether the file states it.
     pub stated: bool,
+    /// Whether it is stated, or the size of the values leaves hardly a doubt.
+    pub plain: bool,
 }
 
 /// Per cent or fraction for the values of a factor.
@@ -40,6 +47,7 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
         percent,
         because: because.to_owned(),
         stated: true,
+        plain: true,
     };
     // What this program's own files say, whatever the spectrum is called.
     if header.iter().any(|(_, line)| *line == "unit: fraction") {
@@ -78,6 +86,11 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
         percent,
         because: format!("the values' size (up to about {high:.3})"),
         stated: false,
+        plain: if percent {
+            PLAIN_PERCENT.contains(&high)
+        } else {
+            PLAIN_FRACTION.contains(&high)
+        },
     }
 }
 
