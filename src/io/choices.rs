@@ -130,7 +130,8 @@ impl Choices {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{dialect::Delimiter, read_bytes, read_bytes_as};
+    use crate::io::{Guessed, dialect::Delimiter, read_bytes, read_bytes_as};
+    use crate::spectrum::NamedSpectrum;
 
     fn read(text: &str, choices: Choices) -> NamedSpectrum {
         let reading = read_bytes_as("a.csv", text.as_bytes(), &choices);

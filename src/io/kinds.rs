@@ -204,7 +204,9 @@ pub fn kind_of_name(name: &str) -> Option<Kind> {
 
 /// Whether the words in a file's name all mean one kind.
 pub fn is_plain_name(name: &str) -> bool {
+    // An ending `.spd` is that of reflectances and indices too.
     let name = name.to_lowercase();
+    let name = name.strip_suffix("spd").unwrap_or(&name);
     let tells = |(_, words): &&(Kind, &[&str])| words.iter().any(|w| name.contains(w));
     NAME_WORDS.iter().filter(tells).count() == 1
 }

@@ -1,5 +1,6 @@
 //! How values are counted: per cent or fraction, and the unit.
 
+use super::Counted;
 use super::kinds::{kind_of_words, states_values};
 
 /// Photons in the unit that plant scientists use.
@@ -23,6 +24,16 @@ pub fn counts_photons(unit: &str) -> bool {
 /// everywhere or more than all of the light by much.
 const PLAIN_FRACTION: std::ops::RangeInclusive<f64> = 0.1..=1.2;
 const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
+
+/// Whether the largest values leave hardly a doubt about what they are counted in.
+pub fn is_plain_size(counted: Counted, high: f64) -> bool {
+    match counted {
+        Counted::Fraction => PLAIN_FRACTION.contains(&high),
+        Counted::Percent => PLAIN_PERCENT.contains(&high),
+        Counted::TenThousandths => PLAIN_PERCENT.contains(&(0.01 * high)),
+        Counted::Otherwise => false,
+    }
+}
 
 /// Whether values of a factor (reflectance, transmittance) are per cent.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,11 +97,7 @@ pub fn percent(title: &str, header: &[(usize, &str)], signs: bool, values: &[f64
         percent,
         because: format!("the values' size (up to about {high:.3})"),
         stated: false,
-        plain: if percent {
-            PLAIN_PERCENT.contains(&high)
-        } else {
-            PLAIN_FRACTION.contains(&high)
-        },
+        plain: is_plain_size(Counted::percent(percent), high),
     }
 }
 

@@ -20,6 +20,7 @@ use crate::app::{
     opened::Opened,
     plot_svg::{self, Chart},
 };
+use crate::spectrum::SpectralImage;
 
 /// What was asked for.
 pub enum Wish {
@@ -158,10 +159,12 @@ fn body(
     let top = ui.cursor().top();
     let questions = import.questions();
     headline(ui, import, &questions, theme);
-    about(ui, import, wishes);
+    about(ui, import, theme, wishes);
     // What stands below the curve has its height; the curve gets the rest.
     let row = row_height(ui) + ui.spacing().item_spacing.y;
-    let below = row * (questions.len() as f32 + 1.0) + 6.0;
+    let beside = |q: &&Question| stands_beside(ui, q, theme);
+    let rows = 2 * questions.len() - questions.iter().filter(beside).count() + 1;
+    let below = row * rows as f32 + 6.0;
     let [least, most] = CHART.map(|height| height * theme.scale);
     let height = (room - (ui.cursor().top() - top) - below).clamp(least, most);
     let width = ui.available_width();
@@ -202,8 +205,16 @@ fn curves_of(opened: &Opened, theme: plot_svg::Theme) -> Chart {
     if opened.images.is_empty() {
         return curves(&opened.file, &opened.spectra, theme);
     }
-    let images = opened.images.iter();
-    let pixels: Vec<_> = images.flat_map(|image| image.probes()).collect();
+    let pixels_of = |image: &Arc<SpectralImage>| {
+        let mut pixels = image.probes();
+        for pixel in &mut pixels {
+            if let Some(place) = pixel.name.strip_prefix(&format!("{}, ", image.name)) {
+                pixel.name = place.to_owned();
+            }
+        }
+        pixels
+    };
+    let pixels: Vec<_> = opened.images.iter().flat_map(pixels_of).collect();
     Chart {
         title: format!("Some pixels of {}", opened.file),
         ..curves(&opened.file, &pixels, theme)
@@ -243,7 +254,7 @@ fn headline(ui: &mut Ui, import: &Import, questions: &[Question], theme: Theme) 
 }
 
 /// Which of the file's spectra are asked about, where there are several.
-fn about(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
+fn about(ui: &mut Ui, import: &Import, theme: Theme, wishes: &mut Vec<Wish>) {
     let parts = import.parts();
     if parts.is_empty() {
         return;
@@ -251,8 +262,13 @@ fn about(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
     let what = "Asked about";
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let size = vec2(LABEL, ui.spacing().interact_size.y);
-        ui.add_sized(size, Label::new(what).halign(egui::Align::LEFT));
+        label(
+            ui,
+            what,
+            "Which spectra the answers about values go for.",
+            true,
+            theme,
+        );
         let combo = egui::ComboBox::from_id_salt("asked about")
             .selected_text(import.about_words())
             .width(300.0)
@@ -350,14 +366,13 @@ fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
 /// One row of answers a question; rows keep their height whatever is answered.
 fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<Wish>) {
     for question in questions {
-        let needs = LABEL * theme.scale + buttons_width(ui, question);
-        let beside = ui.available_width() - needs >= REASON * theme.scale;
+        let beside = stands_beside(ui, question, theme);
         let size = vec2(ui.available_width(), row_height(ui));
         let layout = egui::Layout::left_to_right(egui::Align::Center);
         ui.allocate_ui_with_layout(size, layout, |ui| {
             ui.set_min_height(size.y);
             ui.spacing_mut().item_spacing.x = 4.0;
-            label(ui, question, theme);
+            label(ui, question.what, question.meaning, question.applies, theme);
             if beside {
                 buttons(ui, question, wishes);
                 reason(ui, question, theme);
@@ -375,13 +390,14 @@ fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<W
     }
 }
 
-fn label(ui: &mut Ui, question: &Question, theme: Theme) {
+/// What is asked, in the width that all rows give it.
+fn label(ui: &mut Ui, what: &str, meaning: &str, applies: bool, theme: Theme) {
     let size = vec2(LABEL * theme.scale, ui.spacing().interact_size.y);
     let left = egui::Layout::left_to_right(egui::Align::Center);
     ui.allocate_ui_with_layout(size, left, |ui| {
         ui.set_min_width(size.x);
-        ui.add_enabled(question.applies, Label::new(question.what))
-            .on_hover_text(question.meaning);
+        ui.add_enabled(applies, Label::new(what))
+            .on_hover_text(meaning);
     });
 }
 
@@ -397,6 +413,12 @@ fn buttons_width(ui: &Ui, question: &Question) -> f32 {
         galley.size().x + padding
     };
     question.answers.iter().map(width).sum()
+}
+
+/// Whether the reason has room beside the answers.
+fn stands_beside(ui: &Ui, question: &Question, theme: Theme) -> bool {
+    let needs = LABEL * theme.scale + buttons_width(ui, question);
+    ui.available_width() - needs >= REASON * theme.scale
 }
 
 fn buttons(ui: &mut Ui, question: &Question, wishes: &mut Vec<Wish>) {
@@ -418,27 +440,25 @@ fn buttons(ui: &mut Ui, question: &Question, wishes: &mut Vec<Wish>) {
 
 /// Why a question was answered as it is.
 fn reason(ui: &mut Ui, question: &Question, theme: Theme) {
-    ui.vertical(|ui| {
-        let width = ui.available_width();
-        if question.doubtful {
-            let words = format!("▲ doubtful: {}", question.because);
-            two_lines(ui, &words, theme.warning, width);
-        } else {
-            two_lines(ui, &question.because, theme.faint, width);
-        }
-    });
+    let width = ui.available_width();
+    if question.doubtful {
+        let words = format!("▲ doubtful: {}", question.because);
+        two_lines(ui, &words, theme.warning, width);
+    } else {
+        two_lines(ui, &question.because, theme.faint, width);
+    }
 }
 
 /// How many of the shown columns the width has room for, two at least.
 fn columns_that_fit(ui: &Ui, head: &Head) -> usize {
-    let letter = 0.62 * ui.text_style_height(&egui::TextStyle::Small);
+    let letter = 0.5 * ui.text_style_height(&egui::TextStyle::Small);
     let mut left = ui.available_width() - 8.0;
     (0..head.width())
         .take_while(|column| {
             let cells = head.rows.iter().chain([&head.titles]);
             let cells = cells.filter_map(|row| row.get(*column));
             let longest = cells.map(|cell| cell.chars().count()).max().unwrap_or(0);
-            left -= letter * longest.max(11) as f32 + 14.0;
+            left -= letter * longest.max(9) as f32 + 14.0;
             *column < 2 || left >= 0.0
         })
         .count()

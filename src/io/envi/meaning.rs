@@ -6,6 +6,7 @@ use super::super::axis::{self, Axis, AxisUnit};
 use super::super::decided::BY_HAND;
 use super::super::error::quoted;
 use super::super::kinds;
+use super::super::meaning::is_plain_size;
 use super::super::reading::Told;
 use super::super::units::WavelengthUnit;
 use super::super::{Counted, Guess, Guessed, ReadError};
@@ -195,13 +196,13 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         .number("reflectance scale factor")?
         .filter(|factor| SENSIBLE_FACTORS.contains(factor));
     let mut guesses = Vec::new();
-    let mut guess = |what, chosen: &str, because: String| {
+    let mut guess = |what, chosen: &str, because: String, plain| {
         guesses.push(Guess {
             spectrum: 0,
             what,
             chosen: chosen.to_owned(),
             because,
-            plain: false,
+            plain,
         });
     };
     let high = largest(sample);
@@ -230,7 +231,7 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         } else {
             (found.kind, "nothing states it")
         };
-        guess(Guessed::Kind, kind.word(), because.to_owned());
+        guess(Guessed::Kind, kind.word(), because.to_owned(), false);
         kind
     };
     let mut notes = Vec::new();
@@ -251,7 +252,8 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
                 _ => Counted::TenThousandths,
             };
             scale = counted.scale().unwrap_or(1.0);
-            guess(Guessed::Percent, counted.word(), because);
+            let plain = is_plain_size(counted, high);
+            guess(Guessed::Percent, counted.word(), because, plain);
         }
     }
     for Guess {
