@@ -76,7 +76,11 @@ pub fn channels(
     let unit = found.unit;
     let told = Told {
         is: unit,
-        because: found.because.clone(),
+        because: if found.stated && chosen.is_none() {
+            format!("wavelength units = {title}")
+        } else {
+            found.because.clone()
+        },
         stated: found.stated,
         plain: found.stated,
     };
