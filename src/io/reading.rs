@@ -93,6 +93,23 @@ pub struct Understood {
 }
 
 impl Understood {
+    /// What spoke for each decision.
+    fn reasons(&mut self) -> impl Iterator<Item = &mut String> {
+        let Self {
+            axis,
+            kind,
+            counted,
+        } = self;
+        let axis = axis.as_mut().map(|axis| match axis {
+            AxisTold::Unit(told) => &mut told.because,
+            AxisTold::Laser(told) => &mut told.because,
+        });
+        let counted = counted.as_mut().map(|told| &mut told.because);
+        [Some(&mut kind.because), axis, counted]
+            .into_iter()
+            .flatten()
+    }
+
     /// Whether a person should look.
     pub fn is_doubtful(&self) -> bool {
         let Self {
@@ -181,8 +198,8 @@ impl Reading {
             spectra,
             composites,
             table: _,
-            understood: _,
-            images_understood: _,
+            understood,
+            images_understood,
             axis: _,
             results,
             images,
@@ -211,6 +228,9 @@ impl Reading {
         }
         for guess in guesses {
             texts.extend([&mut guess.chosen, &mut guess.because]);
+        }
+        for told in understood.iter_mut().chain(images_understood) {
+            texts.extend(told.reasons());
         }
         tidy_notes(notes);
         for name in names {
