@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use spectral_explorer::io::units::WavelengthUnit;
 use spectral_explorer::io::write::{Columns, Provenance};
 use spectral_explorer::io::{
-    Choices, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, number, read_bytes,
+    Choices, Counted, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, number, read_bytes,
     read_bytes_as, read_path,
 };
 use spectral_explorer::spectrum::{Composite, Kind, NamedSpectrum, Rect, SpectralImage};
@@ -273,9 +273,8 @@ fn choices_of(bytes: &[u8]) -> Choices {
         axis_column: one_of(4),
         wavelengths: one_of(WavelengthUnit::ALL.len()).map(|i| WavelengthUnit::ALL[i]),
         kind: one_of(Kind::ALL.len()).map(|i| Kind::ALL[i]),
-        percent: one_of(2).map(|i| i == 1),
-        // No reader's business.
-        keep_photons: false,
+        counted: one_of(3).map(|i| Counted::OFFERED[i]),
+        ..Choices::default()
     }
 }
 
@@ -333,12 +332,17 @@ fn judge(file: &str, answer: &Answer, whole: bool) {
         spectra,
         composites,
         table: _,
-        understood: _,
+        understood,
+        images_understood,
+        axis: _,
         results,
         images,
         guesses,
+        image_guesses: _,
         notes,
     } = reading;
+    assert!(understood.len() <= spectra.len(), "{understood:?}");
+    assert_eq!(images_understood.len(), images.len());
     assert!(
         !spectra.is_empty() || !composites.is_empty() || !images.is_empty(),
         "read, and nothing in it"

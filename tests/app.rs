@@ -471,6 +471,7 @@ fn session(app: &App) -> Vec<Command> {
         },
         Command::Reread {
             keys: vec![key()],
+            images: Vec::new(),
             opened: Box::new(opened("again.csv", b"nm,W\n380,1\n390,2\n400,3\n")),
         },
         Command::Remove { key: key() },
@@ -1402,6 +1403,7 @@ fn names_of_files_that_are_no_text_are_kept_to_the_byte() {
         ..Preferences::default()
     };
     let image = StoredImage {
+        choices: spectral_explorer::io::Choices::default(),
         key: "image/1".to_owned(),
         path: odd,
         index: 0,

@@ -586,6 +586,7 @@ fn a_missing_image_is_looked_for_at_every_start_until_it_is_forgotten() {
     let files = Arc::new(|_: &_| Picked::Cancelled);
     let mut window = Window::new(App::new(), Preferences::default(), files, saver);
     let lost = StoredImage {
+        choices: spectral_explorer::io::Choices::default(),
         key: "image/7".to_owned(),
         path: folder.path().join("unplugged.hdr"),
         index: 0,

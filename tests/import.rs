@@ -22,7 +22,8 @@ use spectral_explorer::{
         App, Command,
         makers::{Beside, beside},
         open::{Loaded, load_path},
-        workspace::Preferences,
+        picture,
+        workspace::{self, Preferences},
     },
     io::Quantity,
     spectrum::Kind,
@@ -178,7 +179,7 @@ fn a_decimal_comma_that_was_misread_is_righted_by_a_click() {
     // Whole nanometres with one decimal digit look like two columns of whole numbers.
     let text = "400,5 1\n410,5 2\n420,5 4\n430,5 2\n440,5 1\n450,5 1\n";
     let mut ui = fresh();
-    drop_files(&mut ui, &[("lamp.txt", text)]);
+    drop_files(&mut ui, &[("sheet.txt", text)]);
     assert!(asks(&ui));
     let misread = own(&ui, 0);
     for chip in ["Cells between blanks", "Decimal mark decimal comma"] {
@@ -307,6 +308,152 @@ fn a_large_file_is_read_again_on_a_thread_of_its_own() {
     wait_until(&mut ui, |ui| own(ui, 0).0 == Kind::Transmittance);
     app_undo(&mut ui);
     assert_eq!(own(&ui, 0).0, Kind::Light);
+}
+
+const BLOCKS: &str = "##TITLE= dye\n##JCAMP-DX= 4.24\n##DATA TYPE= LINK\n##BLOCKS= 2\n\
+    ##TITLE= dye\n##DATA TYPE= UV-VISIBLE SPECTRUM\n##XUNITS= NANOMETERS\n##YUNITS= ABSORBANCE\n\
+    ##XYDATA= (XY..XY)\n400 0.1\n450 0.5\n500 0.2\n##END=\n\
+    ##TITLE= dye\n##DATA TYPE= UV-VISIBLE SPECTRUM\n##XUNITS= NANOMETERS\n##YUNITS= VARIANCE\n\
+    ##XYDATA= (XY..XY)\n400 0.01\n450 0.05\n500 0.02\n##END=\n##END=\n";
+
+#[test]
+fn a_block_of_variances_is_no_light_and_asks_nothing() {
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("uv.jdx", BLOCKS)]);
+    assert!(!asks(&ui), "{}", words(&ui).join(" | "));
+    assert_eq!(
+        [own(&ui, 0).0, own(&ui, 1).0],
+        [Kind::Absorbance, Kind::Other]
+    );
+    assert_eq!(app(&ui).document().light.name(), "FL11");
+}
+
+/// Two reflectances and a transmittance, as their titles say, and one that says nothing.
+const LEAF: &str = "Wavelength (nm),R(upper),T(upper),R(lower),leaf\n\
+    400,0.1,0.2,0.3,5\n450,0.2,0.3,0.4,6\n500,0.3,0.4,0.5,7\n550,0.2,0.3,0.4,8\n";
+
+fn kinds(ui: &Ui) -> Vec<Kind> {
+    let own = &app(ui).document().own;
+    own.iter().map(|entry| entry.kind()).collect()
+}
+
+#[test]
+fn an_answer_about_one_spectrum_leaves_those_that_state_their_kind() {
+    use Kind::{Light, Other, Reflectance, Transmittance};
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("leaf.csv", LEAF)]);
+    assert_eq!(kinds(&ui), [Reflectance, Transmittance, Reflectance, Light]);
+    assert!(asks(&ui), "the last column says nothing");
+    assert_eq!(
+        app(&ui).document().factor.as_ref().map(|f| f.name()),
+        Some("R(upper)"),
+        "what is sure is shown first"
+    );
+    // The one in doubt is asked about.
+    click(&mut ui, "Values are other");
+    assert_eq!(kinds(&ui), [Reflectance, Transmittance, Reflectance, Other]);
+    ui.get_by_role_and_label(Role::ComboBox, "Asked about")
+        .click();
+    ui.run();
+    click(&mut ui, "the 2 spectra of reflectance");
+    click(&mut ui, "Values are transmittance");
+    assert_eq!(
+        kinds(&ui),
+        [Transmittance, Transmittance, Transmittance, Other]
+    );
+    click(&mut ui, "Values are reflectance");
+    assert_eq!(
+        kinds(&ui),
+        [Reflectance, Transmittance, Reflectance, Other],
+        "they stay together"
+    );
+}
+
+#[test]
+fn nothing_moves_under_the_pointer() {
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("swatch.dat", HEADERLESS)]);
+    let last = "Decimal mark decimal comma";
+    let place = |ui: &Ui| ui.get_by_role_and_label(Role::Button, last).rect();
+    let before = place(&ui);
+    for name in [
+        "Values are transmittance",
+        "Counted in fraction",
+        "Cells between semicolon ;",
+        "Values are light",
+    ] {
+        click(&mut ui, name);
+        assert_eq!(place(&ui), before, "{name}");
+    }
+}
+
+#[test]
+fn formats_that_are_no_tables_hear_what_a_person_says() {
+    let text = "<?xml version=\"1.0\"?><IESTM2714 xmlns=\"http://www.ies.org/iestm2714\"><Header/>\
+        <SpectralDistribution><SpectralQuantity>reflectance</SpectralQuantity>\
+        <SpectralData wavelength=\"400\">3</SpectralData><SpectralData wavelength=\"500\">4</SpectralData>\
+        <SpectralData wavelength=\"600\">5</SpectralData></SpectralDistribution></IESTM2714>";
+    let mut ui = fresh();
+    drop_files(&mut ui, &[("dark.spdx", text)]);
+    assert!(asks(&ui), "5 per cent, or too much of a fraction?");
+    assert_eq!(own(&ui, 0).2, [0.03, 0.04, 0.05]);
+    click(&mut ui, "Counted in fraction");
+    assert_eq!(own(&ui, 0).2, [3.0, 4.0, 5.0]);
+    click(&mut ui, "Values are light");
+    assert_eq!(own(&ui, 0).2, [3.0, 4.0, 5.0]);
+    assert_eq!(app(&ui).document().own[0].spectrum.unit, "");
+    click(&mut ui, "Values are reflectance");
+    click(&mut ui, "Counted in percent");
+    assert_eq!(own(&ui, 0).2[1], 0.04);
+}
+
+/// A cube of numbers from 50 to 449 whose header says nothing of them.
+fn cube(folder: &Path) -> PathBuf {
+    let header = "ENVI\nsamples = 10\nlines = 10\nbands = 4\nheader offset = 0\ndata type = 4\n\
+                  interleave = bsq\nbyte order = 0\nwavelength = {400, 500, 600, 700}\n";
+    std::fs::write(folder.join("field.hdr"), header).expect("a header");
+    let bytes: Vec<u8> = (50..450).flat_map(|v| (v as f32).to_le_bytes()).collect();
+    std::fs::write(folder.join("field.img"), bytes).expect("data");
+    folder.join("field.hdr")
+}
+
+#[test]
+fn an_image_is_asked_about_and_keeps_its_answers_over_a_restart() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = cube(folder.path());
+    let mut ui = fresh();
+    ui.state_mut().0.open_files(vec![path], Arc::new(|| ()));
+    wait_until(&mut ui, asks);
+    ui.run();
+    let image = |ui: &Ui| app(ui).document().images[0].image.clone();
+    assert_eq!(
+        (image(&ui).kind, image(&ui).scale),
+        (Kind::Reflectance, 1e-4)
+    );
+    assert!(says(&ui, "nothing states it"), "{}", words(&ui).join(" | "));
+    click(&mut ui, "Counted in fraction");
+    assert_eq!(image(&ui).scale, 1.0, "as they are");
+    click(&mut ui, "Values are light");
+    assert_eq!((image(&ui).kind, image(&ui).scale), (Kind::Light, 1.0));
+    key(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(image(&ui).kind, Kind::Reflectance);
+    assert!(asks(&ui), "the look follows");
+    click(&mut ui, "Wavelengths in Å");
+    assert_eq!(image(&ui).cube.nm(), [40.0, 50.0, 60.0, 70.0]);
+    click(&mut ui, "Wavelengths in nm");
+    click(&mut ui, "Values are transmittance");
+    click(&mut ui, "Keep");
+    let text = workspace::to_json(app(&ui).document(), None).expect("written");
+    let stored = workspace::from_json(&text).expect("read").images;
+    let back = picture::back::read_again(&stored[0]).expect("the image again");
+    assert_eq!(
+        (back.image.kind, back.image.scale),
+        (Kind::Transmittance, 1.0)
+    );
+    click(&mut ui, "How it was read…");
+    wait_until(&mut ui, asks);
+    click(&mut ui, "Back to the reader's own choice");
+    assert_eq!(image(&ui).scale, 1e-4);
 }
 
 fn app_undo(ui: &mut Ui) {

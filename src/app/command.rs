@@ -65,6 +65,8 @@ pub enum Command {
     Reread {
         /// Keys of the entries that they replace.
         keys: Vec<String>,
+        /// Keys of the images that the file's images replace.
+        images: Vec<String>,
         /// The spectra, with what their maker computed.
         opened: Box<Opened>,
     },

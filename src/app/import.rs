@@ -8,18 +8,21 @@ use std::{
 
 use super::{
     command::Command,
-    document::{FIRST_LIGHT, Subject},
+    document::{Document, FIRST_LIGHT, Subject},
     entry::Entry,
     open::{Loaded, load_bytes_as, load_path_as},
-    opened::Opened,
+    opened::{ImageEntry, Opened},
     state::App,
     studies::{Job, Stage, Wake},
 };
 use crate::{
     io::{
-        Choices, Dialect, Guessed,
+        Choices, Counted, Dialect, Guess, Guessed,
+        choices::OfOne,
+        decided::{BY_HAND, MOST_UNDERSTOOD},
         dialect::Delimiter,
-        reading::{TableFound, Told},
+        envi,
+        reading::{AxisTold, TableFound, Told, Understood},
         text,
         units::WavelengthUnit,
     },
@@ -33,10 +36,10 @@ const AT_ONCE_BYTES: u64 = 4 * 1024 * 1024;
 const HEAD_BYTES: usize = 256 * 1024;
 
 /// Rows shown.
-const ROWS: usize = 10;
+const ROWS: usize = 40;
 
 /// Columns shown, and columns offered for the wavelengths.
-pub const MOST_COLUMNS: usize = 8;
+pub const MOST_COLUMNS: usize = 10;
 
 /// Lines shown of what stands above the table.
 const LINES_ABOVE: usize = 3;
@@ -52,6 +55,7 @@ pub struct Before {
     factor: Option<Arc<Entry>>,
     subject: Subject,
     own: usize,
+    images: usize,
 }
 
 impl Before {
@@ -63,6 +67,7 @@ impl Before {
             factor: document.factor.clone(),
             subject: document.subject,
             own: document.own.len(),
+            images: document.images.len(),
         }
     }
 
@@ -70,6 +75,75 @@ impl Before {
     pub fn joined(&self, app: &App) -> Vec<String> {
         let own = app.document().own.iter().skip(self.own);
         own.map(|entry| entry.key.clone()).collect()
+    }
+
+    /// What of a file joined since.
+    fn brought(&self, app: &App) -> Held {
+        let images = app.document().images.iter().skip(self.images);
+        Held {
+            keys: self.joined(app),
+            images: images.map(|image| image.key.clone()).collect(),
+        }
+    }
+}
+
+/// What the document holds of a file: keys of spectra and of images.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Held {
+    keys: Vec<String>,
+    images: Vec<String>,
+}
+
+impl Held {
+    fn is_empty(&self) -> bool {
+        self.keys.is_empty() && self.images.is_empty()
+    }
+
+    fn has(&self, key: &str) -> bool {
+        self.keys.iter().chain(&self.images).any(|k| k == key)
+    }
+
+    /// Whether they are of the same file.
+    fn meets(&self, other: &Self) -> bool {
+        let first = |keys: &[String], others: &[String]| {
+            keys.first().is_some_and(|key| others.first() == Some(key))
+        };
+        first(&self.keys, &other.keys) || first(&self.images, &other.images)
+    }
+
+    /// The first spectrum or image, as the document has it: other places hold copies.
+    fn first(&self, document: &Document) -> First {
+        let own = || {
+            let key = self.keys.first()?;
+            document.own.iter().find(|e| e.key == *key)
+        };
+        let image = || {
+            let key = self.images.first()?;
+            document.images.iter().find(|i| i.key == *key)
+        };
+        match (own(), image()) {
+            (Some(entry), _) => First::Spectrum(Arc::downgrade(entry)),
+            (None, Some(image)) => First::Image(Arc::downgrade(image)),
+            (None, None) => First::None,
+        }
+    }
+}
+
+/// What tells one reading of a file from another: the very thing that the document holds of it.
+#[derive(Clone, Debug)]
+enum First {
+    None,
+    Spectrum(Weak<Entry>),
+    Image(Weak<ImageEntry>),
+}
+
+impl PartialEq for First {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Spectrum(a), Self::Spectrum(b)) => a.ptr_eq(b),
+            (Self::Image(a), Self::Image(b)) => a.ptr_eq(b),
+            _ => false,
+        }
     }
 }
 
@@ -79,6 +153,8 @@ pub struct Source {
     path: Option<PathBuf>,
     bytes: Option<Arc<[u8]>>,
     file: String,
+    /// Its spectra are of no interest: they are the user's own numbers since long.
+    images_only: bool,
 }
 
 impl Source {
@@ -88,6 +164,17 @@ impl Source {
             path: opened.path.clone(),
             bytes: opened.bytes.clone(),
             file: opened.file.clone(),
+            images_only: false,
+        }
+    }
+
+    /// The file of an image that was read again from a workspace.
+    fn of_image(image: &ImageEntry) -> Self {
+        Self {
+            path: image.path.clone(),
+            bytes: None,
+            file: image.image.source.clone(),
+            images_only: true,
         }
     }
 
@@ -110,10 +197,16 @@ impl Source {
         // A panic in a reader must not take the window along.
         let loaded = std::panic::catch_unwind(std::panic::AssertUnwindSafe(read));
         match loaded {
-            Ok(Loaded::File(opened)) if opened.spectra.is_empty() => {
+            Ok(Loaded::File(opened)) if opened.spectra.is_empty() && opened.images.is_empty() => {
                 Err(format!("{}: found no spectrum", self.file))
             }
-            Ok(Loaded::File(opened)) => Ok(*opened),
+            Ok(Loaded::File(mut opened)) => {
+                if self.images_only {
+                    opened.spectra.clear();
+                    opened.guesses.clear();
+                }
+                Ok(*opened)
+            }
             Ok(Loaded::Refused(why)) => Err(why),
             Ok(Loaded::Project { .. }) => Err(format!("{}: it is a project now", self.file)),
             Err(_) => Err(format!("{}: the reader failed on this file", self.file)),
@@ -151,32 +244,19 @@ impl Source {
 /// One reading of a file that the document has or had.
 #[derive(Clone, Debug)]
 struct Mark {
-    keys: Vec<String>,
-    first: Weak<Entry>,
+    held: Held,
+    first: First,
     choices: Choices,
 }
 
 impl Mark {
-    fn of(app: &App, keys: &[String], choices: Choices) -> Self {
+    fn of(app: &App, held: Held, choices: Choices) -> Self {
         Self {
-            keys: keys.to_vec(),
-            first: first_entry(app, keys).map_or_else(Weak::new, |entry| Arc::downgrade(&entry)),
+            first: held.first(app.document()),
+            held,
             choices,
         }
     }
-
-    fn is_of(&self, entry: &Arc<Entry>) -> bool {
-        std::ptr::eq(self.first.as_ptr(), Arc::as_ptr(entry))
-    }
-}
-
-/// The own entry, as the list has it: other places hold copies.
-fn own_entry(app: &App, key: &str) -> Option<Arc<Entry>> {
-    app.document().own.iter().find(|e| e.key == key).cloned()
-}
-
-fn first_entry(app: &App, keys: &[String]) -> Option<Arc<Entry>> {
-    own_entry(app, keys.first()?)
 }
 
 /// Where own entries came from, in this session: newest last.
@@ -195,32 +275,35 @@ struct Origin {
 impl Origins {
     /// Remembers a file whose spectra the document has.
     pub fn remember(&mut self, app: &App, source: Source, choices: Choices, before: Before) {
-        let keys = before.joined(app);
-        if !keys.is_empty() {
+        let held = before.brought(app);
+        if !held.is_empty() {
             self.all.push(Origin {
-                marks: vec![Mark::of(app, &keys, choices)],
+                marks: vec![Mark::of(app, held, choices)],
                 source,
                 before,
             });
         }
     }
 
-    /// Remembers files that came in together: each with how many spectra it brought, in the order
-    /// in which they joined the document.
+    /// Remembers files that came in together: each with how many spectra and images it brought, in
+    /// the order in which they joined the document.
     pub fn remember_each(
         &mut self,
         app: &App,
-        files: Vec<(Source, Choices, usize)>,
+        files: Vec<(Source, Choices, [usize; 2])>,
         before: &Before,
     ) {
-        let joined = before.joined(app);
-        let mut rest = &joined[..];
-        for (source, choices, count) in files {
-            let (keys, others) = rest.split_at(count.min(rest.len()));
-            rest = others;
-            if !keys.is_empty() {
+        let joined = before.brought(app);
+        let mut keys = joined.keys.into_iter();
+        let mut images = joined.images.into_iter();
+        for (source, choices, [spectra, pictures]) in files {
+            let held = Held {
+                keys: keys.by_ref().take(spectra).collect(),
+                images: images.by_ref().take(pictures).collect(),
+            };
+            if !held.is_empty() {
                 self.all.push(Origin {
-                    marks: vec![Mark::of(app, keys, choices)],
+                    marks: vec![Mark::of(app, held, choices)],
                     source,
                     before: before.clone(),
                 });
@@ -229,13 +312,13 @@ impl Origins {
     }
 
     /// Remembers another reading of a file.
-    fn reread(&mut self, app: &App, before: &[String], keys: &[String], choices: Choices) {
+    fn reread(&mut self, app: &App, before: &Held, held: Held, choices: Choices) {
         let found = self.all.iter_mut().rev().find(|origin| {
             let mut marks = origin.marks.iter();
-            marks.any(|mark| mark.keys.first() == before.first())
+            marks.any(|mark| mark.held.meets(before))
         });
         if let Some(origin) = found {
-            origin.marks.push(Mark::of(app, keys, choices));
+            origin.marks.push(Mark::of(app, held, choices));
         }
     }
 
@@ -246,8 +329,8 @@ impl Origins {
 
     fn find(&self, key: &str) -> Option<&Origin> {
         let has = |origin: &&Origin| {
-            let mut keys = origin.marks.iter().flat_map(|mark| &mark.keys);
-            keys.any(|k| k == key)
+            let mut marks = origin.marks.iter();
+            marks.any(|mark| mark.held.has(key))
         };
         self.all.iter().rev().find(has)
     }
@@ -255,8 +338,8 @@ impl Origins {
     /// Starts to read the file of an own entry again, as it was read for it.
     pub fn again(&self, app: &App, key: &str, wake: &Wake) -> Option<Again> {
         let origin = self.find(key)?;
-        let of_now = |mark: &&Mark| first_entry(app, &mark.keys).is_some_and(|e| mark.is_of(&e));
-        let with_key = |mark: &&Mark| mark.keys.iter().any(|k| k == key);
+        let of_now = |mark: &&Mark| mark.held.first(app.document()) == mark.first;
+        let with_key = |mark: &&Mark| mark.held.has(key);
         let mark = origin
             .marks
             .iter()
@@ -264,12 +347,39 @@ impl Origins {
             .find(of_now)
             .or_else(|| origin.marks.iter().rev().find(with_key))?;
         let mut reader = Reader::new(origin.source.clone());
-        reader.ask(mark.choices, wake);
+        reader.ask(mark.choices.clone(), wake);
         Some(Again {
             reader,
-            keys: mark.keys.clone(),
+            held: mark.held.clone(),
             before: origin.before.clone(),
         })
+    }
+
+    /// Starts to read the file of an image again, as it was read for it: one that came back from
+    /// a workspace is none that was opened in this session.
+    pub fn image_again(&mut self, app: &App, key: &str, wake: &Wake) -> Option<Again> {
+        if !self.knows(key) {
+            let images = &app.document().images;
+            let image = images.iter().find(|image| image.key == key)?;
+            image.path.as_ref()?;
+            let of_file = |other: &&Arc<ImageEntry>| {
+                (&other.path, &other.choices) == (&image.path, &image.choices)
+            };
+            let held = Held {
+                keys: Vec::new(),
+                images: images
+                    .iter()
+                    .filter(of_file)
+                    .map(|i| i.key.clone())
+                    .collect(),
+            };
+            self.all.push(Origin {
+                marks: vec![Mark::of(app, held, image.choices.clone())],
+                source: Source::of_image(image),
+                before: Before::of(app),
+            });
+        }
+        self.again(app, key, wake)
     }
 }
 
@@ -300,7 +410,7 @@ impl Reader {
         if self.asked.is_some() {
             return;
         }
-        self.asked = Some(choices);
+        self.asked = Some(choices.clone());
         if self.small {
             self.answer = Some(self.source.read(&choices));
             return;
@@ -313,7 +423,7 @@ impl Reader {
 
     /// What was read, once.
     fn take(&mut self) -> Option<(Choices, Result<Opened, String>)> {
-        let choices = self.asked?;
+        self.asked.as_ref()?;
         if self.answer.is_none() && !self.small {
             self.job.take_in();
             self.answer = match self.job.stage() {
@@ -326,15 +436,14 @@ impl Reader {
             };
         }
         let answer = self.answer.take()?;
-        self.asked = None;
-        Some((choices, answer))
+        Some((self.asked.take()?, answer))
     }
 }
 
 /// A file that is read again to be looked at.
 pub struct Again {
     reader: Reader,
-    keys: Vec<String>,
+    held: Held,
     before: Before,
 }
 
@@ -346,9 +455,7 @@ impl Again {
     pub fn finished(&mut self, app: &App) -> Option<Result<Import, String>> {
         let (_, read) = self.reader.take()?;
         Some(
-            read.map(|opened| {
-                Import::with_keys(app, opened, self.keys.clone(), self.before.clone())
-            }),
+            read.map(|opened| Import::holding(app, opened, self.held.clone(), self.before.clone())),
         )
     }
 }
@@ -364,10 +471,12 @@ pub enum Flip {
     AxisColumn(usize),
     /// What the wavelength axis counts.
     Wavelengths(WavelengthUnit),
-    /// What the values stand for.
+    /// The laser that Raman shifts count from, nm.
+    Laser(f64),
+    /// What the values stand for, of the spectra that are asked about.
     Kind(Kind),
-    /// Whether values are per cent.
-    Percent(bool),
+    /// What the values are counted in, of the spectra that are asked about.
+    Counted(Counted),
     /// Back to all that the reader chooses by itself.
     ReadersOwn,
 }
@@ -411,6 +520,13 @@ pub struct Head {
     pub along_rows: bool,
 }
 
+impl Head {
+    /// Columns that are held of every row.
+    pub fn width(&self) -> usize {
+        self.roles.len()
+    }
+}
+
 /// A decision with its other answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question {
@@ -424,7 +540,32 @@ pub struct Question {
     pub because: String,
     /// Whether a person should look.
     pub doubtful: bool,
+    /// Whether it applies: what does not keeps its place, so that nothing moves when it does.
+    pub applies: bool,
 }
+
+/// Which spectra (or images) of a file the questions are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum About {
+    /// All that were understood as the one at this place was.
+    Alike(usize),
+    /// One alone.
+    One(usize),
+}
+
+/// Some of a file's spectra or images that can be asked about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// "all 2 taken as reflectance: R(adaxial), R(abaxial)", or a name with its kind.
+    pub words: String,
+    /// What takes the questions there.
+    pub about: About,
+    /// Whether a person should look at it.
+    pub doubtful: bool,
+}
+
+/// Single spectra that are offered to be asked about.
+const MOST_PARTS: usize = 200;
 
 /// One answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -440,9 +581,10 @@ pub struct Answer {
 /// A reading that the document has or had: an undo goes back to it here too.
 struct Known {
     opened: Arc<Opened>,
-    keys: Vec<String>,
-    first: Weak<Entry>,
+    held: Held,
+    first: First,
     head: Head,
+    alike: Vec<Alike>,
 }
 
 /// Readings kept for undo.
@@ -456,17 +598,17 @@ pub struct Import {
     refusal: Option<String>,
     reader: Reader,
     before: Before,
+    about: About,
 }
 
 impl Import {
-    /// A look at a file that was opened just now; `None` when it brought no spectra.
+    /// A look at a file that was opened just now; `None` when it brought nothing.
     pub fn of(app: &App, opened: Opened, before: Before) -> Option<Self> {
-        let keys = before.joined(app);
-        (!keys.is_empty() && !opened.spectra.is_empty())
-            .then(|| Self::with_keys(app, opened, keys, before))
+        let held = before.brought(app);
+        (!held.is_empty()).then(|| Self::holding(app, opened, held, before))
     }
 
-    fn with_keys(app: &App, opened: Opened, keys: Vec<String>, before: Before) -> Self {
+    fn holding(app: &App, opened: Opened, held: Held, before: Before) -> Self {
         let source = Source::of(&opened);
         let text = source.head();
         let mut import = Self {
@@ -476,20 +618,23 @@ impl Import {
             refusal: None,
             reader: Reader::new(source),
             before,
+            about: About::Alike(0),
         };
-        import.know(app, opened, keys);
+        import.know(app, opened, held);
+        import.about = About::Alike(import.first_doubtful());
         import
     }
 
-    fn know(&mut self, app: &App, opened: Opened, keys: Vec<String>) {
+    fn know(&mut self, app: &App, opened: Opened, held: Held) {
         if self.known.len() == MOST_KNOWN {
             self.known.remove(0);
         }
         self.known.push(Known {
-            first: first_entry(app, &keys).map_or_else(Weak::new, |e| Arc::downgrade(&e)),
+            first: held.first(app.document()),
             head: head(&self.text, opened.table.as_ref()),
+            alike: alike(&opened),
             opened: Arc::new(opened),
-            keys,
+            held,
         });
         self.shown = self.known.len() - 1;
     }
@@ -505,7 +650,7 @@ impl Import {
 
     /// Keys of its entries.
     pub fn keys(&self) -> &[String] {
-        &self.now().keys
+        &self.now().held.keys
     }
 
     /// Its first rows.
@@ -538,24 +683,170 @@ impl Import {
 
     fn choices_after(&self, flip: Flip) -> Choices {
         let opened = self.opened();
-        let mut choices = opened.choices;
+        let mut choices = opened.choices.clone();
         let dialect = opened.table.as_ref().map(|table| table.dialect);
         match flip {
             Flip::Delimiter(delimiter) => {
                 choices.dialect = dialect.map(|d| Dialect { delimiter, ..d });
                 // Columns are counted anew.
                 choices.axis_column = None;
+                choices.each.clear();
             }
             Flip::DecimalComma(decimal_comma) => {
                 choices.dialect = dialect.map(|d| Dialect { decimal_comma, ..d });
+                choices.each.clear();
             }
-            Flip::AxisColumn(column) => choices.axis_column = Some(column),
+            Flip::AxisColumn(column) => {
+                choices.axis_column = Some(column);
+                choices.each.clear();
+            }
             Flip::Wavelengths(unit) => choices.wavelengths = Some(unit),
-            Flip::Kind(kind) => choices.kind = Some(kind),
-            Flip::Percent(percent) => choices.percent = Some(percent),
+            Flip::Laser(nm) => choices.laser_nm = Some(nm),
+            Flip::Kind(kind) => self.choose(
+                &mut choices,
+                |choices| choices.kind = Some(kind),
+                |one| one.kind = Some(kind),
+                |one| one.kind = None,
+            ),
+            Flip::Counted(counted) => self.choose(
+                &mut choices,
+                |choices| choices.counted = Some(counted),
+                |one| one.counted = Some(counted),
+                |one| one.counted = None,
+            ),
             Flip::ReadersOwn => choices = Choices::default(),
         }
         choices
+    }
+
+    /// Decides for all of the file, or for the parts that are asked about.
+    fn choose(
+        &self,
+        choices: &mut Choices,
+        of_all: impl Fn(&mut Choices),
+        of_one: impl Fn(&mut OfOne),
+        forget: impl Fn(&mut OfOne),
+    ) {
+        let parts = self.asked_about();
+        let is_all = parts.len() == self.now().alike.len();
+        let each = if self.is_of_images() {
+            &mut choices.each_image
+        } else {
+            &mut choices.each
+        };
+        if is_all {
+            each.values_mut().for_each(forget);
+            each.retain(|_, one| *one != OfOne::default());
+            of_all(choices);
+        } else {
+            for part in parts {
+                of_one(each.entry(part).or_default());
+            }
+        }
+    }
+
+    /// Whether the questions are about images.
+    pub fn is_of_images(&self) -> bool {
+        !self.opened().images.is_empty()
+    }
+
+    /// The parts of the file that the questions are about.
+    fn asked_about(&self) -> Vec<usize> {
+        let alike = &self.now().alike;
+        match self.about {
+            About::One(at) => vec![at],
+            About::Alike(at) => {
+                let of = alike.get(at);
+                (0..alike.len()).filter(|i| alike.get(*i) == of).collect()
+            }
+        }
+    }
+
+    /// The part that stands for all that are asked about.
+    fn asked_first(&self) -> usize {
+        let (About::One(at) | About::Alike(at)) = self.about;
+        at
+    }
+
+    fn first_doubtful(&self) -> usize {
+        let mut alike = self.now().alike.iter();
+        alike.position(|one| one.doubtful).unwrap_or(0)
+    }
+
+    /// Which part of the file is asked about.
+    pub fn about(&self) -> About {
+        self.about
+    }
+
+    /// Asks about another part of the file.
+    pub fn ask_about(&mut self, about: About) {
+        self.about = about;
+    }
+
+    /// What of the file can be asked about: those understood alike, then each by itself; nothing
+    /// where there is one only.
+    pub fn parts(&self) -> Vec<Part> {
+        let alike = &self.now().alike;
+        if alike.len() < 2 {
+            return Vec::new();
+        }
+        let mut parts = Vec::new();
+        let mut known: Vec<&Alike> = Vec::new();
+        for (at, one) in alike.iter().enumerate() {
+            if known.contains(&one) {
+                continue;
+            }
+            known.push(one);
+            let count = alike.iter().filter(|other| *other == one).count();
+            if count > 1 {
+                parts.push(Part {
+                    words: self.words_of_many(one, count),
+                    about: About::Alike(at),
+                    doubtful: one.doubtful,
+                });
+            }
+        }
+        parts.extend((0..alike.len().min(MOST_PARTS)).map(|at| Part {
+            words: format!("{}: {}", self.name_of(at), alike[at].kind.word()),
+            about: About::One(at),
+            doubtful: alike[at].doubtful,
+        }));
+        parts
+    }
+
+    /// What is asked about, in words.
+    pub fn about_words(&self) -> String {
+        let alike = &self.now().alike;
+        let at = self.asked_first();
+        match (alike.get(at), self.asked_about().len()) {
+            (Some(one), 2..) => self.words_of_many(one, self.asked_about().len()),
+            (Some(one), _) => format!("{}: {}", self.name_of(at), one.kind.word()),
+            (None, _) => String::new(),
+        }
+    }
+
+    fn words_of_many(&self, one: &Alike, count: usize) -> String {
+        let what = if self.is_of_images() {
+            "images"
+        } else {
+            "spectra"
+        };
+        let all = if count == self.now().alike.len() {
+            "all"
+        } else {
+            "the"
+        };
+        let told = if one.guessed { "taken as" } else { "of" };
+        format!("{all} {count} {what} {told} {}", one.kind.word())
+    }
+
+    fn name_of(&self, at: usize) -> &str {
+        let opened = self.opened();
+        if self.is_of_images() {
+            opened.images.get(at).map_or("", |image| &image.name)
+        } else {
+            opened.spectra.get(at).map_or("", |spectrum| &spectrum.name)
+        }
     }
 
     /// Puts what was read meanwhile into the document, one step of undo each; a refusal keeps the
@@ -572,10 +863,12 @@ impl Import {
             }
         };
         self.refusal = None;
-        let keys: Vec<String> = self.keys().to_vec();
+        let held = self.now().held.clone();
+        let keys = &held.keys;
         app.end_gesture();
         app.apply(Command::Reread {
             keys: keys.clone(),
+            images: held.images.clone(),
             opened: Box::new(opened.clone()),
         });
         app.end_gesture();
@@ -589,8 +882,16 @@ impl Import {
             .cloned()
             .chain(new.map(|e| e.key.clone()))
             .collect();
-        origins.reread(app, &keys, &new_keys, choices);
-        self.know(app, opened, new_keys);
+        let new = Held {
+            keys: new_keys,
+            images: held.images.clone(),
+        };
+        origins.reread(app, &held, new.clone(), choices);
+        self.know(app, opened, new);
+        let parts = self.now().alike.len();
+        if self.asked_first() >= parts {
+            self.about = About::Alike(0);
+        }
         true
     }
 
@@ -598,22 +899,18 @@ impl Import {
     /// more.
     pub fn follow(&mut self, app: &App) -> bool {
         let now = self.now();
-        let entry = first_entry(app, &now.keys);
-        if let Some(entry) = &entry
-            && std::ptr::eq(now.first.as_ptr(), Arc::as_ptr(entry))
-        {
+        let document = app.document();
+        let is_there = |known: &Known| known.held.first(document) == known.first;
+        if is_there(now) {
             return true;
         }
-        let is_there = |known: &Known| {
-            first_entry(app, &known.keys)
-                .is_some_and(|e| std::ptr::eq(known.first.as_ptr(), Arc::as_ptr(&e)))
-        };
         if let Some(index) = self.known.iter().rposition(is_there) {
             self.shown = index;
             self.refusal = None;
         }
-        let keys = &self.now().keys;
-        app.document().own.iter().any(|e| keys.contains(&e.key))
+        let held = &self.now().held;
+        document.own.iter().any(|e| held.keys.contains(&e.key))
+            || document.images.iter().any(|i| held.images.contains(&i.key))
     }
 
     /// The document without the file's spectra, with what was on screen before them: one step of
@@ -622,6 +919,8 @@ impl Import {
         let keys = self.keys();
         let is_gone = |key: &str| keys.iter().any(|k| k == key);
         let mut document = app.document().clone();
+        let images = &self.now().held.images;
+        document.images.retain(|i| !images.contains(&i.key));
         document.own.retain(|e| !is_gone(&e.key));
         document.overlays.retain(|e| !is_gone(&e.key));
         for key in keys {
@@ -657,55 +956,37 @@ impl Import {
     /// most often in doubt comes first, and rows do not change places when they are answered.
     pub fn questions(&self) -> Vec<Question> {
         let opened = self.opened();
-        let mut questions = Vec::new();
-        let doubt = |what: Guessed| {
-            let mut guesses = opened.guesses.iter();
-            guesses.find(|guess| guess.what == what && guess.is_doubtful())
+        let at = self.asked_first();
+        let all = if self.is_of_images() {
+            &opened.images_understood
+        } else {
+            &opened.understood
         };
-        let understood = opened.understood.as_ref();
-        if let Some(first) = opened.spectra.first() {
-            let guess = doubt(Guessed::Kind);
-            let because = match (guess, understood) {
-                (Some(guess), _) => guess.because.clone(),
-                (None, Some(understood)) => why(&understood.kind),
-                (None, None) if opened.choices.kind.is_some() => "chosen by hand".to_owned(),
-                (None, None) => "stated by the file".to_owned(),
-            };
-            let mut kinds = KINDS.to_vec();
-            if !kinds.contains(&first.kind) {
-                kinds.push(first.kind);
-            }
-            questions.push(Question {
-                what: "Values are",
-                meaning: "What the values stand for: a light is drawn as a light, a reflectance \
-                          or transmittance is looked at under one.",
-                answers: answers(kinds, first.kind, Flip::Kind, |kind| kind.word().to_owned()),
-                because,
-                doubtful: guess.is_some(),
-            });
+        // The questions of one file are the same whatever is asked about.
+        let understood = all
+            .get(at)
+            .or(all.first().filter(|_| at >= MOST_UNDERSTOOD));
+        let mut questions = Vec::new();
+        if let Some(one) = self.now().alike.get(at) {
+            questions.push(kind_question(one, all.get(at), opened, at));
+            questions.push(counted_question(
+                understood.and_then(|u| u.counted.as_ref()),
+                opened.format,
+            ));
         }
-        if let Some(told) = understood.and_then(|u| u.percent.as_ref()) {
-            questions.push(Question {
-                what: "Counted in",
-                meaning: "Whether a value of 100 or of 1 reflects (or transmits) all of the light.",
-                answers: answers([true, false], told.is, Flip::Percent, |percent| {
-                    if percent { "percent" } else { "fraction" }.to_owned()
-                }),
-                because: why(told),
-                doubtful: doubt(Guessed::Percent).is_some(),
-            });
-        }
-        if let Some(understood) = understood {
-            let told = &understood.wavelengths;
-            questions.push(Question {
+        match understood.and_then(|u| u.axis.as_ref()) {
+            Some(AxisTold::Unit(told)) => questions.push(Question {
                 what: "Wavelengths in",
                 meaning: "What the numbers of the wavelength axis count.",
                 answers: answers(WavelengthUnit::ALL, told.is, Flip::Wavelengths, |unit| {
                     unit.word().to_owned()
                 }),
                 because: why(told),
-                doubtful: doubt(Guessed::WavelengthUnit).is_some(),
-            });
+                doubtful: AxisTold::Unit(told.clone()).is_doubtful(),
+                applies: true,
+            }),
+            Some(AxisTold::Laser(told)) => questions.push(laser_question(told)),
+            None => {}
         }
         if let Some(table) = &opened.table {
             questions.extend(table_questions(table, &opened.choices));
@@ -723,7 +1004,136 @@ const KINDS: [Kind; 5] = [
     Kind::Other,
 ];
 
-const BY_HAND: &str = "chosen by hand";
+/// What tells whether two spectra of a file were understood alike.
+#[derive(Clone, Debug, PartialEq)]
+struct Alike {
+    kind: Kind,
+    guessed: bool,
+    by_hand: bool,
+    doubtful: bool,
+}
+
+/// How each spectrum of a file was understood, or each of its images.
+fn alike(opened: &Opened) -> Vec<Alike> {
+    let Choices {
+        each, each_image, ..
+    } = &opened.choices;
+    if !opened.images.is_empty() {
+        let images = opened.images.iter().zip(&opened.images_understood);
+        return images
+            .enumerate()
+            .map(|(at, (image, understood))| Alike {
+                kind: image.kind,
+                guessed: !understood.kind.stated,
+                by_hand: each_image.contains_key(&at),
+                doubtful: understood.is_doubtful(),
+            })
+            .collect();
+    }
+    let spectra = opened.spectra.iter().enumerate();
+    let mut all: Vec<Alike> = spectra
+        .map(|(at, spectrum)| Alike {
+            kind: spectrum.kind,
+            guessed: false,
+            by_hand: each.contains_key(&at),
+            doubtful: false,
+        })
+        .collect();
+    for guess in &opened.guesses {
+        if let Some(one) = all.get_mut(guess.spectrum) {
+            one.guessed |= guess.what == Guessed::Kind;
+            one.doubtful |= guess.is_doubtful();
+        }
+    }
+    all
+}
+
+fn kind_question(
+    one: &Alike,
+    understood: Option<&Understood>,
+    opened: &Opened,
+    at: usize,
+) -> Question {
+    let mut guesses = opened.guesses.iter();
+    let guess = guesses.find(|guess| guess.what == Guessed::Kind && guess.spectrum == at);
+    let because = match (understood, guess) {
+        (Some(understood), _) => why(&understood.kind),
+        (None, Some(guess)) => guess.because.clone(),
+        (None, None) if opened.choices.kind_of(at).is_some() => BY_HAND.to_owned(),
+        (None, None) => "stated by the file".to_owned(),
+    };
+    let doubtful = match understood {
+        Some(understood) => !understood.kind.plain,
+        None => guess.is_some_and(Guess::is_doubtful),
+    };
+    let mut kinds = KINDS.to_vec();
+    if !kinds.contains(&one.kind) {
+        kinds.push(one.kind);
+    }
+    Question {
+        what: "Values are",
+        meaning: "What the values stand for: a light is drawn as a light, a reflectance or \
+                  transmittance is looked at under one.",
+        answers: answers(kinds, one.kind, Flip::Kind, |kind| kind.word().to_owned()),
+        because,
+        doubtful,
+        applies: true,
+    }
+}
+
+fn counted_question(told: Option<&Told<Counted>>, format: &str) -> Question {
+    let is = told.map(|told| told.is);
+    let is_stored_large = |counted| is == Some(counted) || format == envi::FORMAT.name;
+    let offered = [
+        Counted::Percent,
+        Counted::Fraction,
+        Counted::TenThousandths,
+        Counted::Otherwise,
+    ]
+    .into_iter()
+    .filter(|counted| match counted {
+        Counted::Percent | Counted::Fraction => true,
+        Counted::TenThousandths => is_stored_large(*counted),
+        Counted::Otherwise => is == Some(*counted),
+    });
+    Question {
+        what: "Counted in",
+        meaning: "Whether a value of 100, of 1 or of 10 000 reflects (or transmits) all of the \
+                  light; fractions are taken as they are.",
+        answers: offered
+            .map(|counted| Answer {
+                words: counted.word().to_owned(),
+                flip: Flip::Counted(counted),
+                chosen: is == Some(counted),
+            })
+            .collect(),
+        because: told.map_or_else(
+            || "asked of reflectances and transmittances".to_owned(),
+            why,
+        ),
+        doubtful: told.is_some_and(|told| !told.plain),
+        applies: told.is_some(),
+    }
+}
+
+/// Lasers of Raman spectrometers that are sold, nm.
+const LASERS_NM: [f64; 7] = [405.0, 488.0, 514.5, 532.0, 633.0, 785.0, 1064.0];
+
+fn laser_question(told: &Told<f64>) -> Question {
+    let mut lasers = LASERS_NM.to_vec();
+    if !lasers.contains(&told.is) {
+        lasers.push(told.is);
+        lasers.sort_by(f64::total_cmp);
+    }
+    Question {
+        what: "Shifts from",
+        meaning: "The laser, in nm, from whose line the Raman shifts count.",
+        answers: answers(lasers, told.is, Flip::Laser, |nm| format!("{nm} nm")),
+        because: why(told),
+        doubtful: !told.plain,
+        applies: true,
+    }
+}
 
 fn why<T>(told: &Told<T>) -> String {
     match (told.stated, told.because.as_str()) {
@@ -771,6 +1181,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
                 "it rises or falls throughout",
             ),
             doubtful: false,
+            applies: true,
         });
     }
     questions.extend([
@@ -793,6 +1204,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
             ),
             because: because(by_hand, "it makes the most even table"),
             doubtful: false,
+            applies: true,
         },
         Question {
             what: "Decimal mark",
@@ -812,6 +1224,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
             ),
             because: because(by_hand, "it makes the most numbers"),
             doubtful: false,
+            applies: true,
         },
     ]);
     questions

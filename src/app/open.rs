@@ -135,9 +135,12 @@ fn from_reading(
         composites,
         table,
         understood,
+        images_understood,
+        axis: _,
         results,
         images,
         guesses,
+        image_guesses: _,
         notes,
     } = reading;
     let mut spectra = spectra_of(spectra, composites, &notes, &file);
@@ -160,8 +163,9 @@ fn from_reading(
         table,
         understood,
         photons,
+        images_understood,
         guesses,
-        choices: *choices,
+        choices: choices.clone(),
     }))
 }
 

@@ -4,7 +4,7 @@ use std::{path::PathBuf, sync::Arc};
 
 use crate::{
     io::{
-        Choices, Guess, MakersResult,
+        Choices, Guess, Guessed, MakersResult,
         reading::{TableFound, Understood},
     },
     spectrum::{NamedSpectrum, SpectralImage},
@@ -31,8 +31,10 @@ pub struct Opened {
     pub images: Vec<Arc<SpectralImage>>,
     /// How its first plain table was taken apart.
     pub table: Option<TableFound>,
-    /// How its first spectrum was understood; `None` where the format leaves nothing open.
-    pub understood: Option<Understood>,
+    /// How its first spectra were understood, in their order.
+    pub understood: Vec<Understood>,
+    /// How each of its images was understood.
+    pub images_understood: Vec<Understood>,
     /// Whether one of its lights counts photons, in the file.
     pub photons: bool,
     /// What had to be guessed.
@@ -58,7 +60,8 @@ impl Opened {
             spectra: vec![spectrum],
             images: Vec::new(),
             table: None,
-            understood: None,
+            understood: Vec::new(),
+            images_understood: Vec::new(),
             photons: false,
             guesses: Vec::new(),
             choices: Choices::default(),
@@ -68,6 +71,19 @@ impl Opened {
     /// Whether a person should look at how it was read.
     pub fn is_doubtful(&self) -> bool {
         self.guesses.iter().any(Guess::is_doubtful)
+            || self.images_understood.iter().any(Understood::is_doubtful)
+    }
+
+    /// Which of its spectra are of a kind that is doubtful.
+    pub fn doubtful_kinds(&self) -> Vec<bool> {
+        let mut all = vec![false; self.spectra.len()];
+        let of_kind = |guess: &&Guess| guess.what == Guessed::Kind && guess.is_doubtful();
+        for guess in self.guesses.iter().filter(of_kind) {
+            if let Some(doubtful) = all.get_mut(guess.spectrum) {
+                *doubtful = true;
+            }
+        }
+        all
     }
 
     /// The maker's results that belong to one of its spectra: those that say so, and those of the
@@ -91,6 +107,8 @@ pub struct ImageEntry {
     pub path: Option<PathBuf>,
     /// Which of the file's images, from 0.
     pub index: usize,
+    /// What a person decided about the file.
+    pub choices: Choices,
     /// The image.
     pub image: Arc<SpectralImage>,
 }

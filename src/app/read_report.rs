@@ -28,9 +28,12 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 composites,
                 table: _,
                 understood: _,
+                images_understood: _,
+                axis: _,
                 results,
                 images,
                 guesses: _,
+                image_guesses: _,
                 notes,
             } = reading;
             json!({

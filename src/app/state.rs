@@ -321,9 +321,18 @@ impl App {
             }
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
-            Command::Adopt(spectra) => self.adopt(spectra.into_iter().map(|s| (s, Vec::new()))),
+            Command::Adopt(spectra) => {
+                self.adopt(spectra.into_iter().map(|s| (s, Vec::new())), &[]);
+            }
             Command::Open(files) => self.take_in(files),
-            Command::Reread { keys, opened } => self.reread(&keys, &opened),
+            Command::Reread {
+                keys,
+                images,
+                opened,
+            } => {
+                self.reread(&keys, &opened);
+                self.reread_images(&images, &opened);
+            }
             Command::RemoveImage { key } => self.document.images.retain(|i| i.key != key),
             Command::Rename { key, name } => {
                 self.change_own(&key, |spectrum| spectrum.name.clone_from(&name));
@@ -419,7 +428,12 @@ impl App {
         }
     }
 
-    fn adopt(&mut self, spectra: impl Iterator<Item = (NamedSpectrum, Vec<MakersResult>)>) {
+    /// Takes spectra in and shows the first; the first of those that are `sure`, where there are.
+    fn adopt(
+        &mut self,
+        spectra: impl Iterator<Item = (NamedSpectrum, Vec<MakersResult>)>,
+        sure: &[bool],
+    ) {
         let before = self.document.own.len();
         for (spectrum, makers) in spectra {
             let entry = Arc::new(self.own_entry(spectrum, makers));
@@ -427,7 +441,12 @@ impl App {
         }
         // Among many files the first may be one that is only drawn over another.
         let new = &self.document.own[before..];
-        let first = new.iter().find(|e| e.is_usable()).or(new.first()).cloned();
+        let mut known = new.iter().zip(sure).filter(|(_, sure)| **sure);
+        let first = known
+            .find_map(|(entry, _)| entry.is_usable().then_some(entry))
+            .or(new.iter().find(|e| e.is_usable()))
+            .or(new.first())
+            .cloned();
         if let Some(entry) = first {
             self.show(entry);
         }
@@ -444,6 +463,15 @@ impl App {
 
     fn take_in(&mut self, files: Vec<Opened>) {
         let mut spectra = Vec::new();
+        // Of several files the first is shown.
+        let sure: Vec<bool> = match &files[..] {
+            [file] => file
+                .doubtful_kinds()
+                .iter()
+                .map(|doubtful| !doubtful)
+                .collect(),
+            _ => Vec::new(),
+        };
         for file in files {
             for (index, image) in file.images.iter().enumerate() {
                 let number = self.document.next_own;
@@ -452,13 +480,28 @@ impl App {
                     key: format!("image/{number}"),
                     path: file.path.clone(),
                     index,
+                    choices: file.choices.clone(),
                     image: image.clone(),
                 }));
             }
             let makers: Vec<_> = (0..file.spectra.len()).map(|i| file.makers_of(i)).collect();
             spectra.extend(file.spectra.into_iter().zip(makers));
         }
-        self.adopt(spectra.into_iter());
+        self.adopt(spectra.into_iter(), &sure);
+    }
+
+    /// Puts images that were read anew in the place of others.
+    fn reread_images(&mut self, keys: &[String], opened: &Opened) {
+        for known in &mut self.document.images {
+            let is_key = keys.contains(&known.key);
+            if let Some(image) = opened.images.get(known.index).filter(|_| is_key) {
+                *known = Arc::new(ImageEntry {
+                    choices: opened.choices.clone(),
+                    image: image.clone(),
+                    ..ImageEntry::clone(known)
+                });
+            }
+        }
     }
 
     fn reread(&mut self, keys: &[String], opened: &Opened) {
@@ -653,6 +696,7 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
         Question {
             measured: &measured,
             is_light,
+            is_divided: subject.spectrum.scale < 1.0,
             light: &light,
             full,
             full_luminance: white.y,

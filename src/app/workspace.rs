@@ -23,7 +23,7 @@ use super::{
 };
 use crate::{
     io::{
-        MakersResult,
+        Choices, MakersResult,
         atomic::{UNFINISHED, save_atomically},
     },
     spectrum::{Kind, NamedSpectrum, Sampled, SpikeEdits},
@@ -155,6 +155,9 @@ pub struct StoredImage {
     pub path: PathBuf,
     /// Which of the file's images, from 0.
     pub index: usize,
+    /// What a person decided about the file.
+    #[serde(default)]
+    pub choices: Choices,
 }
 
 /// What is written: the document by names, and the window's preferences.
@@ -315,6 +318,7 @@ pub fn to_json_with(
                     key: image.key.clone(),
                     path: image.path.clone()?,
                     index: image.index,
+                    choices: image.choices.clone(),
                 })
             })
             .chain(waiting.iter().cloned())

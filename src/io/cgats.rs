@@ -27,7 +27,8 @@ use crate::spectrum::Kind;
 
 use super::argyll_write::ORIGINATOR;
 use super::cgats_tables::{self, CgatsTable};
-use super::kinds::{kind_of_name, kind_of_words};
+use super::error::quoted;
+use super::kinds::{is_plain_name, kind_of_name, kind_of_words};
 use super::measured::Measured;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
@@ -219,6 +220,8 @@ fn grid(table: &CgatsTable, labels: &[f64]) -> (Vec<f64>, Option<String>) {
 struct Meaning {
     kind: Kind,
     because: Option<String>,
+    /// Whether that leaves hardly a doubt.
+    plain: bool,
     unit: String,
     note: Option<String>,
 }
@@ -270,6 +273,7 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
         return Meaning {
             kind,
             because: None,
+            plain: true,
             unit: table.key("UNIT").unwrap_or_default().to_owned(),
             note: None,
         };
@@ -288,6 +292,7 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
             return Meaning {
                 kind,
                 because: None,
+                plain: true,
                 unit: unit.to_owned(),
                 note,
             };
@@ -296,6 +301,7 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
     let told = |kind| Meaning {
         kind,
         because: None,
+        plain: true,
         unit: String::new(),
         note: None,
     };
@@ -313,18 +319,23 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
     let guess = |kind, because: String| Meaning {
         kind,
         because: Some(because),
+        plain: false,
         unit: String::new(),
         note: None,
+    };
+    let plain = |kind, because: String| Meaning {
+        plain: true,
+        ..guess(kind, because)
     };
     let word = group.word.to_uppercase();
     if word.starts_with("SPECTRAL_DEC")
         || word.starts_with("SPECTRAL_PCT")
         || word.starts_with("R|")
     {
-        return guess(Kind::Reflectance, "the columns' labels".to_owned());
+        return plain(Kind::Reflectance, "the columns' labels".to_owned());
     }
     if word.starts_with("T|") {
-        return guess(Kind::Transmittance, "the columns' labels".to_owned());
+        return plain(Kind::Transmittance, "the columns' labels".to_owned());
     }
     for key in [
         "MEASUREMENT_SOURCE",
@@ -337,29 +348,39 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
         // A white that values are counted from makes them factors.
         let white = lower.contains("whitebase") || lower.contains("45/0") || lower.contains("d/8");
         if let Some(kind) = kind.or(white.then_some(Kind::Reflectance)) {
-            return guess(kind, key.to_owned());
+            return plain(kind, says(key, value));
         }
     }
     for key in ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"] {
-        // Argyll writes the former over lights and samples alike.
-        let words = table
-            .key(key)
-            .unwrap_or("")
-            .to_lowercase()
-            .replace("spectral power/reflectance information", "");
-        let kind = if LIGHTS.iter().any(|w| words.contains(w)) {
+        let value = table.key(key).unwrap_or("");
+        let whole = value.to_lowercase();
+        // Argyll writes it over lights and samples alike.
+        let words = whole.replace("spectral power/reflectance information", "");
+        let light = LIGHTS.iter().any(|w| words.contains(w));
+        let sample = SAMPLES.iter().any(|w| words.contains(w));
+        let kind = if light {
             Some(Kind::Light)
-        } else if SAMPLES.iter().any(|w| words.contains(w)) {
+        } else if sample {
             Some(Kind::Reflectance)
         } else {
             kind_of_words(&words)
         };
         if let Some(kind) = kind {
-            return guess(kind, format!("the words of {key}"));
+            let because = says(key, value);
+            return if light && sample || words != whole {
+                guess(kind, because)
+            } else {
+                plain(kind, because)
+            };
         }
     }
     if let Some(kind) = kind_of_name(&input.name) {
-        return guess(kind, "the file's name".to_owned());
+        let because = "the file's name".to_owned();
+        return if is_plain_name(&input.name) {
+            plain(kind, because)
+        } else {
+            guess(kind, because)
+        };
     }
     let all_in = |low: f64, high: f64| {
         let mut known = values.iter().flatten().filter(|v| !v.is_nan());
@@ -380,6 +401,11 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
     } else {
         guess(Kind::Light, "nothing states it".to_owned())
     }
+}
+
+/// What a field says, in its own words.
+fn says(key: &str, value: &str) -> String {
+    format!("{key} says {}", quoted(value.trim()))
 }
 
 /// Fields that name a set, the best first.
@@ -527,7 +553,10 @@ fn read_group(
         notes.extend(found.note.clone());
         match (good_norm, norm) {
             (Some(1.0), _) | (None, None) => {}
-            (Some(norm), _) => notes.push(format!("divided by SPECTRAL_NORM {norm}")),
+            (Some(norm), _) if found.kind.is_factor() && norm == 100.0 => {
+                notes.push("divided by SPECTRAL_NORM 100".to_owned());
+            }
+            (Some(_), _) => {}
             (None, Some(bad)) => notes.push(format!(
                 "SPECTRAL_NORM {bad} makes no sense and was passed over"
             )),
@@ -540,7 +569,7 @@ fn read_group(
         if let Some(norm) =
             good_norm.filter(|n| *n != 1.0 && (*n != 100.0 || !found.kind.is_factor()))
         {
-            how.push(format!("from {norm} for 1"));
+            how.push(format!("divided by SPECTRAL_NORM {norm}"));
         }
         if table.decimal_comma {
             how.push("decimal comma".to_owned());
@@ -552,6 +581,7 @@ fn read_group(
             lines: lines.get(set..=set).unwrap_or(&[]),
             kind: found.kind,
             kind_because: found.because.clone(),
+            kind_is_plain: found.plain,
             unit: unit.to_owned(),
             scale,
             how,

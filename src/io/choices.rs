@@ -1,57 +1,141 @@
 //! What a person decided where a file leaves it open, or was misread: a file is read again with
 //! these.
 
-use super::{Dialect, Guessed, Reading, units::WavelengthUnit};
-use crate::spectrum::{Kind, NamedSpectrum};
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Dialect, units::WavelengthUnit};
+use crate::spectrum::Kind;
 
 /// Decisions about one file; what is `None` the reader decides.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Choices {
     /// What stands between cells and marks decimals, in plain columns.
+    #[serde(skip)]
     pub dialect: Option<Dialect>,
     /// The column of wavelengths, from 0, in plain columns.
+    #[serde(skip)]
     pub axis_column: Option<usize>,
     /// What the wavelength axis counts.
     pub wavelengths: Option<WavelengthUnit>,
-    /// What the values stand for.
+    /// The laser that Raman shifts count from, nm.
+    #[serde(skip)]
+    pub laser_nm: Option<f64>,
+    /// What the values of every spectrum and image stand for.
     pub kind: Option<Kind>,
-    /// Whether values of a factor are per cent.
-    pub percent: Option<bool>,
+    /// What the values of every factor are counted in.
+    pub counted: Option<Counted>,
+    /// What goes for one spectrum alone, by its place in the file from 0.
+    #[serde(skip)]
+    pub each: BTreeMap<usize, OfOne>,
+    /// What goes for one image alone, by its place in the file from 0.
+    pub each_image: BTreeMap<usize, OfOne>,
     /// Whether a light's photon counts stay what they are. Readers never touch them; where this is
     /// not set, what opens a file for its light turns them into power.
+    #[serde(skip)]
     pub keep_photons: bool,
 }
 
-impl Choices {
-    /// Puts the chosen kind on spectra whose format would not hear of it; tables have it already.
-    pub(super) fn impose(&self, reading: &mut Reading) {
-        let Some(kind) = self.kind else { return };
-        let impose = |spectrum: &mut NamedSpectrum| {
-            if spectrum.kind != kind {
-                spectrum.kind = kind;
-                // The values are fractions now, whatever they were before.
-                if kind.is_factor() {
-                    "fraction".clone_into(&mut spectrum.unit);
-                }
-                spectrum.notes.push(CHOSEN_KIND.to_owned());
-            }
-        };
-        reading.spectra.iter_mut().for_each(impose);
-        reading
-            .composites
-            .iter_mut()
-            .for_each(|model| model.kind = kind);
-        reading.guesses.retain(|guess| guess.what != Guessed::Kind);
+/// Decisions about one spectrum or image of several.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct OfOne {
+    /// What its values stand for.
+    pub kind: Option<Kind>,
+    /// What they are counted in.
+    pub counted: Option<Counted>,
+}
+
+/// What the values of a reflectance or transmittance are counted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Counted {
+    /// 1 is all of the light: the values as they are.
+    Fraction,
+    /// 100 is all of the light.
+    Percent,
+    /// 10 000 is all of the light, as remote sensing stores it.
+    TenThousandths,
+    /// Another number is, which the file states.
+    Otherwise,
+}
+
+impl Counted {
+    /// Those that a person may choose.
+    pub const OFFERED: [Self; 3] = [Self::Fraction, Self::Percent, Self::TenThousandths];
+
+    /// Per cent or fraction.
+    pub fn percent(is_percent: bool) -> Self {
+        if is_percent {
+            Self::Percent
+        } else {
+            Self::Fraction
+        }
+    }
+
+    /// What a factor from the file's numbers to fractions means.
+    pub fn of_scale(scale: f64) -> Self {
+        let is = |other: f64| (scale - other).abs() <= 1e-9 * other;
+        match () {
+            () if is(1.0) => Self::Fraction,
+            () if is(0.01) => Self::Percent,
+            () if is(1e-4) => Self::TenThousandths,
+            () => Self::Otherwise,
+        }
+    }
+
+    /// The factor to fractions; `None` where only the file knows it.
+    pub fn scale(self) -> Option<f64> {
+        match self {
+            Self::Fraction => Some(1.0),
+            Self::Percent => Some(0.01),
+            Self::TenThousandths => Some(1e-4),
+            Self::Otherwise => None,
+        }
+    }
+
+    /// In a word or two.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Fraction => "fraction",
+            Self::Percent => "percent",
+            Self::TenThousandths => "fraction x 10000",
+            Self::Otherwise => "as the file states",
+        }
     }
 }
 
-/// What is noted where a person said what the values are.
-const CHOSEN_KIND: &str = "the kind was chosen by hand";
+impl Choices {
+    /// What a person said one spectrum's values are.
+    pub fn kind_of(&self, spectrum: usize) -> Option<Kind> {
+        let own = self.each.get(&spectrum).and_then(|one| one.kind);
+        own.or(self.kind)
+    }
+
+    /// What a person said one spectrum's values are counted in.
+    pub fn counted_of(&self, spectrum: usize) -> Option<Counted> {
+        let own = self.each.get(&spectrum).and_then(|one| one.counted);
+        own.or(self.counted)
+    }
+
+    /// The same for a part of a file whose first spectrum is the file's `first`.
+    #[must_use]
+    pub fn from(&self, first: usize) -> Self {
+        let each = self.each.range(first..);
+        Self {
+            each: each.map(|(at, one)| (at - first, *one)).collect(),
+            ..self.clone()
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{dialect::Delimiter, read_bytes, read_bytes_as};
+    use crate::io::{Guessed, dialect::Delimiter, read_bytes, read_bytes_as};
+    use crate::spectrum::NamedSpectrum;
 
     fn read(text: &str, choices: Choices) -> NamedSpectrum {
         let reading = read_bytes_as("a.csv", text.as_bytes(), &choices);
@@ -70,7 +154,7 @@ mod tests {
         assert_eq!(read(text, angstrom).samples.nm(), [0.38, 0.39, 0.40]);
         let percent = |percent| Choices {
             kind: Some(Kind::Reflectance),
-            percent: Some(percent),
+            counted: Some(Counted::percent(percent)),
             ..Choices::default()
         };
         let (hundredths, whole) = (read(text, percent(true)), read(text, percent(false)));
@@ -110,7 +194,7 @@ mod tests {
         let choices = Choices {
             kind: Some(Kind::Transmittance),
             wavelengths: Some(WavelengthUnit::Nanometre),
-            percent: Some(false),
+            counted: Some(Counted::Fraction),
             ..Choices::default()
         };
         let chosen = read_bytes_as("a.csv", text, &choices).expect("a table");

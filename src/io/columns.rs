@@ -280,6 +280,7 @@ fn read_table(
             what: Guessed::Columns,
             chosen: file.dialect.words(),
             because,
+            plain: false,
         });
     }
     Ok(())
@@ -445,7 +446,7 @@ fn read_columns(
         };
         let name = match rows.above.get(rows.before + number) {
             Some(name) => name.clone(),
-            None => column_name(titles, *column, rows.columns, rows.before + number),
+            None => column_name(titles, *column, rows.columns),
         };
         let draft = Draft {
             name: match file.own {
@@ -525,8 +526,9 @@ fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
     })
 }
 
-/// Title of a value column where it says more than what kind of value it is.
-fn column_name(titles: &Titles, column: usize, columns: usize, number: usize) -> String {
+/// Title of a value column where it says more than what kind of value it is, else its number in
+/// the file: the same by which its other columns are called.
+fn column_name(titles: &Titles, column: usize, columns: usize) -> String {
     let title = titles.names[column].trim();
     let generic = super::kinds::kind_of_title(title).is_some()
         || title.len() == 1
@@ -535,7 +537,7 @@ fn column_name(titles: &Titles, column: usize, columns: usize, number: usize) ->
         || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str());
     match (title.is_empty(), columns) {
         (true, 1) => String::new(),
-        (true, _) => format!("column {}", number + 1),
+        (true, _) => format!("column {}", column + 1),
         (false, 1) if generic => String::new(),
         (false, _) => title.to_owned(),
     }

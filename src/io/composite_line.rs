@@ -79,6 +79,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             what: Guessed::Kind,
             chosen: Kind::Light.word().to_owned(),
             because: "the line does not say".to_owned(),
+            plain: false,
         }],
         ..Reading::default()
     })

@@ -169,6 +169,7 @@ fn read_spectrum(
                 what: Guessed::Percent,
                 chosen: "percent".to_owned(),
                 because: percent.because,
+                plain: percent.plain,
             });
         }
     }

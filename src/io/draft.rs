@@ -6,12 +6,13 @@ use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::axis::{self, Axis, AxisUnit};
 use super::curve::{self, Trouble};
+use super::decided::{BY_HAND, MOST_UNDERSTOOD};
 use super::heading::Heading;
 use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
-use super::reading::{Told, Understood, provenance};
+use super::reading::{AxisTold, Told, Understood, provenance};
 use super::units::{WavelengthUnit, names_wavelength};
-use super::{Guess, Guessed, Input, ReadError, Reading};
+use super::{Counted, Guess, Guessed, Input, ReadError, Reading};
 
 /// What a table says about one spectrum.
 pub struct Draft<'a> {
@@ -55,20 +56,21 @@ impl Draft<'_> {
         let mut notes = Vec::new();
         // Told only once there is a spectrum that they are about.
         let mut guesses = Vec::new();
-        let mut guess = |what, chosen: &str, because: &str, notes: &mut Vec<String>| {
+        let mut guess = |what, chosen: &str, because: &str, plain, notes: &mut Vec<String>| {
             notes.push(format!("taken as {chosen}: {because}"));
             guesses.push(Guess {
                 spectrum: index,
                 what,
                 chosen: chosen.to_owned(),
                 because: because.to_owned(),
+                plain,
             });
         };
 
         let found = match input.choices.wavelengths {
             Some(unit) => AxisUnit {
                 unit,
-                because: "chosen by hand".to_owned(),
+                because: BY_HAND.to_owned(),
                 stated: true,
                 against: None,
             },
@@ -88,7 +90,8 @@ impl Draft<'_> {
             against: _,
         } = found;
         if !stated {
-            guess(Guessed::WavelengthUnit, &chosen, &because, &mut notes);
+            let what = Guessed::WavelengthUnit;
+            guess(what, &chosen, &because, false, &mut notes);
         } else if unit != WavelengthUnit::Nanometre {
             notes.push(format!(
                 "wavelengths converted from {} ({because})",
@@ -116,11 +119,12 @@ impl Draft<'_> {
         notes.extend(cleaned.notes);
         let mut samples = cleaned.samples;
 
-        let found = match input.choices.kind {
+        let found = match input.choices.kind_of(index) {
             Some(kind) => KindFound {
                 kind,
-                because: "chosen by hand".to_owned(),
+                because: BY_HAND.to_owned(),
                 stated: true,
+                plain: true,
             },
             None => {
                 let (title, header) = (&self.title, &self.heading.kind);
@@ -128,7 +132,13 @@ impl Draft<'_> {
             }
         };
         if !found.stated {
-            guess(Guessed::Kind, found.kind.word(), &found.because, &mut notes);
+            let KindFound {
+                kind,
+                because,
+                plain,
+                ..
+            } = &found;
+            guess(Guessed::Kind, kind.word(), because, *plain, &mut notes);
         }
         let mut counted = None;
         let mut scale = 1.0;
@@ -137,11 +147,13 @@ impl Draft<'_> {
             None => self.heading.unit.clone(),
         };
         if found.kind.is_factor() {
-            let percent = match input.choices.percent {
-                Some(percent) => PercentFound {
-                    percent,
-                    because: "chosen by hand".to_owned(),
+            let by_hand = input.choices.counted_of(index);
+            let percent = match by_hand {
+                Some(counted) => PercentFound {
+                    percent: counted == Counted::Percent,
+                    because: BY_HAND.to_owned(),
                     stated: true,
+                    plain: true,
                 },
                 None => meaning::percent_told(
                     &self.title,
@@ -150,24 +162,22 @@ impl Draft<'_> {
                     samples.values(),
                 ),
             };
-            if percent.percent {
-                scale = 0.01;
+            let counts = by_hand.unwrap_or(Counted::percent(percent.percent));
+            if let Some(to_fraction) = counts.scale().filter(|scale| *scale != 1.0) {
+                scale = to_fraction;
                 samples = samples.scaled(scale);
             }
-            let chosen = if percent.percent {
-                "percent"
-            } else {
-                "fraction"
-            };
             if !percent.stated {
-                guess(Guessed::Percent, chosen, &percent.because, &mut notes);
+                let (what, chosen) = (Guessed::Percent, counts.word());
+                guess(what, chosen, &percent.because, percent.plain, &mut notes);
             } else if percent.percent {
                 notes.push(format!("per cent divided by 100 ({})", percent.because));
             }
             counted = Some(Told {
-                is: percent.percent,
+                is: counts,
                 because: percent.because,
                 stated: percent.stated,
+                plain: percent.plain,
             });
             "fraction".clone_into(&mut unit_of_values);
         } else if found.kind == Kind::Absorbance {
@@ -185,7 +195,7 @@ impl Draft<'_> {
         } else {
             ""
         };
-        let percent = if scale == 1.0 { "" } else { "from per cent" };
+        let percent = if scale == 0.01 { "from per cent" } else { "" };
         let mut spectrum = NamedSpectrum {
             name: self.name,
             kind: found.kind,
@@ -198,18 +208,22 @@ impl Draft<'_> {
         let line = provenance(&spectrum, &[percent, comma]);
         if index == 0 {
             reading.notes.insert(0, line.clone());
-            reading.understood = Some(Understood {
-                wavelengths: Told {
+        }
+        if index < MOST_UNDERSTOOD {
+            reading.understood.push(Understood {
+                axis: Some(AxisTold::Unit(Told {
                     is: unit,
                     because,
                     stated,
-                },
+                    plain: stated,
+                })),
                 kind: Told {
                     is: found.kind,
                     because: found.because,
                     stated: found.stated,
+                    plain: found.plain,
                 },
-                percent: counted,
+                counted,
             });
         }
         spectrum.notes.push(line);

@@ -114,13 +114,14 @@ pub fn add(
         .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
     let (mut samples, mut notes) = (cleaned.samples, cleaned.notes);
     let index = reading.spectra.len();
-    let mut guess = |what, chosen: &str, because: String| {
+    let mut guess = |what, chosen: &str, because: String, plain| {
         notes.push(format!("taken as {chosen}: {because}"));
         reading.guesses.push(Guess {
             spectrum: index,
             what,
             chosen: chosen.to_owned(),
             because,
+            plain,
         });
     };
     if !found.kind_stated {
@@ -128,6 +129,7 @@ pub fn add(
             Guessed::Kind,
             found.kind.word(),
             "nothing states it".to_owned(),
+            false,
         );
     }
     let mut scale = 1.0;
@@ -139,7 +141,7 @@ pub fn add(
             } else {
                 "fraction"
             };
-            guess(Guessed::Percent, chosen, guessed.because);
+            guess(Guessed::Percent, chosen, guessed.because, guessed.plain);
             guessed.percent
         });
         if percent {

@@ -134,6 +134,7 @@ fn read_measurement(
                 what: Guessed::Percent,
                 chosen: "percent".to_owned(),
                 because: percent.because,
+                plain: percent.plain,
             });
         }
     }

@@ -50,7 +50,7 @@ impl<'a> Input<'a> {
     #[must_use]
     pub fn deciding(self, choices: &Choices) -> Self {
         Self {
-            choices: *choices,
+            choices: choices.clone(),
             ..self
         }
     }

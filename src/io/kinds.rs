@@ -17,6 +17,23 @@ pub struct KindFound {
     pub because: String,
     /// Whether the file states it, or it is only likely.
     pub stated: bool,
+    /// Whether it is stated, or guessed from words that can mean nothing else.
+    pub plain: bool,
+}
+
+/// Words for what repeated measurements differ by.
+const SPREAD: [&str; 5] = [
+    "variance",
+    "standard deviation",
+    "std dev",
+    "std. dev",
+    "stddev",
+];
+
+/// Whether a text names what repeated measurements differ by, and not what was measured.
+pub fn is_spread(text: &str) -> bool {
+    let text = text.to_lowercase();
+    SPREAD.iter().any(|word| text.contains(word))
 }
 
 /// Words for how strongly each of the eye's receptors sees a wavelength: they end alike, and so do
@@ -38,7 +55,8 @@ const RECEPTORS: [&str; 12] = [
 
 /// Words in a title or a header line, lower case, and the kind they tell, strongest first; a bar
 /// asks for the edge of a word ([`super::words::holds`]).
-const WORDS: [(Kind, &[&str]); 7] = [
+const WORDS: [(Kind, &[&str]); 8] = [
+    (Kind::Other, &SPREAD),
     (Kind::Weighting, &RECEPTORS),
     (
         Kind::Weighting,
@@ -210,6 +228,15 @@ pub fn kind_of_name(name: &str) -> Option<Kind> {
         .map(|(kind, _)| *kind)
 }
 
+/// Whether the words in a file's name all mean one kind.
+pub fn is_plain_name(name: &str) -> bool {
+    // An ending `.spd` is that of reflectances and indices too.
+    let name = name.to_lowercase();
+    let name = name.strip_suffix("spd").unwrap_or(&name);
+    let tells = |(_, words): &&(Kind, &[&str])| words.iter().any(|w| name.contains(w));
+    NAME_WORDS.iter().filter(tells).count() == 1
+}
+
 /// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
 pub fn states_values(line: &str) -> bool {
     let line = line.trim().to_lowercase();
@@ -262,6 +289,7 @@ pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Kin
         kind,
         because,
         stated: true,
+        plain: true,
     };
     if let Some(kind) = header.own {
         return stated(kind, "the header".to_owned());
@@ -276,9 +304,13 @@ pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Kin
         kind,
         because: because.to_owned(),
         stated: false,
+        plain: false,
     };
     if let Some(kind) = kind_of_name(file) {
-        return guess(kind, "the file's name");
+        return KindFound {
+            plain: is_plain_name(file),
+            ..guess(kind, "the file's name")
+        };
     }
     // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
     let mut sorted: Vec<f64> = Vec::new();

@@ -2,6 +2,7 @@
 
 use crate::spectrum::Kind;
 
+use super::Counted;
 use super::heading::Lines;
 use super::kinds::{kind_of_words, states_values};
 
@@ -22,6 +23,21 @@ pub fn counts_photons(unit: &str) -> bool {
         || lower.starts_with("μe")
 }
 
+/// Largest values that only fractions, and only per cent, have: nothing reflects less than 1 %
+/// everywhere or more than all of the light by much.
+const PLAIN_FRACTION: std::ops::RangeInclusive<f64> = 0.1..=1.2;
+const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
+
+/// Whether the largest values leave hardly a doubt about what they are counted in.
+pub fn is_plain_size(counted: Counted, high: f64) -> bool {
+    match counted {
+        Counted::Fraction => PLAIN_FRACTION.contains(&high),
+        Counted::Percent => PLAIN_PERCENT.contains(&high),
+        Counted::TenThousandths => PLAIN_PERCENT.contains(&(0.01 * high)),
+        Counted::Otherwise => false,
+    }
+}
+
 /// Whether values of a factor (reflectance, transmittance) are per cent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PercentFound {
@@ -31,6 +47,8 @@ pub struct PercentFound {
     pub because: String,
     /// Whether the file states it.
     pub stated: bool,
+    /// Whether it is stated, or the size of the values leaves hardly a doubt.
+    pub plain: bool,
 }
 
 /// Per cent or fraction for the values of a factor.
@@ -53,6 +71,7 @@ pub fn percent_told(
         percent,
         because: because.to_owned(),
         stated: true,
+        plain: true,
     };
     let title = title.to_lowercase();
     if signs {
@@ -81,6 +100,7 @@ pub fn percent_told(
         percent,
         because: format!("the values' size (up to about {high:.3})"),
         stated: false,
+        plain: is_plain_size(Counted::percent(percent), high),
     }
 }
 

@@ -25,6 +25,8 @@ pub struct Measured<'a> {
     pub kind: Kind,
     /// Why it is taken for that, where the file does not state it.
     pub kind_because: Option<String>,
+    /// Whether that leaves hardly a doubt.
+    pub kind_is_plain: bool,
     /// Unit of its values, `scale` applied; factors count as fractions.
     pub unit: String,
     /// Factor to `unit`; `None` lets the values of a factor tell per cent from fraction.
@@ -45,6 +47,7 @@ impl<'a> Measured<'a> {
             lines: &[],
             kind: Kind::Light,
             kind_because: None,
+            kind_is_plain: false,
             unit: unit.to_owned(),
             scale: Some(1.0),
             how: Vec::new(),
@@ -64,6 +67,7 @@ impl<'a> Measured<'a> {
             lines,
             kind,
             kind_because,
+            kind_is_plain,
             unit,
             scale,
             mut how,
@@ -82,17 +86,18 @@ impl<'a> Measured<'a> {
         })?;
         let index = reading.spectra.len();
         let mut notes = Vec::new();
-        let mut guess = |what, chosen: &str, because: String| {
+        let mut guess = |what, chosen: &str, because: String, plain| {
             notes.push(format!("taken as {chosen}: {because}"));
             reading.guesses.push(Guess {
                 spectrum: index,
                 what,
                 chosen: chosen.to_owned(),
                 because,
+                plain,
             });
         };
         if let Some(because) = kind_because {
-            guess(Guessed::Kind, kind.word(), because);
+            guess(Guessed::Kind, kind.word(), because, kind_is_plain);
         }
         let scale = scale.unwrap_or_else(|| {
             if !kind.is_factor() {
@@ -104,7 +109,7 @@ impl<'a> Measured<'a> {
             } else {
                 ("fraction", 1.0)
             };
-            guess(Guessed::Percent, chosen, found.because);
+            guess(Guessed::Percent, chosen, found.because, found.plain);
             scale
         });
         let unit = if kind.is_factor() {

@@ -29,6 +29,7 @@ pub mod composite_line;
 pub mod csv;
 pub mod curve;
 pub mod cxf;
+pub mod decided;
 pub mod dialect;
 pub mod draft;
 pub mod envi;
@@ -86,7 +87,7 @@ pub mod xml;
 use std::io::Read;
 use std::path::Path;
 
-pub use choices::Choices;
+pub use choices::{Choices, Counted};
 pub use dialect::Dialect;
 pub use error::{ReadError, WriteError};
 pub use input::Input;
@@ -248,7 +249,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     };
     let mut reading = (format.read)(input)?;
-    input.choices.impose(&mut reading);
+    decided::settle(format, &input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
     reading.tidy();

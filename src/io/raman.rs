@@ -6,9 +6,11 @@
 //! beside the shifts is left to [`columns`](super::columns).
 
 use super::columns;
+use super::decided::BY_HAND;
 use super::layout::Layout;
 use super::measured::Measured;
 use super::pick;
+use super::reading::{AxisTold, Told};
 use super::roles::value_columns;
 use super::text::lines;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
@@ -157,9 +159,10 @@ fn names_nm(head: &str) -> bool {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let by_header = laser_of_header(text).map(|nm| (nm, "the header"));
-    let by_name = || laser_of_name(&input.name).map(|nm| (nm, "the file's name"));
-    let Some((laser, because)) = by_header.or_else(by_name) else {
+    let by_hand = input.choices.laser_nm.map(|nm| (nm, BY_HAND, true));
+    let by_header = || laser_of_header(text).map(|nm| (nm, "the header", true));
+    let by_name = || laser_of_name(&input.name).map(|nm| (nm, "the file's name", false));
+    let Some((laser, because, stated)) = by_hand.or_else(by_header).or_else(by_name) else {
         return Err(input.error(
             "Raman shifts (1/cm) from a laser that is not named",
             "wavelengths, or the laser's wavelength in the header",
@@ -169,7 +172,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let Ok(tables) = pick::tables(text, dialect) else {
         return (columns::FORMAT.read)(input);
     };
-    let mut reading = Reading::default();
+    let mut reading = Reading {
+        axis: Some(AxisTold::Laser(Told {
+            is: laser,
+            because: because.to_owned(),
+            stated,
+            // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
+            plain: true,
+        })),
+        ..Reading::default()
+    };
     for table in &tables {
         let Layout::Column(axis) = table.layout else {
             continue;
@@ -192,15 +204,14 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         {
             return Err(columns::bad_cell(input, bad));
         }
-        for (number, column) in values.iter().enumerate() {
+        for column in &values {
             let name = match values.len() {
                 1 => input.stem().to_owned(),
-                _ => format!("{}, column {}", input.stem(), number + 1),
+                _ => format!("{}, column {}", input.stem(), column + 1),
             };
             let why = format!("Raman shifts from {laser} nm: {because}");
             let mut spectrum = Measured::light(name, &nm, block.column(*column).to_vec(), "");
             spectrum.lines = &block.lines;
-            spectrum.kind_because = Some("what a Raman spectrometer measures".to_owned());
             spectrum
                 .how
                 .push(format!("from Raman shifts of {laser} nm"));
@@ -213,6 +224,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 what: Guessed::WavelengthUnit,
                 chosen: format!("Raman shift from {laser} nm"),
                 because: because.to_owned(),
+                plain: true,
             });
             spectrum.finish(input, &mut reading)?;
         }

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::{Dialect, units::WavelengthUnit};
+use super::{Counted, Dialect, units::WavelengthUnit};
 use crate::spectrum::{Composite, Kind, NamedSpectrum, SpectralImage};
 
 use super::error::one_line;
@@ -32,6 +32,8 @@ pub struct Guess {
     pub chosen: String,
     /// What spoke for it.
     pub because: String,
+    /// Whether words or numbers leave hardly a doubt, so that nobody need be asked.
+    pub plain: bool,
 }
 
 /// How a plain table was taken apart, for a person who wants to look.
@@ -58,17 +60,69 @@ pub struct Told<T> {
     pub because: String,
     /// Whether the file (or a person) states it, or it is only likely.
     pub stated: bool,
+    /// Whether it is stated, or guessed from what leaves hardly a doubt.
+    pub plain: bool,
 }
 
-/// How the first spectrum of a file was understood, what was stated as well as what was guessed.
+/// What the wavelength axis of a file counts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AxisTold {
+    /// Wavelengths or their like.
+    Unit(Told<WavelengthUnit>),
+    /// Raman shifts from the line of a laser, nm.
+    Laser(Told<f64>),
+}
+
+impl AxisTold {
+    /// Whether a person should look.
+    pub fn is_doubtful(&self) -> bool {
+        match self {
+            Self::Unit(told) => !told.plain && told.is != WavelengthUnit::Nanometre,
+            Self::Laser(told) => !told.plain,
+        }
+    }
+}
+
+/// How a spectrum or an image was understood, what was stated as well as what was guessed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Understood {
-    /// What the wavelength axis counts.
-    pub wavelengths: Told<WavelengthUnit>,
+    /// What the wavelength axis counts; `None` where the format leaves it no choice.
+    pub axis: Option<AxisTold>,
     /// What the values stand for.
     pub kind: Told<Kind>,
-    /// Whether the values are per cent; `None` where they are no factor.
-    pub percent: Option<Told<bool>>,
+    /// What the values are counted in; `None` where they are no factor.
+    pub counted: Option<Told<Counted>>,
+}
+
+impl Understood {
+    /// What spoke for each decision.
+    fn reasons(&mut self) -> impl Iterator<Item = &mut String> {
+        let Self {
+            axis,
+            kind,
+            counted,
+        } = self;
+        let axis = axis.as_mut().map(|axis| match axis {
+            AxisTold::Unit(told) => &mut told.because,
+            AxisTold::Laser(told) => &mut told.because,
+        });
+        let counted = counted.as_mut().map(|told| &mut told.because);
+        [Some(&mut kind.because), axis, counted]
+            .into_iter()
+            .flatten()
+    }
+
+    /// Whether a person should look.
+    pub fn is_doubtful(&self) -> bool {
+        let Self {
+            axis,
+            kind,
+            counted,
+        } = self;
+        !kind.plain
+            || counted.as_ref().is_some_and(|told| !told.plain)
+            || axis.as_ref().is_some_and(AxisTold::is_doubtful)
+    }
 }
 
 impl Guess {
@@ -76,6 +130,7 @@ impl Guess {
     /// anything but nanometres is rare enough to ask.
     pub fn is_doubtful(&self) -> bool {
         match self.what {
+            _ if self.plain => false,
             Guessed::Kind | Guessed::Percent | Guessed::Columns => true,
             Guessed::WavelengthUnit => self.chosen != WavelengthUnit::Nanometre.word(),
         }
@@ -110,14 +165,20 @@ pub struct Reading {
     pub composites: Vec<CompositeFile>,
     /// How its first plain table was taken apart; `None` for other formats.
     pub table: Option<TableFound>,
-    /// How its first spectrum was understood; `None` where the format leaves nothing open.
-    pub understood: Option<Understood>,
+    /// How its first spectra were understood, in their order.
+    pub understood: Vec<Understood>,
+    /// How each of its images was understood.
+    pub images_understood: Vec<Understood>,
+    /// What the wavelengths of the whole file count, where its format leaves that open.
+    pub axis: Option<AxisTold>,
     /// What the instrument itself computed and wrote beside its spectra.
     pub results: Vec<MakersResult>,
     /// Images whose pixels are spectra.
     pub images: Vec<SpectralImage>,
-    /// What had to be guessed.
+    /// What had to be guessed of its spectra.
     pub guesses: Vec<Guess>,
+    /// What a reader guessed of its images, by their place; afterwards `images_understood` tells.
+    pub image_guesses: Vec<Guess>,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the
     /// window and the command line show ("1 nm block, 401 points, W m-2 nm-1, decimal comma").
     pub notes: Vec<String>,
@@ -127,6 +188,7 @@ impl Reading {
     /// Whether a person should look at how the file was read.
     pub fn is_doubtful(&self) -> bool {
         self.guesses.iter().any(Guess::is_doubtful)
+            || self.images_understood.iter().any(Understood::is_doubtful)
     }
 
     /// Makes every text one line without control characters: files put anything into their titles.
@@ -138,10 +200,13 @@ impl Reading {
             spectra,
             composites,
             table: _,
-            understood: _,
+            understood,
+            images_understood,
+            axis: _,
             results,
             images,
             guesses,
+            image_guesses: _,
             notes,
         } = self;
         let mut names: Vec<&mut String> = Vec::new();
@@ -165,6 +230,9 @@ impl Reading {
         }
         for guess in guesses {
             texts.extend([&mut guess.chosen, &mut guess.because]);
+        }
+        for told in understood.iter_mut().chain(images_understood) {
+            texts.extend(told.reasons());
         }
         tidy_notes(notes);
         for name in names {

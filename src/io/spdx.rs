@@ -213,6 +213,7 @@ fn read_distribution<'a>(
                 what: Guessed::Percent,
                 chosen: "percent".to_owned(),
                 because: percent.because,
+                plain: percent.plain,
             });
         }
     }
@@ -243,7 +244,8 @@ fn quantity(
     if let Some((_, kind, unit)) = known {
         return (*kind, (*unit).to_owned());
     }
-    let kind = kinds::kind_of_words(stated).unwrap_or(Kind::Light);
+    let by_words = kinds::kind_of_words(stated);
+    let kind = by_words.unwrap_or(Kind::Light);
     let because = format!(
         "the spectral quantity {} is none of TM-27's",
         quoted(stated)
@@ -254,6 +256,8 @@ fn quantity(
         what: Guessed::Kind,
         chosen: kind.word().to_owned(),
         because,
+        // Writers put units there too ("W/nm"), which say as much.
+        plain: by_words.is_some(),
     });
     (kind, stated.to_owned())
 }

@@ -1,9 +1,12 @@
 //! Units of the wavelength axis: told by a header, else guessed from the range.
 
+use serde::{Deserialize, Serialize};
+
 use super::words::{holds, holds_any, without_brackets};
 
 /// What a file counts its wavelength axis in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum WavelengthUnit {
     /// Nanometres.
     Nanometre,

@@ -13,6 +13,7 @@ use std::io::Cursor;
 use calamine::{DataRef, Reader, Xlsx};
 
 use super::archive::{Archive, seems_to_hold};
+use super::decided::MOST_UNDERSTOOD;
 use super::guarded::guarded;
 use super::{
     Choices, Confidence, Format, Guess, Input, ReadError, Reading, budget, columns, number,
@@ -137,7 +138,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let choices = Choices {
             dialect: None,
             axis_column: None,
-            ..input.choices
+            ..input.choices.from(reading.spectra.len())
         };
         let as_text = Input::new(&input.name, text.as_bytes()).deciding(&choices);
         match (columns::FORMAT.read)(&as_text) {
@@ -161,7 +162,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 let notes = one.notes.into_iter();
                 let notes = notes.filter(|note| Some(note) != on_the_way.as_ref());
                 reading.notes.extend(notes);
-                reading.understood = reading.understood.or(one.understood);
+                if reading.understood.len() == first {
+                    let room = MOST_UNDERSTOOD.saturating_sub(first);
+                    let told = one.understood.into_iter().take(room);
+                    reading.understood.extend(told);
+                }
             }
             Err(refusal) => refusals.push((title, refusal)),
         }

@@ -4,24 +4,30 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Context, Key, Rect, RichText, ScrollArea, Ui, Vec2, vec2};
+use egui::{
+    Context, Key, Label, Rect, RichText, ScrollArea, Ui, Vec2, WidgetText, text::LayoutJob, vec2,
+};
 
 use super::{
     chart_view::{ChartView, ChartWish},
+    model_view::named,
     theme::Theme,
 };
 use crate::app::{
     App,
     charts::import::curves,
-    import::{Again, Flip, Head, Import, Question},
+    import::{About, Again, Answer, Flip, Head, Import, Question},
     opened::Opened,
     plot_svg::{self, Chart},
 };
+use crate::spectrum::SpectralImage;
 
 /// What was asked for.
 pub enum Wish {
     /// Another answer.
     Flip(Flip),
+    /// The questions are to be about another part of the file.
+    About(About),
     /// It is right as it is.
     Keep,
     /// The file's spectra go again.
@@ -44,18 +50,21 @@ pub struct ImportView {
 }
 
 /// The window's width, points; narrower where the plot is.
-const WIDTH: f32 = 720.0;
+const WIDTH: f32 = 1100.0;
 
 /// Its height where the plot has room for it.
-const HEIGHT: f32 = 540.0;
+const HEIGHT: f32 = 820.0;
 
 /// Largest height of the table, least and largest of the chart, and that of the buttons, points.
 const TABLE: f32 = 152.0;
-const CHART: [f32; 2] = [170.0, 460.0];
+const CHART: [f32; 2] = [170.0, 560.0];
 const BUTTONS: f32 = 30.0;
 
 /// Width of what is asked, before the answers, points.
 const LABEL: f32 = 118.0;
+
+/// Width that a reason needs beside the answers, points; else it stands below them.
+const REASON: f32 = 150.0;
 
 /// Width from which the curve stands beside the table, points, and the table's share of it.
 const BESIDE: f32 = 520.0;
@@ -101,7 +110,7 @@ impl ImportView {
             .as_ref()
             .is_some_and(|(of, theme, _)| Arc::ptr_eq(of, opened) && *theme == file_theme);
         if !is_drawn {
-            let chart = curves(&opened.file, &opened.spectra, file_theme);
+            let chart = curves_of(opened, file_theme);
             self.chart = Some((opened.clone(), file_theme, chart));
         }
         let Some((_, _, chart)) = &self.chart else {
@@ -148,30 +157,14 @@ fn body(
     wishes: &mut Vec<Wish>,
 ) {
     let top = ui.cursor().top();
-    let opened = import.opened();
     let questions = import.questions();
-    let open_questions = questions.iter().filter(|q| q.doubtful).count();
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        if open_questions > 0 {
-            ui.colored_label(theme.warning, "▲");
-            ui.label(match open_questions {
-                1 => "The file leaves one thing open; click what is right.".to_owned(),
-                n => format!("The file leaves {n} things open; click what is right."),
-            });
-        } else {
-            ui.label("Nothing is open; any choice can still be turned round.");
-        }
-        let count = opened.spectra.len();
-        ui.weak(format!(
-            "{}, {count} {}, loaded already.",
-            opened.format,
-            if count == 1 { "spectrum" } else { "spectra" }
-        ));
-    });
+    headline(ui, import, &questions, theme);
+    about(ui, import, theme, wishes);
     // What stands below the curve has its height; the curve gets the rest.
-    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
-    let below = row * (questions.len() as f32 + if import.refusal().is_some() { 2.5 } else { 1.2 });
+    let row = row_height(ui) + ui.spacing().item_spacing.y;
+    let beside = |q: &&Question| stands_beside(ui, q, theme);
+    let rows = 2 * questions.len() - questions.iter().filter(beside).count() + 1;
+    let below = row * rows as f32 + 6.0;
     let [least, most] = CHART.map(|height| height * theme.scale);
     let height = (room - (ui.cursor().top() - top) - below).clamp(least, most);
     let width = ui.available_width();
@@ -204,12 +197,135 @@ fn body(
         answers(ui, &questions, theme, &mut flips);
     }
     wishes.append(&mut flips);
-    if let Some(why) = import.refusal() {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
+    message(ui, import, theme);
+}
+
+/// The curves of a file; of images a few of their pixels.
+fn curves_of(opened: &Opened, theme: plot_svg::Theme) -> Chart {
+    if opened.images.is_empty() {
+        return curves(&opened.file, &opened.spectra, theme);
+    }
+    let pixels_of = |image: &Arc<SpectralImage>| {
+        let mut pixels = image.probes();
+        for pixel in &mut pixels {
+            if let Some(place) = pixel.name.strip_prefix(&format!("{}, ", image.name)) {
+                pixel.name = place.to_owned();
+            }
+        }
+        pixels
+    };
+    let pixels: Vec<_> = opened.images.iter().flat_map(pixels_of).collect();
+    Chart {
+        title: format!("Some pixels of {}", opened.file),
+        ..curves(&opened.file, &pixels, theme)
+    }
+}
+
+/// How much is open, and what was read, in a line.
+fn headline(ui: &mut Ui, import: &Import, questions: &[Question], theme: Theme) {
+    let opened = import.opened();
+    let here = questions.iter().filter(|q| q.doubtful).count();
+    let elsewhere = import.parts().iter().filter(|part| part.doubtful).count();
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let words = match (here, elsewhere) {
+            (0, 0) => "Nothing is open; any choice can still be turned round.".to_owned(),
+            (0, _) => "Nothing is open here; see the other spectra of the file.".to_owned(),
+            (1, _) => "The file leaves one thing open; click what is right.".to_owned(),
+            (n, _) => format!("The file leaves {n} things open; click what is right."),
+        };
+        if here + elsewhere > 0 {
             ui.colored_label(theme.warning, "▲");
-            ui.label(format!("Not read so: {why}. The last good reading stays."));
-        });
+        }
+        ui.label(words);
+        let many = |count: usize, one: &str, more: &str| match count {
+            0 => String::new(),
+            1 => format!(", 1 {one}"),
+            n => format!(", {n} {more}"),
+        };
+        let brought = format!(
+            "{}{}{}, loaded already.",
+            opened.format,
+            many(opened.spectra.len(), "spectrum", "spectra"),
+            many(opened.images.len(), "image", "images"),
+        );
+        ui.add(Label::new(RichText::new(brought).weak()).truncate());
+    });
+}
+
+/// Which of the file's spectra are asked about, where there are several.
+fn about(ui: &mut Ui, import: &Import, theme: Theme, wishes: &mut Vec<Wish>) {
+    let parts = import.parts();
+    if parts.is_empty() {
+        return;
+    }
+    let what = "Asked about";
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        label(
+            ui,
+            what,
+            "Which spectra the answers about values go for.",
+            true,
+            theme,
+        );
+        let combo = egui::ComboBox::from_id_salt("asked about")
+            .selected_text(import.about_words())
+            .width(300.0)
+            .truncate()
+            .show_ui(ui, |ui| {
+                for part in parts {
+                    let mark = if part.doubtful { "▲ " } else { "" };
+                    let words = format!("{mark}{}", part.words);
+                    let chosen = part.about == import.about();
+                    if ui.selectable_label(chosen, words).clicked() {
+                        wishes.push(Wish::About(part.about));
+                    }
+                }
+            });
+        named(&combo.response, egui::Role::ComboBox, what);
+        combo.response.on_hover_text(
+            "The answers about values go for these spectra alone; each spectrum of the file has \
+             its own.",
+        );
+    });
+}
+
+/// The place of what could not be done: always there, so that nothing moves.
+fn message(ui: &mut Ui, import: &Import, theme: Theme) {
+    let size = vec2(ui.available_width(), row_height(ui));
+    let layout = egui::Layout::left_to_right(egui::Align::Min);
+    ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_size(size);
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let width = ui.available_width() - 20.0;
+        match import.refusal() {
+            Some(why) => {
+                ui.colored_label(theme.warning, "▲");
+                let words = format!("Not read so: {why}. The last good reading stays.");
+                two_lines(ui, &words, ui.visuals().text_color(), width);
+            }
+            None => two_lines(ui, "Every answer is one step of Undo.", theme.faint, width),
+        }
+    });
+}
+
+/// Height of a row of answers with its reason: two small lines, or a button.
+fn row_height(ui: &Ui) -> f32 {
+    let line = ui.text_style_height(&egui::TextStyle::Small);
+    (2.0 * line + 1.0).max(ui.spacing().interact_size.y)
+}
+
+/// Small text in at most two lines; all of it in its tooltip where it is longer.
+fn two_lines(ui: &mut Ui, text: &str, colour: egui::Color32, width: f32) {
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let mut job = LayoutJob::simple(text.to_owned(), font, colour, width.max(40.0));
+    job.wrap.max_rows = 2;
+    let galley = ui.painter().layout_job(job);
+    let is_cut = galley.elided;
+    let label = ui.add(Label::new(WidgetText::Galley(galley)));
+    if is_cut {
+        label.on_hover_text(text);
     }
 }
 
@@ -247,35 +363,105 @@ fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
     });
 }
 
-/// One row of answers a question.
+/// One row of answers a question; rows keep their height whatever is answered.
 fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<Wish>) {
     for question in questions {
-        ui.horizontal_wrapped(|ui| {
+        let beside = stands_beside(ui, question, theme);
+        let size = vec2(ui.available_width(), row_height(ui));
+        let layout = egui::Layout::left_to_right(egui::Align::Center);
+        ui.allocate_ui_with_layout(size, layout, |ui| {
+            ui.set_min_height(size.y);
             ui.spacing_mut().item_spacing.x = 4.0;
-            let size = vec2(LABEL * theme.scale, ui.spacing().interact_size.y);
-            let left = egui::Layout::left_to_right(egui::Align::Center);
-            ui.allocate_ui_with_layout(size, left, |ui| {
-                ui.set_min_width(size.x);
-                ui.label(question.what).on_hover_text(question.meaning);
-            });
-            for answer in &question.answers {
-                let button = ui
-                    .add(egui::Button::new(&answer.words).selected(answer.chosen))
-                    .on_hover_text(question.meaning);
-                let name = format!("{} {}", question.what, answer.words);
-                button.widget_info(|| {
-                    egui::WidgetInfo::selected(egui::Role::Button, true, answer.chosen, &name)
-                });
-                if button.clicked() && !answer.chosen {
-                    wishes.push(Wish::Flip(answer.flip));
-                }
+            label(ui, question.what, question.meaning, question.applies, theme);
+            if beside {
+                buttons(ui, question, wishes);
+                reason(ui, question, theme);
+            } else {
+                ui.horizontal_wrapped(|ui| buttons(ui, question, wishes));
             }
-            if question.doubtful {
-                ui.colored_label(theme.warning, "▲ doubtful:");
-            }
-            ui.small(RichText::new(&question.because).color(theme.faint));
         });
+        if !beside {
+            ui.horizontal(|ui| {
+                ui.set_min_height(row_height(ui));
+                ui.add_space(LABEL * theme.scale + 4.0);
+                reason(ui, question, theme);
+            });
+        }
     }
+}
+
+/// What is asked, in the width that all rows give it.
+fn label(ui: &mut Ui, what: &str, meaning: &str, applies: bool, theme: Theme) {
+    let size = vec2(LABEL * theme.scale, ui.spacing().interact_size.y);
+    let left = egui::Layout::left_to_right(egui::Align::Center);
+    ui.allocate_ui_with_layout(size, left, |ui| {
+        ui.set_min_width(size.x);
+        ui.add_enabled(applies, Label::new(what))
+            .on_hover_text(meaning);
+    });
+}
+
+/// About what the buttons of a row take.
+fn buttons_width(ui: &Ui, question: &Question) -> f32 {
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let padding = 2.0 * ui.spacing().button_padding.x + 4.0;
+    let width = |answer: &Answer| {
+        let text = answer.words.clone();
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text, font.clone(), egui::Color32::WHITE);
+        galley.size().x + padding
+    };
+    question.answers.iter().map(width).sum()
+}
+
+/// Whether the reason has room beside the answers.
+fn stands_beside(ui: &Ui, question: &Question, theme: Theme) -> bool {
+    let needs = LABEL * theme.scale + buttons_width(ui, question);
+    ui.available_width() - needs >= REASON * theme.scale
+}
+
+fn buttons(ui: &mut Ui, question: &Question, wishes: &mut Vec<Wish>) {
+    for answer in &question.answers {
+        let button = egui::Button::new(&answer.words).selected(answer.chosen);
+        let button = ui
+            .add_enabled(question.applies, button)
+            .on_hover_text(question.meaning);
+        let name = format!("{} {}", question.what, answer.words);
+        button.widget_info(|| {
+            let enabled = question.applies;
+            egui::WidgetInfo::selected(egui::Role::Button, enabled, answer.chosen, &name)
+        });
+        if button.clicked() && !answer.chosen {
+            wishes.push(Wish::Flip(answer.flip));
+        }
+    }
+}
+
+/// Why a question was answered as it is.
+fn reason(ui: &mut Ui, question: &Question, theme: Theme) {
+    let width = ui.available_width();
+    if question.doubtful {
+        let words = format!("▲ doubtful: {}", question.because);
+        two_lines(ui, &words, theme.warning, width);
+    } else {
+        two_lines(ui, &question.because, theme.faint, width);
+    }
+}
+
+/// How many of the shown columns the width has room for, two at least.
+fn columns_that_fit(ui: &Ui, head: &Head) -> usize {
+    let letter = 0.5 * ui.text_style_height(&egui::TextStyle::Small);
+    let mut left = ui.available_width() - 8.0;
+    (0..head.width())
+        .take_while(|column| {
+            let cells = head.rows.iter().chain([&head.titles]);
+            let cells = cells.filter_map(|row| row.get(*column));
+            let longest = cells.map(|cell| cell.chars().count()).max().unwrap_or(0);
+            left -= letter * longest.max(9) as f32 + 14.0;
+            *column < 2 || left >= 0.0
+        })
+        .count()
 }
 
 /// The first rows with what each column was taken for.
@@ -289,6 +475,13 @@ fn table(ui: &mut Ui, head: &Head, theme: Theme, turn: u64, height: f32) {
     }
     if head.along_rows {
         ui.small("The wavelengths stand in a row, one spectrum in each row below.");
+    }
+    let columns = columns_that_fit(ui, head);
+    let more = head.width() + head.more_columns - columns;
+    if more > 0 && !head.along_rows {
+        ui.small(format!(
+            "The first {columns} columns, + {more} more columns"
+        ));
     }
     let area = egui::Frame::new()
         .fill(ui.visuals().extreme_bg_color)
@@ -306,22 +499,19 @@ fn table(ui: &mut Ui, head: &Head, theme: Theme, turn: u64, height: f32) {
                     .spacing([14.0, 1.0])
                     .show(ui, |ui| {
                         if !head.along_rows {
-                            for role in &head.roles {
+                            for role in head.roles.iter().take(columns) {
                                 ui.small(RichText::new(role.words()).strong());
-                            }
-                            if head.more_columns > 0 {
-                                ui.small(format!("and {} more columns", head.more_columns));
                             }
                             ui.end_row();
                         }
                         if !head.titles.is_empty() {
-                            for title in &head.titles {
+                            for title in head.titles.iter().take(columns) {
                                 ui.small(RichText::new(title).color(theme.faint));
                             }
                             ui.end_row();
                         }
                         for row in &head.rows {
-                            for cell in row {
+                            for cell in row.iter().take(columns) {
                                 ui.small(RichText::new(cell).monospace());
                             }
                             ui.end_row();

@@ -4,13 +4,13 @@ use crate::{
     app::{
         chart::Inks,
         plot_svg::{Chart, Dash, Series, Theme},
-        ticks::extent,
+        ticks::{extent, short},
     },
     spectrum::NamedSpectrum,
 };
 
 /// Most curves drawn.
-pub const MOST_CURVES: usize = 8;
+pub const MOST_CURVES: usize = 12;
 
 /// Points of a curve beyond which some are left out: the chart is small.
 const MOST_POINTS: usize = 2000;
@@ -31,19 +31,23 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum], theme: Theme) -> Chart {
     ];
     let dashes = [Dash::Solid, Dash::Dashed, Dash::Dotted];
     let shown = &spectra[..spectra.len().min(MOST_CURVES)];
+    let kinds_differ = shown.windows(2).any(|pair| pair[0].kind != pair[1].kind);
+    let cut = height(shown);
     let series = shown
         .iter()
-        .zip(colours)
+        .zip(colours.into_iter().cycle())
         .enumerate()
         .map(|(i, (spectrum, colour))| {
-            let name = short_name(&spectrum.name);
+            let name = named(spectrum, kinds_differ);
             Series::line(name, colour, points(spectrum)).dashed(dashes[i % dashes.len()])
         });
     let ends = shown
         .iter()
         .flat_map(|s| [s.samples.first_nm(), s.samples.last_nm()]);
     let y_label = shown.first().map_or_else(String::new, |s| {
-        if s.unit.is_empty() || s.unit == s.kind.word() {
+        if kinds_differ {
+            "value".to_owned()
+        } else if s.unit.is_empty() || s.unit == s.kind.word() {
             s.kind.word().to_owned()
         } else {
             format!("{} ({})", s.kind.word(), s.unit)
@@ -51,13 +55,24 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum], theme: Theme) -> Chart {
     });
     let title = match spectra.len() {
         0 | 1 => format!("Curve of {file}"),
-        n if n > MOST_CURVES => format!("The first {MOST_CURVES} of {n} curves of {file}"),
+        n if n > MOST_CURVES => format!(
+            "The first {MOST_CURVES} of {n} curves of {file} (+ {} more)",
+            n - MOST_CURVES
+        ),
         n => format!("{n} curves of {file}"),
+    };
+    let title = match cut {
+        Some((_, share)) => {
+            let ends = [share, 1.0 - share].map(|share| short(100.0 * share));
+            format!("{title}; height: {}–{} % of values", ends[0], ends[1])
+        }
+        None => title,
     };
     Chart {
         title,
         x_label: "Wavelength (nm)".to_owned(),
         y_label,
+        y_range: cut.map(|(range, _)| range),
         x_range: extent(ends).unwrap_or([380.0, 780.0]),
         series: series.collect(),
         theme,
@@ -65,11 +80,62 @@ pub fn curves(file: &str, spectra: &[NamedSpectrum], theme: Theme) -> Chart {
     }
 }
 
-fn short_name(name: &str) -> String {
-    match name.char_indices().nth(28) {
-        Some((end, _)) => format!("{}…", &name[..end]),
-        None => name.to_owned(),
+/// Letters of a name that are shown from its beginning and from its end: doubles differ there.
+const NAME_LETTERS: [usize; 2] = [18, 10];
+
+fn named(spectrum: &NamedSpectrum, with_kind: bool) -> String {
+    let name = short_name(&spectrum.name);
+    if with_kind {
+        format!("{name} ({})", spectrum.kind.word())
+    } else {
+        name
     }
+}
+
+fn short_name(name: &str) -> String {
+    let [first, last] = NAME_LETTERS;
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= first + last + 1 {
+        return name.to_owned();
+    }
+    let start: String = letters[..first].iter().collect();
+    let end: String = letters[letters.len() - last..].iter().collect();
+    format!("{start}…{end}")
+}
+
+/// Shares of the values at either end that may lie outside the picture, the least that helps.
+const EXTREMES: [f64; 3] = [0.005, 0.01, 0.03];
+
+/// How much farther than the middle nine tenths of the values extremes must lie to be left out.
+const FAR: f64 = 3.0;
+
+/// The range of values that shows the curves where a few noisy extremes would flatten them, and
+/// the share of the values left out at either end. Noise goes down as far as up: the lines of a
+/// lamp, which only go up, are never cut.
+fn height(spectra: &[NamedSpectrum]) -> Option<([f64; 2], f64)> {
+    let mut all: Vec<f64> = spectra
+        .iter()
+        .flat_map(|s| s.samples.values().iter().copied())
+        .collect();
+    if all.len() < 200 {
+        return None;
+    }
+    all.sort_by(f64::total_cmp);
+    let last = all.len() - 1;
+    let at = |share: f64| all[(share * last as f64).round() as usize];
+    let middle = at(0.95) - at(0.05);
+    if middle <= 0.0 || at(0.05) - all[0] <= FAR * middle {
+        return None;
+    }
+    let between = |share: f64| [at(share), at(1.0 - share)];
+    let fits = |share: &&f64| {
+        let [low, high] = between(**share);
+        high - low <= FAR * middle
+    };
+    let share = EXTREMES.iter().find(fits).unwrap_or(&EXTREMES[2]);
+    let [low, high] = between(*share);
+    let room = 0.08 * (high - low);
+    Some(([low - room, high + room], *share))
 }
 
 /// Every point, or of a long curve every n-th with the largest among those left out.
@@ -118,7 +184,7 @@ mod tests {
         let spectra = vec![spectrum(5); 20];
         let chart = curves("a.csv", &spectra, Theme::Light);
         assert_eq!(chart.series.len(), MOST_CURVES);
-        assert_eq!(chart.title, "The first 8 of 20 curves of a.csv");
+        assert_eq!(chart.title, "The first 12 of 20 curves of a.csv (+ 8 more)");
         assert_eq!(curves("a", &[], Theme::Light).series, []);
     }
 }

@@ -25,6 +25,8 @@ pub struct Question<'a> {
     pub measured: &'a [f64],
     /// Whether the subject is a light (it has patches and a CCT) or a reflectance.
     pub is_light: bool,
+    /// Whether the subject's numbers were divided when its file was read.
+    pub is_divided: bool,
     /// The light on the band's grid: the subject itself, or what a reflectance is seen under.
     pub light: &'a [f64],
     /// XYZ of the subject by 1 nm sums over 360-830, Y of the light at 100; CIE 1931 beside it.
@@ -197,9 +199,14 @@ impl Derived {
         }
         let top = question.measured.iter().copied().fold(0.0, f64::max);
         if !question.is_light && top > LARGEST_FRACTION {
+            // What was divided already is asked about no more.
+            let question = if question.is_divided {
+                "Per cent was taken out already: noise, or more light than fell on it?"
+            } else {
+                "Are they per cent, or a light?"
+            };
             warnings.push(format!(
-                "Values reach {}: a reflectance is a fraction up to 1. Are they per cent, or a \
-                 light?",
+                "Values reach {}: a reflectance is a fraction up to 1. {question}",
                 short(top)
             ));
         }

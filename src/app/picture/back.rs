@@ -11,12 +11,12 @@ use std::{
 
 use crate::{
     app::{
-        open::{Loaded, load_path},
+        open::{Loaded, load_path_as},
         opened::ImageEntry,
         studies::Wake,
         workspace::StoredImage,
     },
-    io::{budget, envi},
+    io::{Choices, budget, envi},
 };
 
 /// What a thread has to tell.
@@ -63,10 +63,14 @@ impl Reader {
         let sender = self.sender.clone();
         std::thread::spawn(move || {
             // A file with several images is read once.
-            let mut last: Option<(PathBuf, Result<Vec<ImageEntry>, String>)> = None;
+            let mut last: Option<(StoredImage, Result<Vec<ImageEntry>, String>)> = None;
             for stored in images {
-                if last.as_ref().is_none_or(|(path, _)| *path != stored.path) {
-                    last = Some((stored.path.clone(), images_of(&stored.path)));
+                let is_of = |(of, _): &(StoredImage, _)| {
+                    (&of.path, &of.choices) == (&stored.path, &stored.choices)
+                };
+                if !last.as_ref().is_some_and(is_of) {
+                    let images = images_of(&stored.path, &stored.choices);
+                    last = Some((stored.clone(), images));
                 }
                 let found = last.as_ref().map(|(_, found)| found);
                 let news = match found.map(|found| pick(found, &stored)) {
@@ -159,14 +163,19 @@ impl Reader {
 /// # Errors
 /// A sentence that says why there is none.
 pub fn read_again(stored: &StoredImage) -> Result<ImageEntry, String> {
-    pick(&images_of(&stored.path), stored)
+    pick(&images_of(&stored.path, &stored.choices), stored)
 }
 
 fn pick(
     found: &Result<Vec<ImageEntry>, String>,
     stored: &StoredImage,
 ) -> Result<ImageEntry, String> {
-    let StoredImage { key, path, index } = stored;
+    let StoredImage {
+        key,
+        path,
+        index,
+        choices: _,
+    } = stored;
     let images = found.as_ref().map_err(Clone::clone)?;
     let image = images.get(*index).ok_or_else(|| {
         format!(
@@ -182,9 +191,9 @@ fn pick(
     })
 }
 
-fn images_of(path: &Path) -> Result<Vec<ImageEntry>, String> {
+fn images_of(path: &Path, choices: &Choices) -> Result<Vec<ImageEntry>, String> {
     // A panic in a reader must not leave the image waiting for ever.
-    let loaded = std::panic::catch_unwind(|| load_path(path))
+    let loaded = std::panic::catch_unwind(|| load_path_as(path, choices))
         .map_err(|_| format!("{}: the reader failed on this file", path.display()))?;
     match loaded {
         Loaded::File(opened) => Ok(opened
@@ -195,6 +204,7 @@ fn images_of(path: &Path) -> Result<Vec<ImageEntry>, String> {
                 key: String::new(),
                 path: Some(path.to_owned()),
                 index,
+                choices: choices.clone(),
                 image: Arc::clone(image),
             })
             .collect()),

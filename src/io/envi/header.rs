@@ -53,8 +53,7 @@ impl Header {
 
     /// The items of a field in braces.
     pub fn list(&self, key: &str) -> Vec<&str> {
-        let items = self.text(key).map(|text| text.split(','));
-        let mut items: Vec<&str> = items.into_iter().flatten().map(str::trim).collect();
+        let mut items = self.text(key).map(split).unwrap_or_default();
         // Some writers leave a comma behind the last item.
         if items.last() == Some(&"") {
             items.pop();
@@ -110,6 +109,54 @@ impl Header {
     ) -> ReadError {
         ReadError::new(&self.file, found, expected).at_line(self.line(key))
     }
+}
+
+/// The items between commas; one that begins with a quote goes on to the quote before a comma, so
+/// that names may have commas of their own.
+pub fn split(text: &str) -> Vec<&str> {
+    let mut items = Vec::new();
+    let mut rest = text;
+    loop {
+        let item = rest.trim_start();
+        let quote = item.chars().next().filter(|c| matches!(c, '"' | '\''));
+        let quoted = quote.and_then(|quote| {
+            let (inside, after) = closed(&item[1..], quote)?;
+            Some((inside, after))
+        });
+        let next = if let Some((inside, after)) = quoted {
+            items.push(inside.trim());
+            after
+        } else {
+            let (one, after) = match item.split_once(',') {
+                Some((one, after)) => (one, Some(after)),
+                None => (item, None),
+            };
+            items.push(one.trim());
+            after
+        };
+        match next {
+            Some(next) => rest = next,
+            None => return items,
+        }
+    }
+}
+
+/// What a quote encloses, and what stands behind the comma after it; `None` where no quote is
+/// followed by a comma or the end, as in `'t Hooft`.
+fn closed(text: &str, quote: char) -> Option<(&str, Option<&str>)> {
+    // As far as a header's longest name goes: an open quote must not be looked for again and again.
+    let end = text
+        .char_indices()
+        .nth(200)
+        .map_or(text.len(), |(at, _)| at);
+    text[..end].match_indices(quote).find_map(|(at, _)| {
+        let after = text[at + 1..].trim_start();
+        if after.is_empty() {
+            return Some((&text[..at], None));
+        }
+        let behind = after.strip_prefix(',')?;
+        Some((&text[..at], Some(behind)))
+    })
 }
 
 /// Reads a header.

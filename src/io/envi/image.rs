@@ -5,8 +5,9 @@ use std::sync::Arc;
 use crate::spectrum::SpectralImage;
 use crate::spectrum::cube::{Cube, CubeError, Layout};
 
+use super::super::reading::AxisTold;
 use super::super::spectral_image;
-use super::super::{ReadError, Reading};
+use super::super::{Choices, Guess, ReadError, Reading};
 use super::header::Header;
 use super::library::short;
 use super::meaning;
@@ -18,13 +19,18 @@ const LOOKED_AT: usize = 400;
 ///
 /// # Errors
 /// [`ReadError`] when the data are too short, or the header gives no wavelengths.
-pub fn read(header: &Header, data: Vec<u8>, data_name: &str) -> Result<Reading, ReadError> {
+pub fn read(
+    header: &Header,
+    data: Vec<u8>,
+    data_name: &str,
+    choices: &Choices,
+) -> Result<Reading, ReadError> {
     let kind = header.text("file type").unwrap_or("");
     if kind.to_lowercase().contains("classification") {
         let found = "a classification (classes, not spectra)";
         return Err(header.error("file type", found, "a cube or a spectral library"));
     }
-    let channels = meaning::channels(header, header.bands)?;
+    let channels = meaning::channels(header, header.bands, choices.wavelengths)?;
     let layout = Layout {
         first_byte: header.offset,
         number: header.number,
@@ -66,5 +72,15 @@ pub fn read(header: &Header, data: Vec<u8>, data_name: &str) -> Result<Reading, 
         notes,
         source: data_name.to_owned(),
     };
-    Ok(spectral_image::reading(image))
+    let mut reading = spectral_image::reading(image);
+    reading.axis = Some(AxisTold::Unit(channels.told));
+    reading.image_guesses.clone_from(&values.guesses);
+    for at in 0..reading.spectra.len() {
+        let of_it = values.guesses.iter().chain(&channels.guessed);
+        reading.guesses.extend(of_it.map(|guess| Guess {
+            spectrum: at,
+            ..guess.clone()
+        }));
+    }
+    Ok(reading)
 }

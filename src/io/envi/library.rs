@@ -1,11 +1,12 @@
 //! An ENVI spectral library: `lines` spectra of `samples` channels.
 
 use crate::spectrum::NamedSpectrum;
-use crate::spectrum::cube::bytes_of;
+use crate::spectrum::cube::{bytes_of, is_missing};
 
 use super::super::curve;
+use super::super::reading::AxisTold;
 use super::super::reading::provenance;
-use super::super::{Guess, ReadError, Reading, budget};
+use super::super::{Choices, Guess, ReadError, Reading, budget};
 use super::header::Header;
 use super::meaning;
 
@@ -27,6 +28,7 @@ pub fn read(
     data: &[u8],
     data_name: &str,
     file_bytes: usize,
+    choices: &Choices,
 ) -> Result<Reading, ReadError> {
     let (channels, count) = (header.samples, header.lines);
     let size = bytes_of(channels, count, header.bands, header.number);
@@ -38,7 +40,7 @@ pub fn read(
     if need.is_none_or(|need| data.len() < need) {
         return Err(short(header, data.len(), data_name));
     }
-    let axis = meaning::channels(header, channels)?;
+    let axis = meaning::channels(header, channels, choices.wavelengths)?;
     let memory = count.saturating_mul(SPECTRUM_BYTES + SAMPLE_BYTES * axis.bands.len());
     if memory > budget::of(file_bytes) {
         let found = format!("{count} spectra, which take {}", budget::in_words(memory));
@@ -49,7 +51,7 @@ pub fn read(
     let value = |spectrum: usize, channel: usize| {
         let at = header.offset + spectrum * row_bytes + channel * header.number.bytes();
         let value = header.number.read(data, at, header.big_endian);
-        if missing == Some(value) {
+        if missing.is_some_and(|missing| is_missing(value, missing, header.number)) {
             f64::NAN
         } else {
             value
@@ -93,20 +95,11 @@ pub fn read(
             let line = format!("library of {count} spectra: {}", spectrum.notes[0]);
             reading.notes.push(line);
         }
-        reading
-            .guesses
-            .extend(meaning.guesses.iter().map(|(what, chosen, because)| Guess {
-                spectrum: at,
-                what: *what,
-                chosen: chosen.clone(),
-                because: because.clone(),
-            }));
-        reading
-            .guesses
-            .extend(axis.guessed.iter().map(|guess| Guess {
-                spectrum: at,
-                ..guess.clone()
-            }));
+        let of_it = meaning.guesses.iter().chain(&axis.guessed);
+        reading.guesses.extend(of_it.map(|guess| Guess {
+            spectrum: at,
+            ..guess.clone()
+        }));
         reading.spectra.push(spectrum);
     }
     if reading.spectra.is_empty() {
@@ -132,6 +125,7 @@ pub fn read(
         reading.notes.push(note);
     }
     reading.notes.extend(axis.notes);
+    reading.axis = Some(AxisTold::Unit(axis.told));
     reading.notes.extend(meaning.notes);
     Ok(reading)
 }

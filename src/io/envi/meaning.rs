@@ -2,11 +2,14 @@
 
 use crate::spectrum::Kind;
 
-use super::super::axis::{self, Axis};
+use super::super::axis::{self, Axis, AxisUnit};
+use super::super::decided::BY_HAND;
 use super::super::error::quoted;
 use super::super::kinds;
+use super::super::meaning::is_plain_size;
+use super::super::reading::Told;
 use super::super::units::WavelengthUnit;
-use super::super::{Guess, Guessed, ReadError};
+use super::super::{Counted, Guess, Guessed, ReadError};
 use super::header::Header;
 
 /// The channels to read and what was done to find them.
@@ -16,15 +19,22 @@ pub struct Channels {
     pub bands: Vec<(f64, usize)>,
     /// The unit, where it was guessed.
     pub guessed: Option<Guess>,
+    /// The unit and what told it.
+    pub told: Told<WavelengthUnit>,
     /// What was done, a sentence each.
     pub notes: Vec<String>,
 }
 
-/// The channels of a file that stores `stored` of them, without the bad ones.
+/// The channels of a file that stores `stored` of them, without the bad ones; `chosen` is the unit
+/// that a person said.
 ///
 /// # Errors
 /// [`ReadError`] when the header gives no wavelengths for them.
-pub fn channels(header: &Header, stored: usize) -> Result<Channels, ReadError> {
+pub fn channels(
+    header: &Header,
+    stored: usize,
+    chosen: Option<WavelengthUnit>,
+) -> Result<Channels, ReadError> {
     let axis = header.numbers("wavelength")?;
     if axis.len() != stored {
         let found = match axis.len() {
@@ -42,21 +52,39 @@ pub fn channels(header: &Header, stored: usize) -> Result<Channels, ReadError> {
             (lo.min(*x), hi.max(*x))
         });
     let word = title.to_lowercase();
-    if ["hz", "index"].iter().any(|other| word.contains(other)) {
+    if chosen.is_none() && ["hz", "index"].iter().any(|other| word.contains(other)) {
         return Err(header.error(
             "wavelength units",
             quoted(title),
             "nanometers, micrometers, angstroms or wavenumber",
         ));
     }
-    let found = axis::unit(&Axis {
-        title,
-        header: &[],
-        says_nm: false,
-        is_dpt: false,
-        range,
-    });
+    let found = match chosen {
+        Some(unit) => AxisUnit {
+            unit,
+            because: BY_HAND.to_owned(),
+            stated: true,
+            against: None,
+        },
+        None => axis::unit(&Axis {
+            title,
+            header: &[],
+            says_nm: false,
+            is_dpt: false,
+            range,
+        }),
+    };
     let unit = found.unit;
+    let told = Told {
+        is: unit,
+        because: if found.stated && chosen.is_none() {
+            format!("wavelength units = {title}")
+        } else {
+            found.because.clone()
+        },
+        stated: found.stated,
+        plain: found.stated,
+    };
     if !found.stated {
         notes.push(format!("taken as {}: {}", found.words(), found.because));
         guessed = Some(Guess {
@@ -64,6 +92,7 @@ pub fn channels(header: &Header, stored: usize) -> Result<Channels, ReadError> {
             what: Guessed::WavelengthUnit,
             chosen: found.words(),
             because: found.because,
+            plain: false,
         });
     } else if unit != WavelengthUnit::Nanometre {
         notes.push(format!("wavelengths converted from {}", unit.word()));
@@ -85,6 +114,7 @@ pub fn channels(header: &Header, stored: usize) -> Result<Channels, ReadError> {
     Ok(Channels {
         bands,
         guessed,
+        told,
         notes,
     })
 }
@@ -133,6 +163,9 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
     }
 }
 
+/// Largest values that are per cent; of larger ones 10 000 is all of the light.
+pub const MOST_PERCENT: f64 = 160.0;
+
 /// Scale factors that make sense; others are passed over.
 const SENSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 
@@ -146,7 +179,7 @@ pub struct Values {
     /// Factor to the unit.
     pub scale: f64,
     /// What was guessed.
-    pub guesses: Vec<(Guessed, String, String)>,
+    pub guesses: Vec<Guess>,
     /// What was done, a sentence each.
     pub notes: Vec<String>,
 }
@@ -156,9 +189,9 @@ pub struct Values {
 /// # Errors
 /// [`ReadError`] when the scale factor is no number.
 pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values, ReadError> {
-    let titles = header.text("z plot titles").unwrap_or("");
     // The first title is the x axis's.
-    let title = titles.split_once(',').map_or("", |(_, y)| y.trim());
+    let title = header.list("z plot titles");
+    let title = title.get(1).copied().unwrap_or("");
     let words: Vec<String> = ["data units", "description", "data values", "sensor type"]
         .iter()
         .filter_map(|key| header.text(key).map(str::to_lowercase))
@@ -168,16 +201,28 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         .number("reflectance scale factor")?
         .filter(|factor| SENSIBLE_FACTORS.contains(factor));
     let mut guesses = Vec::new();
-    let mut sizes: Vec<f64> = sample
-        .iter()
-        .map(|v| v.abs())
-        .filter(|v| v.is_finite())
-        .collect();
-    sizes.sort_by(f64::total_cmp);
-    let high = sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0);
+    let mut guess = |what, chosen: &str, because: String, plain| {
+        guesses.push(Guess {
+            spectrum: 0,
+            what,
+            chosen: chosen.to_owned(),
+            because,
+            plain,
+        });
+    };
+    let high = largest(sample);
     let found = kinds::kind(title, &kinds::FromHeader::of(&lines), data_name, sample);
-    let kind = if factor.is_some() {
-        Kind::Reflectance
+    let of_title = kinds::kind_of_title(title);
+    let kind = if let Some(kind) = of_title {
+        kind
+    } else if factor.is_some() {
+        // Transmittances are scaled by the same key.
+        let is_factor = found.stated && found.kind.is_factor();
+        if is_factor {
+            found.kind
+        } else {
+            Kind::Reflectance
+        }
     } else if found.stated {
         found.kind
     } else {
@@ -191,7 +236,7 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         } else {
             (found.kind, "nothing states it")
         };
-        guesses.push((Guessed::Kind, kind.word().to_owned(), because.to_owned()));
+        guess(Guessed::Kind, kind.word(), because.to_owned(), false);
         kind
     };
     let mut notes = Vec::new();
@@ -206,16 +251,20 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
             }
         } else {
             let because = format!("the values' size (up to about {high:.3})");
-            let (divisor, chosen) = match high {
-                h if h <= 1.6 => (1.0, "fraction"),
-                h if h <= 160.0 => (100.0, "percent"),
-                _ => (10_000.0, "fraction x 10000"),
+            let counted = match high {
+                h if h <= 1.6 => Counted::Fraction,
+                h if h <= MOST_PERCENT => Counted::Percent,
+                _ => Counted::TenThousandths,
             };
-            scale = 1.0 / divisor;
-            guesses.push((Guessed::Percent, chosen.to_owned(), because));
+            scale = counted.scale().unwrap_or(1.0);
+            let plain = is_plain_size(counted, high);
+            guess(Guessed::Percent, counted.word(), because, plain);
         }
     }
-    for (_, chosen, because) in &guesses {
+    for Guess {
+        chosen, because, ..
+    } in &guesses
+    {
         notes.push(format!("taken as {chosen}: {because}"));
     }
     if header.text("data gain values").is_some() || header.text("data offset values").is_some() {
@@ -228,6 +277,17 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         guesses,
         notes,
     })
+}
+
+/// The size that hardly a value exceeds.
+pub fn largest(values: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> = values
+        .iter()
+        .map(|v| v.abs())
+        .filter(|v| v.is_finite())
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0)
 }
 
 /// The factor in a title such as `reflectance [*10000]` or `reflectance (%)`.

@@ -73,7 +73,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         })?;
         let need = data_bytes(&header)?;
         let data = pair::data_of(path, &header, need)?;
-        return read_pair(&header, data.bytes.into(), &data.name, input.bytes.len());
+        return read_pair(&header, data.bytes.into(), &data.name, input);
     }
     let header = input
         .path
@@ -82,19 +82,20 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
     let header = pair::read_header(&header)?;
     data_bytes(&header)?;
-    read_pair(&header, input.bytes.into(), &input.name, 0)
+    read_pair(&header, input.bytes.into(), &input.name, input)
 }
 
 fn read_pair(
     header: &Header,
     data: Cow<[u8]>,
     data_name: &str,
-    header_bytes: usize,
+    input: &Input,
 ) -> Result<Reading, ReadError> {
     if header.is_library() {
-        library::read(header, &data, data_name, data.len() + header_bytes)
+        let file_bytes = data.len() + input.bytes.len();
+        library::read(header, &data, data_name, file_bytes, &input.choices)
     } else {
-        image::read(header, data.into_owned(), data_name)
+        image::read(header, data.into_owned(), data_name, &input.choices)
     }
 }
 

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use super::*;
-use crate::io::{Guessed, Reading, read_bytes, read_path};
+use crate::io::{Choices, Counted, Guessed, Reading, read_bytes, read_path, read_path_as};
 use crate::spectrum::Kind;
 
 /// A folder with the files given.
@@ -213,4 +213,62 @@ fn broken_headers_and_data_never_panic() {
             let _ = read_path(&folder.path().join("a.sli"));
         }
     }
+}
+
+/// A library of three channels in single precision.
+fn small_library(more: &str, values: &[f32]) -> Reading {
+    let header = format!(
+        "ENVI\nsamples = 3\nlines = {}\nbands = 1\ndata type = 4\nbyte order = 0\n\
+         file type = ENVI Spectral Library\nwavelength units = nm\nwavelength = {{400, 500, 600}}\n\
+         {more}\n",
+        values.len() / 3
+    );
+    let data: Vec<u8> = values.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let folder = folder(&[("a.hdr", header.as_bytes()), ("a.sli", &data)]);
+    read_path(&folder.path().join("a.sli")).expect("a library")
+}
+
+#[test]
+fn a_scale_factor_goes_for_transmittances_too() {
+    let words = "z plot titles = {Wavelength, Transmittance}\nreflectance scale factor = 100";
+    let glass = &small_library(words, &[50.0, 60.0, 70.0]).spectra[0];
+    assert_eq!((glass.kind, glass.scale), (Kind::Transmittance, 0.01));
+}
+
+#[test]
+fn the_number_for_nothing_measured_is_that_of_single_precision() {
+    let values = [0.1, -1.1, 0.3, 0.2, 0.3, 0.4];
+    let reading = small_library("data ignore value = -1.1", &values);
+    assert_eq!(reading.spectra[0].samples.nm(), [400.0, 600.0]);
+}
+
+#[test]
+fn names_in_quotes_keep_their_commas() {
+    let words = "spectra names = {\"brick, red\", 'tile'}";
+    let reading = small_library(words, &[0.1, 0.2, 0.3, 0.2, 0.3, 0.4]);
+    let names: Vec<&str> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
+    assert_eq!(names, ["brick, red", "tile"]);
+    assert_eq!(header::split("'t Hooft, b,"), ["'t Hooft", "b", ""]);
+}
+
+#[test]
+fn what_a_person_says_of_an_image_and_of_one_spectrum_is_heard() {
+    let folder = folder(&[
+        ("a.hdr", cube_header("bip").as_bytes()),
+        ("a.img", &cube_data()),
+    ]);
+    let path = folder.path().join("a.hdr");
+    let guessed = read_path(&path).expect("a cube");
+    assert!(guessed.is_doubtful(), "nothing states what it is");
+    let choices = Choices {
+        kind: Some(Kind::Transmittance),
+        counted: Some(Counted::Percent),
+        ..Choices::default()
+    };
+    let said = read_path_as(&path, &choices).expect("a cube");
+    let image = &said.images[0];
+    assert_eq!((image.kind, image.scale), (Kind::Transmittance, 0.01));
+    assert!(!said.is_doubtful(), "{:?}", said.images_understood);
+    assert!(said.notes[0].contains("transmittance"), "{:?}", said.notes);
+    assert!(!said.notes.iter().any(|n| n.contains("nothing states it")));
 }

@@ -156,10 +156,21 @@ fn read_block(
             "XUNITS says {x_units}, which would be beyond 9 um: taken as nm"
         ));
     }
-    let kind = kinds::kind_of_title(y_units);
+    // A block of what repeated measurements differ by stands beside that of their mean.
+    let of_spread = [y_units, data_type, block.text("TITLE").unwrap_or("")]
+        .into_iter()
+        .find(|text| kinds::is_spread(text));
+    let kind = of_spread.map_or_else(
+        || kinds::kind_of_title(y_units),
+        |_| Some(crate::spectrum::Kind::Other),
+    );
     let highest = extent(&values).1;
     let counts = kind.is_some_and(crate::spectrum::Kind::is_factor) && highest > ABSURD_PERCENT;
-    let title = if counts { "counts" } else { y_units };
+    let title = match of_spread {
+        Some(spread) => spread,
+        None if counts => "counts",
+        None => y_units,
+    };
     let header: Vec<(usize, &str)> = if kind.is_some() || y_units.is_empty() {
         Vec::new()
     } else {
@@ -184,7 +195,7 @@ fn read_block(
     }
     .finish(input, reading)?;
     let spectrum = &mut reading.spectra[index];
-    if counts {
+    if counts && input.choices.kind_of(index).is_none() {
         let because = format!(
             "YUNITS says {}, but the values reach {highest}",
             quoted(y_units)
@@ -195,7 +206,14 @@ fn read_block(
             what: Guessed::Kind,
             chosen: spectrum.kind.word().to_owned(),
             because,
+            plain: false,
         });
+        if let Some(told) = reading.understood.get_mut(index) {
+            told.kind
+                .because
+                .clone_from(&reading.guesses[reading.guesses.len() - 1].because);
+            (told.kind.stated, told.kind.plain) = (false, false);
+        }
     } else if !y_units.is_empty() && spectrum.unit.is_empty() {
         notes.push(format!("values in {}", y_units.to_lowercase()));
     }

@@ -67,6 +67,11 @@ pub struct Pages {
 }
 
 impl Pages {
+    /// The key of an image whose reading is to be looked at, once.
+    pub fn wants_reading(&mut self) -> Option<String> {
+        self.image.wants_reading.take()
+    }
+
     /// Draws the page in force; nothing for the spectrum, which the window draws itself.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         match context.memory.page {

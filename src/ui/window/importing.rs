@@ -21,7 +21,7 @@ impl Window {
     /// Takes a file in; when it came alone and is doubtful, shows how it was read.
     pub(super) fn open_and_ask(&mut self, opened: Opened) {
         let before = Before::of(&self.app);
-        let (source, choices) = (Source::of(&opened), opened.choices);
+        let (source, choices) = (Source::of(&opened), opened.choices.clone());
         let asked = opened.is_doubtful().then(|| opened.clone());
         self.app.apply(Command::Open(vec![opened]));
         self.origins
@@ -36,7 +36,10 @@ impl Window {
         let before = Before::of(&self.app);
         let files: Vec<_> = opened
             .iter()
-            .map(|file| (Source::of(file), file.choices, file.spectra.len()))
+            .map(|file| {
+                let counts = [file.spectra.len(), file.images.len()];
+                (Source::of(file), file.choices.clone(), counts)
+            })
             .collect();
         self.app.apply(Command::Open(opened));
         self.origins.remember_each(&self.app, files, &before);
@@ -49,6 +52,10 @@ impl Window {
         let wake = waker(context);
         if let Some(key) = self.library.wants_reading.take() {
             self.import.again = self.origins.again(&self.app, &key, &wake);
+        }
+        if let Some(key) = self.pages.wants_reading() {
+            self.import.again = self.origins.image_again(&self.app, &key, &wake);
+            context.request_repaint();
         }
         if let Some(done) = self
             .import
@@ -71,6 +78,12 @@ impl Window {
         for wish in wishes {
             match wish {
                 Wish::Flip(flip) => self.flip(flip, context),
+                Wish::About(about) => {
+                    if let Some(import) = &mut self.import.now {
+                        import.ask_about(about);
+                    }
+                    context.request_repaint();
+                }
                 Wish::Keep => {
                     drop(self.import.close());
                     // It was drawn once more before.

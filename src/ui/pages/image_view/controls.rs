@@ -17,10 +17,11 @@ use crate::{
     ui::{model_view::named, pages::PageContext},
 };
 
-/// The list of images, what the chosen one is, and the button that removes it.
-pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
+/// The list of images, what the chosen one is, and the buttons that remove it and that show how
+/// it was read; says whether the latter was clicked.
+pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) -> bool {
     let images = &context.app.document().images;
-    ui.horizontal(|ui| {
+    let row = ui.horizontal(|ui| {
         let combo = egui::ComboBox::from_id_salt("images")
             .selected_text(&entry.image.name)
             .width(170.0)
@@ -47,6 +48,16 @@ pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
             let key = entry.key.clone();
             context.commands.push(Command::RemoveImage { key });
         }
+        let reading = ui
+            .add_enabled(
+                entry.path.is_some(),
+                egui::Button::new(names::READING).small(),
+            )
+            .on_hover_text(
+                "What the values were taken for, their scale, the unit of the wavelengths, and \
+                 the other choices; the picture is drawn anew with each.",
+            )
+            .clicked();
         let cube = &entry.image.cube;
         let nm = cube.nm();
         let words = format!(
@@ -66,7 +77,9 @@ pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
                     ui.label(note);
                 }
             });
+        reading
     });
+    row.inner
 }
 
 /// True colour or bands, and the exposure.

@@ -36,6 +36,8 @@ pub mod names {
     pub const IMAGE: &str = "Image";
     /// Takes an image out of the list.
     pub const REMOVE: &str = "Remove image";
+    /// How the image was read, with the other choices.
+    pub const READING: &str = "How it was read…";
     /// The chosen pixels become a spectrum.
     pub const TAKE: &str = "Take as spectrum";
     /// Chooses all pixels.
@@ -90,6 +92,8 @@ pub struct ImageView {
     pointed: Option<[usize; 2]>,
     /// The spectrum that was taken last: its image's key, its pixels, its name.
     taken: Option<(String, Rect, String)>,
+    /// The key of an image whose reading is to be looked at.
+    pub wants_reading: Option<String>,
 }
 
 /// The image on the page, with what is asked about it.
@@ -110,7 +114,10 @@ impl ImageView {
         let Some(entry) = shown(context.app.document(), &context.memory.image).cloned() else {
             return nothing_open(ui);
         };
-        controls::images(ui, context, &entry);
+        if controls::images(ui, context, &entry) {
+            self.wants_reading = Some(entry.key.clone());
+            ui.ctx().request_repaint();
+        }
         controls::looks(ui, context, &entry);
         let shown = self.shown(context, entry);
         let raster = ask_raster(context, &shown);
