@@ -915,7 +915,7 @@ fn a_typed_path_that_leads_nowhere_is_told_and_escape_closes_the_field() {
     shortcut(&mut ui, Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::O);
     ui.event(egui::Event::Text("no such file.csv".to_owned()));
     ui.run();
-    click(&mut ui, "Open");
+    click(&mut ui, "Open it");
     wait_until(&mut ui, "a refusal", |ui| app(ui).message().is_some());
     let message = &app(&ui).message().expect("a refusal").text;
     assert!(message.contains("no such file.csv"), "{message}");

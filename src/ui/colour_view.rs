@@ -12,12 +12,12 @@ use crate::{
     color::Swatch,
 };
 
-/// Draws the panel.
-pub fn show(ui: &mut Ui, app: &App, theme: Theme) {
-    if app.document().is_about_light() {
-        section(ui, "Colour and error");
-    } else {
+/// Draws the panel; `is_titled` where a tab above says already what it is.
+pub fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
+    if !app.document().is_about_light() {
         section(ui, &format!("Colour under {}", app.document().light.name()));
+    } else if !is_titled {
+        section(ui, "Colour and error");
     }
     let colour = &app.derived().colour;
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {

@@ -51,7 +51,9 @@ pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
         ui.heading(title);
         ui.add_space(4.0);
         match dialog {
-            Dialog::OpenPath(text) => path_field(ui, text, "Open", &mut outcome, Outcome::OpenPath),
+            Dialog::OpenPath(text) => {
+                path_field(ui, text, "Open it", &mut outcome, Outcome::OpenPath)
+            }
             Dialog::SavePath(text) => path_field(ui, text, "Save", &mut outcome, Outcome::SavePath),
             Dialog::Shortcuts => shortcuts(ui),
             Dialog::About(reading) => about(ui, reading),

@@ -346,7 +346,8 @@ impl Window {
         ui.add_space(2.0);
         ui.separator();
         if !self.makers.tabs(ui, &self.app) {
-            colour_view::show(ui, &self.app, theme);
+            let is_titled = !self.app.document().subject_entry().makers.is_empty();
+            colour_view::show(ui, &self.app, theme, is_titled);
         } else if let Some(words) = self.makers.show(ui, &self.app) {
             self.app.say(Tone::Info, words);
         }
