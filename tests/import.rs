@@ -250,6 +250,24 @@ fn a_file_that_states_everything_asks_nothing_but_can_be_looked_at() {
 }
 
 #[test]
+fn photons_are_power_until_a_person_wants_them_as_they_are() {
+    let mut ui = fresh();
+    let text = "wavelength (nm),irradiance (µmol m-2 s-1 nm-1)\n400,1\n500,2\n600,1\n700,1\n";
+    drop_files(&mut ui, &[("plants.csv", text)]);
+    let unit = |ui: &Ui| app(ui).document().own[0].spectrum.unit.clone();
+    assert_eq!(unit(&ui), "W m-2 nm-1");
+    ui.get_by_role_and_label(Role::Button, "plants")
+        .click_secondary();
+    ui.run();
+    click(&mut ui, "How it was read…");
+    click(&mut ui, "Photons are as they are");
+    assert_eq!(unit(&ui), "µmol m-2 s-1 nm-1");
+    assert_eq!(own(&ui, 0).2, [1.0, 2.0, 1.0, 1.0]);
+    click(&mut ui, "Photons are turned into power");
+    assert_eq!(unit(&ui), "W m-2 nm-1");
+}
+
+#[test]
 fn several_files_at_once_ask_nothing() {
     let mut ui = fresh();
     drop_files(&mut ui, &[("a.dat", HEADERLESS), ("b.dat", HEADERLESS)]);

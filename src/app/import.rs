@@ -477,6 +477,8 @@ pub enum Flip {
     Kind(Kind),
     /// What the values are counted in, of the spectra that are asked about.
     Counted(Counted),
+    /// Whether photon counts of lights stay what they are.
+    KeepPhotons(bool),
     /// Back to all that the reader chooses by itself.
     ReadersOwn,
 }
@@ -714,6 +716,7 @@ impl Import {
                 |one| one.counted = Some(counted),
                 |one| one.counted = None,
             ),
+            Flip::KeepPhotons(keep) => choices.keep_photons = keep,
             Flip::ReadersOwn => choices = Choices::default(),
         }
         choices
@@ -988,10 +991,42 @@ impl Import {
             Some(AxisTold::Laser(told)) => questions.push(laser_question(told)),
             None => {}
         }
+        if opened.photons {
+            questions.push(photon_question(&opened.choices));
+        }
         if let Some(table) = &opened.table {
             questions.extend(table_questions(table, &opened.choices));
         }
         questions
+    }
+}
+
+/// What becomes of photon counts.
+fn photon_question(choices: &Choices) -> Question {
+    Question {
+        what: "Photons are",
+        meaning: "Colours and errors are of power: a photon of half the wavelength carries twice \
+                  as much of it.",
+        answers: answers(
+            [false, true],
+            choices.keep_photons,
+            Flip::KeepPhotons,
+            |keep| {
+                if keep {
+                    "as they are"
+                } else {
+                    "turned into power"
+                }
+                .to_owned()
+            },
+        ),
+        because: if choices.keep_photons {
+            "chosen by hand".to_owned()
+        } else {
+            "the unit counts photons".to_owned()
+        },
+        doubtful: false,
+        applies: true,
     }
 }
 
