@@ -89,7 +89,8 @@ pub fn clean_beside(
     reversals: f64,
 ) -> Result<Cleaned, Trouble> {
     if let Some(before) = before.filter(|before| before.nm() == nm && values.len() == nm.len()) {
-        if !values.iter().all(|v| is_measured(*v)) {
+        // Without a way out in the middle, which is much faster on long columns.
+        if values.iter().fold(false, |odd, v| odd | !is_measured(*v)) {
             return clean_within(nm, &values, reversals);
         }
         match before.sharing(values) {

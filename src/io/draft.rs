@@ -247,17 +247,26 @@ impl Draft<'_> {
 }
 
 fn extent(axis: &[f64]) -> (f64, f64) {
-    axis.iter()
-        .filter(|x| !x.is_nan())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
-            (lo.min(*x), hi.max(*x))
-        })
+    // Eight at a time: a long axis is looked through for each of its columns.
+    let (mut low, mut high) = ([f64::INFINITY; 8], [f64::NEG_INFINITY; 8]);
+    let (eights, rest) = axis.as_chunks::<8>();
+    for some in eights.iter().map(|eight| &eight[..]).chain([rest]) {
+        for (i, x) in some.iter().enumerate() {
+            // Neither is true of a gap.
+            low[i] = if *x < low[i] { *x } else { low[i] };
+            high[i] = if *x > high[i] { *x } else { high[i] };
+        }
+    }
+    (
+        low.into_iter().fold(f64::INFINITY, f64::min),
+        high.into_iter().fold(f64::NEG_INFINITY, f64::max),
+    )
 }
 
 /// Turns "not measured" numbers into gaps, if all other values lie well above them.
 fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
     // All of them are below this: a long column is looked through once, not four times.
-    if !values.iter().any(|v| *v < -9.0) {
+    if !values.iter().fold(false, |low, v| low | (*v < -9.0)) {
         return;
     }
     for sentinel in SENTINELS {

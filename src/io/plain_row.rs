@@ -42,39 +42,46 @@ impl PlainRow {
     /// numbers and nothing else.
     pub fn read(&mut self, text: &str, width: usize) -> Option<(&[f64], usize)> {
         let bytes = text.as_bytes();
-        self.row.clear();
-        let mut at = blanks(bytes, 0);
-        if self.delimiter == Delimiter::Space {
-            at = blanks_and_tabs(bytes, at);
-        }
-        loop {
+        self.row.resize(width, 0.0);
+        let separator = match self.delimiter {
+            Delimiter::Space => None,
+            Delimiter::Tab => Some(b'\t'),
+            Delimiter::Semicolon => Some(b';'),
+            Delimiter::Comma => Some(b','),
+        };
+        let mut at = match separator {
+            Some(_) => blanks(bytes, 0),
+            None => blanks_and_tabs(bytes, 0),
+        };
+        let (last, others) = self.row.split_last_mut()?;
+        for cell in others {
             let (value, past) = number(bytes, at, self.mark)?;
-            self.row.push(value);
-            let behind = match self.delimiter {
-                Delimiter::Space => blanks_and_tabs(bytes, past),
-                Delimiter::Tab | Delimiter::Semicolon | Delimiter::Comma => blanks(bytes, past),
-            };
-            let end = match bytes.get(behind) {
-                None => Some(behind),
-                Some(b'\n') => Some(behind + 1),
-                Some(b'\r') if bytes.get(behind + 1) == Some(&b'\n') => Some(behind + 2),
-                Some(b'\r') => Some(behind + 1),
-                Some(_) => None,
-            };
-            if let Some(end) = end {
-                return (self.row.len() == width).then_some((&self.row[..], end));
-            }
-            if self.row.len() == width {
-                return None;
-            }
-            let separates = |mark: u8| bytes[behind] == mark;
-            at = match self.delimiter {
-                Delimiter::Space => (behind > past).then_some(behind)?,
-                Delimiter::Tab => separates(b'\t').then(|| blanks(bytes, behind + 1))?,
-                Delimiter::Semicolon => separates(b';').then(|| blanks(bytes, behind + 1))?,
-                Delimiter::Comma => separates(b',').then(|| blanks(bytes, behind + 1))?,
+            *cell = value;
+            at = match separator {
+                Some(mark) => {
+                    let behind = blanks(bytes, past);
+                    if bytes.get(behind) != Some(&mark) {
+                        return None;
+                    }
+                    blanks(bytes, behind + 1)
+                }
+                None => Some(blanks_and_tabs(bytes, past)).filter(|behind| *behind > past)?,
             };
         }
+        let (value, past) = number(bytes, at, self.mark)?;
+        *last = value;
+        let behind = match separator {
+            Some(_) => blanks(bytes, past),
+            None => blanks_and_tabs(bytes, past),
+        };
+        let end = match bytes.get(behind) {
+            None => behind,
+            Some(b'\n') => behind + 1,
+            Some(b'\r') if bytes.get(behind + 1) == Some(&b'\n') => behind + 2,
+            Some(b'\r') => behind + 1,
+            Some(_) => return None,
+        };
+        Some((&self.row, end))
     }
 }
 
@@ -101,25 +108,12 @@ fn number(bytes: &[u8], from: usize, mark: u8) -> Option<(f64, usize)> {
     if is_negative || bytes.get(at) == Some(&b'+') {
         at += 1;
     }
-    let mut whole: u64 = 0;
-    let figures_from = at;
-    at = figures(bytes, at, &mut whole);
-    let mut count = at - figures_from;
-    let mut power = 0;
-    if bytes.get(at) == Some(&mark) {
-        let places_from = at + 1;
-        at = figures(bytes, places_from, &mut whole);
-        let places = at - places_from;
-        if places == 0 {
-            // "5." is a number and "5," a word: the slow way knows.
-            return None;
-        }
-        count += places;
-        power = -i32::try_from(places).ok()?;
-    }
-    if count == 0 || count > MOST_FIGURES || whole > EXACT_WHOLE {
-        return None;
-    }
+    let (whole, places, past) = match short(bytes, at, mark) {
+        Some(found) => found,
+        None => long(bytes, at, mark)?,
+    };
+    at = past;
+    let mut power = -i32::try_from(places).ok()?;
     if matches!(bytes.get(at), Some(b'e' | b'E')) {
         let (exponent, past) = exponent(bytes, at + 1)?;
         power += exponent;
@@ -132,7 +126,50 @@ fn number(bytes: &[u8], from: usize, mark: u8) -> Option<(f64, usize)> {
         whole as f64 * factor
     };
     let value = if is_negative { -size } else { size };
-    (size < ABSURD).then_some((value, at))
+    // What was divided is at most 2^53.
+    (power <= 0 || size < ABSURD).then_some((value, at))
+}
+
+/// The figures of a number as one whole number, how many of them stand behind the mark, and the
+/// place behind them, where they are eight at most: the usual case.
+fn short(bytes: &[u8], from: usize, mark: u8) -> Option<(u64, usize, usize)> {
+    let head = eight_at(bytes, from)?;
+    let before = leading_count(head);
+    if before == 0 || before == 8 {
+        return None;
+    }
+    if bytes[from + before] != mark {
+        return Some((joined(head, before), 0, from + before));
+    }
+    let tail = eight_at(bytes, from + before + 1)?;
+    let behind = leading_count(tail);
+    let count = before + behind;
+    if behind == 0 || count > 8 {
+        return None;
+    }
+    // The figures on either side of the mark, side by side.
+    let both = head & ((1 << (8 * before)) - 1) | (tail << (8 * before));
+    Some((joined(both, count), behind, from + count + 1))
+}
+
+/// The same for any number of figures that surely fit; `None` where the slow way must look.
+fn long(bytes: &[u8], from: usize, mark: u8) -> Option<(u64, usize, usize)> {
+    let mut whole: u64 = 0;
+    let mut at = figures(bytes, from, &mut whole);
+    let mut count = at - from;
+    let mut places = 0;
+    if bytes.get(at) == Some(&mark) {
+        let places_from = at + 1;
+        at = figures(bytes, places_from, &mut whole);
+        places = at - places_from;
+        if places == 0 {
+            // "5." is a number and "5," a word: the slow way knows.
+            return None;
+        }
+        count += places;
+    }
+    let fits = (1..=MOST_FIGURES).contains(&count) && whole <= EXACT_WHOLE;
+    fits.then_some((whole, places, at))
 }
 
 /// Powers of ten by which up to eight more figures move a whole number.
@@ -154,9 +191,13 @@ const MOVES: [u64; 9] = [
 /// two to eight figures on either side of the mark.
 fn figures(bytes: &[u8], from: usize, whole: &mut u64) -> usize {
     let mut at = from;
-    while let Some(eight) = bytes.get(at..).and_then(|rest| rest.first_chunk::<8>()) {
-        let (count, value) = leading_figures(u64::from_le_bytes(*eight));
-        *whole = whole.wrapping_mul(MOVES[count]).wrapping_add(value);
+    while let Some(eight) = eight_at(bytes, at) {
+        let count = leading_count(eight);
+        if count > 0 {
+            *whole = whole
+                .wrapping_mul(MOVES[count])
+                .wrapping_add(joined(eight, count));
+        }
         at += count;
         if count < 8 {
             return at;
@@ -171,25 +212,31 @@ fn figures(bytes: &[u8], from: usize, whole: &mut u64) -> usize {
     at
 }
 
-/// How many of eight bytes, the first of them lowest, are figures from the first on, and the
-/// number that these write.
-fn leading_figures(eight: u64) -> (usize, u64) {
-    const EACH: u64 = 0x0101_0101_0101_0101;
-    let figures = eight ^ (u64::from(b'0') * EACH);
+/// Eight bytes from a place on, less the character zero each; the first of them lowest.
+fn eight_at(bytes: &[u8], at: usize) -> Option<u64> {
+    let eight = bytes.get(at..)?.first_chunk::<8>()?;
+    Some(u64::from_le_bytes(*eight) ^ (u64::from(b'0') * EACH))
+}
+
+/// A byte of 1 in each of eight.
+const EACH: u64 = 0x0101_0101_0101_0101;
+
+/// How many of eight bytes, less the character zero, are figures from the first on.
+fn leading_count(eight: u64) -> usize {
     // The high bit of every byte above 9. A carry out of a byte disturbs only bytes behind it, and
     // nothing behind the first mark counts.
-    let marks = (figures.wrapping_add(0x76 * EACH) | figures) & (0x80 * EACH);
-    let count = marks.trailing_zeros() as usize / 8;
-    if count == 0 {
-        return (0, 0);
-    }
+    let marks = (eight.wrapping_add(0x76 * EACH) | eight) & (0x80 * EACH);
+    marks.trailing_zeros() as usize / 8
+}
+
+/// The number that the first `count` of eight figures write, 1 to 8.
+fn joined(eight: u64, count: usize) -> u64 {
     // Figures behind zeros: the last of them stands highest. Neighbours are joined to pairs, pairs
     // to fours, fours to eight.
-    let moved = figures << (64 - 8 * count);
+    let moved = eight << (64 - 8 * count);
     let pairs = moved.wrapping_mul(10).wrapping_add(moved >> 8) & 0x00ff_00ff_00ff_00ff;
     let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
-    let whole = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
-    (count, whole)
+    fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff
 }
 
 fn exponent(bytes: &[u8], from: usize) -> Option<(i32, usize)> {

@@ -281,11 +281,8 @@ fn tidy(text: &mut String) {
 /// One line about a spectrum: grid, points, unit, and counts of what is odd.
 pub fn provenance(spectrum: &NamedSpectrum, how: &[&str]) -> String {
     let samples = &spectrum.samples;
-    let steps = || samples.nm().windows(2).map(|w| w[1] - w[0]);
     let step = samples.step_nm();
-    // Rounded grids (3.333 nm written 373, 377, 380) count as even within a per mille of a nm.
-    let even = steps().all(|s| (s - step).abs() <= 1e-3_f64.max(1e-6 * step));
-    let grid = if even {
+    let grid = if samples.has_even_steps() {
         format!("{} nm steps", round_step(step))
     } else {
         format!("irregular steps (about {} nm)", round_step(step))
