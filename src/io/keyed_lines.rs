@@ -77,9 +77,13 @@ pub struct BadValue {
     pub text: String,
 }
 
-/// The wavelength that a key tells, unit included.
+/// The wavelength that a key tells, unit included; the unit of the value may stand behind it in
+/// brackets (`380nm(umol/m2s)`).
 pub fn point_nm(key: &str) -> Option<f64> {
-    label_nm(key).filter(|(_, says_nm)| *says_nm).map(|l| l.0)
+    let nm = key.split_once('(').map_or(key, |(nm, _)| nm);
+    label_nm(nm.trim())
+        .filter(|(_, says_nm)| *says_nm)
+        .map(|l| l.0)
 }
 
 /// Whether a line is a point: a wavelength with its unit, a separator, a number.

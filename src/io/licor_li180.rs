@@ -35,6 +35,15 @@ mod tests {
     use crate::io::read_bytes;
 
     #[test]
+    fn the_values_unit_may_stand_behind_each_wavelength() {
+        let text = "Model Name\tLI-180\nPPFD\t30\n380nm(umol/m2s)\t1\n390nm(umol/m2s)\t1.5\n400nm(umol/m2s)\t2\n410nm(umol/m2s)\t4\n";
+        let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
+        assert_eq!(reading.spectra[0].samples.values(), [1.0, 1.5, 2.0, 4.0]);
+        // 400-410 nm: 10 nm of 3 on average.
+        assert_eq!(reading.spectra[0].unit, "µmol m-2 s-1 nm-1");
+    }
+
+    #[test]
     fn energy_is_told_by_the_irradiance_and_results_behind_the_spectrum_are_kept() {
         let text = "Model Name\tLI-180\nPPFD\t5.5\nR:B\t1.48\nIRR\t0.03\n380nm\t1\n390nm\t1.5\n400nm\t2\nCCT\t5465.0\nu'\t0.2037\n";
         let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
