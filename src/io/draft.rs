@@ -12,7 +12,7 @@ use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
 use super::reading::{AxisTold, Told, Understood, provenance};
 use super::units::{WavelengthUnit, names_wavelength};
-use super::{Counted, Guess, Guessed, Input, ReadError, Reading};
+use super::{Counted, Guess, Guessed, Input, ReadError, Reading, budget};
 
 /// What a table says about one spectrum.
 pub struct Draft<'a> {
@@ -38,6 +38,10 @@ pub struct Draft<'a> {
     pub decimal_comma: bool,
 }
 
+/// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
+/// tens of thousands of spectra of a few values each would take far more than their size.
+const BYTES_BESIDE: usize = 2048;
+
 /// Numbers that instruments write for "not measured", when they stand apart from the other
 /// values.
 const SENTINELS: [f64; 4] = [-9999.0, -999.0, -99.99, -9.999];
@@ -53,6 +57,12 @@ impl Draft<'_> {
     /// [`ReadError`] when the numbers are no spectrum.
     pub fn finish(mut self, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
         let index = reading.spectra.len();
+        if index * BYTES_BESIDE > budget::of(input.bytes.len()) {
+            return Err(input.error(
+                format!("more than {index} spectra of a few values each"),
+                budget::WORDS,
+            ));
+        }
         let mut notes = Vec::new();
         // Told only once there is a spectrum that they are about.
         let mut guesses = Vec::new();

@@ -464,6 +464,17 @@ const CASES: &[Case] = &[
         let rows: String = (400..405).map(row).collect();
         format!("# name: {name}\n# source: {name}\n{rows}").into_bytes()
     }),
+    case("many_short_columns.csv", "a few values each", || {
+        let row = |nm: usize| format!("{nm}{}\n", ",1".repeat(20_000));
+        let rows: String = (400..405).map(row).collect();
+        format!("# name: {}\n{rows}", "x".repeat(300_000)).into_bytes()
+    }),
+    case("many_short_rows.csv", "a few values each", || {
+        let rows: String = (0..40_000)
+            .map(|i| format!("leaf {i},.1,.2,.3,.2,.1\n"))
+            .collect();
+        format!("name,400,410,420,430,440\n{rows}").into_bytes()
+    }),
     case("channels.json", "100 channels", || {
         let row = format!("[{}1]", "1,".repeat(60_000));
         let empty: String = (1000..20_000).map(|nm| format!(",\"{nm}\":[]")).collect();
