@@ -1,6 +1,6 @@
 //! One number a line: wavelengths and values by turns, as Macam radiometers write them.
 
-use super::draft::Draft;
+use super::draft::{Draft, Scale};
 use super::heading::Heading;
 use super::number::{self, Cell};
 use super::text::lines;
@@ -125,7 +125,7 @@ pub fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
         axis_title: String::new(),
         says_nm: false,
         heading: &Heading::of(&pairs.header),
-        axis: &pairs.axis,
+        axis: &Scale::new(&pairs.axis),
         values: pairs.values.clone(),
         lines: &pairs.lines,
         percent_signs: false,

@@ -11,7 +11,7 @@ use std::collections::HashSet;
 use super::alternating;
 use super::csv::Own;
 use super::dialect::{Delimiter, Dialect, used};
-use super::draft::Draft;
+use super::draft::{Draft, Scale};
 use super::error::quoted;
 use super::heading::Heading;
 use super::layout::{self, Layout};
@@ -436,6 +436,7 @@ fn read_columns(
     let axis_title = titles.whole(rows.group.axis);
     let stem = heading.name.unwrap_or(file.input.stem());
     let is_whole = rows.run.len() == block.rows();
+    let scale = Scale::new(&rows.axis[rows.run.clone()]);
     for (number, column) in values.iter().enumerate() {
         let of_column = &mut block.values[*column];
         // A long column is moved, not copied.
@@ -460,14 +461,14 @@ fn read_columns(
             axis_title: axis_title.clone(),
             says_nm,
             heading,
-            axis: &rows.axis[rows.run.clone()],
+            axis: &scale,
             values: of_column,
             lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
             percent_signs: block.columns[*column].percents > 0,
             decimal_comma: file.dialect.decimal_comma,
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
-        if values.len() > 1 && draft.values.iter().filter(|v| !v.is_nan()).count() < 2 {
+        if values.len() > 1 && draft.values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
             reading.notes.push(format!(
                 "column {} holds no values and was left out",
                 column + 1

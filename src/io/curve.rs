@@ -76,34 +76,22 @@ impl Trouble {
     }
 }
 
-/// As [`clean`], for a column beside another of the same table: where nothing needs to be done
-/// the values are kept as they are, and equal wavelengths are kept in memory once. At most
-/// `reversals` of the steps may go backwards.
+/// As [`clean`], for values on wavelengths that are in order already and are kept in memory once.
 ///
 /// # Errors
-/// As [`clean`].
-pub fn clean_beside(
-    before: Option<&Sampled>,
-    nm: &[f64],
-    values: Vec<f64>,
-    reversals: f64,
-) -> Result<Cleaned, Trouble> {
-    if let Some(before) = before.filter(|before| before.nm() == nm && values.len() == nm.len()) {
-        // Without a way out in the middle, which is much faster on long columns.
-        if values.iter().fold(false, |odd, v| odd | !is_measured(*v)) {
-            return clean_within(nm, &values, reversals);
-        }
-        match before.sharing(values) {
-            Ok(samples) => {
-                return Ok(Cleaned {
-                    samples,
-                    notes: Vec::new(),
-                });
-            }
-            Err((_, with_gaps)) => return clean_within(nm, &with_gaps, reversals),
-        }
+/// The values, when something needs to be done to them.
+pub fn beside(other: &Sampled, values: Vec<f64>) -> Result<Cleaned, Vec<f64>> {
+    // Without a way out in the middle, which is much faster on long columns.
+    if values.iter().fold(false, |odd, v| odd | !is_measured(*v)) {
+        return Err(values);
     }
-    clean_within(nm, &values, reversals)
+    match other.sharing(values) {
+        Ok(samples) => Ok(Cleaned {
+            samples,
+            notes: Vec::new(),
+        }),
+        Err((_, values)) => Err(values),
+    }
 }
 
 /// Makes a spectrum of wavelengths (nm) and values: gaps (anything that is not finite or of a size
@@ -117,7 +105,11 @@ pub fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
     clean_within(nm, values, MOST_REVERSALS)
 }
 
-fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<Cleaned, Trouble> {
+/// As [`clean`]; at most `most_reversals` of the steps may go backwards.
+///
+/// # Errors
+/// As [`clean`].
+pub fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<Cleaned, Trouble> {
     let mut notes = Vec::new();
     let given = nm.len().min(values.len());
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);

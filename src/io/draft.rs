@@ -1,11 +1,11 @@
 //! A spectrum on its way from a text table to the library: unit, kind, scale, order, notes.
 
-use std::borrow::Cow;
+use std::cell::{OnceCell, RefCell};
 
-use crate::spectrum::{Kind, NamedSpectrum};
+use crate::spectrum::{Kind, NamedSpectrum, Sampled};
 
 use super::axis::{self, Axis, AxisUnit};
-use super::curve::{self, Trouble};
+use super::curve::{self, Cleaned, Trouble};
 use super::decided::{BY_HAND, MOST_UNDERSTOOD};
 use super::heading::Heading;
 use super::kinds::{self, KindFound};
@@ -26,8 +26,8 @@ pub struct Draft<'a> {
     pub says_nm: bool,
     /// What the lines above the table say.
     pub heading: &'a Heading<'a>,
-    /// Wavelengths in the file's unit; NaN where one is missing.
-    pub axis: &'a [f64],
+    /// Its wavelengths.
+    pub axis: &'a Scale<'a>,
     /// Values in the file's number; NaN where one is missing.
     pub values: Vec<f64>,
     /// Lines of the points in the file, for messages; one only for a spectrum in a row.
@@ -36,6 +36,70 @@ pub struct Draft<'a> {
     pub percent_signs: bool,
     /// Whether decimals are marked by commas.
     pub decimal_comma: bool,
+}
+
+/// Wavelengths as a file gives them, and what was found of them: a long table has one column of
+/// them for many of values.
+pub struct Scale<'a> {
+    /// In the file's unit; NaN where one is missing.
+    numbers: &'a [f64],
+    extent: OnceCell<(f64, f64)>,
+    /// A spectrum whose wavelengths are these, turned from a unit and otherwise unchanged.
+    kept: RefCell<Option<(WavelengthUnit, Sampled)>>,
+}
+
+impl<'a> Scale<'a> {
+    /// Wavelengths in the file's unit; NaN where one is missing.
+    pub fn new(numbers: &'a [f64]) -> Self {
+        Self {
+            numbers,
+            extent: OnceCell::new(),
+            kept: RefCell::default(),
+        }
+    }
+
+    /// The least and the greatest of them.
+    fn extent(&self) -> (f64, f64) {
+        *self.extent.get_or_init(|| extent(self.numbers))
+    }
+
+    /// A spectrum of these wavelengths and of values, in order and without gaps.
+    fn clean(
+        &self,
+        unit: WavelengthUnit,
+        values: Vec<f64>,
+        reversals: f64,
+    ) -> Result<Cleaned, Trouble> {
+        let beside = match &*self.kept.borrow() {
+            Some((of, kept)) if *of == unit => curve::beside(kept, values),
+            _ => Err(values),
+        };
+        match beside {
+            Ok(cleaned) => Ok(cleaned),
+            Err(values) => self.clean_alone(unit, &values, reversals),
+        }
+    }
+
+    fn clean_alone(
+        &self,
+        unit: WavelengthUnit,
+        values: &[f64],
+        reversals: f64,
+    ) -> Result<Cleaned, Trouble> {
+        let turned: Vec<f64>;
+        let nm = match unit {
+            WavelengthUnit::Nanometre => self.numbers,
+            _ => {
+                turned = self.numbers.iter().map(|x| unit.to_nm(*x)).collect();
+                &turned
+            }
+        };
+        let cleaned = curve::clean_within(nm, values, reversals)?;
+        if cleaned.samples.nm() == nm {
+            *self.kept.borrow_mut() = Some((unit, cleaned.samples.clone()));
+        }
+        Ok(cleaned)
+    }
 }
 
 /// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
@@ -89,7 +153,7 @@ impl Draft<'_> {
                 header: &self.heading.axis_units,
                 says_nm: self.says_nm || self.heading.is_own,
                 is_dpt: input.has_extension("dpt"),
-                range: extent(self.axis),
+                range: self.axis.extent(),
             }),
         };
         let chosen = found.words();
@@ -108,23 +172,20 @@ impl Draft<'_> {
                 unit.word()
             ));
         }
-        let nm: Cow<[f64]> = match unit {
-            WavelengthUnit::Nanometre => Cow::Borrowed(self.axis),
-            _ => Cow::Owned(self.axis.iter().map(|x| unit.to_nm(*x)).collect()),
-        };
 
         // In a file of this program every number was measured.
         if !self.heading.is_own {
             drop_sentinels(&mut self.values, &mut notes);
         }
-        let before = reading.spectra.last().map(|spectrum| &spectrum.samples);
         let reversals = if names_wavelength(&self.axis_title) {
             curve::TRACED_REVERSALS
         } else {
             curve::MOST_REVERSALS
         };
         let values = std::mem::take(&mut self.values);
-        let cleaned = curve::clean_beside(before, &nm, values, reversals)
+        let cleaned = self
+            .axis
+            .clean(unit, values, reversals)
             .map_err(|trouble| self.trouble(input, trouble))?;
         notes.extend(cleaned.notes);
         let mut samples = cleaned.samples;
@@ -281,13 +342,16 @@ fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
     }
     for sentinel in SENTINELS {
         let count = values.iter().filter(|v| **v == sentinel).count();
+        // A single one of the small numbers may well have been measured.
+        let fewest = if sentinel <= -999.0 { 1 } else { 2 };
+        if count < fewest {
+            continue;
+        }
         let lowest = values
             .iter()
             .filter(|v| **v != sentinel && !v.is_nan())
             .fold(f64::INFINITY, |a, v| a.min(*v));
-        // A single one of the small numbers may well have been measured.
-        let fewest = if sentinel <= -999.0 { 1 } else { 2 };
-        if count >= fewest && lowest.is_finite() && lowest > 0.5 * sentinel {
+        if lowest.is_finite() && lowest > 0.5 * sentinel {
             for v in values.iter_mut().filter(|v| **v == sentinel) {
                 *v = f64::NAN;
             }

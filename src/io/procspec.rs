@@ -10,7 +10,7 @@ use roxmltree::Node;
 use crate::spectrum::Kind;
 
 use super::archive::{Archive, is_zip, seems_to_hold};
-use super::draft::Draft;
+use super::draft::{Draft, Scale};
 use super::heading::Heading;
 use super::number;
 use super::{Confidence, Format, Input, ReadError, Reading, text, xml};
@@ -151,7 +151,7 @@ fn read_spectrum(
         axis_title: "nm".to_owned(),
         says_nm: true,
         heading: &Heading::default(),
-        axis: &axis,
+        axis: &Scale::new(&axis),
         values,
         lines: &[],
         percent_signs: false,

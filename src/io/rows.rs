@@ -2,7 +2,7 @@
 
 use super::columns::bad_cell;
 use super::dialect::Dialect;
-use super::draft::Draft;
+use super::draft::{Draft, Scale};
 use super::heading::Heading;
 use super::kinds::kind_of_words;
 use super::number::number;
@@ -42,6 +42,7 @@ pub fn read_rows(
     if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
         return Err(bad_cell(input, bad));
     }
+    let scale = Scale::new(along.axis);
     for row in along.from_row..block.rows() {
         let words = labels.get(row).map_or(&[][..], Vec::as_slice);
         let name = name_of(words)
@@ -56,7 +57,7 @@ pub fn read_rows(
             axis_title: kind_title.clone(),
             says_nm: along.says_nm,
             heading: &heading,
-            axis: along.axis,
+            axis: &scale,
             values: block.values[columns.clone()]
                 .iter()
                 .map(|c| c[row])
@@ -65,7 +66,7 @@ pub fn read_rows(
             percent_signs: false,
             decimal_comma: dialect.decimal_comma,
         };
-        if draft.values.iter().filter(|v| !v.is_nan()).count() < 2 {
+        if draft.values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
             reading.notes.push(format!(
                 "line {} holds no values and was left out",
                 block.lines[row]

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use crate::spectrum::NamedSpectrum;
 
-use super::draft::Draft;
+use super::draft::{Draft, Scale};
 use super::error::quoted;
 use super::heading::Heading;
 use super::number;
@@ -79,7 +79,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         axis_title: String::new(),
         says_nm: true,
         heading: &heading,
-        axis: &nm,
+        axis: &Scale::new(&nm),
         values,
         lines: &at,
         percent_signs: false,

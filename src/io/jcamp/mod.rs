@@ -17,7 +17,7 @@ pub mod packed;
 pub mod pairs;
 
 use super::budget;
-use super::draft::Draft;
+use super::draft::{Draft, Scale};
 use super::error::quoted;
 use super::heading::Heading;
 use super::kinds;
@@ -187,7 +187,7 @@ fn read_block(
         axis_title: axis_title.to_owned(),
         says_nm: false,
         heading: &Heading::of(&header),
-        axis: &axis,
+        axis: &Scale::new(&axis),
         values,
         lines: &[data.line as u32],
         percent_signs: false,
