@@ -1,7 +1,7 @@
 //! The unit of a table's wavelength axis: told by a title or the header, else guessed.
 
 use super::heading::Lines;
-use super::units::{WavelengthUnit, names_wavelength, unknown_unit};
+use super::units::{WavelengthUnit, looks_like_metres, names_wavelength, unknown_unit};
 use super::words::holds_any;
 
 /// A unit and what told it.
@@ -115,6 +115,10 @@ pub fn unit(axis: &Axis) -> AxisUnit {
     }
     let guessed = match WavelengthUnit::of_range(min, max) {
         Some(unit) => told(unit, &format!("the range {min} to {max}"), false),
+        None if looks_like_metres(min, max) => {
+            let because = format!("the range {min:e} to {max:e}");
+            told(WavelengthUnit::Metre, &because, false)
+        }
         None => told(
             WavelengthUnit::Nanometre,
             &format!("no unit fits the range {min} to {max} well"),

@@ -18,6 +18,7 @@ use super::layout::{self, Layout};
 use super::pick::{self, NoTable, Table};
 use super::roles::{self, Group};
 use super::rows::{AlongRow, read_rows};
+use super::samples;
 use super::table::{BadCell, MOST_COLUMNS, TooMuch};
 use super::text::lines;
 use super::titles::Titles;
@@ -254,8 +255,7 @@ fn read_table(
                 let values = groups.iter().flat_map(|group| &group.values);
                 found.values = values.copied().collect();
             }
-            read_groups(file, table, &groups, part, reading)?;
-            reading.notes.extend(left_out);
+            read_groups(file, table, &groups, part, left_out, reading)?;
         }
         Layout::Row {
             first,
@@ -362,6 +362,8 @@ struct Rows<'a> {
     above: &'a [String],
     /// Whether the columns are a camera's R, G and B.
     is_rgb: bool,
+    /// What a column of words calls these rows.
+    sample: Option<&'a str>,
 }
 
 fn read_groups(
@@ -369,6 +371,7 @@ fn read_groups(
     table: &mut Table,
     groups: &[Group],
     part: &str,
+    mut left_out: Vec<String>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     let heading = match file.own {
@@ -389,15 +392,27 @@ fn read_groups(
             [_] => table.block.rows(),
             _ => rows_of(table, group),
         };
+        let named = match groups {
+            [_] => samples::together(&mut table.block, file.text, file.dialect, group.axis),
+            _ => None,
+        };
         let axis = table.block.column(group.axis)[..rows].to_vec();
-        let runs = layout::runs(&axis);
+        let (runs, names): (Vec<_>, Vec<_>) = match named {
+            Some((column, samples)) => {
+                told_apart(&mut left_out, &table.titles, column);
+                let runs = samples.into_iter().map(|s| (s.rows, Some(s.name)));
+                runs.unzip()
+            }
+            None => layout::runs(&axis).into_iter().map(|r| (r, None)).unzip(),
+        };
         let several = runs.len() > 1;
         for (number, run) in runs.into_iter().enumerate() {
+            let sample = names[number].as_deref();
             let rows = Rows {
                 axis: &axis,
                 group,
                 run,
-                part: if several {
+                part: if several && sample.is_none() {
                     format!("{part}, part {}", number + 1)
                 } else {
                     part.to_owned()
@@ -406,12 +421,23 @@ fn read_groups(
                 before,
                 above: &above,
                 is_rgb,
+                sample,
             };
             read_columns(file, table, &heading, &rows, reading)?;
         }
         before += group.values.len();
     }
+    reading.notes.extend(left_out);
     Ok(())
+}
+
+/// Says of a column of words that it was of use after all.
+fn told_apart(notes: &mut [String], titles: &Titles, column: usize) {
+    let shown = roles::shown(titles, column);
+    let left_out = format!("{shown} {}", roles::HOLDS_WORDS);
+    for note in notes.iter_mut().filter(|note| **note == left_out) {
+        *note = format!("{shown} tells the spectra apart");
+    }
 }
 
 /// Rows of a table beside another, without those below its end.
@@ -452,7 +478,11 @@ fn read_columns(
         let draft = Draft {
             name: match file.own {
                 Some(own) => own.name(*column).unwrap_or(stem).to_owned(),
-                None => name_with_part(stem, &name, &rows.part),
+                None => match (rows.sample, name.is_empty()) {
+                    (Some(sample), true) => format!("{sample}{}", rows.part),
+                    (Some(sample), false) => format!("{sample} {name}{}", rows.part),
+                    (None, _) => name_with_part(stem, &name, &rows.part),
+                },
             },
             title: match file.own {
                 None if !rows.is_rgb => titles.whole(*column),

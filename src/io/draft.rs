@@ -382,6 +382,21 @@ mod tests {
     }
 
     #[test]
+    fn metres_are_told_by_a_title_and_guessed_from_their_size() {
+        let told = read("wavelength (m),irradiance\n3.8e-7,1\n5e-7,2\n7.8e-07,3\n");
+        let samples = &told.spectra[0].samples;
+        assert!((samples.first_nm() - 380.0).abs() < 1e-9);
+        assert!(
+            !told.is_doubtful() || told.guesses.iter().all(|g| g.plain),
+            "{:?}",
+            told.guesses
+        );
+        let bare = read("3.8e-7 1e-6\n5.0e-7 3e-6\n6.0e-7 2e-6\n");
+        assert!((bare.spectra[0].samples.last_nm() - 600.0).abs() < 1e-9);
+        assert!(bare.is_doubtful());
+    }
+
+    #[test]
     fn frequencies_and_small_units_are_turned_into_wavelengths_and_said() {
         let thz = read("Frequency (THz),lamp\n400,1\n500,2\n600,3\n");
         let samples = &thz.spectra[0].samples;

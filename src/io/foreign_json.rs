@@ -1,4 +1,5 @@
-//! JSON of other programs: colorimetry-io 1.0, rawtoaces, tobes-ui.
+//! JSON of other programs: colorimetry-io 1.0, rawtoaces, tobes-ui, and plain lists of numbers
+//! ([`plain_json`](super::plain_json)).
 //!
 //! ```text
 //! colorimetry-io  {"spectrum": S} or {"spectra": [S, ...]} or S itself, with S =
@@ -19,6 +20,7 @@ use super::curve;
 use super::error::{kept, quoted};
 use super::keyed_json;
 use super::meaning;
+use super::plain_json;
 use super::reading::provenance as provenance_line;
 use super::spectrum_json::any_json;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
@@ -32,8 +34,8 @@ pub const FORMAT: Format = Format {
 };
 
 /// What a refusal asks for.
-const KNOWN: &str =
-    "a spectrum or composite of this program, or one of colorimetry-io, rawtoaces or tobes-ui";
+const KNOWN: &str = "a spectrum or composite of this program, one of colorimetry-io, rawtoaces or tobes-ui, or \
+     lists of numbers beside one of wavelengths";
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -49,7 +51,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let value = any_json(input, text)?;
     let mut reading = Reading::default();
     let Some(root) = value.as_object() else {
-        return Err(input.error("JSON that is no object", KNOWN));
+        plain_json::read(input, &value, &mut reading)?;
+        if reading.spectra.is_empty() {
+            return Err(input.error("a JSON list with no wavelengths in it", KNOWN));
+        }
+        return Ok(reading);
     };
     if let Some(main) = value
         .pointer("/spectral_data/data/main")
@@ -70,11 +76,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     } else if root.contains_key("wavelength_axis") && root.contains_key("spectral_data") {
         colorimetry_json::read_colorimetry(input, &value, &mut reading)?;
     } else {
-        let keys: Vec<&str> = root.keys().take(3).map(String::as_str).collect();
-        return Err(input.error(
-            format!("JSON with the keys {}", quoted(&keys.join(", "))),
-            KNOWN,
-        ));
+        plain_json::read(input, &value, &mut reading)?;
+        if reading.spectra.is_empty() {
+            let keys: Vec<&str> = root.keys().take(3).map(String::as_str).collect();
+            return Err(input.error(
+                format!("JSON with the keys {}", quoted(&keys.join(", "))),
+                KNOWN,
+            ));
+        }
+        return Ok(reading);
     }
     if reading.spectra.is_empty() {
         return Err(input.error("JSON with no spectrum in it", KNOWN));
@@ -205,7 +215,7 @@ mod tests {
                 r#"{"metadata":1,"x":2}"#,
                 "found JSON with the keys \"metadata, x\"",
             ),
-            ("[1,2]", "no object"),
+            ("[1,2]", "a JSON list with no wavelengths in it"),
             (
                 "{\"spd\":{\"abc\":1}}",
                 "found \"abc\", expected a wavelength in nm as key",

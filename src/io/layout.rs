@@ -6,7 +6,7 @@ use super::dialect::{Dialect, used};
 use super::number::label_nm;
 use super::table::Block;
 use super::titles::Titles;
-use super::units::{WavelengthUnit, names_wavelength};
+use super::units::{WavelengthUnit, looks_like_metres, names_wavelength};
 
 /// Where the wavelengths are.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,6 +71,7 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
         Some(WavelengthUnit::Nanometre) => 4,
         Some(WavelengthUnit::PerCentimetre) => 3,
         Some(_) if !counts_rows => 2,
+        None if looks_like_metres(min, max) => 1,
         _ => u32::from(!counts_rows && min > 0.0 && max > 100.0),
     }
 }

@@ -6,6 +6,9 @@ use super::titles::Titles;
 use super::units::{WavelengthUnit, names_wavelength};
 use super::words::{holds, without_brackets};
 
+/// What is said of a column without numbers.
+pub const HOLDS_WORDS: &str = "holds words and was left out";
+
 /// What is said of further columns of wavelengths that nothing stands under.
 const SECOND_AXIS: &str = "is a second axis and was left out";
 
@@ -57,7 +60,8 @@ pub fn value_columns(
 }
 
 /// A column as notes call it.
-fn shown(titles: &Titles, column: usize) -> String {
+/// A column by its place and title, for notes.
+pub fn shown(titles: &Titles, column: usize) -> String {
     let title = titles.whole(column);
     if title.is_empty() {
         format!("column {}", column + 1)
@@ -81,7 +85,7 @@ fn roles(
         let mut leave_out = |why: &str| notes.push(format!("{} {why}", shown(titles, column)));
         if stats.numbers == 0 {
             if stats.texts > 0 {
-                leave_out("holds words and was left out");
+                leave_out(HOLDS_WORDS);
             }
         } else if column < wavelength && (block.counts_rows(column) || is_counter(&title)) {
             leave_out("counts the rows and was left out");

@@ -26,6 +26,8 @@ pub enum WavelengthUnit {
     Terahertz,
     /// Frequency, 1e9 Hz.
     Gigahertz,
+    /// Metres, as programs write that count in SI throughout.
+    Metre,
 }
 
 /// Planck's constant times the speed of light in eV nm: 6.62607015e-34 x 299792458 /
@@ -37,7 +39,7 @@ const THZ_NM: f64 = 299_792.458;
 
 impl WavelengthUnit {
     /// Every unit, the likeliest first.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Nanometre,
         Self::Micrometre,
         Self::Angstrom,
@@ -47,9 +49,11 @@ impl WavelengthUnit {
         Self::Millielectronvolt,
         Self::Terahertz,
         Self::Gigahertz,
+        Self::Metre,
     ];
 
-    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`.
+    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`,
+    /// `m`.
     pub fn word(self) -> &'static str {
         match self {
             Self::Nanometre => "nm",
@@ -61,6 +65,7 @@ impl WavelengthUnit {
             Self::Millielectronvolt => "meV",
             Self::Terahertz => "THz",
             Self::Gigahertz => "GHz",
+            Self::Metre => "m",
         }
     }
 
@@ -76,6 +81,7 @@ impl WavelengthUnit {
             Self::Millielectronvolt => 1000.0 * EV_NM / x,
             Self::Terahertz => THZ_NM / x,
             Self::Gigahertz => 1000.0 * THZ_NM / x,
+            Self::Metre => x * 1e9,
         }
     }
 
@@ -91,13 +97,16 @@ impl WavelengthUnit {
             Self::Millielectronvolt => 1000.0 * EV_NM / nm,
             Self::Terahertz => THZ_NM / nm,
             Self::Gigahertz => 1000.0 * THZ_NM / nm,
+            Self::Metre => nm / 1e9,
         }
     }
 
     /// Whether the unit is one of length, not of something that falls as wavelengths rise.
     pub fn is_length(self) -> bool {
         match self {
-            Self::Nanometre | Self::Micrometre | Self::Angstrom | Self::Picometre => true,
+            Self::Nanometre | Self::Micrometre | Self::Angstrom | Self::Picometre | Self::Metre => {
+                true
+            }
             Self::PerCentimetre
             | Self::Electronvolt
             | Self::Millielectronvolt
@@ -133,9 +142,19 @@ impl WavelengthUnit {
     }
 }
 
+/// Wavelengths in metres that are plausible: 100 nm to 50 um.
+const METRES: std::ops::RangeInclusive<f64> = 1e-7..=5e-5;
+
+/// Whether a range of numbers looks like wavelengths in metres. Hardly any other column of a table
+/// does, but values of a faint light may: it counts for less than what [`WavelengthUnit::of_range`]
+/// finds.
+pub fn looks_like_metres(min: f64, max: f64) -> bool {
+    METRES.contains(&min) && METRES.contains(&max)
+}
+
 /// Words that name a unit, lower case, the surest first. A lone "pm" may be the time of day, so it
 /// must stand where units stand.
-const UNIT_WORDS: [(WavelengthUnit, &[&str]); 9] = [
+const UNIT_WORDS: [(WavelengthUnit, &[&str]); 10] = [
     (
         WavelengthUnit::PerCentimetre,
         &[
@@ -173,6 +192,10 @@ const UNIT_WORDS: [(WavelengthUnit, &[&str]); 9] = [
     ),
     (WavelengthUnit::Terahertz, &["|thz|", "terahertz"]),
     (WavelengthUnit::Gigahertz, &["|ghz|", "gigahertz"]),
+    (
+        WavelengthUnit::Metre,
+        &["(m)", "[m]", "/ m|", "|metres|", "|meters|"],
+    ),
 ];
 
 /// Whether a column's title says that it is the wavelength axis: by its first word or its last, but

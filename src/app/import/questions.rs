@@ -1,0 +1,349 @@
+//! What was decided about a file, with the other answers.
+
+use super::{Flip, first_rows::MOST_COLUMNS};
+use crate::{
+    app::opened::Opened,
+    io::{
+        Choices, Counted, Guess, Guessed,
+        decided::{BY_HAND, MOST_UNDERSTOOD},
+        dialect::Delimiter,
+        envi,
+        reading::{AxisTold, TableFound, Told, Understood},
+        units::WavelengthUnit,
+    },
+    spectrum::Kind,
+};
+
+/// A decision with its other answers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Question {
+    /// What is decided.
+    pub what: &'static str,
+    /// What it means, in a sentence.
+    pub meaning: &'static str,
+    /// The answers; one is chosen, but where the file is of a kind that is not offered.
+    pub answers: Vec<Answer>,
+    /// What spoke for the chosen one.
+    pub because: String,
+    /// Whether a person should look.
+    pub doubtful: bool,
+    /// Whether it applies: what does not keeps its place, so that nothing moves when it does.
+    pub applies: bool,
+}
+
+/// One answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// In a word.
+    pub words: String,
+    /// What takes the file there.
+    pub flip: Flip,
+    /// Whether the file was read so.
+    pub chosen: bool,
+}
+
+/// What tells whether two spectra of a file were understood alike.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Alike {
+    pub kind: Kind,
+    pub guessed: bool,
+    pub by_hand: bool,
+    pub doubtful: bool,
+}
+
+/// How each spectrum of a file was understood, or each of its images.
+pub(super) fn alike(opened: &Opened) -> Vec<Alike> {
+    let Choices {
+        each, each_image, ..
+    } = &opened.choices;
+    if !opened.images.is_empty() {
+        let images = opened.images.iter().zip(&opened.images_understood);
+        return images
+            .enumerate()
+            .map(|(at, (image, understood))| Alike {
+                kind: image.kind,
+                guessed: !understood.kind.stated,
+                by_hand: each_image.contains_key(&at),
+                doubtful: understood.is_doubtful(),
+            })
+            .collect();
+    }
+    let spectra = opened.spectra.iter().enumerate();
+    let mut all: Vec<Alike> = spectra
+        .map(|(at, spectrum)| Alike {
+            kind: spectrum.kind,
+            guessed: false,
+            by_hand: each.contains_key(&at),
+            doubtful: false,
+        })
+        .collect();
+    for guess in &opened.guesses {
+        if let Some(one) = all.get_mut(guess.spectrum) {
+            one.guessed |= guess.what == Guessed::Kind;
+            one.doubtful |= guess.is_doubtful();
+        }
+    }
+    all
+}
+
+/// The questions about a file, or about the spectrum or image at a place of it.
+pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Question> {
+    let all = if !opened.images.is_empty() {
+        &opened.images_understood
+    } else {
+        &opened.understood
+    };
+    // The questions of one file are the same whatever is asked about.
+    let understood = all
+        .get(at)
+        .or(all.first().filter(|_| at >= MOST_UNDERSTOOD));
+    let mut questions = Vec::new();
+    if let Some(one) = alike {
+        questions.push(kind_question(one, all.get(at), opened, at));
+        questions.push(counted_question(
+            understood.and_then(|u| u.counted.as_ref()),
+            opened.format,
+        ));
+    }
+    match understood.and_then(|u| u.axis.as_ref()) {
+        Some(AxisTold::Unit(told)) => questions.push(Question {
+            what: "Wavelengths in",
+            meaning: "What the numbers of the wavelength axis count.",
+            answers: answers(WavelengthUnit::ALL, told.is, Flip::Wavelengths, |unit| {
+                unit.word().to_owned()
+            }),
+            because: why(told),
+            doubtful: AxisTold::Unit(told.clone()).is_doubtful(),
+            applies: true,
+        }),
+        Some(AxisTold::Laser(told)) => questions.push(laser_question(told)),
+        None => {}
+    }
+    if opened.photons {
+        questions.push(photon_question(&opened.choices));
+    }
+    if let Some(table) = &opened.table {
+        questions.extend(table_questions(table, &opened.choices));
+    }
+    questions
+}
+
+/// What becomes of photon counts.
+fn photon_question(choices: &Choices) -> Question {
+    Question {
+        what: "Photons are",
+        meaning: "Colours and errors are of power: a photon of half the wavelength carries twice \
+                  as much of it.",
+        answers: answers(
+            [false, true],
+            choices.keep_photons,
+            Flip::KeepPhotons,
+            |keep| {
+                if keep {
+                    "as they are"
+                } else {
+                    "turned into power"
+                }
+                .to_owned()
+            },
+        ),
+        because: if choices.keep_photons {
+            "chosen by hand".to_owned()
+        } else {
+            "the unit counts photons".to_owned()
+        },
+        doubtful: false,
+        applies: true,
+    }
+}
+
+/// Kinds that are offered.
+const KINDS: [Kind; 5] = [
+    Kind::Light,
+    Kind::Reflectance,
+    Kind::Transmittance,
+    Kind::Absorbance,
+    Kind::Other,
+];
+
+fn kind_question(
+    one: &Alike,
+    understood: Option<&Understood>,
+    opened: &Opened,
+    at: usize,
+) -> Question {
+    let mut guesses = opened.guesses.iter();
+    let guess = guesses.find(|guess| guess.what == Guessed::Kind && guess.spectrum == at);
+    let because = match (understood, guess) {
+        (Some(understood), _) => why(&understood.kind),
+        (None, Some(guess)) => guess.because.clone(),
+        (None, None) if opened.choices.kind_of(at).is_some() => BY_HAND.to_owned(),
+        (None, None) => "stated by the file".to_owned(),
+    };
+    let doubtful = match understood {
+        Some(understood) => !understood.kind.plain,
+        None => guess.is_some_and(Guess::is_doubtful),
+    };
+    let mut kinds = KINDS.to_vec();
+    if !kinds.contains(&one.kind) {
+        kinds.push(one.kind);
+    }
+    Question {
+        what: "Values are",
+        meaning: "What the values stand for: a light is drawn as a light, a reflectance or \
+                  transmittance is looked at under one.",
+        answers: answers(kinds, one.kind, Flip::Kind, |kind| kind.word().to_owned()),
+        because,
+        doubtful,
+        applies: true,
+    }
+}
+
+fn counted_question(told: Option<&Told<Counted>>, format: &str) -> Question {
+    let is = told.map(|told| told.is);
+    let is_stored_large = |counted| is == Some(counted) || format == envi::FORMAT.name;
+    let offered = [
+        Counted::Percent,
+        Counted::Fraction,
+        Counted::TenThousandths,
+        Counted::Otherwise,
+    ]
+    .into_iter()
+    .filter(|counted| match counted {
+        Counted::Percent | Counted::Fraction => true,
+        Counted::TenThousandths => is_stored_large(*counted),
+        Counted::Otherwise => is == Some(*counted),
+    });
+    Question {
+        what: "Counted in",
+        meaning: "Whether a value of 100, of 1 or of 10 000 reflects (or transmits) all of the \
+                  light; fractions are taken as they are.",
+        answers: offered
+            .map(|counted| Answer {
+                words: counted.word().to_owned(),
+                flip: Flip::Counted(counted),
+                chosen: is == Some(counted),
+            })
+            .collect(),
+        because: told.map_or_else(
+            || "asked of reflectances and transmittances".to_owned(),
+            why,
+        ),
+        doubtful: told.is_some_and(|told| !told.plain),
+        applies: told.is_some(),
+    }
+}
+
+/// Lasers of Raman spectrometers that are sold, nm.
+const LASERS_NM: [f64; 7] = [405.0, 488.0, 514.5, 532.0, 633.0, 785.0, 1064.0];
+
+fn laser_question(told: &Told<f64>) -> Question {
+    let mut lasers = LASERS_NM.to_vec();
+    if !lasers.contains(&told.is) {
+        lasers.push(told.is);
+        lasers.sort_by(f64::total_cmp);
+    }
+    Question {
+        what: "Shifts from",
+        meaning: "The laser, in nm, from whose line the Raman shifts count.",
+        answers: answers(lasers, told.is, Flip::Laser, |nm| format!("{nm} nm")),
+        because: why(told),
+        doubtful: !told.plain,
+        applies: true,
+    }
+}
+
+fn why<T>(told: &Told<T>) -> String {
+    match (told.stated, told.because.as_str()) {
+        (false, because) => because.to_owned(),
+        (true, BY_HAND) => BY_HAND.to_owned(),
+        (true, because) => format!("stated by the file: {because}"),
+    }
+}
+
+fn answers<T: Copy + PartialEq>(
+    all: impl IntoIterator<Item = T>,
+    chosen: T,
+    flip: impl Fn(T) -> Flip,
+    words: impl Fn(T) -> String,
+) -> Vec<Answer> {
+    let answer = |one: T| Answer {
+        words: words(one),
+        flip: flip(one),
+        chosen: one == chosen,
+    };
+    all.into_iter().map(answer).collect()
+}
+
+fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
+    let because =
+        |by_hand: bool, otherwise: &str| if by_hand { BY_HAND } else { otherwise }.to_owned();
+    let by_hand = choices.dialect.is_some();
+    let delimiters = [
+        Delimiter::Tab,
+        Delimiter::Semicolon,
+        Delimiter::Comma,
+        Delimiter::Space,
+    ];
+    let mut questions = Vec::new();
+    if let Some(axis) = table.axis_column {
+        let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
+        questions.push(Question {
+            what: "Wavelength column",
+            meaning: "Which column holds the wavelengths.",
+            answers: answers(columns, axis, Flip::AxisColumn, |column| {
+                (column + 1).to_string()
+            }),
+            because: because(
+                choices.axis_column.is_some(),
+                "it rises or falls throughout",
+            ),
+            doubtful: false,
+            applies: true,
+        });
+    }
+    questions.extend([
+        Question {
+            what: "Cells between",
+            meaning: "What stands between two cells of a row.",
+            answers: answers(
+                delimiters,
+                table.dialect.delimiter,
+                Flip::Delimiter,
+                |delimiter| {
+                    match delimiter {
+                        Delimiter::Tab => "TAB",
+                        Delimiter::Semicolon => "semicolon ;",
+                        Delimiter::Comma => "comma ,",
+                        Delimiter::Space => "blanks",
+                    }
+                    .to_owned()
+                },
+            ),
+            because: because(by_hand, "it makes the most even table"),
+            doubtful: false,
+            applies: true,
+        },
+        Question {
+            what: "Decimal mark",
+            meaning: "What stands before the decimals of a number.",
+            answers: answers(
+                [false, true],
+                table.dialect.decimal_comma,
+                Flip::DecimalComma,
+                |comma| {
+                    if comma {
+                        "decimal comma"
+                    } else {
+                        "decimal point"
+                    }
+                    .to_owned()
+                },
+            ),
+            because: because(by_hand, "it makes the most numbers"),
+            doubtful: false,
+            applies: true,
+        },
+    ]);
+    questions
+}

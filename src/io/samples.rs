@@ -1,0 +1,163 @@
+//! Rows of several samples below one another, told apart by a column of words: `leaf, 400, 0.1`.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use super::dialect::Dialect;
+use super::table::Block;
+use super::text::lines;
+
+/// A sample and its rows, which stand together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// What the column calls it.
+    pub name: String,
+    /// Its rows.
+    pub rows: Range<usize>,
+}
+
+/// Puts the rows of each sample together, in the order in which samples first appear: tables go
+/// from sample to sample, or from wavelength to wavelength. Gives the column and the samples; `None`
+/// where the wavelengths run through once, or no column of words makes them run through in each
+/// sample.
+pub fn together(
+    block: &mut Block,
+    text: &str,
+    dialect: Dialect,
+    axis: usize,
+) -> Option<(usize, Vec<Sample>)> {
+    let all: Vec<usize> = (0..block.rows()).collect();
+    let worded = |column: &usize| {
+        let stats = &block.columns[*column];
+        stats.numbers == 0 && stats.texts == block.rows()
+    };
+    let columns: Vec<usize> = (0..block.width).filter(worded).collect();
+    if columns.is_empty() || runs_through(block.column(axis), &all) {
+        return None;
+    }
+    let words = words_of(block, text, dialect, &columns);
+    let (column, samples) = columns.iter().zip(&words).find_map(|(column, words)| {
+        let samples = by_word(words);
+        let is_told = samples.len() > 1
+            && samples
+                .iter()
+                .all(|(_, rows)| runs_through(block.column(axis), rows));
+        is_told.then_some((*column, samples))
+    })?;
+    let order: Vec<usize> = samples
+        .iter()
+        .flat_map(|(_, rows)| rows.iter().copied())
+        .collect();
+    let mut end = 0;
+    let samples = samples
+        .into_iter()
+        .map(|(name, rows)| {
+            let start = end;
+            end += rows.len();
+            Sample {
+                name: name.trim_matches(['"', '\'']).trim().to_owned(),
+                rows: start..end,
+            }
+        })
+        .collect();
+    if order != all {
+        for values in &mut block.values {
+            *values = order.iter().map(|row| values[*row]).collect();
+        }
+        block.lines = order.iter().map(|row| block.lines[*row]).collect();
+    }
+    Some((column, samples))
+}
+
+/// Whether the wavelengths of some rows rise throughout, or fall.
+fn runs_through(axis: &[f64], rows: &[usize]) -> bool {
+    let mut steps = rows.windows(2).map(|pair| axis[pair[1]] - axis[pair[0]]);
+    let Some(first) = steps.next() else {
+        return false;
+    };
+    first != 0.0 && steps.all(|step| step * first > 0.0)
+}
+
+/// The words of some columns in each row, a list a column.
+fn words_of<'a>(
+    block: &Block,
+    text: &'a str,
+    dialect: Dialect,
+    columns: &[usize],
+) -> Vec<Vec<&'a str>> {
+    let mut words = vec![Vec::with_capacity(block.rows()); columns.len()];
+    let mut cells = Vec::new();
+    let mut wanted = block.lines.iter().copied().peekable();
+    for (line, content) in lines(text) {
+        let Some(next) = wanted.peek() else { break };
+        if line as u64 == u64::from(*next) {
+            wanted.next();
+            dialect.split(content.trim_matches(' '), &mut cells);
+            for (column, words) in columns.iter().zip(&mut words) {
+                words.push(cells.get(*column).copied().unwrap_or(""));
+            }
+        }
+    }
+    words
+}
+
+/// Rows by their word, in the order in which words first appear.
+fn by_word<'a>(words: &[&'a str]) -> Vec<(&'a str, Vec<usize>)> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut samples: Vec<(&str, Vec<usize>)> = Vec::new();
+    for (row, word) in words.iter().enumerate() {
+        let place = *places.entry(word).or_insert_with(|| {
+            samples.push((word, Vec::new()));
+            samples.len() - 1
+        });
+        samples[place].1.push(row);
+    }
+    samples
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Reading, read_bytes};
+
+    fn read(text: &str) -> Reading {
+        read_bytes("long.csv", text.as_bytes()).expect("a table")
+    }
+
+    fn names(reading: &Reading) -> Vec<&str> {
+        reading.spectra.iter().map(|s| s.name.as_str()).collect()
+    }
+
+    #[test]
+    fn a_column_of_words_names_the_spectra_below_one_another() {
+        let one = read(
+            "sample,wavelength,reflectance\nleaf,400,0.1\nleaf,410,0.2\nleaf,420,0.3\nsoil,400,0.4\n\
+             soil,410,0.5\nsoil,420,0.6\n",
+        );
+        assert_eq!(names(&one), ["leaf", "soil"]);
+        assert_eq!(one.spectra[1].samples.values(), [0.4, 0.5, 0.6]);
+        assert!(
+            one.notes
+                .iter()
+                .any(|n| n == "column 1 (sample) tells the spectra apart"),
+            "{:?}",
+            one.notes
+        );
+    }
+
+    #[test]
+    fn samples_that_alternate_are_told_apart_and_never_averaged() {
+        let two = read(
+            "wavelength;R;T;leaf\n400;10;1;\"oak\"\n400;20;2;\"elm\"\n410;30;3;\"oak\"\n410;40;4;\"elm\"\n\
+             420;50;5;\"oak\"\n420;60;6;\"elm\"\n",
+        );
+        assert_eq!(names(&two), ["oak R", "oak T", "elm R", "elm T"]);
+        assert_eq!(two.spectra[2].samples.values(), [0.2, 0.4, 0.6]);
+    }
+
+    #[test]
+    fn words_beside_wavelengths_that_run_through_once_divide_nothing() {
+        let one = read("region,nm,power\nUV,380,1\nUV,390,2\nVIS,400,3\nVIS,410,4\n");
+        assert_eq!(one.spectra.len(), 1);
+        assert_eq!(one.spectra[0].samples.len(), 4);
+    }
+}
