@@ -318,6 +318,19 @@ fn a_number_can_be_typed_and_reach_further_than_the_slider() {
 }
 
 #[test]
+fn a_range_in_which_nothing_was_measured_is_said_to_be_empty() {
+    let mut app = App::new();
+    app.apply(light(&app, "cie_fluorescent_1nm/FL2"));
+    let settings = app.document().settings;
+    app.apply(Command::Edit(Settings {
+        band: Band::new(1000.0, 2000.0).expect("a range"),
+        ..settings
+    }));
+    let ui = over(window(app, no_files()));
+    assert_written(&ui, "Spectrum of FL2, nothing measured in this range");
+}
+
+#[test]
 fn the_range_can_be_typed_and_brought_back() {
     let mut ui = fresh();
     type_into(&mut ui, Role::SpinButton, "Range from", "400");

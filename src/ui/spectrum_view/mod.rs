@@ -48,12 +48,16 @@ pub struct SpectrumView {
 /// Room for the numbers of the vertical axes, points; both plots have the same.
 const Y_WIDTH: f32 = 46.0;
 
-/// Room to the right of the plots, points: the last wavelength's number stands half beyond them.
-const BEYOND: f32 = 14.0;
+/// Width of the plots, points: the last wavelength's number stands half beyond them.
+fn width(ui: &Ui, band: Band, theme: Theme) -> f32 {
+    let beyond = if band.max_nm() < 1000.0 { 14.0 } else { 22.0 };
+    (ui.available_width() - beyond * theme.scale).max(80.0)
+}
 
-/// Width of the plots, points.
-fn width(ui: &Ui, theme: Theme) -> f32 {
-    (ui.available_width() - BEYOND * theme.scale).max(80.0)
+/// How many wavelengths stand below a plot: long numbers need more room.
+fn columns(width: f32, band: Band, theme: Theme) -> usize {
+    let letters = if band.max_nm() < 1000.0 { 75.0 } else { 95.0 };
+    (width / (letters * theme.scale)) as usize
 }
 
 /// A logarithmic axis shows this much below the largest value.
@@ -114,6 +118,9 @@ impl SpectrumView {
         let height = (room - strip_height - residual_height - 8.0).max(80.0);
         let link = Id::unique("spectrum plots");
         let plot_rect = self.main_plot(ui, app, theme, axis, height, link, &mut wishes);
+        if !app.is_measured_in_range() {
+            nothing_here(ui, app, theme, plot_rect);
+        }
         if let Some(transform) = self.transform {
             hover(ui, app, theme, axis, &transform, plot_rect, read_out);
             if view.overlays {
@@ -169,7 +176,7 @@ impl SpectrumView {
             band.max_nm() as u32,
         );
         let unit = app.unit();
-        let plot_width = width(ui, theme);
+        let plot_width = width(ui, band, theme);
         let mut plot = Plot::new(id)
             .height(height)
             .width(plot_width)
@@ -182,13 +189,18 @@ impl SpectrumView {
             .default_x_bounds(band.min_nm(), band.max_nm())
             .auto_bounds([false, !self.dragging.is_on()])
             .set_margin_fraction(vec2(0.0, 0.08))
-            .x_grid_spacer(axes::marks((plot_width / (75.0 * theme.scale)) as usize))
+            .x_grid_spacer(axes::marks(columns(plot_width, band, theme)))
             .label_formatter(|_| None);
         let y_marks = (height / (44.0 * theme.scale)) as usize;
         plot = if axis.log {
             plot.y_grid_spacer(axes::decades(y_marks))
         } else {
-            plot.include_y(0.0).y_grid_spacer(axes::marks(y_marks))
+            let is_flat = derived.measured.iter().all(|v| *v == 0.0);
+            // Else nothing but zeros would stand on an axis to some hundreds.
+            let most = if is_flat { 1.0 } else { 0.0 };
+            plot.include_y(0.0)
+                .include_y(most)
+                .y_grid_spacer(axes::marks(y_marks))
         };
         plot = axes::dress(
             plot,
@@ -228,12 +240,17 @@ impl SpectrumView {
                     plot.line(line(overlay.name(), points, colour).width(width.max(0.6)));
                 }
             }
+            // Where nothing was measured there is nothing to draw, not a line of zeros.
+            if !app.is_measured_in_range() {
+                return;
+            }
             if view.measured {
-                plot.line(line(
-                    "measured",
-                    curve(&derived.measured),
-                    ink(theme.inks.measured),
-                ));
+                // The model takes what lies outside the table for dark; nobody measured that.
+                let table = &document.subject_entry().spectrum.samples;
+                let table = table.first_nm().floor()..=table.last_nm().ceil();
+                let mut points = curve(&derived.measured);
+                points.retain(|[nm, _]| table.contains(nm));
+                plot.line(line("measured", points, ink(theme.inks.measured)));
             }
             if let Some(product) = app.product() {
                 let colour = ink(theme.inks.product);
@@ -289,8 +306,13 @@ impl SpectrumView {
                 egui::Role::Image,
                 true,
                 format!(
-                    "Spectrum of {}: {} numbers, {} spikes{}",
+                    "Spectrum of {}{}: {} numbers, {} spikes{}",
                     document.subject_entry().name(),
+                    if app.is_measured_in_range() {
+                        ""
+                    } else {
+                        ", nothing measured in this range"
+                    },
                     derived.numbers(),
                     derived.model.spikes.len(),
                     if unit.is_empty() {
@@ -305,6 +327,23 @@ impl SpectrumView {
             .interact(ui, app, axis, &response, near, wishes);
         rect
     }
+}
+
+/// Says in the middle of the plot why it is empty.
+fn nothing_here(ui: &Ui, app: &App, theme: Theme, plot: Rect) {
+    let band = app.derived().band;
+    let samples = &app.document().subject_entry().spectrum.samples;
+    let words = format!(
+        "Nothing was measured from {} to {} nm.\nThe table covers {} to {} nm.",
+        band.min_nm(),
+        band.max_nm(),
+        ticks::short(samples.first_nm()),
+        ticks::short(samples.last_nm()),
+    );
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let painter = ui.painter().with_clip_rect(plot);
+    let words = painter.layout(words, font, theme.faint, plot.width() - 16.0);
+    painter.galley(plot.center() - words.size() / 2.0, words, theme.faint);
 }
 
 /// Name, unit and grid of the subject; returns where the read-out may be written.

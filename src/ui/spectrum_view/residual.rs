@@ -9,7 +9,7 @@ use super::{
         axes,
         theme::{Theme, ink},
     },
-    Y_WIDTH, width,
+    Y_WIDTH, columns, width,
 };
 use crate::app::{App, ticks};
 
@@ -31,14 +31,13 @@ pub(super) fn residual(
         .map(|(nm, v)| [nm, v * factor])
         .collect();
     let top = derived.measured.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let least = 1e-6 * top * factor;
+    let least = if top > 0.0 { 1e-6 * top * factor } else { 1.0 };
     let key = &app.document().subject_entry().key;
-    let plot_width = width(ui, theme);
-    let columns = (plot_width / (75.0 * theme.scale)) as usize;
+    let plot_width = width(ui, band, theme);
     let mut plot = Plot::new(("residual", key, app.document().scale))
         .height(height)
         .width(plot_width)
-        .x_grid_spacer(axes::marks(columns))
+        .x_grid_spacer(axes::marks(columns(plot_width, band, theme)))
         .link_axis(link, [true, false])
         .link_cursor(link, [true, false])
         .allow_scroll(false)
@@ -63,6 +62,9 @@ pub(super) fn residual(
         plot = plot.reset();
     }
     let response = plot.show(ui, |plot| {
+        if !app.is_measured_in_range() {
+            return;
+        }
         plot.line(
             Line::new("residual", PlotPoints::from(points))
                 .color(ink(theme.inks.residual))
