@@ -120,6 +120,8 @@ fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
     let mut about = spectra[0].clone();
     if spectra.len() > 1 {
         about.name = io::input::name_of(Path::new(input));
+        // Those of one spectrum are not those of all.
+        about.notes.clear();
     }
     write_as(&options.out, &about, &columns, &as_measured())
         .map_err(|why| Refusal::File(why.to_string()))?;

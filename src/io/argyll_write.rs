@@ -171,6 +171,7 @@ pub fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result<String
             "source" => keyword("SOURCE", &value),
             "scale" => keyword("SCALE", &value),
             "settings" => keyword("SETTINGS", &value),
+            "notes" => keyword("NOTES", &value),
             _ => {}
         }
     }

@@ -30,6 +30,7 @@ use super::cgats_tables::{self, CgatsTable};
 use super::error::quoted;
 use super::kinds::{is_plain_name, kind_of_name, kind_of_words};
 use super::measured::Measured;
+use super::write::notes_of_a_line;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Argyll and CGATS text.
@@ -592,6 +593,8 @@ fn read_group(
             && let Some(spectrum) = reading.spectra.last_mut()
         {
             source.clone_into(&mut spectrum.source);
+            let notes = table.key("NOTES").unwrap_or("");
+            spectrum.notes.extend(notes_of_a_line(notes));
         }
     }
     if let Some(note) = grid_note {

@@ -17,6 +17,8 @@ pub struct Heading<'a> {
     pub name: Option<&'a str>,
     /// Where it says that the numbers come from.
     pub source: Option<&'a str>,
+    /// What a file of this program says of how the numbers were read before.
+    pub notes: Option<&'a str>,
     /// Units of the wavelength axis, the nearest line first.
     pub axis_units: Vec<WavelengthUnit>,
     /// What it says of the values' kind.
@@ -37,6 +39,7 @@ impl<'a> Heading<'a> {
             is_own: false,
             name: field(lines, "name:"),
             source: field(lines, "source:"),
+            notes: None,
             axis_units: axis::units_of_header(lines),
             kind: kinds::FromHeader::of(lines),
             percent: meaning::percent_of_header(lines),
@@ -51,6 +54,7 @@ impl<'a> Heading<'a> {
             is_own: true,
             name: field(lines, "name:"),
             source: field(lines, "source:"),
+            notes: field(lines, "notes:"),
             axis_units: vec![WavelengthUnit::Nanometre],
             kind: kinds::FromHeader::of(lines),
             percent: Some(["%", "percent"].contains(&unit)),
@@ -66,6 +70,7 @@ impl<'a> Heading<'a> {
         let cut = |text: &'a str| &text[..text.floor_char_boundary(most)];
         self.name = self.name.map(cut);
         self.source = self.source.map(cut);
+        self.notes = self.notes.map(cut);
         self.unit.truncate(self.unit.floor_char_boundary(most));
         self
     }

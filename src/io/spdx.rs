@@ -8,14 +8,19 @@ use roxmltree::Node;
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
+use super::argyll_write::ORIGINATOR;
 use super::curve;
 use super::error::{kept, quoted};
 use super::kinds;
 use super::meaning;
 use super::number;
 use super::reading::provenance as provenance_line;
+use super::write::notes_of_a_line;
 use super::xml;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
+
+/// Behind this stand the notes in the comments of a file of this program.
+const NOTES_AT: &str = "; notes: ";
 
 /// IES TM-27.
 pub const FORMAT: Format = Format {
@@ -122,6 +127,8 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
         .filter_map(|f| field(header, f))
         .collect::<Vec<_>>()
         .join(", ");
+    let is_own =
+        field(header, "DocumentCreator").is_some_and(|program| program.starts_with(ORIGINATOR));
     let mut reading = Reading::default();
     let distributions = || {
         root.children().filter(|n| {
@@ -140,9 +147,14 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
             maker.clone()
         };
         if let Some(comments) = field(header, "Comments") {
-            spectrum
-                .notes
-                .push(format!("comment in the file: {comments}"));
+            if is_own {
+                let notes = comments.split_once(NOTES_AT);
+                let notes = notes.map_or("", |(_, notes)| notes);
+                spectrum.notes.extend(notes_of_a_line(notes));
+            } else {
+                let note = format!("comment in the file: {comments}");
+                spectrum.notes.push(note);
+            }
         }
         if reading.spectra.is_empty() {
             reading.notes.insert(0, spectrum.notes[0].clone());

@@ -36,10 +36,13 @@ pub fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
 
 /// A spectrum as TM-27 XML.
 pub fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String {
-    let comments = provenance
-        .of(spectrum)
-        .iter()
+    let about = provenance.of(spectrum);
+    // Notes may hold what divides the others, so they come last.
+    let (last, first): (Vec<_>, Vec<_>) = about.iter().partition(|(key, _)| *key == "notes");
+    let comments = first
+        .into_iter()
         .filter(|(key, _)| !matches!(*key, "name" | "source"))
+        .chain(last)
         .map(|(key, value)| format!("{key}: {value}"))
         .collect::<Vec<_>>()
         .join("; ");

@@ -32,6 +32,7 @@ impl Provenance {
             scale_words,
             settings,
         } = self;
+        let notes = notes_in_a_line(&spectrum.notes);
         [
             ("name", spectrum.name.as_str()),
             ("kind", spectrum.kind.word()),
@@ -39,6 +40,7 @@ impl Provenance {
             ("source", self.source_of(spectrum)),
             ("scale", scale_words),
             ("settings", settings),
+            ("notes", &notes),
             ("written by", program),
         ]
         .into_iter()
@@ -55,6 +57,44 @@ impl Provenance {
             &self.source
         }
     }
+}
+
+/// What stands between the notes on a spectrum in one line.
+const BETWEEN_NOTES: &str = " | ";
+
+/// Most bytes of notes in an export.
+const MOST_NOTES: usize = 2000;
+
+/// How a spectrum was read and what is odd about it, in one line. A note that another one begins
+/// with is left out: files that were written and read again and again would else grow.
+fn notes_in_a_line(notes: &[String]) -> String {
+    let is_told = |at: usize| {
+        let mut others = notes.iter().enumerate();
+        others.any(|(other, note)| {
+            other != at
+                && note.starts_with(&notes[at])
+                && (other < at || note.len() > notes[at].len())
+        })
+    };
+    let mut line = String::new();
+    for at in (0..notes.len().min(100)).filter(|at| !is_told(*at)) {
+        let note = one_line(&notes[at]);
+        if note.is_empty() || line.len() + note.len() > MOST_NOTES {
+            continue;
+        }
+        if !line.is_empty() {
+            line.push_str(BETWEEN_NOTES);
+        }
+        line.push_str(&note);
+    }
+    line
+}
+
+/// The notes that [`Provenance::of`] wrote in one line.
+pub fn notes_of_a_line(line: &str) -> impl Iterator<Item = String> {
+    line.split(BETWEEN_NOTES)
+        .map(|note| note.trim().to_owned())
+        .filter(|note| !note.is_empty())
 }
 
 /// Title of the column of measured samples.
@@ -307,6 +347,40 @@ pub(crate) mod tests {
                     );
                 }
             }
+        }
+    }
+
+    #[test]
+    fn how_a_spectrum_was_read_goes_out_and_comes_back_and_does_not_grow() {
+        let folder = tempfile::tempdir().unwrap();
+        let provenance = Provenance {
+            program: "Spectral Explorer 0.0.0".to_owned(),
+            ..Provenance::default()
+        };
+        let notes = [
+            "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1, decimal comma",
+            "divided by NORM 100; unit: odd",
+            "2 missing values dropped",
+        ];
+        for (extension, _) in WRITABLE {
+            let mut spectrum = awkward_spectrum(Kind::Light);
+            spectrum.samples = Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap();
+            spectrum.notes = notes.map(str::to_owned).to_vec();
+            let path = folder.path().join(format!("x.{extension}"));
+            let mut texts = Vec::new();
+            for _ in 0..3 {
+                write_as(&path, &spectrum, &Columns::measured(&spectrum), &provenance).unwrap();
+                texts.push(std::fs::read_to_string(&path).unwrap());
+                spectrum = read_path(&path).unwrap().spectra.remove(0);
+                for note in notes {
+                    assert!(
+                        spectrum.notes.iter().any(|n| n == note),
+                        "{extension}: {note} not in {:?}",
+                        spectrum.notes
+                    );
+                }
+            }
+            assert_eq!(texts[1].len(), texts[2].len(), "{extension}: {}", texts[2]);
         }
     }
 
