@@ -392,16 +392,33 @@ fn read_groups(
             [_] => table.block.rows(),
             _ => rows_of(table, group),
         };
+        let mut of_samples = group.clone();
         let named = match groups {
-            [_] => samples::together(&mut table.block, file.text, file.dialect, group.axis),
+            [_] => samples::together(
+                &mut table.block,
+                file.text,
+                file.dialect,
+                group.axis,
+                &group.values,
+            ),
             _ => None,
         };
         let axis = table.block.column(group.axis)[..rows].to_vec();
         let (runs, names): (Vec<_>, Vec<_>) = match named {
             Some((column, samples)) => {
                 told_apart(&mut left_out, &table.titles, column);
-                let runs = samples.into_iter().map(|s| (s.rows, Some(s.name)));
-                runs.unzip()
+                of_samples.values.retain(|of_values| *of_values != column);
+                let is_number = table.block.columns[column].numbers > 0;
+                let title = if is_number {
+                    format!("{} ", table.titles.names[column].trim())
+                } else {
+                    String::new()
+                };
+                let named = samples.into_iter().map(|sample| {
+                    let name = format!("{title}{}", sample.name).trim().to_owned();
+                    (sample.rows, Some(name))
+                });
+                named.unzip()
             }
             None => layout::runs(&axis).into_iter().map(|r| (r, None)).unzip(),
         };
@@ -410,14 +427,14 @@ fn read_groups(
             let sample = names[number].as_deref();
             let rows = Rows {
                 axis: &axis,
-                group,
+                group: &of_samples,
                 run,
                 part: if several && sample.is_none() {
                     format!("{part}, part {}", number + 1)
                 } else {
                     part.to_owned()
                 },
-                columns,
+                columns: columns - (group.values.len() - of_samples.values.len()),
                 before,
                 above: &above,
                 is_rgb,
@@ -431,13 +448,12 @@ fn read_groups(
     Ok(())
 }
 
-/// Says of a column of words that it was of use after all.
-fn told_apart(notes: &mut [String], titles: &Titles, column: usize) {
+/// Says of a column of words or numbers what it was of use for.
+fn told_apart(notes: &mut Vec<String>, titles: &Titles, column: usize) {
     let shown = roles::shown(titles, column);
     let left_out = format!("{shown} {}", roles::HOLDS_WORDS);
-    for note in notes.iter_mut().filter(|note| **note == left_out) {
-        *note = format!("{shown} tells the spectra apart");
-    }
+    notes.retain(|note| *note != left_out);
+    notes.push(format!("{shown} tells the spectra apart"));
 }
 
 /// Rows of a table beside another, without those below its end.

@@ -1,4 +1,5 @@
-//! Rows of several samples below one another, told apart by a column of words: `leaf, 400, 0.1`.
+//! Rows of several samples below one another, told apart by a column of words or of whole numbers:
+//! `leaf, 400, 0.1`.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -6,6 +7,9 @@ use std::ops::Range;
 use super::dialect::Dialect;
 use super::table::Block;
 use super::text::lines;
+
+/// Fewest rows of a sample that a number tells from others: values may be whole numbers too.
+const FEWEST_ROWS: usize = 5;
 
 /// A sample and its rows, which stand together.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,32 +22,42 @@ pub struct Sample {
 
 /// Puts the rows of each sample together, in the order in which samples first appear: tables go
 /// from sample to sample, or from wavelength to wavelength. Gives the column and the samples; `None`
-/// where the wavelengths run through once, or no column of words makes them run through in each
-/// sample.
+/// where the wavelengths run through once, or no column makes them run through in each sample. Of
+/// the columns taken for `values` one at least stays what it is.
 pub fn together(
     block: &mut Block,
     text: &str,
     dialect: Dialect,
     axis: usize,
+    values: &[usize],
 ) -> Option<(usize, Vec<Sample>)> {
-    let all: Vec<usize> = (0..block.rows()).collect();
+    let wavelengths = block.column(axis);
+    if runs_through(wavelengths.iter().copied()) {
+        return None;
+    }
     let worded = |column: &usize| {
         let stats = &block.columns[*column];
         stats.numbers == 0 && stats.texts == block.rows()
     };
-    let columns: Vec<usize> = (0..block.width).filter(worded).collect();
-    if columns.is_empty() || runs_through(block.column(axis), &all) {
-        return None;
-    }
-    let words = words_of(block, text, dialect, &columns);
-    let (column, samples) = columns.iter().zip(&words).find_map(|(column, words)| {
-        let samples = by_word(words);
-        let is_told = samples.len() > 1
-            && samples
-                .iter()
-                .all(|(_, rows)| runs_through(block.column(axis), rows));
-        is_told.then_some((*column, samples))
-    })?;
+    let mut columns: Vec<usize> = (0..block.width).filter(worded).collect();
+    let words = columns.len();
+    let counted = |column: &usize| {
+        let leaves_some = values.iter().any(|of_values| of_values != column);
+        *column != axis && leaves_some && is_counted(block.column(*column))
+    };
+    columns.extend((0..block.width.min(MOST_COUNTED)).filter(counted));
+    let cells = cells_of(block, text, dialect, &columns);
+    let told = columns.iter().zip(&cells).enumerate();
+    let (column, samples) = told
+        .map(|(at, (column, cells))| (at, *column, by_word(cells)))
+        .find_map(|(at, column, samples)| {
+            let fewest = if at < words { 2 } else { FEWEST_ROWS };
+            let is_told = samples.len() > 1
+                && samples.iter().all(|(_, rows)| {
+                    rows.len() >= fewest && runs_through(rows.iter().map(|row| wavelengths[*row]))
+                });
+            is_told.then_some((column, samples))
+        })?;
     let order: Vec<usize> = samples
         .iter()
         .flat_map(|(_, rows)| rows.iter().copied())
@@ -60,7 +74,7 @@ pub fn together(
             }
         })
         .collect();
-    if order != all {
+    if !order.is_sorted() {
         for values in &mut block.values {
             *values = order.iter().map(|row| values[*row]).collect();
         }
@@ -69,23 +83,42 @@ pub fn together(
     Some((column, samples))
 }
 
-/// Whether the wavelengths of some rows rise throughout, or fall.
-fn runs_through(axis: &[f64], rows: &[usize]) -> bool {
-    let mut steps = rows.windows(2).map(|pair| axis[pair[1]] - axis[pair[0]]);
-    let Some(first) = steps.next() else {
-        return false;
-    };
-    first != 0.0 && steps.all(|step| step * first > 0.0)
+/// Columns that are looked at for numbers of samples: they stand in front.
+const MOST_COUNTED: usize = 20;
+
+/// Whether a column may number samples.
+fn is_counted(values: &[f64]) -> bool {
+    let first = values.first();
+    first.is_some_and(|first| values.iter().any(|v| v != first))
+        && values.iter().all(|v| v.fract() == 0.0)
 }
 
-/// The words of some columns in each row, a list a column.
-fn words_of<'a>(
+/// Whether wavelengths, two at least, rise throughout, or fall.
+fn runs_through(mut wavelengths: impl Iterator<Item = f64>) -> bool {
+    let (Some(first), Some(second)) = (wavelengths.next(), wavelengths.next()) else {
+        return false;
+    };
+    let rises = second > first;
+    let mut before = second;
+    second != first
+        && wavelengths.all(|nm| {
+            let goes_on = if rises { nm > before } else { nm < before };
+            before = nm;
+            goes_on
+        })
+}
+
+/// The cells of some columns in each row, a list a column.
+fn cells_of<'a>(
     block: &Block,
     text: &'a str,
     dialect: Dialect,
     columns: &[usize],
 ) -> Vec<Vec<&'a str>> {
-    let mut words = vec![Vec::with_capacity(block.rows()); columns.len()];
+    if columns.is_empty() {
+        return Vec::new();
+    }
+    let mut found = vec![Vec::with_capacity(block.rows()); columns.len()];
     let mut cells = Vec::new();
     let mut wanted = block.lines.iter().copied().peekable();
     for (line, content) in lines(text) {
@@ -93,12 +126,12 @@ fn words_of<'a>(
         if line as u64 == u64::from(*next) {
             wanted.next();
             dialect.split(content.trim_matches(' '), &mut cells);
-            for (column, words) in columns.iter().zip(&mut words) {
-                words.push(cells.get(*column).copied().unwrap_or(""));
+            for (column, found) in columns.iter().zip(&mut found) {
+                found.push(cells.get(*column).map_or("", |cell| cell.trim()));
             }
         }
     }
-    words
+    found
 }
 
 /// Rows by their word, in the order in which words first appear.
@@ -152,6 +185,20 @@ mod tests {
         );
         assert_eq!(names(&two), ["oak R", "oak T", "elm R", "elm T"]);
         assert_eq!(two.spectra[2].samples.values(), [0.2, 0.4, 0.6]);
+    }
+
+    #[test]
+    fn whole_numbers_tell_samples_apart_and_are_no_spectrum() {
+        let mut text = "plot,wavelength,reflectance\n".to_owned();
+        for nm in (400..460).step_by(10) {
+            for plot in [7, 8] {
+                text += &format!("{plot},{nm},0.{plot}{nm}\n");
+            }
+        }
+        let two = read(&text);
+        assert_eq!(names(&two), ["plot 7", "plot 8"]);
+        assert_eq!(two.spectra[1].samples.len(), 6);
+        assert_eq!(two.spectra[1].samples.values()[0], 0.84);
     }
 
     #[test]
