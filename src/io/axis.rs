@@ -1,7 +1,9 @@
 //! The unit of a table's wavelength axis: told by a title or the header, else guessed.
 
 use super::heading::Lines;
-use super::units::{WavelengthUnit, looks_like_metres, names_wavelength, unknown_unit};
+use super::units::{
+    WavelengthUnit, is_of_lengths, looks_like_metres, names_wavelength, unknown_unit,
+};
 use super::words::holds_any;
 
 /// A unit and what told it.
@@ -89,7 +91,13 @@ pub fn unit(axis: &Axis) -> AxisUnit {
         return told(WavelengthUnit::Nanometre, "the file's own labels", true);
     }
     let by_title = WavelengthUnit::of_title(axis.title).map(|unit| (unit, "the column's title"));
-    let by_header = || axis.header.iter().map(|unit| (*unit, "the header"));
+    // A header may speak of the wave numbers in a column beside the wavelengths.
+    let of_lengths = is_of_lengths(axis.title);
+    let by_header = || {
+        let units = axis.header.iter();
+        let fitting = units.filter(|unit| unit.is_length() || !of_lengths);
+        fitting.map(|unit| (*unit, "the header"))
+    };
     let named = || by_title.into_iter().chain(by_header());
     if let Some((unit, whence)) = named().find(|(unit, _)| makes_sense(unit)) {
         if is_plausible(ends(unit)) || !is_plausible((min, max)) {
@@ -114,6 +122,10 @@ pub fn unit(axis: &Axis) -> AxisUnit {
         return told(WavelengthUnit::PerCentimetre, because, false);
     }
     let guessed = match WavelengthUnit::of_range(min, max) {
+        Some(WavelengthUnit::PerCentimetre) if of_lengths => {
+            let because = format!("wavelengths in the range {min} to {max}");
+            told(WavelengthUnit::Angstrom, &because, false)
+        }
         Some(unit) => told(unit, &format!("the range {min} to {max}"), false),
         None if looks_like_metres(min, max) => {
             let because = format!("the range {min:e} to {max:e}");

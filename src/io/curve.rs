@@ -38,7 +38,7 @@ pub enum Trouble {
         nm: f64,
         after_nm: f64,
     },
-    /// A wavelength of zero or less.
+    /// A wavelength below zero.
     NotPositive { index: usize, nm: f64 },
 }
 
@@ -114,9 +114,12 @@ pub fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<C
     let given = nm.len().min(values.len());
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
     let mut whence: Vec<u32> = Vec::new();
+    let mut zeros = 0;
     for (index, (w, v)) in nm.iter().zip(values).enumerate() {
-        if is_measured(*w) && is_measured(*v) {
-            if *w <= 0.0 {
+        if *w == 0.0 {
+            zeros += 1;
+        } else if is_measured(*w) && is_measured(*v) {
+            if *w < 0.0 {
                 return Err(Trouble::NotPositive { index, nm: *w });
             }
             if points.len() < index && whence.is_empty() {
@@ -128,7 +131,12 @@ pub fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<C
             points.push((*w, *v));
         }
     }
-    match given - points.len() {
+    match zeros {
+        0 => {}
+        1 => notes.push("1 point at a wavelength of 0 dropped".to_owned()),
+        n => notes.push(format!("{n} points at a wavelength of 0 dropped")),
+    }
+    match given - points.len() - zeros {
         0 => {}
         1 => notes.push("1 missing value dropped".to_owned()),
         n => notes.push(format!("{n} missing values dropped")),

@@ -223,6 +223,7 @@ impl Draft<'_> {
             let percent = match by_hand {
                 Some(counted) => PercentFound {
                     percent: counted == Counted::Percent,
+                    counted,
                     because: BY_HAND.to_owned(),
                     stated: true,
                     plain: true,
@@ -234,7 +235,7 @@ impl Draft<'_> {
                     samples.values(),
                 ),
             };
-            let counts = by_hand.unwrap_or(Counted::percent(percent.percent));
+            let counts = percent.counted;
             if let Some(to_fraction) = counts.scale().filter(|scale| *scale != 1.0) {
                 scale = to_fraction;
                 samples = samples.scaled(scale);
@@ -244,6 +245,8 @@ impl Draft<'_> {
                 guess(what, chosen, &percent.because, percent.plain, &mut notes);
             } else if percent.percent {
                 notes.push(format!("per cent divided by 100 ({})", percent.because));
+            } else if counts == Counted::TenThousandths {
+                notes.push(format!("values divided by 10000 ({})", percent.because));
             }
             counted = Some(Told {
                 is: counts,
@@ -267,7 +270,11 @@ impl Draft<'_> {
         } else {
             ""
         };
-        let percent = if scale == 0.01 { "from per cent" } else { "" };
+        let percent = match Counted::of_scale(scale) {
+            Counted::Percent => "from per cent",
+            Counted::TenThousandths => "from ten thousandths",
+            Counted::Fraction | Counted::Otherwise => "",
+        };
         let mut spectrum = NamedSpectrum {
             name: self.name,
             kind: found.kind,
@@ -326,8 +333,8 @@ fn extent(axis: &[f64]) -> (f64, f64) {
     let (eights, rest) = axis.as_chunks::<8>();
     for some in eights.iter().map(|eight| &eight[..]).chain([rest]) {
         for (i, x) in some.iter().enumerate() {
-            // Neither is true of a gap.
-            low[i] = if *x < low[i] { *x } else { low[i] };
+            // Neither is true of a gap. A zero is no wavelength.
+            low[i] = if *x < low[i] && *x > 0.0 { *x } else { low[i] };
             high[i] = if *x > high[i] { *x } else { high[i] };
         }
     }

@@ -6,7 +6,7 @@
 use crate::spectrum::Kind;
 
 use super::heading::Lines;
-use super::words::holds_any;
+use super::words::{holds, holds_any};
 
 /// A kind and what told it.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +83,8 @@ const WORDS: [(Kind, &[&str]); 8] = [
             "cone fundamental",
             "spectral sensitivity",
             "responsivity",
+            "|qe|",
+            "quantum efficiency",
         ],
     ),
     (
@@ -99,6 +101,12 @@ const WORDS: [(Kind, &[&str]); 8] = [
             "epsilon",
             "absorptivity",
             "absorptance",
+            "absorption (%)",
+            "absorption [%]",
+            "|a (%)",
+            "|a [%]",
+            "|a%|",
+            "|%a|",
         ],
     ),
     (
@@ -197,6 +205,9 @@ const NAME_WORDS: [(Kind, &[&str]); 8] = [
 /// The kind that a title tells by its words or its one letter (`R`, `T`, `%R`, `n`, `k`).
 pub fn kind_of_title(title: &str) -> Option<Kind> {
     let title = title.trim().to_lowercase();
+    if let Some(kind) = kind_of_logarithm(&title) {
+        return Some(kind);
+    }
     let stem = title.split(['(', '[', ' ', '_', '.']).next().unwrap_or("");
     // "Rfr" and "Tpc" are the R packages' fractions and per cent.
     kind_of_words(&title).or(match stem {
@@ -208,6 +219,26 @@ pub fn kind_of_title(title: &str) -> Option<Kind> {
         _ if title.contains("response") => Some(Kind::Weighting),
         _ => None,
     })
+}
+
+/// The kind of what a title (lower case) says is no plain measure: decibels, logarithms, and what a
+/// surface takes away.
+fn kind_of_logarithm(title: &str) -> Option<Kind> {
+    const LOGS: [&str; 4] = ["|log10|", "|log(", "|log |", "|ln("];
+    let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
+    let is_rest = ["1-r", "1-t", "100-r", "100-t", "100-%r", "100-%t"]
+        .iter()
+        .any(|rest| holds(&bare, &format!("|{rest}|")));
+    if ["log(1/", "log10(1/", "log1/", "-log"]
+        .iter()
+        .any(|of| bare.starts_with(of))
+    {
+        Some(Kind::Absorbance)
+    } else if is_rest || holds_any(title, &["|db|", "|dbm|"]) || holds_any(title, &LOGS) {
+        Some(Kind::Other)
+    } else {
+        None
+    }
 }
 
 /// The kind that a line of text tells.

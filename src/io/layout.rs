@@ -33,6 +33,9 @@ const FEWEST_IN_A_ROW: usize = 5;
 /// Share of rows that must hold a wavelength.
 const FILLED: f64 = 0.9;
 
+/// The same under a title that names wavelengths.
+const FILLED_TITLED: f64 = 0.25;
+
 /// What a column of nanometres that says so scores.
 const SUREST: u32 = 14;
 
@@ -41,6 +44,7 @@ const FEW_REVERSALS: usize = 10;
 
 /// The same under a title that names wavelengths: a curve traced by hand goes back and forth.
 const TRACED_REVERSALS: usize = 50;
+
 /// What numbers in the range of nanometres score, and every axis that is titled so.
 const CLEAR: u32 = 4;
 
@@ -51,7 +55,8 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
     let (mut count, mut up, mut down, mut ones) = (0usize, 0usize, 0usize, 0usize);
     let mut last = f64::NAN;
     for v in values {
-        if v.is_nan() {
+        // Some tables begin with a zero that is no wavelength.
+        if v.is_nan() || v == 0.0 && count == 0 {
             continue;
         }
         count += 1;
@@ -63,6 +68,11 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
         last = v;
     }
     let reversals = up.min(down);
+    // Numbers that hardly ever change are readings, unless a title says otherwise.
+    let is_untitled = most_reversals == FEW_REVERSALS;
+    if is_untitled && (up + down) * 3 + 1 < count {
+        return 0;
+    }
     if count < 2 || up + down == 0 || reversals * 100 > count * most_reversals {
         return 0;
     }
@@ -71,7 +81,7 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
         Some(WavelengthUnit::Nanometre) => 4,
         Some(WavelengthUnit::PerCentimetre) => 3,
         Some(_) if !counts_rows => 2,
-        None if looks_like_metres(min, max) => 1,
+        None if looks_like_metres(min, max) => 2,
         _ => u32::from(!counts_rows && min > 0.0 && max > 100.0),
     }
 }
@@ -107,11 +117,16 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
     for column in 0..block.width {
         let stats = &block.columns[column];
         // Columns far to the right are not searched, so that a wide table stays cheap.
-        if column > 16 || (stats.numbers as f64) < FILLED * block.rows() as f64 {
+        if column > 16 {
             continue;
         }
         let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
             || names_wavelength(titles.units.get(column).map_or("", String::as_str));
+        // Detectors reach beyond the range that was calibrated: only a title is worth more then.
+        let filled = if titled { FILLED_TITLED } else { FILLED };
+        if (stats.numbers as f64) < filled * block.rows() as f64 {
+            continue;
+        }
         let most_reversals = if titled {
             TRACED_REVERSALS
         } else {
@@ -223,7 +238,25 @@ pub fn runs(axis: &[f64]) -> Vec<Range<usize>> {
         last = v;
     }
     runs.push(start..axis.len());
+    if are_apart(axis, &runs) {
+        // One curve in several pieces, as people trace them from a plot.
+        return vec![0..axis.len()];
+    }
     runs
+}
+
+/// Whether no two runs share wavelengths.
+fn are_apart(axis: &[f64], runs: &[Range<usize>]) -> bool {
+    let mut spans: Vec<(f64, f64)> = runs
+        .iter()
+        .map(|run| {
+            let numbers = || axis[run.clone()].iter().copied().filter(|v| !v.is_nan());
+            let low = numbers().fold(f64::INFINITY, f64::min);
+            (low, numbers().fold(f64::NEG_INFINITY, f64::max))
+        })
+        .collect();
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    spans.windows(2).all(|pair| pair[0].1 <= pair[1].0)
 }
 
 #[cfg(test)]

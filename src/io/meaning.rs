@@ -28,6 +28,9 @@ pub fn counts_photons(unit: &str) -> bool {
 const PLAIN_FRACTION: std::ops::RangeInclusive<f64> = 0.1..=1.2;
 const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
 
+/// Largest values that are neither: remote sensing stores ten thousandths.
+const TEN_THOUSANDTHS: std::ops::RangeInclusive<f64> = 1000.0..=12_000.0;
+
 /// Whether the largest values leave hardly a doubt about what they are counted in.
 pub fn is_plain_size(counted: Counted, high: f64) -> bool {
     match counted {
@@ -43,6 +46,8 @@ pub fn is_plain_size(counted: Counted, high: f64) -> bool {
 pub struct PercentFound {
     /// Per cent rather than a fraction.
     pub percent: bool,
+    /// The same where tables count in ten thousandths, too.
+    pub counted: Counted,
     /// What told it.
     pub because: String,
     /// Whether the file states it.
@@ -69,11 +74,18 @@ pub fn percent_told(
 ) -> PercentFound {
     let stated = |percent, because: &str| PercentFound {
         percent,
+        counted: Counted::percent(percent),
         because: because.to_owned(),
         stated: true,
         plain: true,
     };
     let title = title.to_lowercase();
+    if counts_ten_thousandths(&title) {
+        return PercentFound {
+            counted: Counted::TenThousandths,
+            ..stated(false, "the column's title")
+        };
+    }
     if signs {
         return stated(true, "per cent signs");
     }
@@ -96,12 +108,28 @@ pub fn percent_told(
     };
     let (middle, high) = (at(0.5).unwrap_or(0.0), at(0.99).unwrap_or(0.0));
     let percent = high > 1.5 && (middle > 1.5 || middle < 0.03 * high);
+    let counted = if percent && TEN_THOUSANDTHS.contains(&high) {
+        Counted::TenThousandths
+    } else {
+        Counted::percent(percent)
+    };
     PercentFound {
         percent,
+        counted,
         because: format!("the values' size (up to about {high:.3})"),
         stated: false,
-        plain: is_plain_size(Counted::percent(percent), high),
+        plain: is_plain_size(counted, high),
     }
+}
+
+/// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
+fn counts_ten_thousandths(title: &str) -> bool {
+    let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
+    ["x", "*", "×"].iter().any(|times| {
+        ["10000", "1e4", "10^4"]
+            .iter()
+            .any(|number| super::words::holds(&bare, &format!("{times}{number}|")))
+    })
 }
 
 /// Whether a header says that values are per cent, or fractions; `None` where it does not.

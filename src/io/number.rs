@@ -73,6 +73,9 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
     if cell.is_empty() {
         return Cell::Empty;
     }
+    if let Some(value) = in_thousands(cell, decimal_comma) {
+        return sized(value, Cell::Number);
+    }
     if cell.len() <= 12 && GAP_WORDS.iter().any(|word| cell.eq_ignore_ascii_case(word)) {
         return Cell::Gap;
     }
@@ -97,6 +100,36 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
         Some((value, true)) => sized(value, Cell::Nanometres),
         Some((_, false)) | None => Cell::Text,
     }
+}
+
+/// A number whose thousands are set apart, as spreadsheets write it: `1.344,49` with a decimal comma,
+/// `1,630.3` with a point, `1 630,3` or `1'630.3` with either. Without decimals only the apostrophe
+/// tells: `1,630` may be a number below two.
+fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
+    let (mark, other) = if decimal_comma {
+        (',', '.')
+    } else {
+        ('.', ',')
+    };
+    let separator = cell
+        .chars()
+        .find(|c| [other, ' ', '\u{a0}', '\u{202f}', '\'', '’'].contains(c))?;
+    let (whole, decimals) = match cell.split_once(mark) {
+        Some((whole, decimals)) => (whole, decimals),
+        None if ['\'', '’'].contains(&separator) => (cell, ""),
+        None => return None,
+    };
+    let bare = whole.trim_start_matches(['-', '+']);
+    let mut groups = bare.split(separator);
+    let is_digits = |group: &str| group.bytes().all(|b| b.is_ascii_digit());
+    let first = groups.next()?;
+    let fits = (1..=3).contains(&first.len())
+        && is_digits(first)
+        && groups.all(|group| group.len() == 3 && is_digits(group))
+        && is_digits(decimals)
+        && cell.len() <= 40;
+    let plain: String = whole.chars().filter(|c| *c != separator).collect();
+    fits.then(|| format!("{plain}.{decimals}0").parse().ok())?
 }
 
 /// A finite or overflowing decimal number and nothing else; `inf` and `nan` are words, not numbers.
@@ -171,10 +204,31 @@ mod tests {
     }
 
     #[test]
+    fn thousands_set_apart_are_numbers_where_decimals_follow() {
+        for (cell, comma, value) in [
+            ("1.344,49", true, 1344.49),
+            ("\"1,630.3\"", false, 1630.3),
+            ("-1 630,3", true, -1630.3),
+            ("1'234'567.5", false, 1_234_567.5),
+            ("1'630", false, 1630.0),
+        ] {
+            assert_eq!(parse(cell, comma), Cell::Number(value), "{cell}");
+        }
+        for (cell, comma) in [
+            ("1,630", false),
+            ("1.63.5,0", true),
+            ("38 500", true),
+            ("1,63.5", false),
+        ] {
+            assert_eq!(parse(cell, comma), Cell::Text, "{cell}");
+        }
+    }
+
+    #[test]
     fn the_other_decimal_mark_makes_text_of_a_cell() {
         assert_eq!(parse("0,5", false), Cell::Text);
         assert_eq!(parse("0.5", true), Cell::Text);
-        assert_eq!(parse("1.234,5", true), Cell::Text);
+        assert_eq!(parse("1.2345,5", true), Cell::Text);
         assert_eq!(parse("300,", true), Cell::Text);
     }
 

@@ -7,6 +7,7 @@ use super::table::{
     BadCell, Block, Scan, TooMuch, carries_on, row_gone_wrong_above, scan, scan_behind,
 };
 use super::titles::Titles;
+use super::units::{WavelengthUnit, names_wavelength};
 
 /// How much text decides the dialect, in bytes: many times the longest header.
 const SAMPLE_BYTES: usize = 256 * 1024;
@@ -128,6 +129,9 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
             let own = std::mem::replace(&mut block.header, std::mem::take(&mut above));
             block.header.extend(own);
         }
+        if begins_with_titles(&block, dialect) {
+            block.head_first_row();
+        }
         let titles = Titles::of(&block, dialect);
         let is_short = block.rows() * SHORTEST_SHARE < longest;
         let layout = if !is_short {
@@ -161,6 +165,32 @@ pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
     };
     first.notes.extend(left_out);
     Ok(tables)
+}
+
+/// Whether the first row holds numbers as titles ("Wavelength, 1, 2, 3") above a column of
+/// wavelengths. Where they look like wavelengths themselves, and there are more of them than rows,
+/// the table lies along its rows.
+fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
+    let column = block.column(0);
+    if block.rows() < 3 || !column[0].is_nan() {
+        return false;
+    }
+    let cells = block.first_cells(dialect);
+    let first = cells
+        .first()
+        .map_or("", |cell| cell.trim_matches(['"', ' ']));
+    if !first.is_empty() && !names_wavelength(first) {
+        return false;
+    }
+    let is_axis = |numbers: &[f64]| {
+        let (Some(low), Some(high)) = (numbers.first(), numbers.last()) else {
+            return false;
+        };
+        (numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b))
+            && WavelengthUnit::of_range(low.min(*high), low.max(*high)).is_some()
+    };
+    let row = block.row(0);
+    is_axis(&column[1..]) && !(block.width > block.rows() && is_axis(&row[1..]))
 }
 
 /// What is said of a block that is not read.
@@ -299,6 +329,17 @@ mod tests {
                 "{row}"
             );
         }
+    }
+
+    #[test]
+    fn numbers_above_a_column_of_wavelengths_are_titles() {
+        let text = "Wavelength,1,2,405\n380,1,2,3\n385,2,3,4\n390,3,4,5\n";
+        let tables = tables(text, dialect(text)).unwrap();
+        assert_eq!(tables[0].block.rows(), 3);
+        assert_eq!(tables[0].titles.names, ["Wavelength", "1", "2", "405"]);
+        let along = "wavelength,380,385,390,395,400\n101,1,2,3,4,5\n102,2,3,4,5,6\n";
+        let tables = super::tables(along, dialect(along)).unwrap();
+        assert!(matches!(tables[0].layout, Layout::Row { .. }));
     }
 
     #[test]

@@ -93,7 +93,9 @@ fn roles(
             leave_out("is one number throughout and was left out");
         } else if is_spread(&title) {
             spreads.push(column);
-        } else if names_axis_beside(&title, titles, wavelength) {
+        } else if names_axis_beside(&title, titles, wavelength)
+            || holds(&title.to_lowercase(), "raman shift")
+        {
             leave_out(SECOND_AXIS);
         } else if raw_beside.binary_search(&column).is_ok() {
             leave_out("is a raw reading and was left out");
@@ -145,14 +147,26 @@ fn names_axis_beside(title: &str, titles: &Titles, wavelength: usize) -> bool {
     names_wavelength(title) && (!is_x(title) || is_x(&titles.whole(wavelength)))
 }
 
+/// Whether a title is words and a unit of length behind them ("Em nm"): no quantity for each nm.
+fn ends_in_length(title: &str) -> bool {
+    let title = title.to_lowercase();
+    let ends = [" nm", " (nm)", " [nm]", "_nm"];
+    ends.iter().any(|unit| title.ends_with(unit)) && !title.contains(['/', '^'])
+}
+
 /// Columns of wavelengths from left to right: the one that was found, and others that are titled
 /// so, rise or fall throughout, and have values behind them. A second one of the same points (1/cm
 /// beside nm) is none.
 fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
+    let title = titles.whole(wavelength).to_lowercase();
     let is_axis = |column: &usize| {
+        let runs = || runs_one_way(block.column(*column));
+        let other = titles.whole(*column);
+        // Under the same title it is one even where a wavelength was mistyped or stands twice.
         *column == wavelength
-            || names_axis_beside(&titles.whole(*column), titles, wavelength)
-                && runs_one_way(block.column(*column))
+            || names_axis_beside(&other, titles, wavelength)
+                && (other.to_lowercase() == title || runs())
+            || ends_in_length(&other) && ends_in_length(&title) && !is_spread(&other) && runs()
     };
     let found: Vec<usize> = (0..block.width).filter(is_axis).collect();
     let has_numbers = |mut columns: std::ops::Range<usize>| {
@@ -251,6 +265,7 @@ fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
             word,
             "dark" | "ref" | "reference" | "sample" | "scope" | "raw" | "norm" | "background"
         ) && (kind_of_title(&title).is_none() || title.contains("counts"))
+            && !title.contains("subtracted")
     };
     let raws: Vec<usize> = others.iter().copied().filter(|c| raw(*c)).collect();
     let processed = others.iter().any(|c| {

@@ -88,6 +88,25 @@ impl<'a> Block<'a> {
         }
     }
 
+    /// The cells of the first row.
+    pub fn first_cells(&self, dialect: Dialect) -> Vec<&'a str> {
+        let mut cells = Vec::new();
+        dialect.split(self.first_row, &mut cells);
+        cells
+    }
+
+    /// Makes the first row the last line of the header: it turned out to hold titles.
+    pub fn head_first_row(&mut self) {
+        let line = self.lines.remove(0) as usize;
+        for (column, values) in self.columns.iter_mut().zip(&mut self.values) {
+            let is_number = !values.remove(0).is_nan();
+            column.numbers -= usize::from(is_number);
+            column.texts = column.texts.saturating_sub(usize::from(!is_number));
+        }
+        self.bad.retain(|bad| bad.line != line);
+        self.header.push((line, self.first_row));
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.lines.len()

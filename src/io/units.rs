@@ -182,6 +182,13 @@ const UNIT_WORDS: [(WavelengthUnit, &[&str]); 10] = [
             "|ångström|",
             "|ångströms|",
             "|å|",
+            "(a)",
+            "[a]",
+            "(aa)",
+            "[aa]",
+            "wavelength_a|",
+            "wavelength_aa|",
+            "lambda_a|",
         ],
     ),
     (WavelengthUnit::Millielectronvolt, &["|mev|"]),
@@ -197,6 +204,22 @@ const UNIT_WORDS: [(WavelengthUnit, &[&str]); 10] = [
         &["(m)", "[m]", "/ m|", "|metres|", "|meters|"],
     ),
 ];
+
+/// Whether a title speaks of wavelengths, which no energies or wave numbers are.
+pub fn is_of_lengths(title: &str) -> bool {
+    const STARTS: [&str; 8] = [
+        "wavelen",
+        "wvl",
+        "lambda",
+        "λ",
+        "wellenl",
+        "longueur",
+        "longitud",
+        "lunghezza",
+    ];
+    let title = title.trim_matches(['"', '#', '[', '(', ' ']).to_lowercase();
+    STARTS.iter().any(|word| title.starts_with(word))
+}
 
 /// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
 /// not by what stands in brackets behind another (`S(lambda)`).
