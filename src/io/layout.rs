@@ -240,7 +240,8 @@ pub fn runs(axis: &[f64]) -> Vec<Range<usize>> {
     runs.push(start..axis.len());
     if are_apart(axis, &runs) {
         // One curve in several pieces, as people trace them from a plot.
-        return vec![0..axis.len()];
+        runs.clear();
+        runs.push(0..axis.len());
     }
     runs
 }

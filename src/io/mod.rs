@@ -13,6 +13,7 @@
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
 //! Nothing here touches colour or the window.
 
+pub mod alike;
 pub mod alternating;
 pub mod archive;
 pub mod argyll_write;
@@ -251,6 +252,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     };
     let mut reading = (format.read)(input)?;
+    alike::settle(&mut reading);
     decided::settle(format, &input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;

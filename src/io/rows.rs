@@ -4,10 +4,11 @@ use super::columns::bad_cell;
 use super::dialect::Dialect;
 use super::draft::{Draft, Scale};
 use super::heading::Heading;
-use super::kinds::kind_of_words;
+use super::kinds::{kind_of_title, kind_of_words};
 use super::number::number;
 use super::pick::Table;
 use super::text::lines;
+use super::units::names_wavelength;
 use super::{Input, ReadError, Reading};
 
 /// Wavelengths along a row.
@@ -43,6 +44,7 @@ pub fn read_rows(
         return Err(bad_cell(input, bad));
     }
     let scale = Scale::new(along.axis);
+    let corner = corner(table, dialect, along);
     for row in along.from_row..block.rows() {
         let words = labels.get(row).map_or(&[][..], Vec::as_slice);
         let name = name_of(words)
@@ -53,7 +55,10 @@ pub fn read_rows(
         };
         let draft = Draft {
             name,
-            title: kind_word(words).unwrap_or("").to_owned(),
+            title: kind_word(words)
+                .map(str::to_owned)
+                .or_else(|| percent_label(words))
+                .unwrap_or_else(|| corner.clone()),
             axis_title: kind_title.clone(),
             says_nm: along.says_nm,
             heading: &heading,
@@ -101,6 +106,27 @@ fn kind_word<'a>(words: &[&'a str]) -> Option<&'a str> {
         .find(|cell| !cell.trim().contains(' ') && cell.len() > 2 && kind_of_words(cell).is_some())
 }
 
+/// A row's words where they say with a per cent sign what is measured: "Refl %".
+fn percent_label(words: &[&str]) -> Option<String> {
+    let label = words.join(" ");
+    (label.contains('%') && kind_of_title(&label).is_some()).then_some(label)
+}
+
+/// The word in the corner of the table, where it says what is measured and not that wavelengths
+/// follow; empty otherwise.
+fn corner(table: &Table, dialect: Dialect, along: &AlongRow) -> String {
+    let corner = if along.from_row > 0 {
+        let cells = table.block.first_cells(dialect);
+        let before = cells.iter().take(along.first);
+        let before: Vec<&str> = before.map(|cell| cell.trim_matches('"')).collect();
+        before.join(" ").trim().to_owned()
+    } else {
+        titles_before(table, along.first)
+    };
+    let tells = corner.len() > 1 && kind_of_title(&corner).is_some() && !names_wavelength(&corner);
+    if tells { corner } else { String::new() }
+}
+
 /// What stands before the wavelengths in their row ("wavelength (nm)").
 fn titles_before(table: &Table, first: usize) -> String {
     (0..first)
@@ -135,6 +161,20 @@ fn row_labels<'a>(
 mod tests {
     use crate::io::read_bytes;
     use crate::spectrum::Kind;
+
+    #[test]
+    fn the_corner_of_a_table_along_rows_tells_what_is_measured() {
+        let text =
+            "Reflectance,400,410,420,430,440\nleaf,0.1,0.2,0.3,0.4,0.5\nsoil,0.2,0.2,0.3,0.3,0.3\n";
+        let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
+        assert!(spectra.iter().all(|s| s.kind == Kind::Reflectance));
+        let text = "wavelength,400,410,420,430,440\nRefl %,10,20,30,40,50\n";
+        let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
+        assert_eq!(
+            (spectra[0].kind, spectra[0].scale),
+            (Kind::Reflectance, 0.01)
+        );
+    }
 
     #[test]
     fn a_row_is_named_by_its_words_and_its_kind_by_a_cell_of_its_own() {
