@@ -83,7 +83,6 @@ const WORDS: [(Kind, &[&str]); 8] = [
             "cone fundamental",
             "spectral sensitivity",
             "responsivity",
-            "|qe|",
             "quantum efficiency",
         ],
     ),
@@ -103,10 +102,6 @@ const WORDS: [(Kind, &[&str]); 8] = [
             "absorptance",
             "absorption (%)",
             "absorption [%]",
-            "|a (%)",
-            "|a [%]",
-            "|a%|",
-            "|%a|",
         ],
     ),
     (
@@ -208,6 +203,10 @@ pub fn kind_of_title(title: &str) -> Option<Kind> {
     if let Some(kind) = kind_of_logarithm(&title) {
         return Some(kind);
     }
+    // Beside R and T, in per cent, it is what stays in the sample.
+    if ["a (%)", "a [%]", "a(%)", "a[%]", "a%", "%a", "a %"].contains(&title.as_str()) {
+        return Some(Kind::Other);
+    }
     let stem = title.split(['(', '[', ' ', '_', '.']).next().unwrap_or("");
     // "Rfr" and "Tpc" are the R packages' fractions and per cent.
     kind_of_words(&title).or(match stem {
@@ -215,6 +214,7 @@ pub fn kind_of_title(title: &str) -> Option<Kind> {
         "t" | "trans" | "tau" | "tfr" | "tpc" => Some(Kind::Transmittance),
         "abs" | "od" => Some(Kind::Absorbance),
         "n" | "k" | "eta" => Some(Kind::Other),
+        "qe" => Some(Kind::Weighting),
         "spd" | "power" | "energy" | "irr" | "irrad" | "rad" | "dn" => Some(Kind::Light),
         _ if title.contains("response") => Some(Kind::Weighting),
         _ => None,
