@@ -11,7 +11,7 @@
 //! tobes-ui        {"name", "spd": {"340": 0.0, ...}}
 //! ```
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
@@ -21,14 +21,15 @@ use super::error::{kept, quoted};
 use super::keyed_json;
 use super::meaning;
 use super::plain_json;
+use super::plain_json::tree::Tree;
 use super::reading::provenance as provenance_line;
-use super::spectrum_json::any_json;
+use super::spectrum_json::{any_json, json_error};
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
 /// JSON of other programs.
 pub const FORMAT: Format = Format {
     name: "JSON of another program",
-    extensions: &["json"],
+    extensions: &["json", "jsonl"],
     sniff,
     read,
 };
@@ -39,7 +40,8 @@ const KNOWN: &str = "a spectrum or composite of this program, one of colorimetry
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
-    if head.starts_with('{') || head.starts_with('[') && input.has_extension("json") {
+    let is_named = input.has_extension("json") || input.has_extension("jsonl");
+    if head.starts_with('{') || head.starts_with('[') && is_named {
         Confidence::Likely
     } else {
         Confidence::No
@@ -48,49 +50,88 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let value = any_json(input, text)?;
-    let mut reading = Reading::default();
-    let Some(root) = value.as_object() else {
-        plain_json::read(input, &value, &mut reading)?;
-        if reading.spectra.is_empty() {
-            return Err(input.error("a JSON list with no wavelengths in it", KNOWN));
-        }
-        return Ok(reading);
+    let value = match any_json(input, text) {
+        Ok(value) => value,
+        // One object a line.
+        Err(refusal) if refusal.found == TRAILING => return read_lines(input, text),
+        Err(refusal) => return Err(refusal),
     };
-    if let Some(main) = value
-        .pointer("/spectral_data/data/main")
-        .and_then(Value::as_object)
-    {
-        keyed_json::read_rawtoaces(input, &value, main, &mut reading)?;
-    } else if let Some(spd) = root.get("spd").and_then(Value::as_object) {
-        keyed_json::read_tobes(input, root, spd, &mut reading)?;
-    } else if let Some(spectra) = root.get("spectra").and_then(Value::as_array) {
-        for spectrum in spectra {
-            colorimetry_json::read_colorimetry(input, spectrum, &mut reading)?;
-        }
-    } else if let Some(spectrum) = root
-        .get("spectrum")
-        .filter(|s| s.get("spectral_data").is_some())
-    {
-        colorimetry_json::read_colorimetry(input, spectrum, &mut reading)?;
-    } else if root.contains_key("wavelength_axis") && root.contains_key("spectral_data") {
-        colorimetry_json::read_colorimetry(input, &value, &mut reading)?;
-    } else {
-        plain_json::read(input, &value, &mut reading)?;
-        if reading.spectra.is_empty() {
-            let keys: Vec<&str> = root.keys().take(3).map(String::as_str).collect();
-            return Err(input.error(
-                format!("JSON with the keys {}", quoted(&keys.join(", "))),
-                KNOWN,
-            ));
-        }
-        return Ok(reading);
+    let mut reading = Reading::default();
+    if !read_known(input, &value, &mut reading)? {
+        // Its memory is needed again.
+        drop(value);
+        let tree = serde_json::from_str(text).map_err(|error| json_error(input, &error))?;
+        return read_plain(input, &tree);
     }
     if reading.spectra.is_empty() {
         return Err(input.error("JSON with no spectrum in it", KNOWN));
     }
     reading.notes.insert(0, reading.spectra[0].notes[0].clone());
     Ok(reading)
+}
+
+/// What is found of a text with more behind its first value.
+const TRAILING: &str = "JSON with trailing characters";
+
+/// Reads values one behind another.
+fn read_lines(input: &Input, text: &str) -> Result<Reading, ReadError> {
+    let values = serde_json::Deserializer::from_str(text).into_iter::<Tree>();
+    let values = values.collect::<Result<Vec<Tree>, _>>();
+    let values = values.map_err(|error| json_error(input, &error))?;
+    read_plain(input, &Tree::List(values))
+}
+
+/// Reads JSON of no program in particular.
+fn read_plain(input: &Input, tree: &Tree) -> Result<Reading, ReadError> {
+    let mut reading = Reading::default();
+    plain_json::read(input, tree, &mut reading)?;
+    if !reading.spectra.is_empty() {
+        return Ok(reading);
+    }
+    let found = match tree.object() {
+        Some(root) => {
+            let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
+            format!("JSON with the keys {}", quoted(&keys.join(", ")))
+        }
+        None => "a JSON list with no wavelengths in it".to_owned(),
+    };
+    Err(input.error(found, KNOWN))
+}
+
+/// Reads JSON of a program that is known; `false` where it is of none.
+fn read_known(input: &Input, value: &Value, reading: &mut Reading) -> Result<bool, ReadError> {
+    let is_colorimetry = |value: &Value| {
+        value.get("wavelength_axis").is_some() || value.get("spectral_data").is_some()
+    };
+    let main = value.pointer("/spectral_data/data/main");
+    let spd = value.get("spd").and_then(Value::as_object);
+    let spectra = value.get("spectra").and_then(Value::as_array);
+    let spectrum = value
+        .get("spectrum")
+        .filter(|s| s.get("spectral_data").is_some());
+    if let Some(main) = main.and_then(Value::as_object) {
+        keyed_json::read_rawtoaces(input, value, main, reading)?;
+    } else if let (Some(spd), Some(root)) = (spd.filter(|spd| is_keyed(spd)), value.as_object()) {
+        keyed_json::read_tobes(input, root, spd, reading)?;
+    } else if let Some(spectra) = spectra.filter(|list| list.iter().any(is_colorimetry)) {
+        for spectrum in spectra {
+            colorimetry_json::read_colorimetry(input, spectrum, reading)?;
+        }
+    } else if let Some(spectrum) = spectrum {
+        colorimetry_json::read_colorimetry(input, spectrum, reading)?;
+    } else if value.get("wavelength_axis").is_some() && value.get("spectral_data").is_some() {
+        colorimetry_json::read_colorimetry(input, value, reading)?;
+    } else {
+        return Ok(false);
+    }
+    Ok(true)
+}
+
+/// Whether an object has no lists or objects in it: tobes-ui's has numbers only.
+fn is_keyed(object: &Map<String, Value>) -> bool {
+    !object
+        .values()
+        .any(|value| value.is_array() || value.is_object())
 }
 
 /// What is known of a spectrum before its numbers are put in order.

@@ -1,0 +1,122 @@
+//! JSON with its keys in the order of the file, which name spectra and put them in order.
+
+use std::fmt;
+
+use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+
+/// A value of JSON.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tree {
+    /// `null`, `true` or `false`.
+    Nothing,
+    /// A number.
+    Number(f64),
+    /// Words.
+    Text(String),
+    /// Values one behind another.
+    List(Vec<Tree>),
+    /// Keys and their values.
+    Object(Object),
+}
+
+/// Keys and their values in the order of the file.
+pub type Object = Vec<(String, Tree)>;
+
+impl Tree {
+    /// The text, where it is one.
+    pub fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The keys and values, where it is an object.
+    pub fn object(&self) -> Option<&Object> {
+        match self {
+            Self::Object(object) => Some(object),
+            _ => None,
+        }
+    }
+
+    /// Whether there are values in it.
+    pub fn holds_values(&self) -> bool {
+        matches!(self, Self::List(_) | Self::Object(_))
+    }
+}
+
+impl<'de> Deserialize<'de> for Tree {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Builder)
+    }
+}
+
+struct Builder;
+
+impl<'de> Visitor<'de> for Builder {
+    type Value = Tree;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("JSON")
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<Tree, E> {
+        Ok(Tree::Nothing)
+    }
+
+    fn visit_unit<E>(self) -> Result<Tree, E> {
+        Ok(Tree::Nothing)
+    }
+
+    fn visit_i64<E>(self, number: i64) -> Result<Tree, E> {
+        Ok(Tree::Number(number as f64))
+    }
+
+    fn visit_u64<E>(self, number: u64) -> Result<Tree, E> {
+        Ok(Tree::Number(number as f64))
+    }
+
+    fn visit_f64<E>(self, number: f64) -> Result<Tree, E> {
+        Ok(Tree::Number(number))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Tree, E> {
+        Ok(Tree::Text(text.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Tree, A::Error> {
+        let mut list = Vec::new();
+        while let Some(item) = items.next_element()? {
+            list.push(item);
+        }
+        Ok(Tree::List(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Tree, A::Error> {
+        let mut object = Vec::new();
+        while let Some(entry) = entries.next_entry()? {
+            object.push(entry);
+        }
+        Ok(Tree::Object(object))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_stay_in_order() {
+        let tree: Tree =
+            serde_json::from_str(r#"{"b":[1,-2,0.5],"a":{"c":null},"d":"x"}"#).unwrap();
+        let keys: Vec<&str> = tree
+            .object()
+            .unwrap()
+            .iter()
+            .map(|(key, _)| &**key)
+            .collect();
+        assert_eq!(keys, ["b", "a", "d"]);
+        let list = [1.0, -2.0, 0.5].map(Tree::Number).to_vec();
+        assert_eq!(tree.object().unwrap()[0].1, Tree::List(list));
+    }
+}
