@@ -11,6 +11,8 @@
 //! tobes-ui        {"name", "spd": {"340": 0.0, ...}}
 //! ```
 
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::{Map, Value};
 
 use crate::spectrum::{Kind, NamedSpectrum};
@@ -21,9 +23,9 @@ use super::error::{kept, quoted};
 use super::keyed_json;
 use super::meaning;
 use super::plain_json;
-use super::plain_json::tree::Tree;
+use super::plain_json::tree::{self, Tree};
 use super::reading::provenance as provenance_line;
-use super::spectrum_json::{any_json, json_error};
+use super::spectrum_json::any_json;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
 /// JSON of other programs.
@@ -50,18 +52,9 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let value = match any_json(input, text) {
-        Ok(value) => value,
-        // One object a line.
-        Err(refusal) if refusal.found == TRAILING => return read_lines(input, text),
-        Err(refusal) => return Err(refusal),
-    };
     let mut reading = Reading::default();
-    if !read_known(input, &value, &mut reading)? {
-        // Its memory is needed again.
-        drop(value);
-        let tree = serde_json::from_str(text).map_err(|error| json_error(input, &error))?;
-        return read_plain(input, &tree);
+    if !has_known_keys(text) || !read_known(input, &any_json(input, text)?, &mut reading)? {
+        return read_plain(input, &tree::of(input, text)?);
     }
     if reading.spectra.is_empty() {
         return Err(input.error("JSON with no spectrum in it", KNOWN));
@@ -70,15 +63,28 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
-/// What is found of a text with more behind its first value.
-const TRAILING: &str = "JSON with trailing characters";
+/// The keys by which known programs are told.
+#[derive(Deserialize)]
+struct Keys {
+    spectral_data: Option<IgnoredAny>,
+    spd: Option<IgnoredAny>,
+    spectra: Option<IgnoredAny>,
+    spectrum: Option<IgnoredAny>,
+}
 
-/// Reads values one behind another.
-fn read_lines(input: &Input, text: &str) -> Result<Reading, ReadError> {
-    let values = serde_json::Deserializer::from_str(text).into_iter::<Tree>();
-    let values = values.collect::<Result<Vec<Tree>, _>>();
-    let values = values.map_err(|error| json_error(input, &error))?;
-    read_plain(input, &Tree::List(values))
+/// Whether a text is one object with a key of a known program, told without keeping any of it.
+fn has_known_keys(text: &str) -> bool {
+    serde_json::from_str::<Keys>(text).is_ok_and(|keys| {
+        let Keys {
+            spectral_data,
+            spd,
+            spectra,
+            spectrum,
+        } = keys;
+        [spectral_data, spd, spectra, spectrum]
+            .iter()
+            .any(Option::is_some)
+    })
 }
 
 /// Reads JSON of no program in particular.

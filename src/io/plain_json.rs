@@ -69,6 +69,9 @@ const BANDS_NM: std::ops::RangeInclusive<f64> = 100.0..=50_000.0;
 /// Memory that a table of points may take for each key in the file: not every point has every key.
 const CELLS_A_KEY: usize = 8;
 
+/// Most lists of one object that are tried as wavelengths.
+const MOST_AXES: usize = 8;
+
 /// Wavelengths and the lists of values beside them.
 struct Table<'a> {
     axis_title: String,
@@ -246,35 +249,43 @@ fn title_of_channel(title: &str) -> &'static str {
 
 /// Wavelengths, listed or given by their ends, and the lists as long beside and below.
 fn of_lists(object: &Object) -> Option<Table<'_>> {
-    let listed = object.iter().enumerate().filter_map(|(at, (key, value))| {
-        // "x" is mostly something else where a list says that it is of wavelengths.
+    let ranked = object.iter().enumerate().filter_map(|(at, (key, value))| {
         let rank = match () {
-            () if is_axis(key) => usize::from(key.eq_ignore_ascii_case("x")),
+            () if is_axis(key) => usize::from(is_x(key)),
             () if is_bands(key) && rises(value) => 2,
             () => return None,
         };
         numbers(value)?;
         Some((rank, at))
     });
-    let Some((_, at)) = listed.min() else {
-        return of_range(object);
-    };
-    let (axis_key, value) = &object[at];
+    let mut ranked: Vec<(usize, usize)> = ranked.take(MOST_AXES).collect();
+    ranked.sort_unstable();
+    let mut tables = ranked.into_iter().filter_map(|(_, at)| beside(object, at));
+    tables.next().or_else(|| of_range(object))
+}
+
+/// The lists beside and below that are as long as the one at a place, which has the wavelengths.
+fn beside(object: &Object, at: usize) -> Option<Table<'_>> {
+    let (axis_key, value) = object.get(at)?;
     let axis = numbers(value)?;
     let others = object.iter().enumerate().filter(|(other, _)| *other != at);
     let columns = lists_beside(others.map(|(_, entry)| entry), axis.len());
-    let title = if is_axis(axis_key) {
-        spaced(axis_key)
-    } else {
-        "wavelength nm".to_owned()
-    };
     let table = Table {
-        axis_title: title,
+        axis_title: if is_axis(axis_key) {
+            spaced(axis_key)
+        } else {
+            "wavelength nm".to_owned()
+        },
         says_nm: items(value).is_some_and(|items| items.iter().any(|item| says_nm(item))),
         axis,
         columns,
     };
     (!table.columns.is_empty()).then_some(table)
+}
+
+/// Whether a key is "x", which is mostly something else where another says that it is an axis.
+fn is_x(key: &str) -> bool {
+    key.eq_ignore_ascii_case("x")
 }
 
 /// Wavelengths given by their ends, and the lists as long as they say.
@@ -337,7 +348,9 @@ fn gather<'a>(
         return;
     };
     if let Some(values) = numbers(value) {
-        if values.len() == length {
+        // The same axis again, or counted otherwise.
+        let is_axis_too = is_axis(key) && !is_x(key);
+        if values.len() == length && !is_axis_too {
             columns.push(Column {
                 title: key,
                 name,
@@ -440,7 +453,7 @@ fn of_points(value: &Tree) -> Option<Table<'_>> {
         .iter()
         .filter(|(_, value)| one_number(value).is_some());
     let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
-    let axis_at = keys.iter().position(|key| is_axis(key) && *key != "x");
+    let axis_at = keys.iter().position(|key| is_axis(key) && !is_x(key));
     let axis_at = axis_at.or_else(|| keys.iter().position(|key| is_axis(key)))?;
     let entries: usize = points.iter().map(|point| point.len()).sum();
     if keys.len() < 2 || keys.len() * points.len() > CELLS_A_KEY * entries {
@@ -657,6 +670,21 @@ mod tests {
                 {"name":"B","bands":[400,430,10],"values":[4,3,2,1]}]}"#,
         );
         assert_eq!(names(&several), ["A", "B"]);
+    }
+
+    #[test]
+    fn the_list_that_fits_others_has_the_wavelengths() {
+        for text in [
+            r#"{"wavelength_range":[400,420],"wavelengths":[400,410,420],"v":[1,2,3]}"#,
+            r#"{"x":[1,2,3],"wavelength":[400,410,420],"wavenumber":[25000,24390,23810]}"#,
+            r#"{"wavelengths":[400,430,10],"v":[1,2,3,4]}"#,
+        ] {
+            let reading = read(text);
+            assert_eq!(reading.spectra.len(), 1, "{text}");
+            let samples = &reading.spectra[0].samples;
+            assert_eq!(samples.nm()[..3], [400.0, 410.0, 420.0], "{text}");
+            assert_eq!(samples.values()[..3], [1.0, 2.0, 3.0], "{text}");
+        }
     }
 
     #[test]

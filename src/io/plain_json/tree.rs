@@ -4,6 +4,13 @@ use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 
+use super::super::spectrum_json::json_error;
+use super::super::{Input, ReadError, budget};
+
+/// Memory that a value in a list takes, and one with a key, in bytes, while the list grows.
+const VALUE_BYTES: usize = 64;
+const KEYED_BYTES: usize = 88;
+
 /// A value of JSON.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tree {
@@ -21,6 +28,29 @@ pub enum Tree {
 
 /// Keys and their values in the order of the file.
 pub type Object = Vec<(String, Tree)>;
+
+/// A whole text as JSON; a list where values stand one behind another, as on lines of their own.
+/// The parsed form of short values is far larger than their text, so they are counted first.
+///
+/// # Errors
+/// [`ReadError`] for broken JSON, or more values than fit into the memory that the file may take.
+pub fn of(input: &Input, text: &str) -> Result<Tree, ReadError> {
+    let count = |marks: &[u8]| text.bytes().filter(|b| marks.contains(b)).count();
+    let memory = count(b",[{") * VALUE_BYTES + count(b":") * KEYED_BYTES;
+    if memory > budget::of(text.len()) / 4 * 3 {
+        return Err(input.error(
+            "JSON of far more values than its size allows",
+            budget::WORDS,
+        ));
+    }
+    let values = serde_json::Deserializer::from_str(text).into_iter::<Tree>();
+    let values: Result<Vec<Tree>, _> = values.collect();
+    let mut values = values.map_err(|error| json_error(input, &error))?;
+    match values.len() {
+        1 => Ok(values.pop().unwrap_or(Tree::Nothing)),
+        _ => Ok(Tree::List(values)),
+    }
+}
 
 impl Tree {
     /// The text, where it is one.
@@ -89,6 +119,7 @@ impl<'de> Visitor<'de> for Builder {
         while let Some(item) = items.next_element()? {
             list.push(item);
         }
+        list.shrink_to_fit();
         Ok(Tree::List(list))
     }
 
@@ -97,6 +128,7 @@ impl<'de> Visitor<'de> for Builder {
         while let Some(entry) = entries.next_entry()? {
             object.push(entry);
         }
+        object.shrink_to_fit();
         Ok(Tree::Object(object))
     }
 }

@@ -128,8 +128,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut reading = Reading::default();
     let (mut n, mut k): (Option<Sampled>, Option<Sampled>) = (None, None);
     let has_table_of_n = file.data.iter().any(|data| tabulates_n(&data.r#type));
-    for data in &file.data {
-        let is_beside = has_table_of_n && is_formula(&data.r#type);
+    let is_beside = |data: &&Data| has_table_of_n && is_formula(&data.r#type);
+    let (beside, first): (Vec<&Data>, Vec<&Data>) = file.data.iter().partition(is_beside);
+    let first = first.into_iter().map(|data| (data, false));
+    let beside = beside.into_iter().map(|data| (data, true));
+    for (data, is_beside) in first.chain(beside) {
         for (letter, samples, mut notes) in read_data(input, text, data)? {
             notes.extend(about.iter().cloned());
             let kept = if letter == 'n' { &mut n } else { &mut k };
@@ -445,10 +448,10 @@ mod tests {
                     - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.6 1.5 0\n";
         let reading = read_bytes("p.yml", text.as_bytes()).expect("both");
         let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
-        assert_eq!(names, ["p n by formula 5", "p n", "p k", "p reflectance"]);
+        assert_eq!(names, ["p n", "p k", "p n by formula 5", "p reflectance"]);
         assert!((reading.spectra[3].samples.values()[0] - 0.04).abs() < 1e-12);
         assert!(
-            reading.spectra[0]
+            reading.spectra[2]
                 .notes
                 .iter()
                 .any(|n| n.contains("as a table too"))
