@@ -33,6 +33,11 @@ const DEPTH: usize = 8;
 const MOST_WORDS: usize = 100;
 const MOST_WORD_BYTES: usize = 4096;
 
+/// Bytes of words that are read with the tables of one file altogether, besides twice its size;
+/// with further tables only the start of the nearest line is.
+const MOST_BYTES_READ: usize = 1 << 19;
+const NEAREST_BYTES: usize = 60;
+
 /// Keys under which a sample's name stands.
 const NAMES: [&str; 6] = ["name", "title", "label", "id", "sample", "description"];
 
@@ -99,6 +104,7 @@ pub fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result<(), Re
         reading,
         words: Vec::new(),
         bytes: 0,
+        bytes_read: 0,
     };
     finder.look(value, DEPTH)
 }
@@ -109,7 +115,10 @@ struct Finder<'i, 'f, 'r> {
     reading: &'r mut Reading,
     /// Words of the objects around, the innermost last.
     words: Vec<String>,
+    /// Of those words.
     bytes: usize,
+    /// Of words read with tables so far.
+    bytes_read: usize,
 }
 
 impl Finder<'_, '_, '_> {
@@ -188,7 +197,15 @@ impl Finder<'_, '_, '_> {
     }
 
     fn add(&mut self, table: Table) -> Result<(), ReadError> {
-        let lines: Vec<(usize, &str)> = self.words.iter().map(|words| (0, &**words)).collect();
+        self.bytes_read += self.bytes;
+        let most_read = MOST_BYTES_READ + 2 * self.input.bytes.len();
+        let lines: Vec<(usize, &str)> = if self.bytes_read <= most_read {
+            self.words.iter().map(|line| (0, &**line)).collect()
+        } else {
+            let start = |line: &str| line.floor_char_boundary(NEAREST_BYTES);
+            let nearest = self.words.last().map(|line| (0, &line[..start(line)]));
+            nearest.into_iter().collect()
+        };
         let heading = Heading::of(&lines).shared_by(table.columns.len());
         let scale = Scale::new(&table.axis);
         let several = table.columns.len() > 1;
