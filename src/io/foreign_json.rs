@@ -11,7 +11,9 @@
 //! tobes-ui        {"name", "spd": {"340": 0.0, ...}}
 //! ```
 
-use serde_json::Value;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use serde_json::{Map, Value};
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
@@ -21,6 +23,7 @@ use super::error::{kept, quoted};
 use super::keyed_json;
 use super::meaning;
 use super::plain_json;
+use super::plain_json::tree::{self, Tree};
 use super::reading::provenance as provenance_line;
 use super::spectrum_json::any_json;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
@@ -28,7 +31,7 @@ use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 /// JSON of other programs.
 pub const FORMAT: Format = Format {
     name: "JSON of another program",
-    extensions: &["json"],
+    extensions: &["json", "jsonl"],
     sniff,
     read,
 };
@@ -39,7 +42,8 @@ const KNOWN: &str = "a spectrum or composite of this program, one of colorimetry
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
-    if head.starts_with('{') || head.starts_with('[') && input.has_extension("json") {
+    let is_named = input.has_extension("json") || input.has_extension("jsonl");
+    if head.starts_with('{') || head.starts_with('[') && is_named {
         Confidence::Likely
     } else {
         Confidence::No
@@ -48,49 +52,92 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let value = any_json(input, text)?;
     let mut reading = Reading::default();
-    let Some(root) = value.as_object() else {
-        plain_json::read(input, &value, &mut reading)?;
-        if reading.spectra.is_empty() {
-            return Err(input.error("a JSON list with no wavelengths in it", KNOWN));
-        }
-        return Ok(reading);
-    };
-    if let Some(main) = value
-        .pointer("/spectral_data/data/main")
-        .and_then(Value::as_object)
-    {
-        keyed_json::read_rawtoaces(input, &value, main, &mut reading)?;
-    } else if let Some(spd) = root.get("spd").and_then(Value::as_object) {
-        keyed_json::read_tobes(input, root, spd, &mut reading)?;
-    } else if let Some(spectra) = root.get("spectra").and_then(Value::as_array) {
-        for spectrum in spectra {
-            colorimetry_json::read_colorimetry(input, spectrum, &mut reading)?;
-        }
-    } else if let Some(spectrum) = root
-        .get("spectrum")
-        .filter(|s| s.get("spectral_data").is_some())
-    {
-        colorimetry_json::read_colorimetry(input, spectrum, &mut reading)?;
-    } else if root.contains_key("wavelength_axis") && root.contains_key("spectral_data") {
-        colorimetry_json::read_colorimetry(input, &value, &mut reading)?;
-    } else {
-        plain_json::read(input, &value, &mut reading)?;
-        if reading.spectra.is_empty() {
-            let keys: Vec<&str> = root.keys().take(3).map(String::as_str).collect();
-            return Err(input.error(
-                format!("JSON with the keys {}", quoted(&keys.join(", "))),
-                KNOWN,
-            ));
-        }
-        return Ok(reading);
+    if !has_known_keys(text) || !read_known(input, &any_json(input, text)?, &mut reading)? {
+        return read_plain(input, &tree::of(input, text)?);
     }
     if reading.spectra.is_empty() {
         return Err(input.error("JSON with no spectrum in it", KNOWN));
     }
     reading.notes.insert(0, reading.spectra[0].notes[0].clone());
     Ok(reading)
+}
+
+/// The keys by which known programs are told.
+#[derive(Deserialize)]
+struct Keys {
+    spectral_data: Option<IgnoredAny>,
+    spd: Option<IgnoredAny>,
+    spectra: Option<IgnoredAny>,
+    spectrum: Option<IgnoredAny>,
+}
+
+/// Whether a text is one object with a key of a known program, told without keeping any of it.
+fn has_known_keys(text: &str) -> bool {
+    serde_json::from_str::<Keys>(text).is_ok_and(|keys| {
+        let Keys {
+            spectral_data,
+            spd,
+            spectra,
+            spectrum,
+        } = keys;
+        [spectral_data, spd, spectra, spectrum]
+            .iter()
+            .any(Option::is_some)
+    })
+}
+
+/// Reads JSON of no program in particular.
+fn read_plain(input: &Input, tree: &Tree) -> Result<Reading, ReadError> {
+    let mut reading = Reading::default();
+    plain_json::read(input, tree, &mut reading)?;
+    if !reading.spectra.is_empty() {
+        return Ok(reading);
+    }
+    let found = match tree.object() {
+        Some(root) => {
+            let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
+            format!("JSON with the keys {}", quoted(&keys.join(", ")))
+        }
+        None => "a JSON list with no wavelengths in it".to_owned(),
+    };
+    Err(input.error(found, KNOWN))
+}
+
+/// Reads JSON of a program that is known; `false` where it is of none.
+fn read_known(input: &Input, value: &Value, reading: &mut Reading) -> Result<bool, ReadError> {
+    let is_colorimetry = |value: &Value| {
+        value.get("wavelength_axis").is_some() || value.get("spectral_data").is_some()
+    };
+    let main = value.pointer("/spectral_data/data/main");
+    let spd = value.get("spd").and_then(Value::as_object);
+    let spectra = value.get("spectra").and_then(Value::as_array);
+    let spectrum = value
+        .get("spectrum")
+        .filter(|s| s.get("spectral_data").is_some());
+    if let Some(main) = main.and_then(Value::as_object) {
+        keyed_json::read_rawtoaces(input, value, main, reading)?;
+    } else if let (Some(spd), Some(root)) = (spd.filter(|spd| is_keyed(spd)), value.as_object()) {
+        keyed_json::read_tobes(input, root, spd, reading)?;
+    } else if let Some(spectra) = spectra.filter(|list| list.iter().any(is_colorimetry)) {
+        for spectrum in spectra {
+            colorimetry_json::read_colorimetry(input, spectrum, reading)?;
+        }
+    } else if let Some(spectrum) = spectrum {
+        colorimetry_json::read_colorimetry(input, spectrum, reading)?;
+    } else if value.get("wavelength_axis").is_some() && value.get("spectral_data").is_some() {
+        colorimetry_json::read_colorimetry(input, value, reading)?;
+    } else {
+        return Ok(false);
+    }
+    Ok(true)
+}
+
+/// Whether an object has no lists or objects in it: tobes-ui's has numbers only.
+fn is_keyed(object: &Map<String, Value>) -> bool {
+    !object
+        .values()
+        .any(|value| value.is_array() || value.is_object())
 }
 
 /// What is known of a spectrum before its numbers are put in order.

@@ -1,11 +1,14 @@
 //! refractiveindex.info: YAML with the optical constants n and k over wavelengths in micrometres.
 //!
 //! `DATA` is a list of tables (`tabulated nk`, `tabulated n`, `tabulated k`, columns with blanks)
-//! and dispersion formulas 1 to 9 ([`formula`]), which are sampled at whole nanometres. Every n
-//! and k becomes a spectrum, and the reflectance at normal incidence from air,
-//! ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), a further one that says it was computed.
+//! and dispersion formulas 1 to 9 ([`formula`]), which are sampled at whole nanometres, and more
+//! coarsely in the far infrared ([`grid`]). Every n and k becomes a spectrum, and the reflectance
+//! at normal incidence from air, ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), a further one that says it
+//! was computed. Where a file holds n as a table and by a formula, the table counts.
 
 pub mod formula;
+pub mod grid;
+pub mod quoted_text;
 
 use serde::Deserialize;
 
@@ -25,11 +28,11 @@ pub const FORMAT: Format = Format {
     read,
 };
 
-/// Formulas are sampled between these wavelengths, nm: ultraviolet to middle infrared.
-const SAMPLED_NM: (f64, f64) = (100.0, 5000.0);
-
 /// Most tables and formulas of one file.
 const MOST_DATA: usize = 20;
+
+/// Most coefficients of a formula, several times what any has: each counts at every wavelength.
+const MOST_COEFFICIENTS: usize = 100;
 
 fn sniff(input: &Input) -> Confidence {
     let is_ours = |text: &str| {
@@ -75,27 +78,44 @@ struct Data {
     coefficients: String,
 }
 
-fn read(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_text()?.text;
+/// The file as YAML.
+fn parse(input: &Input, text: &str) -> Result<File, ReadError> {
+    let parsed = match parse_strictly(text) {
+        // The site's own reader is more lenient about text in quotes.
+        Some(Err(first)) => match quoted_text::indented(text).map(|text| parse_strictly(&text)) {
+            Some(second @ Some(Ok(_))) => second,
+            _ => Some(Err(first)),
+        },
+        parsed => parsed,
+    };
+    match parsed {
+        Some(Ok(file)) => Ok(file),
+        Some(Err(why)) => Err(input.error(
+            format!("broken YAML ({why})"),
+            "REFERENCES, COMMENTS and DATA as refractiveindex.info writes them",
+        )),
+        None => Err(input.error("broken YAML", "YAML of refractiveindex.info")),
+    }
+}
+
+/// What the parser makes of a text, or the first line of its complaint.
+fn parse_strictly(text: &str) -> Option<Result<File, String>> {
     let mut limits = serde_saphyr::Budget::default();
     limits.max_recorded_anchor_bytes = 1 << 20;
     limits.max_total_scalar_bytes = budget::of(text.len()) / 4;
     limits.max_nodes = 20_000;
     let mut options = serde_saphyr::Options::default();
     options.budget = Some(limits);
-    let parsed = guarded(|| serde_saphyr::from_str_with_options::<File>(text, options));
-    let file = match parsed {
-        Some(Ok(file)) => file,
-        Some(Err(error)) => {
-            let why = error.to_string();
-            let first = why.lines().next().unwrap_or("").to_owned();
-            return Err(input.error(
-                format!("broken YAML ({first})"),
-                "REFERENCES, COMMENTS and DATA as refractiveindex.info writes them",
-            ));
-        }
-        None => return Err(input.error("broken YAML", "YAML of refractiveindex.info")),
-    };
+    let parsed = guarded(|| serde_saphyr::from_str_with_options::<File>(text, options))?;
+    Some(parsed.map_err(|error| {
+        let why = error.to_string();
+        why.lines().next().unwrap_or("").to_owned()
+    }))
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let file = parse(input, text)?;
     if file.data.len() > MOST_DATA {
         let found = format!("{} tables and formulas", file.data.len());
         return Err(input.error(found, format!("at most {MOST_DATA}")));
@@ -107,12 +127,24 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     let mut reading = Reading::default();
     let (mut n, mut k): (Option<Sampled>, Option<Sampled>) = (None, None);
-    for data in &file.data {
+    let has_table_of_n = file.data.iter().any(|data| tabulates_n(&data.r#type));
+    let is_beside = |data: &&Data| has_table_of_n && is_formula(&data.r#type);
+    let (beside, first): (Vec<&Data>, Vec<&Data>) = file.data.iter().partition(is_beside);
+    let first = first.into_iter().map(|data| (data, false));
+    let beside = beside.into_iter().map(|data| (data, true));
+    for (data, is_beside) in first.chain(beside) {
         for (letter, samples, mut notes) in read_data(input, text, data)? {
             notes.extend(about.iter().cloned());
             let kept = if letter == 'n' { &mut n } else { &mut k };
-            kept.get_or_insert_with(|| samples.clone());
-            let name = format!("{} {letter}", input.stem());
+            let mut name = format!("{} {letter}", input.stem());
+            if is_beside {
+                name += &format!(" by {}", data.r#type.trim());
+                notes.push(
+                    "the file holds n as a table too, from which the rest is computed".into(),
+                );
+            } else {
+                kept.get_or_insert_with(|| samples.clone());
+            }
             push(&mut reading, name, Kind::Other, samples, notes, &source);
         }
     }
@@ -139,6 +171,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     }
     Ok(reading)
+}
+
+fn is_formula(kind: &str) -> bool {
+    kind.trim().starts_with("formula")
+}
+
+/// Whether data of a kind hold n as a table.
+fn tabulates_n(kind: &str) -> bool {
+    matches!(kind.trim(), "tabulated n" | "tabulated nk")
 }
 
 fn push(
@@ -184,8 +225,8 @@ fn read_data(
                 .and_then(|n| n.trim().parse().ok());
             return match number {
                 Some(number @ 1..=9) => {
-                    let (samples, note) = read_formula(input, data, number)?;
-                    Ok(vec![('n', samples, vec![note])])
+                    let (samples, notes) = read_formula(input, data, number)?;
+                    Ok(vec![('n', samples, notes)])
                 }
                 _ => Err(input.error(
                     format!("data of the type {}", quoted(kind)),
@@ -240,7 +281,11 @@ fn rows(input: &Input, text: &str, table: &str, width: usize) -> Result<Vec<[f64
     Ok(rows)
 }
 
-fn read_formula(input: &Input, data: &Data, number: u8) -> Result<(Sampled, String), ReadError> {
+fn read_formula(
+    input: &Input,
+    data: &Data,
+    number: u8,
+) -> Result<(Sampled, Vec<String>), ReadError> {
     let numbers = |text: &str, what: &str| -> Result<Vec<f64>, ReadError> {
         let number = |word: &str| {
             number::number(word, false)
@@ -250,6 +295,10 @@ fn read_formula(input: &Input, data: &Data, number: u8) -> Result<(Sampled, Stri
         text.split_whitespace().map(number).collect()
     };
     let coefficients = numbers(&data.coefficients, "coefficients")?;
+    if coefficients.len() > MOST_COEFFICIENTS {
+        let found = format!("{} coefficients", coefficients.len());
+        return Err(input.error(found, format!("at most {MOST_COEFFICIENTS}")));
+    }
     let range = if data.wavelength_range.trim().is_empty() {
         &data.range
     } else {
@@ -260,18 +309,16 @@ fn read_formula(input: &Input, data: &Data, number: u8) -> Result<(Sampled, Stri
         let found = format!("a wavelength range of {} numbers", range.len());
         return Err(input.error(found, "first and last wavelength in um"));
     };
-    let from = (from_um * 1000.0).max(SAMPLED_NM.0).ceil();
-    let to = (to_um * 1000.0).min(SAMPLED_NM.1).floor();
-    let steps = if to > from { (to - from) as usize } else { 0 };
-    let nm: Vec<f64> = (0..=steps).map(|i| from + i as f64).collect();
+    let (nm, how) = grid::of(from_um * 1000.0, to_um * 1000.0);
     let values: Vec<f64> = nm
         .iter()
         .map(|nm| formula::index(number, &coefficients, nm / 1000.0))
         .collect();
     let cleaned = curve::clean(&nm, &values)
         .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
-    let note = format!("n computed from dispersion formula {number} at whole nm");
-    Ok((cleaned.samples, note))
+    let mut notes = cleaned.notes;
+    notes.push(format!("n computed from dispersion formula {number} {how}"));
+    Ok((cleaned.samples, notes))
 }
 
 /// Reflectance at normal incidence from air, and how it came about.
@@ -356,6 +403,59 @@ mod tests {
         // Schott N-BK7 at 587.6 nm.
         assert!((n.at(587.6, Outside::Hold) - 1.5168).abs() < 2e-4);
         assert_eq!(reading.spectra[1].kind, Kind::Reflectance);
+    }
+
+    #[test]
+    fn a_formula_for_the_far_infrared_is_sampled_to_its_end() {
+        let text = formula("formula 5\n    wavelength_range: 6 22.5\n    coefficients: 1.5 0.1 -2");
+        let reading = read_bytes("ir.yml", text.as_bytes()).expect("a formula");
+        let n = &reading.spectra[0].samples;
+        assert_eq!(
+            (n.first_nm(), n.last_nm(), n.len()),
+            (6000.0, 22500.0, 1651)
+        );
+        let notes = reading.spectra[0].notes.join("; ");
+        assert!(
+            notes.contains("in steps of 10 nm beyond 5000 nm"),
+            "{notes}"
+        );
+        let far = formula("formula 5\n    wavelength_range: 5 2000\n    coefficients: 1.5");
+        let far = read_bytes("far.yml", far.as_bytes()).expect("a formula");
+        let notes = far.spectra[0].notes.join("; ");
+        assert!(notes.contains("not sampled beyond 1000000 nm"), "{notes}");
+    }
+
+    #[test]
+    fn quoted_text_may_go_on_at_the_start_of_a_line() {
+        let text = "REFERENCES: \"1) A \\\"quoted\\\" author.\n\nDATA: of others\"\nCOMMENTS: 'it''s\n\
+                    warm' # said\nDATA:\n  - type: tabulated n\n    data: |\n        0.5 1.5\n        0.6 1.4\n";
+        let reading = read_bytes("q.yml", text.as_bytes()).expect("a table");
+        let first = &reading.spectra[0];
+        assert_eq!(first.source, "1) A \"quoted\" author. DATA: of others");
+        assert!(
+            first
+                .notes
+                .contains(&"comment in the file: it's warm".to_owned())
+        );
+        let broken = text.replace("0.6 1.4", "0.6 1.4 x");
+        let why = read_bytes("q.yml", broken.as_bytes()).unwrap_err();
+        assert!(why.to_string().starts_with("q.yml, line 10:"), "{why}");
+    }
+
+    #[test]
+    fn a_table_of_n_counts_more_than_a_formula_beside_it() {
+        let text = "DATA:\n  - type: formula 5\n    wavelength_range: 0.4 0.7\n    coefficients: 3\n  \
+                    - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.6 1.5 0\n";
+        let reading = read_bytes("p.yml", text.as_bytes()).expect("both");
+        let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
+        assert_eq!(names, ["p n", "p k", "p n by formula 5", "p reflectance"]);
+        assert!((reading.spectra[3].samples.values()[0] - 0.04).abs() < 1e-12);
+        assert!(
+            reading.spectra[2]
+                .notes
+                .iter()
+                .any(|n| n.contains("as a table too"))
+        );
     }
 
     #[test]
