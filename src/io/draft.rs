@@ -105,7 +105,7 @@ impl<'a> Scale<'a> {
 
 /// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
 /// tens of thousands of spectra of a few values each would take far more than their size.
-const BYTES_BESIDE: usize = 2048;
+const BYTES_BESIDE: usize = 3072;
 
 /// Numbers that instruments write for "not measured", when they stand apart from the other
 /// values.

@@ -48,32 +48,24 @@ pub fn together(
     columns.extend((0..block.width.min(MOST_COUNTED)).filter(counted));
     let cells = cells_of(block, text, dialect, &columns);
     let told = columns.iter().zip(&cells).enumerate();
-    let (column, samples) = told
-        .map(|(at, (column, cells))| (at, *column, by_word(cells)))
-        .find_map(|(at, column, samples)| {
-            let fewest = if at < words { 2 } else { FEWEST_ROWS };
-            let is_told = samples.len() > 1
-                && samples.iter().all(|(_, rows)| {
-                    rows.len() >= fewest && runs_through(rows.iter().map(|row| wavelengths[*row]))
-                });
-            is_told.then_some((column, samples))
-        })?;
-    let order: Vec<usize> = samples
-        .iter()
-        .flat_map(|(_, rows)| rows.iter().copied())
-        .collect();
-    let mut end = 0;
-    let samples = samples
-        .into_iter()
-        .map(|(name, rows)| {
-            let start = end;
-            end += rows.len();
-            Sample {
-                name: name.trim_matches(['"', '\'']).trim().to_owned(),
-                rows: start..end,
-            }
+    let (column, found) = told.into_iter().find_map(|(at, (column, cells))| {
+        let fewest = if at < words { 2 } else { FEWEST_ROWS };
+        let found = ByWord::of(cells, fewest)?;
+        let is_told = found.names.len() > 1
+            && found.rows().all(|rows| {
+                rows.len() >= fewest && runs_through(rows.iter().map(|row| wavelengths[*row]))
+            });
+        is_told.then_some((*column, found))
+    })?;
+    let names = found.names.iter();
+    let samples = names
+        .zip(found.starts.windows(2))
+        .map(|(name, ends)| Sample {
+            name: name.trim_matches(['"', '\'']).trim().to_owned(),
+            rows: ends[0]..ends[1],
         })
         .collect();
+    let order = found.order;
     if !order.is_sorted() {
         for values in &mut block.values {
             *values = order.iter().map(|row| values[*row]).collect();
@@ -135,17 +127,56 @@ fn cells_of<'a>(
 }
 
 /// Rows by their word, in the order in which words first appear.
-fn by_word<'a>(words: &[&'a str]) -> Vec<(&'a str, Vec<usize>)> {
-    let mut places: HashMap<&str, usize> = HashMap::new();
-    let mut samples: Vec<(&str, Vec<usize>)> = Vec::new();
-    for (row, word) in words.iter().enumerate() {
-        let place = *places.entry(word).or_insert_with(|| {
-            samples.push((word, Vec::new()));
-            samples.len() - 1
-        });
-        samples[place].1.push(row);
+struct ByWord<'a> {
+    names: Vec<&'a str>,
+    /// All rows, those of one word together.
+    order: Vec<usize>,
+    /// Where in `order` the rows of each word begin, and its length.
+    starts: Vec<usize>,
+}
+
+impl<'a> ByWord<'a> {
+    /// `None` where there are too many words for each to have `fewest` rows.
+    fn of(words: &[&'a str], fewest: usize) -> Option<Self> {
+        let mut places: HashMap<&str, usize> = HashMap::new();
+        let (mut names, mut counts) = (Vec::new(), Vec::new());
+        let mut place_of_row = Vec::with_capacity(words.len());
+        for word in words {
+            let place = *places.entry(word).or_insert(names.len());
+            if place == names.len() {
+                if (names.len() + 1) * fewest > words.len() {
+                    return None;
+                }
+                names.push(*word);
+                counts.push(0);
+            }
+            counts[place] += 1;
+            place_of_row.push(place);
+        }
+        drop(places);
+        let mut starts = vec![0];
+        for count in counts {
+            starts.push(starts[starts.len() - 1] + count);
+        }
+        let mut next = starts.clone();
+        let mut order = vec![0; words.len()];
+        for (row, place) in place_of_row.into_iter().enumerate() {
+            order[next[place]] = row;
+            next[place] += 1;
+        }
+        Some(Self {
+            names,
+            order,
+            starts,
+        })
     }
-    samples
+
+    /// The rows of each word.
+    fn rows(&self) -> impl Iterator<Item = &[usize]> {
+        self.starts
+            .windows(2)
+            .map(|ends| &self.order[ends[0]..ends[1]])
+    }
 }
 
 #[cfg(test)]
