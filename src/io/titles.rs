@@ -140,7 +140,8 @@ fn is_key_and_value(cells: &[String]) -> bool {
 /// Titles that are bare numbers take the first column's word: "Index 13".
 fn with_label(mut cells: Vec<String>) -> Vec<String> {
     let label = cells[0].clone();
-    let is_axis = names_wavelength(&label) && cells.len() > 2;
+    let numbers = cells.iter().filter(|c| c.parse::<f64>().is_ok()).count();
+    let is_axis = names_wavelength(&label) && numbers > 1;
     if label.is_empty() || names_wavelength(&label) || label.parse::<f64>().is_ok() {
         for cell in cells
             .iter_mut()
