@@ -21,8 +21,9 @@ use egui_plot::{PlotPoint, PlotTransform};
 use soft_renderer::SoftRenderer;
 use spectral_explorer::{
     app::{
-        App, Command, Scale, Settings, Subject, View,
+        App, Command, Scale, Settings, Subject, View, chart,
         export::Export,
+        plot_svg,
         state::Tone,
         workspace::{self, CurveQuantity, Preferences},
     },
@@ -315,6 +316,28 @@ fn a_number_can_be_typed_and_reach_further_than_the_slider() {
     type_into(&mut ui, Role::SpinButton, names::WIDTH, "33");
     press(&mut ui, Key::Enter);
     assert_eq!(settings(&ui).max_width_nm, 33.0);
+}
+
+#[test]
+fn the_exported_plot_ends_where_the_table_does() {
+    let mut app = App::new();
+    app.apply(light(&app, "cie_fluorescent_1nm/FL2"));
+    let settings = app.document().settings;
+    let chart_on = |app: &mut App, low, high| {
+        app.apply(Command::Edit(Settings {
+            band: Band::new(low, high).expect("a range"),
+            ..settings
+        }));
+        chart::spectrum_chart(app, plot_svg::Theme::Dark)
+    };
+    let wide = chart_on(&mut app, 300.0, 1400.0);
+    let measured = wide.series.iter().find(|s| s.name == "measured");
+    let points = app.measured_points().map(|(nm, _)| nm).collect::<Vec<_>>();
+    assert!(measured.is_some());
+    assert_eq!(points.first().zip(points.last()), Some((&380.0, &780.0)));
+    let beside = chart_on(&mut app, 1000.0, 2000.0);
+    assert!(beside.series.iter().all(|s| s.name != "measured"));
+    assert!(beside.residual.is_none());
 }
 
 #[test]

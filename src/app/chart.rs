@@ -88,21 +88,23 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
             ));
         }
     }
-    if view.measured {
+    let has_subject = app.is_measured_in_range();
+    if view.measured && has_subject {
+        let points = app.measured_points();
         series.push(Series::line(
             "measured",
             inks.measured,
-            curve(&derived.measured),
+            points.map(|(nm, v)| [nm, v * factor]).collect(),
         ));
     }
-    if view.model {
+    if view.model && has_subject {
         series.push(Series::line(
             "model",
             inks.spikes,
             curve(&derived.model_values()),
         ));
     }
-    if view.smooth {
+    if view.smooth && has_subject {
         series.push(Series::line(
             "smooth part",
             inks.smooth,
@@ -154,7 +156,7 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
         },
         series,
         strip: strip.filter(|_| view.strip),
-        residual: view.residual.then(|| Panel {
+        residual: (view.residual && has_subject).then(|| Panel {
             y_label: "model - measured".to_owned(),
             y_range: None,
             series: vec![Series::line(

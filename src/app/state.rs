@@ -158,6 +158,17 @@ impl App {
         samples.first_nm() <= band.max_nm() && samples.last_nm() >= band.min_nm()
     }
 
+    /// The subject on the model's grid, nm and values as measured, within its table: the model
+    /// takes what lies outside for dark, and nobody measured that.
+    pub fn measured_points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let samples = &self.document.subject_entry().spectrum.samples;
+        let table = samples.first_nm().floor()..=samples.last_nm().ceil();
+        let points = self.derived.band.grid().zip(&self.derived.measured);
+        points
+            .map(|(nm, value)| (nm, *value))
+            .filter(move |(nm, _)| table.contains(nm))
+    }
+
     /// The shared tables, for benches and studies.
     pub fn tables(&self) -> &Arc<Tables> {
         &self.tables

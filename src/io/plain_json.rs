@@ -268,6 +268,8 @@ fn title_of_channel(title: &str) -> &'static str {
 fn of_lists(object: &Object) -> Option<Table<'_>> {
     let ranked = object.iter().enumerate().filter_map(|(at, (key, value))| {
         let rank = match () {
+            // Of colours too there is an x.
+            () if is_x(key) && !rises(value) => return None,
             () if is_axis(key) => usize::from(is_x(key)),
             () if is_bands(key) && rises(value) => 2,
             () => return None,
@@ -763,6 +765,7 @@ mod tests {
     fn lists_of_other_things_are_no_spectra() {
         for text in [
             r#"{"prices":[1,2,3],"items":[4,5,6]}"#,
+            r#"{"x":[0.31,0.32,0.33],"y":[0.33,0.34,0.35]}"#,
             r#"{"wavelengths":[380,390],"values":[1,2,3]}"#,
             "[1,2,3]",
             "[[5,1],[3,2],[4,4]]",

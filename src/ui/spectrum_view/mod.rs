@@ -245,12 +245,9 @@ impl SpectrumView {
                 return;
             }
             if view.measured {
-                // The model takes what lies outside the table for dark; nobody measured that.
-                let table = &document.subject_entry().spectrum.samples;
-                let table = table.first_nm().floor()..=table.last_nm().ceil();
-                let mut points = curve(&derived.measured);
-                points.retain(|[nm, _]| table.contains(nm));
-                plot.line(line("measured", points, ink(theme.inks.measured)));
+                let points = app.measured_points();
+                let points = points.filter_map(|(nm, v)| Some([nm, axis.place(v)?]));
+                plot.line(line("measured", points.collect(), ink(theme.inks.measured)));
             }
             if let Some(product) = app.product() {
                 let colour = ink(theme.inks.product);
