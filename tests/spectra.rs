@@ -114,7 +114,7 @@ fn between_samples_a_spectrum_is_straight_and_on_them_exact() {
     // One product and one sum.
     assert_abs_diff_eq!(sampled.at(411.5, Outside::Zero), 0.75, epsilon = 1e-15);
     assert_eq!(
-        sampled.linear_on(400, 403, Outside::Zero),
+        sampled.on_whole_nm(400, 403, Outside::Zero),
         [1.0, 2.0, 3.0, 4.0]
     );
     assert_eq!(sampled.step_nm(), 17.0, "the upper of two steps");
@@ -141,7 +141,6 @@ fn outside_its_table_a_light_is_dark_and_a_reflectance_goes_on() {
 fn data_at_1_nm_or_coarser_is_read_off_not_averaged() {
     let zigzag: Vec<f64> = (0..401).map(|i| f64::from(i % 2)).collect();
     let sampled = Sampled::even(380.0, 1.0, zigzag.clone()).expect("a rising grid");
-    assert!(!sampled.is_finer_than_grid(BAND));
     assert_eq!(sampled.on_band(BAND, Outside::Zero), zigzag);
     let five = shipped("cie_fluorescent_5nm/FL2");
     let grid = values(five, BAND);
@@ -158,30 +157,39 @@ fn a_narrow_line_between_two_grid_points_keeps_its_power() {
         let centre = 500 + tenth;
         let values = (0..1001).map(|i| if i == centre { 10.0 } else { 0.0 });
         let sampled = Sampled::even(480.0, 0.1, values.collect()).expect("a rising grid");
-        assert!(sampled.is_finer_than_grid(BAND));
         let grid = sampled.on_band(BAND, Outside::Zero);
-        // Bins of 1 nm that share their borders: exact but for the rounding of 0.1 nm steps.
+        // Exact but for the rounding of 0.1 nm steps: its power, and where it stands.
         assert_abs_diff_eq!(BAND.integral(&grid), 1.0, epsilon = 1e-9);
+        let moment: f64 = BAND.grid().zip(&grid).map(|(nm, v)| nm * v).sum();
+        assert_abs_diff_eq!(moment, 480.0 + 0.1 * centre as f64, epsilon = 1e-6);
         let lit = grid.iter().filter(|v| **v > 1e-9).count();
-        assert!(lit <= 2, "a line between two nm stays there: {lit}");
+        assert!(lit <= 3, "a line between two nm stays there: {lit}");
     }
 }
 
 #[test]
-fn fine_data_keep_their_area_in_every_nm() {
-    // A parabola at 0.25 nm steps: each grid value is the average over its nm, which differs from
-    // the value in the middle by a known amount.
+fn fine_data_keep_their_area_about_every_nm() {
+    // A parabola at 0.25 nm steps: each grid value is the mean of what falls to it, the nearer the
+    // more, which differs from the value in the middle by a known amount.
     let value = |nm: f64| (nm - 500.0) * (nm - 500.0);
     let fine: Vec<f64> = (0..=400)
         .map(|i| value(450.0 + 0.25 * f64::from(i)))
         .collect();
     let sampled = Sampled::even(450.0, 0.25, fine).expect("a rising grid");
     let band = Band::new(460.0, 540.0).expect("80 nm");
-    for (nm, found) in band.grid().zip(sampled.on_band(band, Outside::Zero)) {
-        // Mean of x^2 over +-1/2 is x^2 + 1/12; straight pieces of 1/4 nm add (1/4)^2 / 6.
-        let expected = value(nm) + 1.0 / 12.0 + 0.0625 / 6.0;
-        assert_abs_diff_eq!(found, expected, epsilon = 1e-9);
+    let grid = sampled.on_band(band, Outside::Zero);
+    for (nm, found) in band.grid().zip(&grid).skip(1).take(79) {
+        // Mean of x^2 under a triangle of +-1 is x^2 + 1/6; straight pieces of 1/4 nm add
+        // (1/4)^2 / 6.
+        let expected = value(nm) + 1.0 / 6.0 + 0.0625 / 6.0;
+        assert_abs_diff_eq!(*found, expected, epsilon = 1e-9);
     }
+    // The ends stand for the half nm inside: the integral is that of the fine data.
+    let straight: f64 = (40..360)
+        .map(|i| [i, i + 1].map(|i| value(450.0 + 0.25 * f64::from(i))))
+        .map(|[a, b]| 0.125 * (a + b))
+        .sum();
+    assert_relative_eq!(band.integral(&grid), straight, max_relative = 1e-13);
 }
 
 #[test]
@@ -190,13 +198,22 @@ fn fine_data_are_averaged_over_what_their_table_covers() {
     let sampled = Sampled::even(380.2, 0.1, vec![2.0; 700]).expect("a rising grid");
     let grid = sampled.on_band(BAND, Outside::Zero);
     for (nm, found) in BAND.grid().zip(grid) {
-        let expected = if (381.0..=450.0).contains(&nm) {
-            2.0
-        } else {
-            0.0
+        // What the table covers of the triangle about a grid point it does not reach.
+        let expected = match nm {
+            380.0 => 2.0 * 0.5 * 0.8 * 0.8,
+            381.0 => 2.0 * (0.5 + 0.8 - 0.5 * 0.8 * 0.8),
+            450.0 => 2.0 * (0.5 + 0.1 - 0.5 * 0.1 * 0.1),
+            451.0 => 2.0 * 0.5 * 0.1 * 0.1,
+            382.0..=449.0 => 2.0,
+            _ => 0.0,
         };
-        // Ten trapezoids of 0.1 nm.
-        assert_abs_diff_eq!(found, expected, epsilon = 1e-12);
+        // Ten pieces of 0.1 nm, and the first grid point counts for the half nm inside the band.
+        let expected = if nm == 380.0 {
+            2.0 * expected
+        } else {
+            expected
+        };
+        assert_abs_diff_eq!(found, expected, epsilon = 1e-10);
     }
 }
 
@@ -214,8 +231,9 @@ fn a_table_of_half_and_whole_nm_is_averaged_only_where_it_is_fine() {
     let value = |nm: f64| sun.at(nm, Outside::Zero);
     let grid = sun.on_band(BAND, Outside::Zero);
     for nm in [385.0, 393.0, 399.0] {
-        // Trapezoid over the two half steps on either side.
-        let expected = 0.25 * value(nm - 0.5) + 0.5 * value(nm) + 0.25 * value(nm + 0.5);
+        // Straight lines over the two half steps on either side, under a triangle.
+        let beside = |half: f64| value(nm - half) + value(nm + half);
+        let expected = (10.0 * value(nm) + 6.0 * beside(0.5) + beside(1.0)) / 24.0;
         let found = grid[(nm - 380.0) as usize];
         assert_relative_eq!(found, expected, max_relative = 1e-12);
         assert!(
@@ -226,8 +244,6 @@ fn a_table_of_half_and_whole_nm_is_averaged_only_where_it_is_fine() {
     for nm in [401.0, 546.0, 780.0] {
         assert_eq!(grid[(nm - 380.0) as usize], value(nm));
     }
-    assert!(sun.is_finer_than_grid(BAND));
-    assert!(!sun.is_finer_than_grid(Band::new(401.0, 780.0).expect("379 nm")));
 }
 
 #[test]
@@ -296,16 +312,18 @@ proptest! {
     fn on_any_grid_a_value_lies_between_the_samples_around_it(sampled in any_table()) {
         let band = Band::new(400.0, 440.0).expect("40 nm");
         for (at_nm, found) in band.grid().zip(sampled.on_band(band, Outside::Zero)) {
-            if at_nm > sampled.last_nm() {
+            if at_nm >= sampled.last_nm() + 1.0 {
                 prop_assert_eq!(found, 0.0);
                 continue;
             }
-            // Every sample within half a nm, and one beyond on either side.
-            let first = sampled.nm().partition_point(|nm| *nm < at_nm - 0.5).saturating_sub(1);
-            let last = sampled.nm().partition_point(|nm| *nm <= at_nm + 0.5);
+            // The dark beyond the table's end fills a value in part.
+            let dark = if at_nm + 1.0 > sampled.last_nm() { 0.0 } else { f64::NAN };
+            // Every sample within a nm, and one beyond on either side.
+            let first = sampled.nm().partition_point(|nm| *nm < at_nm - 1.0).saturating_sub(1);
+            let last = sampled.nm().partition_point(|nm| *nm <= at_nm + 1.0);
             let near = &sampled.values()[first..=last.min(sampled.len() - 1)];
-            let low = near.iter().copied().fold(f64::INFINITY, f64::min);
-            let high = near.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let low = near.iter().copied().fold(dark, f64::min);
+            let high = near.iter().copied().fold(dark, f64::max);
             // An average of numbers up to 2, rounded once a sample.
             prop_assert!((low - 1e-12..=high + 1e-12).contains(&found), "{} at {}", found, at_nm);
         }

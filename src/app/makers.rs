@@ -136,7 +136,9 @@ impl<'a> Light<'a> {
     fn of(entry: &'a Entry) -> Self {
         let spectrum = &entry.spectrum;
         let unit = SpectralUnit::of(&spectrum.unit);
-        let mut values = spectrum.samples.linear_on(FIRST_NM, LAST_NM, Outside::Zero);
+        let mut values = spectrum
+            .samples
+            .on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero);
         if unit.is_some_and(|u| u.counted == Counted::Micromoles) {
             for (nm, value) in (FIRST_NM..=LAST_NM).zip(&mut values) {
                 *value *= JOULE_NM_PER_MICROMOLE / f64::from(nm);

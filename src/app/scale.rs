@@ -79,7 +79,7 @@ impl Scale {
             Self::PeakOne => 1.0 / samples.values().iter().copied().fold(0.0, f64::max),
             Self::LuminanceHundred | Self::HundredLux => {
                 let table = Observer::Cie1931.table();
-                let values = samples.linear_on(360, 830, Kind::Light.outside());
+                let values = samples.on_whole_nm(360, 830, Kind::Light.outside());
                 let sum: f64 = values
                     .iter()
                     .enumerate()

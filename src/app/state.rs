@@ -684,7 +684,7 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
         entry
             .spectrum
             .samples
-            .linear_on(360, 830, entry.kind().outside())
+            .on_whole_nm(360, 830, entry.kind().outside())
     };
     let light_values = full_range(&document.light);
     let subject_values = if is_light {
@@ -703,6 +703,14 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
     };
     let full = (white.y > 0.0).then(|| (scaled(settings.observer), scaled(Observer::Cie1931)));
     let edits = document.subject_edits();
+    let samples = &subject.spectrum.samples;
+    let power_outside = if is_light {
+        let all = samples.power_between(f64::NEG_INFINITY, f64::INFINITY);
+        let inside = samples.power_between(band.min_nm(), band.max_nm());
+        if all > 0.0 { 1.0 - inside / all } else { 0.0 }
+    } else {
+        0.0
+    };
     Derived::of(
         Question {
             measured: &measured,
@@ -711,10 +719,8 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
             light: &light,
             full,
             full_luminance: white.y,
-            table_nm: [
-                subject.spectrum.samples.first_nm(),
-                subject.spectrum.samples.last_nm(),
-            ],
+            table_nm: [samples.first_nm(), samples.last_nm()],
+            power_outside,
             settings,
             edits: &edits,
             adaptation: if document.view.adapt_patches {

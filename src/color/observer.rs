@@ -126,7 +126,7 @@ impl ColourMatching {
         Self {
             first_nm,
             last_nm,
-            xyz: tables.map(|table| table.linear_on(first_nm, last_nm, Outside::Zero)),
+            xyz: tables.map(|table| table.on_whole_nm(first_nm, last_nm, Outside::Zero)),
         }
     }
 

@@ -124,7 +124,7 @@ pub fn xyz_from_nm_values(light: &[f64], observer: Observer) -> Xyz {
 /// `None` when Y is not positive: no light, light outside the visible, or negative samples that
 /// outweigh the rest.
 pub fn xyz_from_light(light: &Sampled, outside: Outside, observer: Observer) -> Option<Xyz> {
-    xyz_from_nm_values(&light.linear_on(FIRST_NM, LAST_NM, outside), observer).with_y(100.0)
+    xyz_from_nm_values(&light.on_whole_nm(FIRST_NM, LAST_NM, outside), observer).with_y(100.0)
 }
 
 /// XYZ of a reflectance (or transmittance) under a light, Y = 100 for the light itself.
@@ -136,10 +136,10 @@ pub fn xyz_from_reflectance(
     light: &Sampled,
     observer: Observer,
 ) -> Option<Xyz> {
-    let light = light.linear_on(FIRST_NM, LAST_NM, Outside::Zero);
+    let light = light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero);
     let white = xyz_from_nm_values(&light, observer);
     let product: Vec<f64> = reflectance
-        .linear_on(FIRST_NM, LAST_NM, Outside::Hold)
+        .on_whole_nm(FIRST_NM, LAST_NM, Outside::Hold)
         .iter()
         .zip(&light)
         .map(|(r, s)| r * s)

@@ -1,13 +1,13 @@
 //! Writing Argyll `.sp`: CGATS text of one set, as `spec2cie`, `illumread` and `specplot` take it.
 //!
 //! The format knows even steps of 1 nm and more only, and its labels are whole nm: an irregular or
-//! finer grid is resampled linearly, and [`losses`] says so. Values are the spectrum's own, to the
+//! finer grid is resampled so that its area is kept, and [`losses`] says so. Values are the spectrum's own, to the
 //! bit (`SPECTRAL_NORM` is 1). What Argyll has no keyword for (kind, unit, scale, source, settings)
 //! stands in keywords of our own, which its tools pass over.
 
 use std::fmt::Write;
 
-use crate::spectrum::{Kind, NamedSpectrum, Sampled};
+use crate::spectrum::{Kind, NamedSpectrum, Outside};
 
 use super::write::{Provenance, one_line, shortest};
 
@@ -43,7 +43,8 @@ impl Grid {
 }
 
 /// The grid for a spectrum.
-fn grid(samples: &Sampled) -> Result<Grid, String> {
+fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
+    let samples = &spectrum.samples;
     let (first, last, bands) = (samples.first_nm(), samples.last_nm(), samples.len());
     if first < SHORTEST_NM {
         return Err(format!(
@@ -67,12 +68,21 @@ fn grid(samples: &Sampled) -> Result<Grid, String> {
         even.moved_nm = Some(moved);
         return Ok(even);
     }
-    let (from, to) = (first.ceil(), last.floor());
+    // The first and last nm of a light are filled in part; a reflectance has no part of a value.
+    let (from, to) = match spectrum.kind.outside() {
+        Outside::Zero => (first.floor(), last.ceil()),
+        Outside::Hold => (first.ceil(), last.floor()),
+    };
     let step = STEPS_NM
         .into_iter()
         .find(|step| (to - from) / step < ARGYLL_BANDS as f64)
         .unwrap_or(STEPS_NM[STEPS_NM.len() - 1]);
-    let bands = ((to - from) / step).floor().max(0.0) as usize + 1;
+    let steps = (to - from) / step;
+    let steps = match spectrum.kind.outside() {
+        Outside::Zero => steps.ceil(),
+        Outside::Hold => steps.floor(),
+    };
+    let bands = steps.max(0.0) as usize + 1;
     if bands < 3 {
         return Err(format!(
             "found a spectrum of {} to {} nm, expected at least 3 whole nm in Argyll .sp",
@@ -90,15 +100,14 @@ fn grid(samples: &Sampled) -> Result<Grid, String> {
 
 /// What the format does not keep of a spectrum, a sentence each.
 pub fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
-    let samples = &spectrum.samples;
-    let Ok(grid) = grid(samples) else {
+    let Ok(grid) = grid(spectrum) else {
         return Vec::new();
     };
     let mut said = Vec::new();
     match grid.moved_nm {
         None => said.push(format!(
-            "Argyll .sp holds even steps of 1 nm and more: resampled linearly to {} values, {} to \
-             {} nm every {} nm.",
+            "Argyll .sp holds even steps of 1 nm and more: resampled to {} values, {} to {} nm \
+             every {} nm; the area under the curve is kept.",
             grid.bands,
             grid.first_nm,
             grid.last_nm,
@@ -138,14 +147,12 @@ fn measurement(spectrum: &NamedSpectrum) -> Option<&'static str> {
 /// One line for a spectrum too short, or of wavelengths that the format cannot tell.
 pub fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result<String, String> {
     let samples = &spectrum.samples;
-    let grid = grid(samples)?;
+    let grid = grid(spectrum)?;
     let values: Vec<f64> = match grid.moved_nm {
         Some(_) => samples.values().to_vec(),
         None => {
-            let outside = spectrum.kind.outside();
-            (0..grid.bands)
-                .map(|band| samples.at(grid.nm(band), outside))
-                .collect()
+            let step = grid.nm(1) - grid.nm(0);
+            samples.on_grid(grid.first_nm, step, grid.bands, spectrum.kind.outside())
         }
     };
     let mut out = format!(
@@ -211,6 +218,7 @@ mod tests {
     use super::*;
     use crate::io::read_bytes;
     use crate::io::write::tests::awkward_spectrum;
+    use crate::spectrum::Sampled;
 
     fn on(nm: Vec<f64>) -> NamedSpectrum {
         let values = (0..nm.len()).map(|i| 0.1 * i as f64 - 0.3).collect();
@@ -254,7 +262,7 @@ mod tests {
     #[test]
     fn uneven_and_fine_grids_are_resampled_and_said() {
         let uneven = on(vec![380.0, 381.0, 385.0, 400.0]);
-        assert!(losses(&uneven)[0].contains("resampled linearly to 21 values"));
+        assert!(losses(&uneven)[0].contains("resampled to 21 values"));
         let read = back(&uneven);
         assert_eq!(read.samples.len(), 21);
         assert_eq!(read.samples.values()[5], uneven.samples.values()[2]);
@@ -269,9 +277,36 @@ mod tests {
     }
 
     #[test]
+    fn resampling_keeps_the_power_and_every_line() {
+        // Lines a tenth of a nm wide, on and off whole nm, on a table that begins between two.
+        let lines = [404.656, 435.833, 546.074, 600.0, 700.5];
+        let bell = |x: f64| (-4.0 * std::f64::consts::LN_2 * (x / 0.1).powi(2)).exp();
+        let nm: Vec<f64> = (0..8000).map(|i| 380.3 + 0.05 * f64::from(i)).collect();
+        let values = nm
+            .iter()
+            .map(|nm| 0.02 + 100.0 * lines.iter().map(|at| bell(nm - at)).sum::<f64>())
+            .collect();
+        let fine = NamedSpectrum {
+            samples: Sampled::new(nm, values).unwrap(),
+            ..awkward_spectrum(Kind::Light)
+        };
+        let read = back(&fine);
+        let power = |s: &NamedSpectrum, from, to| s.samples.power_between(from, to);
+        let whole = (power(&fine, 0.0, 1e4), power(&read, 0.0, 1e4));
+        assert!((whole.1 / whole.0 - 1.0).abs() < 1e-12, "{whole:?}");
+        for at in lines {
+            // Wide enough for the two nm that a line is shared out to; the ground is the same.
+            let (from, to) = (at.round() - 3.0, at.round() + 3.0);
+            let line = (power(&fine, from, to), power(&read, from, to));
+            assert!((line.1 / line.0 - 1.0).abs() < 1e-3, "{at}: {line:?}");
+        }
+        assert!(losses(&fine)[0].contains("the area under the curve is kept"));
+    }
+
+    #[test]
     fn what_the_format_cannot_hold_is_refused() {
         let refusal = |nm| write(&on(nm), &Provenance::default()).unwrap_err();
-        assert!(refusal(vec![400.2, 400.4, 401.1]).contains("at least 3 whole nm"));
+        assert!(refusal(vec![400.2, 400.4, 400.9]).contains("at least 3 whole nm"));
         assert!(refusal(vec![50.0, 60.0, 70.0]).contains("at least 100 nm"));
     }
 }

@@ -14,6 +14,8 @@ pub mod gradient;
 pub mod image;
 pub mod kind;
 pub mod named;
+pub mod noise;
+mod on_grid;
 pub mod product;
 pub mod region;
 pub mod resampled;

@@ -88,9 +88,6 @@ impl fmt::Display for SampledError {
 
 impl std::error::Error for SampledError {}
 
-/// Steps shorter than this (nm) are "finer than 1 nm"; the margin forgives rounded grids.
-const FINE_STEP_NM: f64 = 0.999;
-
 impl Sampled {
     /// A spectrum from wavelengths in nm and values in the spectrum's own unit.
     ///
@@ -230,22 +227,6 @@ impl Sampled {
         }
     }
 
-    /// Linear interpolation onto whole nm `first_nm..=last_nm`, as full colorimetry of measured data wants it.
-    pub fn linear_on(&self, first_nm: u32, last_nm: u32, outside: Outside) -> Vec<f64> {
-        (first_nm..=last_nm)
-            .map(|nm| self.at(f64::from(nm), outside))
-            .collect()
-    }
-
-    /// The spectrum on the 1 nm grid of a band, one value per grid point.
-    ///
-    /// Where the table's steps are 1 nm or coarser the value is read off the straight line; where
-    /// they are finer it is the average over the nm around the grid point, so that a line between
-    /// two grid points keeps its power.
-    pub fn on_band(&self, band: Band, outside: Outside) -> Vec<f64> {
-        band.grid().map(|nm| self.about(nm, outside)).collect()
-    }
-
     /// Integral of the spectrum times a weight over the band, in value x nm.
     ///
     /// The trapezoid sum on the 1 nm grid that a model of the spectrum is compared on; `outside`
@@ -258,40 +239,20 @@ impl Sampled {
             .sum()
     }
 
-    /// Whether some step inside the band is finer than the 1 nm grid.
-    pub fn is_finer_than_grid(&self, band: Band) -> bool {
-        self.nm()
-            .windows(2)
-            .any(|w| w[1] > band.min_nm() && w[0] < band.max_nm() && w[1] - w[0] < FINE_STEP_NM)
-    }
-
-    fn about(&self, nm: f64, outside: Outside) -> f64 {
-        let (lo, hi) = (
-            (nm - 0.5).max(self.first_nm()),
-            (nm + 0.5).min(self.last_nm()),
-        );
-        if nm < self.first_nm() || nm > self.last_nm() || hi <= lo {
-            return self.at(nm, outside);
-        }
-        let first = self.nm().partition_point(|w| *w <= lo).max(1) - 1;
-        let past = self
-            .nm()
-            .partition_point(|w| *w < hi)
-            .clamp(first + 1, self.nm().len() - 1);
-        let fine = (first..past).any(|i| self.nm()[i + 1] - self.nm()[i] < FINE_STEP_NM);
-        if !fine {
-            return self.at(nm, outside);
-        }
-        let area: f64 = (first..past)
-            .map(|i| {
-                let (a, b) = (self.nm()[i].max(lo), self.nm()[i + 1].min(hi));
-                0.5 * (b - a) * (self.on_segment(i, a) + self.on_segment(i, b))
+    /// Integral of `|S|` between two wavelengths (nm) by straight lines between samples, in value
+    /// x nm; nothing outside the table.
+    pub fn power_between(&self, from_nm: f64, to_nm: f64) -> f64 {
+        let pieces = self.nm().windows(2).enumerate();
+        pieces
+            .map(|(left, w)| {
+                let (a, b) = (w[0].max(from_nm), w[1].min(to_nm));
+                let ends = self.on_segment(left, a).abs() + self.on_segment(left, b).abs();
+                if b > a { 0.5 * (b - a) * ends } else { 0.0 }
             })
-            .sum();
-        area / (hi - lo)
+            .sum()
     }
 
-    fn on_segment(&self, left: usize, at_nm: f64) -> f64 {
+    pub(super) fn on_segment(&self, left: usize, at_nm: f64) -> f64 {
         let (a, b) = (self.nm()[left], self.nm()[left + 1]);
         let t = (at_nm - a) / (b - a);
         self.values[left] * (1.0 - t) + self.values[left + 1] * t

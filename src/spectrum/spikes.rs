@@ -11,6 +11,7 @@
 use super::{
     band::Band,
     composite::{GAUSSIAN_AREA, Spike},
+    noise::Noise,
 };
 
 /// What the detector is asked for.
@@ -134,6 +135,12 @@ const WIDEST_WISHED_NM: f64 = 20.0;
 const LEAST_BESIDE_DIPS: f64 = 0.005;
 /// The same for its width: between two wide bands of absorption the spectrum stands up widely.
 const WIDEST_BESIDE_DIPS_NM: f64 = 10.0;
+/// A line must be this many standard deviations of the noise prominent. The highest of 400 noisy
+/// values stands 6 above the lowest about it, and the noise is known to a fifth.
+const ABOVE_NOISE: f64 = 8.0;
+/// Where an end of the range stands this share of a line's height above its other foot, it cuts
+/// the line's flank.
+const CUT_FLANK: f64 = 0.1;
 /// A second look finds lines that stood on the flank of stronger ones.
 const PASSES: usize = 2;
 
@@ -202,10 +209,11 @@ fn detect_telling(
         ..settings
     };
     let for_lines = if settings.dips { beside_dips } else { settings };
-    take_lines(band, &mut parts, for_lines, wishes, 1.0, tell);
+    let noise = Noise::of(values);
+    take_lines(band, &mut parts, for_lines, wishes, (1.0, &noise), tell);
     if settings.dips {
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
-        take_lines(band, &mut parts, settings, wishes, -1.0, tell);
+        take_lines(band, &mut parts, settings, wishes, (-1.0, &noise), tell);
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
     }
     parts
@@ -214,26 +222,32 @@ fn detect_telling(
     parts
 }
 
-/// Takes lines that stand up out of `parts.smooth`; `sign` is what their weights are multiplied
-/// by (the caller turns the spectrum over for dips).
+/// Takes lines that stand up out of `parts.smooth` and above the noise; `sign` is what their
+/// weights are multiplied by (the caller turns the spectrum over for dips).
 fn take_lines(
     band: Band,
     parts: &mut Decomposition,
     settings: SpikeSettings,
     wishes: Wishes<'_>,
-    sign: f64,
+    (sign, noise): (f64, &Noise),
     tell: &mut dyn FnMut(&Line, f64),
 ) {
     let width = settings.max_width_nm;
     let least_energy = settings.threshold * parts.power;
     let least_height = least_energy / (GAUSSIAN_AREA * width);
+    let (start, end) = measured_part(&parts.smooth, width);
     for _ in 0..PASSES {
-        let peaks = candidates(&parts.smooth, least_height, width);
+        let mut peaks = candidates(&parts.smooth[start..end], least_height, width);
+        peaks.iter_mut().for_each(|peak| peak.at += start);
+        peaks.retain(|peak| noise.is_below(peak.at, peak.prominence, ABOVE_NOISE));
         let groups = group(&parts.smooth, &peaks, width);
-        let borders = borders(&parts.smooth, &groups);
+        let borders = borders(&parts.smooth, &groups, (start, end - 1));
         let mut found_one = false;
         for (members, limits) in groups.iter().zip(borders) {
-            let Some(line) = weigh(band, &parts.smooth, members, limits) else {
+            // Of what only rises towards an end nobody knows whether it is a line.
+            let is_inside = |peak: &&Peak| peak.at > start && peak.at + 1 < end;
+            let members: Vec<Peak> = members.iter().filter(is_inside).copied().collect();
+            let Some(line) = weigh(band, &parts.smooth, &members, limits, (start, end)) else {
                 continue;
             };
             let strong_and_narrow =
@@ -273,10 +287,10 @@ pub fn window_near(
     let distance = |peak: &Peak| (band.nm(peak.at) - at_nm).abs();
     lines
         .iter()
-        .zip(borders(values, &lines))
+        .zip(borders(values, &lines, (0, values.len() - 1)))
         .filter(|(line, _)| distance(&line[0]) <= WISH_REACH_NM)
         .min_by(|a, b| distance(&a.0[0]).total_cmp(&distance(&b.0[0])))
-        .and_then(|(line, limits)| window_of(line, limits, values.len()))
+        .and_then(|(line, limits)| window_of(line, limits))
         .map(|(first, last)| [band.nm(first), band.nm(last)])
 }
 
@@ -295,7 +309,16 @@ pub fn take_window(
     }
     let mut upright: Vec<f64> = values.iter().map(|v| sign * v).collect();
     let highest = (first..=last).max_by(|i, j| upright[*i].total_cmp(&upright[*j]))?;
-    let line = weigh_window(band, &upright, (first, last), (highest, highest))?;
+    let window = &upright[first..=last];
+    // A line that an end of the range cuts in its middle has one foot.
+    let baseline = if highest == 0 {
+        vec![window[last - first]; window.len()]
+    } else if highest == upright.len() - 1 {
+        vec![window[0]; window.len()]
+    } else {
+        lower_hull(window)
+    };
+    let line = weigh_window(band, &upright, (first, last), &baseline)?;
     let found = line.found(band, 1, sign);
     line.take_from(&mut upright);
     for (v, u) in values.iter_mut().zip(&upright) {
@@ -304,15 +327,46 @@ pub fn take_window(
     Some(found)
 }
 
-/// A local maximum with its width at half prominence.
+/// A local maximum: its index, its width at half prominence, and that prominence: how far one
+/// must come down before climbing higher.
 #[derive(Clone, Copy, Debug)]
 struct Peak {
     at: usize,
     width: f64,
+    prominence: f64,
 }
 
-/// Local maxima that are prominent and narrow enough. The ends of the range stand beside a floor
-/// of `min(min S, 0)`, so that a line cut by the range still counts as one.
+/// First index and one past the last of what was measured: a table that ends inside the range
+/// goes on as zeros. It ends where the values drop from their height at once; where they come
+/// down first, the zeros are the dark ground on which a lamp's lines stand.
+fn measured_part(values: &[f64], width: f64) -> (usize, usize) {
+    let near = width.ceil() as usize;
+    let is_end = |inwards: &mut dyn Iterator<Item = &f64>| {
+        let beside: Vec<f64> = inwards.take(near.max(3)).copied().collect();
+        let highest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        // A table that begins between two grid points fills the first of them in part.
+        let edge = highest(&beside[..beside.len().min(2)]);
+        beside.iter().all(|v| *v != 0.0) && edge > 0.5 * highest(&beside)
+    };
+    let lit = |v: &f64| *v != 0.0;
+    let start = values.iter().position(lit).unwrap_or(0);
+    let end = values.iter().rposition(lit).map_or(0, |last| last + 1);
+    (
+        if is_end(&mut values[start..].iter()) {
+            start
+        } else {
+            0
+        },
+        if is_end(&mut values[..end].iter().rev()) {
+            end
+        } else {
+            values.len()
+        },
+    )
+}
+
+/// Local maxima that are prominent and narrow enough. The ends stand beside a floor of
+/// `min(min S, 0)`, so that what rises towards them parts the lines beside it.
 fn candidates(values: &[f64], least_height: f64, max_width: f64) -> Vec<Peak> {
     let floor = values.iter().copied().fold(0.0, f64::min);
     let reach = (PROMINENCE_WINDOW_WIDTHS * max_width).ceil() as usize / 2;
@@ -331,33 +385,30 @@ fn candidates(values: &[f64], least_height: f64, max_width: f64) -> Vec<Peak> {
             end += 1;
         }
         let after = if end + 1 == n { floor } else { values[end + 1] };
+        let at = usize::midpoint(i, end);
         if after < values[i]
-            && let Some(width) =
-                prominent_width(values, usize::midpoint(i, end), floor, reach, least_height)
-            && width <= max_width
+            && let Some(peak) = prominent(values, at, floor, reach, least_height)
+            && peak.width <= max_width
         {
-            peaks.push(Peak {
-                at: usize::midpoint(i, end),
-                width,
-            });
+            peaks.push(peak);
         }
         i = end + 1;
     }
     peaks
 }
 
-/// Width at half prominence of the maximum at `at`, or `None` when it is not prominent enough.
-fn prominent_width(
+/// The maximum at `at`, or `None` when it is not prominent enough.
+fn prominent(
     values: &[f64],
     at: usize,
     floor: f64,
     reach: usize,
     least_height: f64,
-) -> Option<f64> {
+) -> Option<Peak> {
     let top = values[at];
     // Indices are signed: -1 and n are the floor beside the range.
     let n = values.len() as isize;
-    let at = at as isize;
+    let (index, at) = (at, at as isize);
     let value = |i: isize| {
         if i < 0 || i >= n {
             floor
@@ -396,7 +447,11 @@ fn prominent_width(
             x
         }
     };
-    Some(crossing(1, right_base) - crossing(-1, left_base))
+    Some(Peak {
+        at: index,
+        width: crossing(1, right_base) - crossing(-1, left_base),
+        prominence,
+    })
 }
 
 /// Neighbouring candidates joined into groups.
@@ -435,10 +490,15 @@ fn together(values: &[f64], left: usize, right: usize, width: f64) -> bool {
     valley - ground > SHALLOW_VALLEY * (lower - ground)
 }
 
-/// First and last index that each group may use: the lowest points between neighbours.
-fn borders(values: &[f64], groups: &[Vec<Peak>]) -> Vec<(usize, usize)> {
+/// First and last index that each group may use: the lowest points between neighbours, and the
+/// ends of what was measured.
+fn borders(
+    values: &[f64],
+    groups: &[Vec<Peak>],
+    (first, last): (usize, usize),
+) -> Vec<(usize, usize)> {
     let mut borders = Vec::with_capacity(groups.len());
-    let mut from = 0;
+    let mut from = first;
     for (g, members) in groups.iter().enumerate() {
         let to = match groups.get(g + 1) {
             Some(next) => {
@@ -447,7 +507,7 @@ fn borders(values: &[f64], groups: &[Vec<Peak>]) -> Vec<(usize, usize)> {
                     .min_by(|i, j| values[*i].total_cmp(&values[*j]))
                     .unwrap_or(a)
             }
-            None => values.len() - 1,
+            None => last,
         };
         borders.push((from, to));
         from = to;
@@ -495,43 +555,52 @@ impl FoundSpike {
     }
 }
 
-fn weigh(band: Band, values: &[f64], members: &[Peak], limits: (usize, usize)) -> Option<Line> {
-    let window = window_of(members, limits, values.len())?;
-    let (head, tail) = (members.first()?, members.last()?);
-    weigh_window(band, values, window, (head.at, tail.at))
+/// What a group would take out; `ends` are the first index of what was measured and one past its
+/// last.
+fn weigh(
+    band: Band,
+    values: &[f64],
+    members: &[Peak],
+    limits: (usize, usize),
+    ends: (usize, usize),
+) -> Option<Line> {
+    let (first, last) = window_of(members, limits)?;
+    let mut ground = values[first..=last].to_vec();
+    // A flank that an end cuts has no foot on that side: the other foot is the ground there.
+    let (head, tail) = (ground[0], ground[last - first]);
+    let top = ground.iter().copied().fold(head, f64::max);
+    let is_on_flank = |end: f64, foot: f64| end - foot > CUT_FLANK * (top - foot);
+    if first == ends.0 && is_on_flank(head, tail) {
+        ground[0] = tail;
+    }
+    if last + 1 == ends.1 && is_on_flank(tail, head) {
+        ground[last - first] = head;
+    }
+    weigh_window(band, values, (first, last), &lower_hull(&ground))
 }
 
-/// First and last index of a group's window.
-fn window_of(members: &[Peak], limits: (usize, usize), points: usize) -> Option<(usize, usize)> {
+/// First and last index of a group's window, within its limits.
+fn window_of(members: &[Peak], limits: (usize, usize)) -> Option<(usize, usize)> {
     let (head, tail) = (members.first()?, members.last()?);
     // The widest member decides: a shoulder's own width says nothing about the line it sits on.
     let widest = members.iter().map(|p| p.width).fold(NARROWEST_NM, f64::max);
     let reach = WINDOW_WIDTHS * widest + WINDOW_MARGIN_NM;
     let first = ((head.at as f64 - reach).floor().max(0.0) as usize).max(limits.0);
-    let last = ((tail.at as f64 + reach).ceil() as usize)
-        .min(limits.1)
-        .min(points - 1);
+    let last = ((tail.at as f64 + reach).ceil() as usize).min(limits.1);
     (last > first).then_some((first, last))
 }
 
-/// What stands above the hull of a window; `ends` are its first and last maximum.
+/// What stands above a baseline in a window.
 fn weigh_window(
     band: Band,
     values: &[f64],
     (first, last): (usize, usize),
-    ends: (usize, usize),
+    baseline: &[f64],
 ) -> Option<Line> {
     let window = &values[first..=last];
-    let baseline = if ends.0 == 0 {
-        vec![window[window.len() - 1]; window.len()]
-    } else if ends.1 == values.len() - 1 {
-        vec![window[0]; window.len()]
-    } else {
-        lower_hull(window)
-    };
     let residue: Vec<f64> = window
         .iter()
-        .zip(&baseline)
+        .zip(baseline)
         .map(|(v, b)| (v - b).max(0.0))
         .collect();
     // Heights as shares of the highest: no sum overflows, and nothing tiny is lost.

@@ -35,6 +35,8 @@ pub struct Question<'a> {
     pub full_luminance: f64,
     /// First and last wavelength of the subject's table, nm.
     pub table_nm: [f64; 2],
+    /// The part of a light's power that lies outside the band, 0-1; 0 for a reflectance.
+    pub power_outside: f64,
     /// The knobs.
     pub settings: Settings,
     /// The hand edits of the subject's spikes.
@@ -171,6 +173,15 @@ impl Derived {
                 "No visible light in this range (X, Y, Z are not positive): there is no colour."
                     .to_owned(),
             );
+        }
+        if question.power_outside > 0.5 && !is_beside {
+            warnings.push(format!(
+                "{:.1} % of the light's power lies outside {}-{} nm; what only rises towards an \
+                 end of the range is not taken for a line.",
+                100.0 * question.power_outside,
+                self.band.min_nm(),
+                self.band.max_nm()
+            ));
         }
         if settings.order > settings.effective_order() {
             warnings.push(format!(

@@ -39,7 +39,7 @@ impl Eye {
         let light = |light: &NamedSpectrum| {
             light
                 .samples
-                .linear_on(FIRST_NM, LAST_NM, light.kind.outside())
+                .on_whole_nm(FIRST_NM, LAST_NM, light.kind.outside())
         };
         let mut eye = Self {
             weights: Vec::new(),
@@ -79,7 +79,7 @@ impl Eye {
 
     /// XYZ of a spectrum whose values are in the image's unit; the light on it has Y = 1.
     pub fn xyz(&self, spectrum: &Sampled) -> Xyz {
-        let mut values = spectrum.linear_on(FIRST_NM, LAST_NM, self.outside);
+        let mut values = spectrum.on_whole_nm(FIRST_NM, LAST_NM, self.outside);
         let mut factor = 1.0;
         if let Some((light, over_y)) = &self.under {
             values.iter_mut().zip(light).for_each(|(v, l)| *v *= l);
