@@ -383,13 +383,17 @@ fn candidates(values: &[f64], least_height: f64, max_width: f64) -> Vec<Peak> {
             i += 1;
             continue;
         }
-        // A flat top is one maximum, at its middle.
+        // A flat top is one maximum, at its middle; one that touches an end is at the end.
         let mut end = i;
         while end + 1 < n && values[end + 1] == values[i] {
             end += 1;
         }
         let after = if end + 1 == n { floor } else { values[end + 1] };
-        let at = usize::midpoint(i, end);
+        let at = match (i, end + 1) {
+            (0, _) => 0,
+            (_, past) if past == n => end,
+            _ => usize::midpoint(i, end),
+        };
         if after < values[i]
             && let Some(peak) = prominent(values, at, floor, reach, least_height)
             && peak.width <= max_width
