@@ -6,3 +6,4 @@ mod common;
 mod cli;
 mod cli_studies;
 mod commands;
+mod no_window;

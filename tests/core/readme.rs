@@ -64,3 +64,34 @@ fn the_map_names_every_folder_of_src_and_every_preset_file_has_its_row() {
         assert!(named, "{group} has no row in the table of data");
     }
 }
+
+/// The commands that run tests, in backticks or as a line of a script.
+fn test_commands(text: &str) -> impl Iterator<Item = &str> {
+    text.split(['`', '\n'])
+        .map(str::trim)
+        .filter(|command| command.starts_with("cargo test"))
+}
+
+#[test]
+fn every_test_that_is_named_by_a_command_is_there() {
+    let mut named = 0;
+    for file in ["README.md", "fuzz/README.md", ".ci/run"] {
+        let text = fs::read_to_string(root().join(file)).expect(file);
+        for command in test_commands(&text) {
+            let words: Vec<&str> = command.split([' ', '#']).collect();
+            let programs = words.windows(2).filter(|pair| pair[0] == "--test");
+            for program in programs.map(|pair| pair[1]) {
+                named += 1;
+                let folder = root().join("tests").join(program);
+                let is_there = folder.join("main.rs").is_file()
+                    || folder.with_extension("rs").is_file();
+                assert!(is_there, "{file}: no {program}: {command}");
+                for subject in words.iter().filter_map(|word| word.strip_suffix("::")) {
+                    let subject = folder.join(subject).with_extension("rs");
+                    assert!(subject.is_file(), "{file}: {subject:?}: {command}");
+                }
+            }
+        }
+    }
+    assert!(named > 15, "only {named} commands were found");
+}
