@@ -35,13 +35,7 @@ use std::{
 
 use clap::Parser;
 
-use crate::app::{
-    App,
-    library::Library,
-    licences,
-    plot_svg::{Chart, Theme},
-    workspace::Preferences,
-};
+use crate::app::{App, library::Library, licences, plot_svg::Theme, workspace::Preferences};
 use arguments::{Arguments, Command};
 pub use no_display::without_display;
 use refusal::Refusal;
@@ -64,14 +58,13 @@ pub enum Outcome {
     },
 }
 
-/// Who draws pictures: the window's own painter, handed in by the caller.
+/// Who draws pictures: the window's own painter, handed in by the caller. A build without the
+/// window has none.
 pub trait Pictures {
     /// The whole window as PNG, `size` in px.
     fn window(&self, app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8>;
     /// The spectrum plot alone as PNG, `size` in px.
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8>;
-    /// Any chart as PNG in its own theme, `size` in px.
-    fn chart(&self, chart: &Chart, size: [u32; 2]) -> Vec<u8>;
 }
 
 /// Carries out a command line; `args` begins with the program's own name.
@@ -80,7 +73,7 @@ pub trait Pictures {
 /// to was bad, 2 the arguments were.
 pub fn run(
     args: impl IntoIterator<Item = OsString>,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Outcome {
@@ -99,7 +92,7 @@ pub fn run(
 
 fn carry_out(
     arguments: Arguments,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Result<Outcome, Refusal> {
@@ -128,6 +121,19 @@ fn carry_out(
         }
     }
     Ok(Outcome::Done(0))
+}
+
+/// What draws pictures, for a command that cannot do without; `whose` names it.
+fn painter<'p>(
+    pictures: Option<&'p dyn Pictures>,
+    whose: &str,
+) -> Result<&'p dyn Pictures, Refusal> {
+    pictures.ok_or_else(|| {
+        Refusal::Usage(format!(
+            "{whose}: found a build without the window, which draws it, expected one with it \
+             (cargo build --release); plot --out FILE.svg needs none"
+        ))
+    })
 }
 
 /// Prints text and brings it out.

@@ -1,4 +1,5 @@
-//! What the program does where there is no display: it says so and does its main job.
+//! What the program does where there is no display, or no window in it: it says so and does its
+//! main job.
 
 use std::{
     io::Write,
@@ -11,34 +12,41 @@ use crate::{
     io::atomic::save_atomically,
 };
 
-/// Exit code for a missing display where a window was insisted on.
+/// Exit code for a missing display or window where a window was insisted on.
 const NO_DISPLAY: u8 = 3;
 
 /// Size of the picture, px.
 const SIZE: [u32; 2] = [1280, 800];
 
 /// Says in one sentence that there is no display, prints the report of what is open and writes a
-/// picture of the window to a new file that it names. Gives the exit code.
+/// picture of the window to a new file that it names. A build without the window, which has no
+/// `pictures` either, says that and prints the report. Gives the exit code.
 ///
-/// With `insist` a missing display is an error with exit code 3.
+/// With `insist` what is missing is an error with exit code 3.
 pub fn without_display(
     app: &App,
     insist: bool,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> u8 {
-    if insist {
-        remark(
-            err,
+    let (missing, instead) = match pictures {
+        Some(_) => (
             "--window: found no display, expected one (DISPLAY or WAYLAND_DISPLAY names it)",
-        );
+            "There is no display, so here is the report, and the window as a picture.",
+        ),
+        None => (
+            "--window: found a build without the window, expected one with it (cargo build \
+             --release)",
+            "This build has no window (cargo build --release makes one with it), so here is the \
+             report.",
+        ),
+    };
+    if insist {
+        remark(err, missing);
         return NO_DISPLAY;
     }
-    remark(
-        err,
-        "There is no display, so here is the report, and the window as a picture.",
-    );
+    remark(err, instead);
     match report_and_picture(app, pictures, out) {
         Ok(()) => 0,
         Err(refusal) => refusal.tell(err),
@@ -47,10 +55,13 @@ pub fn without_display(
 
 fn report_and_picture(
     app: &App,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
 ) -> Result<(), Refusal> {
     print(out, &report::text(app))?;
+    let Some(pictures) = pictures else {
+        return Ok(());
+    };
     let picture = pictures.window(app, &Preferences::default(), SIZE);
     let here = new_name(Path::new(""));
     let path = match save_atomically(&here, &picture) {

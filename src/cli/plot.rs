@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::{Pictures, arguments::Plot, print, refusal::Refusal, subject, words};
+use super::{Pictures, arguments::Plot, painter, print, refusal::Refusal, subject, words};
 use crate::{app::chart, io::atomic::save_atomically};
 
 /// Carries the command out.
@@ -11,7 +11,7 @@ use crate::{app::chart, io::atomic::save_atomically};
 /// [`Refusal`] for an input that cannot be read or a picture that cannot be written.
 pub fn run(
     options: &Plot,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Result<(), Refusal> {
@@ -23,13 +23,18 @@ pub fn run(
         size,
         theme,
     } = options;
+    let painter = match words::extension(path).as_str() {
+        "svg" => None,
+        _ => Some(painter(pictures, "a plot as PNG")?),
+    };
     let app = subject::app(input, pick, *model, err)?;
     let [width, height] = *size;
-    let picture = if words::extension(path) == "svg" {
-        let chart = chart::spectrum_chart(&app, *theme);
-        chart.to_svg(width, height).into_bytes()
-    } else {
-        pictures.plot(&app, *theme, *size)
+    let picture = match painter {
+        Some(painter) => painter.plot(&app, *theme, *size),
+        None => {
+            let chart = chart::spectrum_chart(&app, *theme);
+            chart.to_svg(width, height).into_bytes()
+        }
     };
     save_atomically(path, &picture).map_err(|why| Refusal::File(why.to_string()))?;
     print(

@@ -2,7 +2,7 @@
 
 use std::{io::Write, path::Path, sync::Arc};
 
-use super::{Pictures, arguments::Render, print, refusal::Refusal, subject};
+use super::{Pictures, arguments::Render, painter, print, refusal::Refusal, subject};
 use crate::{
     app::{
         App, Command,
@@ -23,7 +23,7 @@ use crate::{
 /// [`Refusal`] for an input that cannot be read or a picture that cannot be written.
 pub fn run(
     options: &Render,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Result<(), Refusal> {
@@ -36,6 +36,7 @@ pub fn run(
         theme,
         page,
     } = options;
+    let pictures = painter(pictures, "render")?;
     let app = match input {
         Some(input) => subject::app(input, pick, *model, err)?,
         None => subject::first_app(pick, *model)?,

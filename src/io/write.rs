@@ -323,7 +323,7 @@ pub(crate) mod tests {
                 let path = folder.path().join(format!("x.{extension}"));
                 write_as(&path, &spectrum, &columns, &provenance).unwrap();
                 if *extension == *"sp" {
-                    // Even steps only; tests/writers.rs has those.
+                    // Even steps only; tests/files/writers.rs has those.
                     continue;
                 }
                 let reading = read_path(&path).unwrap();
