@@ -12,7 +12,7 @@ use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
 use super::reading::{AxisTold, Told, Understood, provenance};
 use super::units::{WavelengthUnit, names_wavelength};
-use super::write::notes_of_a_line;
+use super::write::add_notes_of_a_line;
 use super::{Counted, Guess, Guessed, Input, ReadError, Reading, budget};
 
 /// What a table says about one spectrum.
@@ -307,8 +307,7 @@ impl Draft<'_> {
         }
         spectrum.notes.push(line);
         spectrum.notes.extend(notes);
-        let before = self.heading.notes.unwrap_or("");
-        spectrum.notes.extend(notes_of_a_line(before));
+        add_notes_of_a_line(&mut spectrum.notes, self.heading.notes.unwrap_or(""));
         reading.guesses.extend(guesses);
         reading.spectra.push(spectrum);
         Ok(())
