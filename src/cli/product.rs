@@ -187,7 +187,7 @@ fn factor(
     };
     let found = inputs.find(name, &wanted).map_err(refused)?;
     let entry = found.entry;
-    let named = entry.name();
+    let named = shown(Path::new(name));
     match kind.filter(|_| entry.shelf.is_none()) {
         Some(told) => {
             wanted.choices.kind = Some(told);
@@ -203,8 +203,7 @@ fn factor(
             let states = entry.kind();
             if !found.is_kind_open && states != told {
                 inputs.note(format!(
-                    "FACTOR: {}: found {states} values, taken as {told} as --kind says",
-                    shown(Path::new(name)),
+                    "FACTOR: {named}: found {states} values, taken as {told} as --kind says"
                 ));
             }
             Ok(as_told)

@@ -55,7 +55,9 @@ pub fn app_of(
         return of_project(&input, restored, pick, light, model, inputs);
     }
     let found = inputs.find(input, wanted);
-    let entry = found.and_then(open::Found::usable).map_err(Refusal::File)?;
+    let entry = found
+        .and_then(|found| found.usable(input))
+        .map_err(Refusal::File)?;
     let is_light = entry.kind() == Kind::Light;
     if is_light && light.is_some() {
         let line = format!("--light is not used: {} is a light itself", entry.name());

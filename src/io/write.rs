@@ -389,6 +389,10 @@ pub(crate) mod tests {
     #[test]
     fn what_was_read_back_says_once_how_it_was_read() {
         let folder = tempfile::tempdir().unwrap();
+        let provenance = Provenance {
+            program: "Spectral Explorer 0.0.0".to_owned(),
+            ..Provenance::default()
+        };
         let mut spectrum = awkward_spectrum(Kind::Light);
         spectrum.samples = Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap();
         let line = "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1";
@@ -396,7 +400,7 @@ pub(crate) mod tests {
         for (extension, _) in WRITABLE {
             let path = folder.path().join(format!("x.{extension}"));
             let columns = Columns::measured(&spectrum);
-            write_as(&path, &spectrum, &columns, &Provenance::default()).unwrap();
+            write_as(&path, &spectrum, &columns, &provenance).unwrap();
             let back = read_path(&path).unwrap().spectra.remove(0).notes;
             let told = |what: &str| back.iter().filter(|note| **note == *what).count();
             assert_eq!(told(line), 1, "{extension}: {back:?}");

@@ -48,11 +48,11 @@ pub struct Found {
 }
 
 impl Found {
-    /// The spectrum, if it is one that has a colour.
+    /// The spectrum that a word means, if it is one that has a colour.
     ///
     /// # Errors
     /// One line for absorbance, weighting functions, n and k.
-    pub fn usable(self) -> Result<Entry, String> {
+    pub fn usable(self, word: &OsStr) -> Result<Entry, String> {
         let entry = self.entry;
         if entry.is_usable() {
             return Ok(entry);
@@ -60,7 +60,7 @@ impl Found {
         Err(format!(
             "{}: found {} values, expected a light, a reflectance or a transmittance (say --kind, \
              or --spectrum for another of the file)",
-            entry.name(),
+            shown(Path::new(word)),
             entry.kind()
         ))
     }
@@ -85,7 +85,8 @@ pub fn resolve(
         },
         ..Wanted::default()
     };
-    find(word.as_ref(), &wanted, load_named)?.usable()
+    let word = word.as_ref();
+    find(word, &wanted, load_named)?.usable(word)
 }
 
 /// What a word means, whatever its values are; `load` reads a file.
