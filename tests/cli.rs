@@ -1311,8 +1311,9 @@ fn every_written_format_is_read_and_converted_on() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let mut last = "FL2".to_owned();
-    for extension in ["sp", "csv", "spdx", "sp", "spd", "json", "sp", "csv"] {
-        let next = place(&format!("x{}.{extension}", last.len()));
+    let extensions = ["sp", "csv", "spdx", "sp", "spd", "json", "sp", "csv"];
+    for (number, extension) in extensions.iter().enumerate() {
+        let next = place(&format!("x{number}.{extension}"));
         let text = said(&["convert", &last, &next]);
         assert!(text.starts_with("Wrote "), "{text}");
         last = next;

@@ -322,6 +322,12 @@ fn absorbance_is_a_factor_only_where_it_is_said_and_with_a_word() {
     let told = desk.done(&["product", "FL2", "glass.csv", "--kind", "transmittance"]);
     let words = "found absorbance values, taken as transmittance as --kind says";
     assert!(told.err.contains(words), "{}", told.err);
+    let told = desk.done(&["report", "glass.csv", "--kind", "transmittance"]);
+    assert!(
+        told.out.contains("chosen by hand as transmittance"),
+        "{}",
+        told.out
+    );
     // A shipped factor knows what it is.
     let told = desk.done(&["product", "FL2", "red", "--kind", "transmittance"]);
     assert!(told.err.contains("--kind is not used"), "{}", told.err);
@@ -339,8 +345,9 @@ fn a_word_that_leads_to_no_file_says_what_stands_there() {
         assert!(of("lamps").contains("lamps: found a folder"));
         assert!(of("x.csv/y").contains("x.csv/y: found x.csv, which is no folder"));
         assert!(of("round").contains("round: found a link that leads nowhere"));
-        assert!(of("no lamp").contains("no shipped spectrum"));
     }
+    let told = desk.run(&["report", "no lamp"]);
+    assert!(told.err.contains("no shipped spectrum"), "{}", told.err);
     let line = desk.refused(&["product", "FL2", "lamps"]);
     assert!(line.contains("FACTOR: lamps: found a folder"), "{line}");
     assert!(
@@ -548,6 +555,11 @@ fn options_that_do_nothing_are_told() {
                 "--sampling",
                 "3n",
             ],
+            "--sampling is not",
+        ),
+        (&["report", "red", "--sampling", "3n"], "--sampling is not"),
+        (
+            &["convert", "FL2", "m.txt", "--sampling", "3n"],
             "--sampling is not",
         ),
     ] {

@@ -8,7 +8,7 @@ use std::{
     sync::Arc,
 };
 
-use super::remark;
+use super::{options::ModelOptions, remark};
 use crate::{
     app::open::{self, Found, Loaded, Wanted, named},
     io::{
@@ -45,6 +45,13 @@ impl<'e> Inputs<'e> {
     /// Says something about the result, if it comes to one: a refusal is one line.
     pub fn note(&mut self, text: impl Into<String>) {
         self.notes.push(text.into());
+    }
+
+    /// Says that `--sampling` was given where no product is formed.
+    pub fn note_sampling(&mut self, model: ModelOptions, multiplies: bool) {
+        if model.sampling.is_some() && !multiplies {
+            self.note("--sampling is not used: nothing is multiplied here");
+        }
     }
 
     /// Says what is to be known of the result.

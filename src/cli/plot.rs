@@ -46,6 +46,7 @@ pub fn run(
     let target = target.beside(&[Some(input.as_os_str()), pick.light.as_deref()]);
     target.path()?;
     let app = subject::app(input, pick, *model, inputs)?;
+    inputs.note_sampling(*model, false);
     let [width, height] = *size;
     let picture = if words::extension(path) == "svg" {
         let chart = chart::spectrum_chart(&app, *theme);

@@ -76,9 +76,7 @@ pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Resul
             if let Some(outgoing) = check {
                 let (name, spectrum) = named_spectrum(outgoing);
                 let outgoing = light("--check", name, spectrum, inputs)?;
-                if model.sampling.is_some() {
-                    inputs.note("--sampling is not used: the check multiplies no points");
-                }
+                inputs.note_sampling(*model, false);
                 return print(out, &of_check(&app, &chain, outgoing, *json));
             }
             let told = Told::of(&app, &Lit::of(&app), &chain);

@@ -17,6 +17,8 @@ pub fn run(options: &Report, out: &mut dyn Write, inputs: &mut Inputs) -> Result
         json,
     } = options;
     let app = subject::app(input, pick, *model, inputs)?;
+    // Only a light has patches.
+    inputs.note_sampling(*model, app.document().is_about_light());
     if *json {
         print(out, &format!("{:#}\n", report::json(&app)))
     } else {

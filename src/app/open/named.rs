@@ -72,11 +72,7 @@ impl Found {
 ///
 /// # Errors
 /// One line that says what was found and what was expected.
-pub fn resolve(
-    word: impl AsRef<OsStr>,
-    pick: Option<&str>,
-    kind: Option<Kind>,
-) -> Result<Entry, String> {
+pub fn resolve(word: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<Entry, String> {
     let wanted = Wanted {
         spectrum: pick,
         choices: Choices {
@@ -85,7 +81,7 @@ pub fn resolve(
         },
         ..Wanted::default()
     };
-    let word = word.as_ref();
+    let word = OsStr::new(word);
     find(word, &wanted, load_named)?.usable(word)
 }
 
