@@ -13,6 +13,7 @@ mod arguments;
 mod auction;
 mod convert;
 mod factor;
+mod inputs;
 mod list;
 mod no_display;
 mod options;
@@ -25,18 +26,30 @@ mod render;
 mod report;
 mod subject;
 mod sweep;
+mod target;
 mod window;
 mod words;
 
 use std::{
     ffi::OsString,
     io::{self, Write},
+    path::Path,
 };
 
 use clap::Parser;
 
-use crate::app::{App, library::Library, licences, plot_svg::Theme, workspace::Preferences};
+use crate::{
+    app::{
+        App,
+        library::Library,
+        licences,
+        plot_svg::{Chart, Theme},
+        workspace::Preferences,
+    },
+    io::error::shown,
+};
 use arguments::{Arguments, Command};
+use inputs::Inputs;
 pub use no_display::without_display;
 use refusal::Refusal;
 pub use window::{Input, app_with};
@@ -78,10 +91,16 @@ pub fn run(
     err: &mut dyn Write,
 ) -> Outcome {
     let done = match Arguments::try_parse_from(args) {
-        Ok(arguments) => match carry_out(arguments, pictures, out, err) {
-            Ok(outcome) => return outcome,
-            Err(refusal) => Err(refusal),
-        },
+        Ok(arguments) => {
+            let mut inputs = Inputs::new(&mut *err);
+            match carry_out(arguments, pictures, out, &mut inputs) {
+                Ok(outcome) => {
+                    inputs.tell_notes();
+                    return outcome;
+                }
+                Err(refusal) => Err(refusal),
+            }
+        }
         Err(error) => refusal::of_clap(&error).and_then(|text| print(out, &text)),
     };
     Outcome::Done(match done {
@@ -94,24 +113,36 @@ fn carry_out(
     arguments: Arguments,
     pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
-    err: &mut dyn Write,
+    inputs: &mut Inputs,
 ) -> Result<Outcome, Refusal> {
     match arguments {
-        Arguments { licences: true, .. } => print(out, &licences::text(Library::bundled()))?,
+        Arguments {
+            licences: true,
+            files,
+            window,
+            ..
+        } => {
+            let window = window.then(|| "--window".to_owned());
+            let files = files.iter().map(|file| shown(Path::new(file)));
+            for word in files.chain(window) {
+                inputs.note(format!("{word} is not used: --licences opens nothing"));
+            }
+            print(out, &licences::text(Library::bundled()))?;
+        }
         Arguments {
             command: Some(command),
             ..
         } => match command {
-            Command::Report(options) => report::run(&options, out, err)?,
-            Command::Sweep(options) => sweep::run(&options, out, err)?,
-            Command::Auction(options) => auction::run(&options, out, err)?,
-            Command::Race(options) => race::run(&options, out, err)?,
-            Command::Product(options) => product::run(&options, out)?,
-            Command::Read(options) => read::run(&options, out, err)?,
+            Command::Report(options) => report::run(&options, out, inputs)?,
+            Command::Sweep(options) => sweep::run(&options, out, inputs)?,
+            Command::Auction(options) => auction::run(&options, out, inputs)?,
+            Command::Race(options) => race::run(&options, out, inputs)?,
+            Command::Product(options) => product::run(&options, out, inputs)?,
+            Command::Read(options) => read::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out)?,
-            Command::Render(options) => render::run(&options, pictures, out, err)?,
-            Command::Plot(options) => plot::run(&options, pictures, out, err)?,
-            Command::Convert(options) => convert::run(&options, out, err)?,
+            Command::Render(options) => render::run(&options, pictures, out, inputs)?,
+            Command::Plot(options) => plot::run(&options, pictures, out, inputs)?,
+            Command::Convert(options) => convert::run(&options, out, inputs)?,
         },
         Arguments { files, window, .. } => {
             return Ok(Outcome::Window {

@@ -1,15 +1,12 @@
 //! What the program does where there is no display, or no window in it: it says so and does its
 //! main job.
 
-use std::{
-    io::Write,
-    path::{Path, PathBuf},
-};
+use std::{io::Write, path::Path};
 
-use super::{Pictures, print, refusal::Refusal, remark};
+use super::{Pictures, print, refusal::Refusal, remark, target::new_picture};
 use crate::{
     app::{App, report, workspace::Preferences},
-    io::atomic::save_atomically,
+    io::{atomic::save_atomically, error::shown},
 };
 
 /// Exit code for a missing display or window where a window was insisted on.
@@ -63,25 +60,15 @@ fn report_and_picture(
         return Ok(());
     };
     let picture = pictures.window(app, &Preferences::default(), SIZE);
-    let here = new_name(Path::new(""));
+    let here = new_picture(Path::new(""));
     let path = match save_atomically(&here, &picture) {
         Ok(()) => here,
         // A folder that cannot be written to is no reason to give nothing.
         Err(_) => {
-            let elsewhere = new_name(&std::env::temp_dir());
+            let elsewhere = new_picture(&std::env::temp_dir());
             save_atomically(&elsewhere, &picture).map_err(|why| Refusal::File(why.to_string()))?;
             elsewhere
         }
     };
-    print(out, &format!("Picture   {}\n", path.display()))
-}
-
-/// A name in the folder that no file has yet.
-fn new_name(folder: &Path) -> PathBuf {
-    let first = folder.join(format!("{}.png", super::PROGRAM));
-    let others = (2..).map(|number| folder.join(format!("{}-{number}.png", super::PROGRAM)));
-    std::iter::once(first)
-        .chain(others)
-        .find(|path| !path.exists())
-        .unwrap_or_default()
+    print(out, &format!("Picture   {}\n", shown(&path)))
 }

@@ -573,7 +573,7 @@ fn a_bad_file_is_refused_with_line_found_and_expected() {
     );
     let line = refusal(1, &["report", &file]);
     assert!(
-        line.starts_with("bad.csv, line 4: found \"x\", expected "),
+        line.starts_with(&format!("{file}, line 4: found \"x\", expected ")),
         "{line}"
     );
     let missing = refusal(1, &["report", "no-such-file.csv"]);
@@ -776,7 +776,7 @@ fn a_model_keeps_name_and_kind_and_a_line_of_text_is_asked_about() {
     said(&["convert", &model, &line]);
     let reading = read_path(Path::new(&line)).unwrap();
     assert!(reading.is_doubtful(), "{:?}", reading.guesses);
-    let text = said(&["convert", &line, &table, "--kind", "reflectance"]);
+    let text = said(&["convert", &line, &place("u.csv"), "--kind", "reflectance"]);
     assert!(text.contains("reflectance, 401 points"), "{text}");
 }
 
@@ -924,19 +924,21 @@ fn a_plot_is_svg_that_an_xml_reader_takes_or_a_png() {
 #[test]
 fn the_window_is_rendered_with_an_input_or_as_it_starts() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("window.png");
-    let out = path.to_str().unwrap();
-    said(&["render", "--out", out]);
-    let sketch = fs::read_to_string(&path).unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    // A sketch is no picture that another might replace.
+    let [first, second, third] = ["1.png", "2.png", "3.png"].map(place);
+    said(&["render", "--out", &first]);
+    let sketch = fs::read_to_string(&first).unwrap();
     assert_eq!(sketch, "window cie_fluorescent_1nm/FL11 7 true [1280, 800]");
     said(&[
-        "render", "CIE D65", "--order", "3", "--out", out, "--size", "800x600", "--theme", "light",
+        "render", "CIE D65", "--order", "3", "--out", &second, "--size", "800x600", "--theme",
+        "light",
     ]);
-    let sketch = fs::read_to_string(&path).unwrap();
+    let sketch = fs::read_to_string(&second).unwrap();
     assert_eq!(sketch, "window cie_illuminants/CIE D65 3 false [800, 600]");
     let file = write(folder.path(), "own.txt", "400 1\n500 2\n600 3\n700 2\n");
-    said(&["render", &file, "--kind", "light", "--out", out]);
-    let sketch = fs::read_to_string(&path).unwrap();
+    said(&["render", &file, "--kind", "light", "--out", &third]);
+    let sketch = fs::read_to_string(&third).unwrap();
     assert!(sketch.starts_with("window own/1 7 "), "{sketch}");
 }
 
@@ -1309,8 +1311,9 @@ fn every_written_format_is_read_and_converted_on() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let mut last = "FL2".to_owned();
-    for extension in ["sp", "csv", "spdx", "sp", "spd", "json", "sp", "csv"] {
-        let next = place(&format!("x{}.{extension}", last.len()));
+    let extensions = ["sp", "csv", "spdx", "sp", "spd", "json", "sp", "csv"];
+    for (number, extension) in extensions.iter().enumerate() {
+        let next = place(&format!("x{number}.{extension}"));
         let text = said(&["convert", &last, &next]);
         assert!(text.starts_with("Wrote "), "{text}");
         last = next;

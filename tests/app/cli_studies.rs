@@ -570,7 +570,7 @@ fn options_that_change_nothing_are_told() {
 fn a_picture_can_be_of_any_page() {
     let folder = tempfile::tempdir().expect("a folder");
     for page in Page::ALL {
-        let path = folder.path().join("page.png");
+        let path = folder.path().join(format!("{}.png", page.word()));
         let out = path.to_str().expect("Unicode");
         let told = tell(&["render", "FL2", "--out", out, "--page", page.word()]);
         assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);

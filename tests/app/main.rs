@@ -4,6 +4,7 @@
 mod common;
 
 mod cli;
+mod cli_files;
 mod cli_studies;
 mod commands;
 mod no_window;

@@ -55,7 +55,10 @@ fn where_a_window_would_come_up_stands_the_report_and_a_word_about_it() {
     assert_eq!(code, 0);
     assert!(out.starts_with("FL11 (light"), "{out}");
     assert!(!out.contains("Picture"), "{out}");
-    assert!(err.contains("no window") && err.lines().count() == 1, "{err}");
+    assert!(
+        err.contains("no window") && err.lines().count() == 1,
+        "{err}"
+    );
 }
 
 #[test]

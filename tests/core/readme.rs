@@ -83,8 +83,8 @@ fn every_test_that_is_named_by_a_command_is_there() {
             for program in programs.map(|pair| pair[1]) {
                 named += 1;
                 let folder = root().join("tests").join(program);
-                let is_there = folder.join("main.rs").is_file()
-                    || folder.with_extension("rs").is_file();
+                let is_there =
+                    folder.join("main.rs").is_file() || folder.with_extension("rs").is_file();
                 assert!(is_there, "{file}: no {program}: {command}");
                 for subject in words.iter().filter_map(|word| word.strip_suffix("::")) {
                     let subject = folder.join(subject).with_extension("rs");

@@ -958,6 +958,32 @@ fn a_saved_composite_can_be_opened_again() {
 }
 
 #[test]
+fn a_typed_path_replaces_a_file_only_by_the_button_that_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("kept.json");
+    fs::write(&path, "kept").expect("written");
+    let (picker, _) = picker(Picked::NoDialog);
+    let mut ui = over(window(App::new(), picker));
+    click(&mut ui, "Save");
+    control(&ui, Role::Button, Export::CompositeJson.title()).click();
+    wait_until(&mut ui, "the path field", |ui| {
+        ui.query_by_role_and_label(Role::TextInput, "Path of the file")
+            .is_some()
+    });
+    shortcut(&mut ui, Modifiers::COMMAND, Key::A);
+    ui.event(egui::Event::Text(path.display().to_string()));
+    ui.run();
+    press(&mut ui, Key::Enter);
+    assert!(ui.query_by_label("Replace it").is_some(), "it asks");
+    wait_until(&mut ui, "rest", |ui| !ui.state().is_busy());
+    assert_eq!(fs::read_to_string(&path).expect("there"), "kept");
+    click(&mut ui, "Replace it");
+    wait_until(&mut ui, "the file", |_| {
+        fs::read_to_string(&path).is_ok_and(|text| text != "kept")
+    });
+}
+
+#[test]
 fn a_place_that_cannot_be_written_is_told_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("no such folder").join("x.csv");

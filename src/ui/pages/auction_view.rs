@@ -23,6 +23,7 @@ use crate::{
         plot_svg,
         studies::{About, AuctionAsk, Stage, take},
     },
+    io::many::numbers,
     study::{Auction, Goal, Judge, Progress, Verdict, Way},
     ui::{chart_view::ChartView, model_view::named},
 };
@@ -311,9 +312,9 @@ fn row(
     Row {
         cells,
         name: format!(
-            "Step {}: {} numbers, {bought}, error {error}",
+            "Step {}: {}, {bought}, error {error}",
             index + 1,
-            step.numbers
+            numbers(step.numbers)
         ),
         note: format!(
             "{}

@@ -28,6 +28,7 @@ use crate::{
         },
         ticks::short,
     },
+    io::many::numbers,
     study::{
         Progress,
         products::{Compared, Sameness, check::SAME_RESIDUAL},
@@ -343,8 +344,9 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &CheckSheet) {
                     }
                     ui.end_row();
                     let model = format!(
-                        "in the model's {} and {} numbers",
-                        sheet.numbers[0], sheet.numbers[1]
+                        "in the model's {} and {}",
+                        sheet.numbers[0],
+                        numbers(sheet.numbers[1])
                     );
                     let rows = [
                         (model, &sheet.model, verdict),

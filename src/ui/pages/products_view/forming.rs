@@ -18,6 +18,7 @@ use crate::{
         },
         ticks::short,
     },
+    io::many::numbers,
     spectrum::Sampling,
     study::products::{Formed, ProductTime, timing},
     ui::{
@@ -71,9 +72,9 @@ impl FormingView {
             surface_picker(ui, context, names::FACTOR);
             if let Some((_, bench)) = self.bench.as_ref().filter(|_| chosen.is_some()) {
                 ui.weak(format!(
-                    "{} in {} numbers{}",
+                    "{} in {}{}",
                     bench.light,
-                    bench.sizes.numbers,
+                    numbers(bench.sizes.numbers),
                     match bench.sizes.spikes {
                         0 => String::new(),
                         1 => " and 1 spike".to_owned(),
