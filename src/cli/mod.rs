@@ -43,7 +43,7 @@ use crate::{
         App,
         library::Library,
         licences,
-        plot_svg::{Chart, Theme},
+        plot_svg::Theme,
         workspace::Preferences,
     },
     io::error::shown,

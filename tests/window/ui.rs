@@ -963,7 +963,7 @@ fn a_typed_path_replaces_a_file_only_by_the_button_that_says_so() {
     let path = folder.path().join("kept.json");
     fs::write(&path, "kept").expect("written");
     let (picker, _) = picker(Picked::NoDialog);
-    let mut ui = over(window(App::new(), picker));
+    let mut ui = at_rest(window(App::new(), picker));
     click(&mut ui, "Save");
     control(&ui, Role::Button, Export::CompositeJson.title()).click();
     wait_until(&mut ui, "the path field", |ui| {
