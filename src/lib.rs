@@ -2,22 +2,25 @@
 //!
 //! ```text
 //! spectrum   what a spectrum is                 band sampled basis spikes composite product
+//! preset     the shipped spectra, read once
 //! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches
-//! study      accuracy against numbers           error
+//! rivals     the other representations
+//! study      accuracy against numbers           error sweep auction race truth products
 //! io         files <-> spectra, one format a file
 //! app        what the program is doing          document command derived state report export
 //! ui         what it looks like                 one view a file; egui only here
 //! cli        the same engine without a window   one command a file
 //! ```
 //!
-//! Imports point one way: `main -> {ui, cli} -> app -> study -> color -> spectrum`, and
-//! `io -> spectrum`. The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral
+//! Imports point one way: `main -> {ui, cli} -> app -> study -> {rivals, color} -> {spectrum,
+//! preset}`, and `io -> spectrum`. The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral
 //! Model and Its Applications" (2000); its misprints are corrected and each correction is tested.
 
 pub mod app;
 pub mod cli;
 pub mod color;
 pub mod io;
+pub mod preset;
 pub mod rivals;
 pub mod spectrum;
 pub mod study;

@@ -12,18 +12,29 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 8] = [
+const ROOMS: [(&str, &[&str]); 9] = [
     ("spectrum", &[]),
-    ("color", &["spectrum"]),
+    ("preset", &["spectrum"]),
+    ("color", &["preset", "spectrum"]),
     ("rivals", &["spectrum"]),
     ("study", &["rivals", "color", "spectrum"]),
     ("io", &["spectrum"]),
-    ("app", &["study", "rivals", "color", "spectrum", "io"]),
+    (
+        "app",
+        &["study", "rivals", "color", "preset", "spectrum", "io"],
+    ),
     (
         "cli",
-        &["app", "study", "rivals", "color", "spectrum", "io"],
+        &[
+            "app", "study", "rivals", "color", "preset", "spectrum", "io",
+        ],
     ),
-    ("ui", &["app", "study", "rivals", "color", "spectrum", "io"]),
+    (
+        "ui",
+        &[
+            "app", "study", "rivals", "color", "preset", "spectrum", "io",
+        ],
+    ),
 ];
 
 /// What only the window and the start of the program may name.

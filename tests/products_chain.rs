@@ -10,7 +10,7 @@ use common::{on_band, values};
 use spectral_explorer::{
     app::library::Library,
     color::Observer,
-    io::preset::Shelf,
+    preset::Shelf,
     spectrum::{
         Band, Basis, BasisTable, ChainTables, Composite, Factor, Sampling, Series, SpikeSettings,
         chain::{bounces, glass},

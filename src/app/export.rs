@@ -14,7 +14,8 @@ use super::{
 use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,
-        write::{Column, Columns, encode, losses},
+        provenance::{Column, Columns},
+        write::{encode, losses},
     },
     spectrum::{NamedSpectrum, Sampled},
 };

@@ -14,13 +14,14 @@ pub use summary::{FileRow, OpenBefore, Outcome, Summary};
 
 use super::{
     entry::{Entry, sampled_from_composite},
-    library::{Body, Library},
+    library::Library,
     opened::Opened,
     photons, picture,
     workspace::{self, Restored},
 };
 use crate::{
     io::{self, Choices, CompositeFile, Reading},
+    preset::Body,
     spectrum::{Kind, NamedSpectrum, Rect, SpectralImage, Spike},
 };
 

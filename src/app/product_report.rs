@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     color::{Xyz, srgb::Swatch},
-    io::write::one_line,
+    io::provenance::one_line,
     spectrum::{Factor, Sampling, Spike},
     study::{
         Spread,

@@ -15,7 +15,7 @@ use super::{
     studies::{AuctionAsk, Field, RaceAsk, SweepAsk, about::About},
 };
 use crate::{
-    io::write::{Provenance, one_line},
+    io::provenance::{Provenance, one_line},
     spectrum::{Kind, SpikeSettings},
     study::{
         Auction, Measure, Race, Spread, Sweep, Verdict,

@@ -5,11 +5,12 @@
 use std::{io::Write, path::Path};
 
 use super::{
-    arguments::{Convert, Form},
+    arguments::Convert,
     options::PickOptions,
     print,
     refusal::Refusal,
-    subject, words,
+    subject,
+    words::{self, Form},
 };
 use crate::{
     app::{
@@ -23,7 +24,8 @@ use crate::{
         self, Choices, CompositeFile, Provenance,
         atomic::save_atomically,
         composite_json, composite_line,
-        write::{Columns, WRITABLE, losses},
+        provenance::Columns,
+        write::{WRITABLE, losses},
         write_as,
     },
 };

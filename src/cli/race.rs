@@ -17,12 +17,13 @@ use super::{
 use crate::{
     app::{
         App, Entry,
-        library::{Library, Preset},
+        library::Library,
         open::{Loaded, load_path},
         studies::{Class, Field, RaceAsk, Same},
         study_report,
     },
     io::error::quoted,
+    preset::Preset,
     spectrum::Kind,
     study::{Progress, judge::scaled_to_one},
 };

@@ -43,4 +43,7 @@ pub use observer::{ColourMatching, Observer};
 pub use patches::{PatchDifference, PatchMatrix, PatchSet};
 pub use srgb::{Mapping, Srgb, Swatch};
 pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over};
-pub use xyz::{Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance};
+pub use xyz::{
+    Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance, xyz_of_one, xyz_of_parts,
+    xyz_of_spikes,
+};

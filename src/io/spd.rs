@@ -11,8 +11,8 @@ use super::draft::{Draft, Scale};
 use super::error::quoted;
 use super::heading::Heading;
 use super::number;
+use super::provenance::{Provenance, shortest};
 use super::text::lines;
-use super::write::{Provenance, shortest};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// pbrt and Mitsuba pairs.

@@ -10,6 +10,9 @@ pub const MOST_BYTES: u64 = 512 * 1024 * 1024;
 /// How much of a file decides whether it is text.
 const PROBE_BYTES: usize = 64 * 1024;
 
+/// Lines of a text with their numbers in the file.
+pub type NumberedLines<'a> = [(usize, &'a str)];
+
 /// A file's text.
 #[derive(Clone, Debug)]
 pub struct Text<'a> {

@@ -20,6 +20,7 @@ mod example_spectra;
 mod legendre;
 mod levinson;
 mod moments;
+mod phases;
 mod principal;
 mod samples;
 mod wavelet;
@@ -63,32 +64,54 @@ impl Family {
         Self::Wavelet,
     ];
 
-    /// The word used in files and on the command line.
-    pub fn word(self) -> &'static str {
+    /// What it is called and what it is.
+    pub fn about(self) -> About {
         match self {
-            Self::Samples => "samples",
-            Self::Bins => "bins",
-            Self::Legendre => "legendre",
-            Self::Principal => "principal",
-            Self::Moments => "moments",
-            Self::Wavelet => "wavelet",
-        }
-    }
-
-    /// The family of that word.
-    pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|family| family.word() == word)
-    }
-
-    /// The name that people read.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Samples => "Point samples, linear",
-            Self::Bins => "Box bins",
-            Self::Legendre => "Legendre polynomial",
-            Self::Principal => "Principal components",
-            Self::Moments => "Maximum-entropy moments",
-            Self::Wavelet => "Wavelet, largest coefficients",
+            Self::Samples => About {
+                word: "samples",
+                title: "Point samples, linear",
+                short: "Samples",
+                in_a_sentence: "point samples",
+                meaning: "Equally spaced values with straight lines between them.",
+            },
+            Self::Bins => About {
+                word: "bins",
+                title: "Box bins",
+                short: "Bins",
+                in_a_sentence: "box bins",
+                meaning: "Averages over equal boxes.",
+            },
+            Self::Legendre => About {
+                word: "legendre",
+                title: "Legendre polynomial",
+                short: "Legendre",
+                in_a_sentence: "the Legendre polynomial",
+                meaning: "A polynomial, least squares.",
+            },
+            Self::Principal => About {
+                word: "principal",
+                title: "Principal components",
+                short: "Principal",
+                in_a_sentence: "principal components",
+                meaning: "Components of the shipped lights, trained without the light at hand and \
+                          its likes. Its tables are not counted among its numbers.",
+            },
+            Self::Moments => About {
+                word: "moments",
+                title: "Maximum-entropy moments",
+                short: "Moments",
+                in_a_sentence: "maximum-entropy moments",
+                meaning: "Trigonometric moments, read by maximum entropy; never negative. \
+                          Reflectances are bounded by 1.",
+            },
+            Self::Wavelet => About {
+                word: "wavelet",
+                title: "Wavelet, largest coefficients",
+                short: "Wavelet",
+                in_a_sentence: "wavelets",
+                meaning: "The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
+                          place and value.",
+            },
         }
     }
 
@@ -114,6 +137,21 @@ impl Family {
             Self::Wavelet => 2,
         }
     }
+}
+
+/// The names of a family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct About {
+    /// The word used in files.
+    pub word: &'static str,
+    /// The name that people read.
+    pub title: &'static str,
+    /// The same in a few letters.
+    pub short: &'static str,
+    /// The same in the middle of a sentence.
+    pub in_a_sentence: &'static str,
+    /// What it is, a sentence or two.
+    pub meaning: &'static str,
 }
 
 /// What the values of a spectrum cannot exceed; only the moments use it.
@@ -302,11 +340,27 @@ mod tests {
     }
 
     #[test]
-    fn a_family_is_found_by_its_word() {
-        for family in Family::ALL {
-            assert_eq!(Family::from_word(family.word()), Some(family));
+    fn every_family_has_names_of_its_own_and_its_place() {
+        for (place, family) in Family::ALL.into_iter().enumerate() {
+            assert_eq!(family as usize, place);
+            let names = |f: Family| {
+                let about = f.about();
+                [
+                    about.word,
+                    about.title,
+                    about.short,
+                    about.in_a_sentence,
+                    about.meaning,
+                ]
+            };
+            for other in Family::ALL.into_iter().filter(|other| *other != family) {
+                let pairs = names(family).into_iter().zip(names(other));
+                assert!(
+                    pairs.into_iter().all(|(a, b)| a != b),
+                    "{family:?}, {other:?}"
+                );
+            }
         }
-        assert_eq!(Family::from_word("fourier"), None);
     }
 
     #[test]
@@ -354,7 +408,7 @@ mod tests {
                 let fewer = fit(numbers).stored();
                 most[..fewer.len()] == fewer
             });
-            assert_eq!(prefix, family.is_prefix(), "{}", family.word());
+            assert_eq!(prefix, family.is_prefix(), "{}", family.about().word);
         }
     }
 
@@ -370,7 +424,7 @@ mod tests {
                 rival.stored()
             };
             let differs = stored(&trained(band)) != stored(&other);
-            assert_eq!(differs, family.needs_table(), "{}", family.word());
+            assert_eq!(differs, family.needs_table(), "{}", family.about().word);
         }
     }
 

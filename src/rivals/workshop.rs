@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Bins, Bounds, Family, Legendre, Moments, Principal, PrincipalBasis, Rival, Samples, Wavelet,
-    legendre::PolynomialTable, moments::PhaseTable, wavelet::WaveletTable,
+    legendre::PolynomialTable, phases::PhaseTable, wavelet::WaveletTable,
 };
 use crate::spectrum::Band;
 

@@ -9,7 +9,6 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::region::Region;
 use super::sampled::Sampled;
 
 /// Numbers of this size and beyond stand for "not measured" (-1.23e34 in many libraries).
@@ -340,13 +339,6 @@ impl Cube {
         self.sampled(&self.values_at(x, y))
     }
 
-    /// The mean spectrum of a region, cut to the image; each band over the pixels that were
-    /// measured in it. `None` where that leaves fewer than two bands.
-    pub fn mean_of(&self, region: Rect) -> Option<Sampled> {
-        let about = Region::of(self, region, || true)?;
-        self.sampled(&about.mean)
-    }
-
     /// A piece of one row of one band, as the file has it, from column `x` on: as many numbers as
     /// `into` has places; NaN where one is missing or outside the image. Many numbers at once are
     /// read far faster than one by one.
@@ -412,7 +404,7 @@ impl Cube {
         plane
     }
 
-    fn sampled(&self, values: &[f64]) -> Option<Sampled> {
+    pub(super) fn sampled(&self, values: &[f64]) -> Option<Sampled> {
         let points = self.nm.iter().zip(values).filter(|(_, v)| v.is_finite());
         let (nm, values) = points.unzip();
         Sampled::new(nm, values).ok()

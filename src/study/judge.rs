@@ -16,6 +16,7 @@ use crate::{
         ciede2000::delta_e_2000,
         lab::lab_from_xyz,
         patches::{PatchSet, difference, labs_into},
+        xyz_of_one, xyz_of_parts,
     },
     spectrum::{Band, Spike, composite::add_spikes},
 };
@@ -211,7 +212,7 @@ impl Judge {
     ) -> Self {
         let seen = seen_under(&yardsticks.seen, light);
         let band = yardsticks.band();
-        let white = Xyz::from_array(std::array::from_fn(|k| perfect * band.integral(&seen[k])));
+        let white = xyz_of_one(band, &seen) * perfect;
         Self::of(yardsticks, measured, seen, Some(white))
     }
 
@@ -223,7 +224,7 @@ impl Judge {
     ) -> Self {
         let band = yardsticks.band();
         let blurred = yardsticks.blur.values(measured);
-        let exact = Xyz::from_array(std::array::from_fn(|k| band.inner(measured, &seen[k])));
+        let exact = xyz_of_parts(band, measured, &[], &seen);
         let white = white.unwrap_or(exact);
         let has_colour = white.y > 0.0 && white.is_finite() && exact.is_finite();
         Self {
@@ -282,13 +283,7 @@ impl Judge {
     pub fn own(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
         let exact = self.own?;
         let band = self.yardsticks.band();
-        let xyz = Xyz::from_array(std::array::from_fn(|k| {
-            let lines: f64 = spikes
-                .iter()
-                .map(|s| s.weight * band.interpolate(&self.seen[k], s.at_nm))
-                .sum();
-            band.inner(smooth, &self.seen[k]) + lines
-        }));
+        let xyz = xyz_of_parts(band, smooth, spikes, &self.seen);
         Some(delta_e_2000(exact, lab_from_xyz(xyz, self.white)))
     }
 

@@ -59,7 +59,7 @@ impl Racer {
     pub fn word(self) -> &'static str {
         match self {
             Self::Composite(way) => way.word(),
-            Self::Rival(family) => family.word(),
+            Self::Rival(family) => family.about().word,
             Self::Chosen => "chosen",
         }
     }
@@ -68,7 +68,7 @@ impl Racer {
     pub fn title(self) -> &'static str {
         match self {
             Self::Composite(way) => way.title(),
-            Self::Rival(family) => family.title(),
+            Self::Rival(family) => family.about().title,
             Self::Chosen => "Best composite, chosen per light",
         }
     }

@@ -4,13 +4,9 @@ use std::sync::Arc;
 
 use super::about::{Same, reflectances, yardsticks};
 use crate::{
-    app::{
-        document::Document,
-        entry::Entry,
-        library::{Library, Preset},
-    },
+    app::{document::Document, entry::Entry, library::Library},
     color::Observer,
-    io::preset::Shelf,
+    preset::{Preset, Shelf},
     rivals::PrincipalBasis,
     spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
     study::{

@@ -34,10 +34,7 @@ pub use lights::{
 pub use narrow::{Narrow, NarrowPoint};
 pub use timing::{ProductTime, Sizes, product_times};
 
-use crate::{
-    color::{Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz},
-    spectrum::{Band, Spike},
-};
+use crate::color::{Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz};
 
 /// One light as it is and as the model has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,16 +83,6 @@ fn difference(first: Xyz, second: Xyz, white: Xyz) -> Option<f64> {
 /// A ratio to something that must be positive.
 fn ratio(part: f64, whole: f64) -> Option<f64> {
     Some(part / whole).filter(|share| whole > 0.0 && share.is_finite())
-}
-
-/// What values on the grid and spikes weigh of three weights, in value x nm.
-fn xyz(band: Band, smooth: &[f64], spikes: &[Spike], seen: &[Vec<f64>; 3]) -> Xyz {
-    Xyz::from_array(std::array::from_fn(|k| {
-        let lines = spikes
-            .iter()
-            .map(|s| s.weight * band.interpolate(&seen[k], s.at_nm));
-        band.inner(smooth, &seen[k]) + lines.sum::<f64>()
-    }))
 }
 
 /// Two curves on the same grid, multiplied.

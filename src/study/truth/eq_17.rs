@@ -1,8 +1,8 @@
 //! Eq. 17: the factor at a spike, by a straight line between two points.
 
-use super::{STATED_LINE_NM, difference, xyz};
+use super::{STATED_LINE_NM, difference};
 use crate::{
-    color::Xyz,
+    color::{Xyz, xyz_of_parts},
     spectrum::{
         Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike, basis::numbers_of_order,
     },
@@ -100,7 +100,7 @@ pub fn eq_17(
                 ..reading.spike
             })
             .collect();
-        xyz(band, &smooth, &spikes, weights)
+        xyz_of_parts(band, &smooth, &spikes, weights)
     };
     let exact = weighed_by(|reading| reading.series);
     Eq17 {

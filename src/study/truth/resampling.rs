@@ -1,8 +1,8 @@
 //! Eq. 16: a product takes 2N + 2 multiplications.
 
-use super::{difference, eq_17::cut, xyz};
+use super::{difference, eq_17::cut};
 use crate::{
-    color::Xyz,
+    color::{Xyz, xyz_of_parts},
     spectrum::product::{folded_share, resampled},
     spectrum::{Basis, BasisTable, Composite, Sampling, Series},
     study::error::height,
@@ -48,7 +48,7 @@ pub fn resampling(
     let factor = cut(factor, table, light);
     let product = |sampling| {
         let Composite { smooth, spikes } = resampled(light, &factor, sampling);
-        xyz(band, &smooth.on_band(), &spikes, weights)
+        xyz_of_parts(band, &smooth.on_band(), &spikes, weights)
     };
     let exact = product(Sampling::Exact);
     let numbers = light.smooth.coefficients.len();

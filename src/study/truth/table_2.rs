@@ -1,8 +1,8 @@
 //! Table 2: the colour-matching functions as four Gaussian bells.
 
-use super::{difference, xyz};
+use super::difference;
 use crate::{
-    color::{ColourMatching, Observer, Xyz, gaussian_cmf, uv_1976_from_xyz},
+    color::{ColourMatching, Observer, Xyz, gaussian_cmf, uv_1976_from_xyz, xyz_of_parts},
     spectrum::Band,
 };
 
@@ -52,8 +52,8 @@ pub fn table_2(band: Band, observer: Observer, light: &[f64]) -> Table2 {
             row.push(value);
         }
     }
-    let by_table = xyz(band, light, &[], &table.on_band(band));
-    let by_fit = xyz(band, light, &[], &fit);
+    let by_table = xyz_of_parts(band, light, &[], &table.on_band(band));
+    let by_fit = xyz_of_parts(band, light, &[], &fit);
     let uv = uv_1976_from_xyz(by_table).zip(uv_1976_from_xyz(by_fit));
     Table2 {
         worst: std::array::from_fn(|k| worst_deviation(band, table, k)),

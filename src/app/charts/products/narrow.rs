@@ -14,7 +14,7 @@ use crate::{
         ticks::extent,
     },
     color::{Adaptation, Srgb, Swatch, srgb_from_wavelength_over},
-    io::preset::Shelf,
+    preset::Shelf,
     spectrum::{Band, Kind},
     study::products::{Colours, Narrow, NarrowPoint},
 };
