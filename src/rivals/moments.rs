@@ -141,7 +141,10 @@ impl Representation for Moments {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
+    use crate::rivals::phases::DRAWN_TO_MEAN;
     use crate::rivals::{
         Samples,
         example_spectra::{fluorescent, leaf, thermal},

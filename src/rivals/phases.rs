@@ -9,7 +9,7 @@ use crate::spectrum::{Band, band::dot};
 /// towards its mean. A signal with zeros has moments on the border of what a positive signal can
 /// have, where the estimate does not exist; this steps inside, moves no energy, and is the same
 /// at every count, so that fewer moments stay a prefix of more.
-const DRAWN_TO_MEAN: f64 = 1e-6;
+pub(super) const DRAWN_TO_MEAN: f64 = 1e-6;
 
 /// Cosines and sines of the multiples of the phase on a band's grid.
 #[derive(Debug)]

@@ -6,7 +6,7 @@ use crate::{
     color::{Observer, xyz_of_parts},
     spectrum::basis::numbers_of_order,
     spectrum::spikes::LineShape,
-    spectrum::{Basis, BasisTable, Composite, SampleGrid, Series},
+    spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike},
     study::error::{BLUR_NM, Blur, times},
     study::harmonics::{self, Harmonics},
 };
