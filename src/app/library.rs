@@ -283,24 +283,8 @@ fn closeness(asked: &str, name: &str) -> Option<usize> {
         let place = if whole_word { 0 } else { INSIDE_A_WORD };
         return Some(place + long.len() - short.len());
     }
-    let errors = typing_errors(asked, name);
+    let errors = strsim::levenshtein(asked, name);
     (errors <= asked.chars().count() / 3).then_some(errors * TYPING_ERROR)
-}
-
-/// Levenshtein distance: letters to insert, delete or replace.
-fn typing_errors(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, left) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, right) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(left != *right);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
 }
 
 #[cfg(test)]
