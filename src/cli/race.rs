@@ -25,7 +25,7 @@ use crate::{
     io::error::quoted,
     preset::Preset,
     spectrum::Kind,
-    study::{Progress, judge::scaled_to_one},
+    study::{Progress, reference::scaled_to_one},
 };
 
 /// Carries the command out.

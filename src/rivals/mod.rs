@@ -17,6 +17,7 @@ mod bins;
 mod bounded_moments;
 #[cfg(test)]
 mod example_spectra;
+mod fit_tables;
 mod legendre;
 mod levinson;
 mod moments;
@@ -24,15 +25,14 @@ mod phases;
 mod principal;
 mod samples;
 mod wavelet;
-mod workshop;
 
 pub use bins::Bins;
+pub use fit_tables::FitTables;
 pub use legendre::Legendre;
 pub use moments::Moments;
 pub use principal::{Principal, PrincipalBasis};
 pub use samples::Samples;
 pub use wavelet::Wavelet;
-pub use workshop::Workshop;
 
 use crate::spectrum::{Band, Kind};
 
@@ -332,10 +332,10 @@ mod tests {
     }
 
     fn every_rival(band: Band, values: &[f64], numbers: usize, bounds: Bounds) -> Vec<Rival> {
-        let (workshop, basis) = (Workshop::new(band, numbers), trained(band));
+        let (tables, basis) = (FitTables::new(band, numbers), trained(band));
         Family::ALL
             .into_iter()
-            .map(|family| workshop.fit(family, values, numbers, bounds, &basis))
+            .map(|family| tables.fit(family, values, numbers, bounds, &basis))
             .collect()
     }
 
@@ -399,10 +399,10 @@ mod tests {
     #[test]
     fn fewer_numbers_are_a_prefix_of_more_exactly_where_a_family_says_so() {
         let band = Band::VISIBLE;
-        let (workshop, basis) = (Workshop::new(band, 31), trained(band));
+        let (tables, basis) = (FitTables::new(band, 31), trained(band));
         let values = fluorescent(band);
         for family in Family::ALL {
-            let fit = |numbers| workshop.fit(family, &values, numbers, Bounds::Light, &basis);
+            let fit = |numbers| tables.fit(family, &values, numbers, Bounds::Light, &basis);
             let most = fit(31).stored();
             let prefix = (2..31).all(|numbers| {
                 let fewer = fit(numbers).stored();
@@ -415,12 +415,12 @@ mod tests {
     #[test]
     fn a_family_needs_a_table_exactly_when_another_table_changes_what_is_stored() {
         let band = Band::VISIBLE;
-        let workshop = Workshop::new(band, 11);
+        let tables = FitTables::new(band, 11);
         let other = Arc::new(PrincipalBasis::train(band, &[leaf(band)], 11));
         let values = fluorescent(band);
         for family in Family::ALL {
             let stored = |basis| {
-                let rival = workshop.fit(family, &values, 11, Bounds::Light, basis);
+                let rival = tables.fit(family, &values, 11, Bounds::Light, basis);
                 rival.stored()
             };
             let differs = stored(&trained(band)) != stored(&other);
@@ -510,7 +510,7 @@ mod tests {
     #[test]
     fn nothing_finite_makes_a_number_that_is_not_finite() {
         let band = Band::new(400.0, 421.0).unwrap();
-        let (workshop, basis) = (Workshop::new(band, 40), trained(band));
+        let (tables, basis) = (FitTables::new(band, 40), trained(band));
         let patterns: [fn(usize) -> f64; 5] = [
             |_| 1.0,
             |_| -1.0,
@@ -526,7 +526,7 @@ mod tests {
             for family in Family::ALL {
                 for bounds in [Bounds::Light, Bounds::Reflectance] {
                     for numbers in [0, 1, 2, 3, 8, 21, 22, 44, 1000] {
-                        let rival = workshop.fit(family, &values, numbers, bounds, &basis);
+                        let rival = tables.fit(family, &values, numbers, bounds, &basis);
                         let finite = |values: Vec<f64>| values.iter().all(|v| v.is_finite());
                         let all = finite(rival.stored())
                             && finite(rival.on_band())
