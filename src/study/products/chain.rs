@@ -1,8 +1,8 @@
 //! A light through a chain of factors: exact beside model at every stage.
 
-use super::{Colours, difference, multiplied, ratio};
+use super::{Colours, multiplied, ratio};
 use crate::{
-    color::{Xyz, xyz_of_parts},
+    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{
         Band, ChainTables, Composite, Factor, Sampling, Spike,
         chain::{Met, below_zero},
@@ -199,7 +199,7 @@ impl Product<'_> {
             let step = Step {
                 exact: exact.clone(),
                 colours,
-                added: difference(unfolded, model, white),
+                added: delta_e_of_xyz(unfolded, model, white),
                 transmission: [
                     ratio(colours.exact.y, before.exact.y),
                     ratio(colours.model.y, before.model.y),

@@ -1,8 +1,8 @@
 //! One product formed in every way, and the factor at the light's spikes by Eq. 17.
 
-use super::{Product, Step, difference, multiplied};
+use super::{Product, Step, multiplied};
 use crate::{
-    color::xyz_of_parts,
+    color::{delta_e_of_xyz, xyz_of_parts},
     spectrum::{BasisTable, Factor, Sampling, Series, Spike},
     study::truth::{SpikeReading, eq_17},
 };
@@ -113,7 +113,7 @@ pub fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) ->
                     reading.measured
                 }
             };
-            difference(exact, colour(&value), white)
+            delta_e_of_xyz(exact, colour(&value), white)
         })
     };
     let readings = found.readings.iter().enumerate();

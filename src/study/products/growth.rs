@@ -3,9 +3,9 @@
 //! Both sides are brightened so that the exact product has half the light's Y: after eight
 //! bounces off an ordinary surface hardly any light is left, and no difference of colour either.
 
-use super::{Colours, Product, difference};
+use super::{Colours, Product};
 use crate::{
-    color::xyz_of_parts,
+    color::{delta_e_of_xyz, xyz_of_parts},
     spectrum::{ChainTables, Factor, Sampling, product::chain_points},
 };
 
@@ -82,7 +82,7 @@ fn one_way(product: Product<'_>, surface: &Factor) -> Growth {
         let gain = BRIGHT * white.y / truth.y;
         growth
             .added
-            .push(difference(unfolded * gain, model * gain, white).filter(|_| has_light));
+            .push(delta_e_of_xyz(unfolded * gain, model * gain, white).filter(|_| has_light));
     }
     growth
 }

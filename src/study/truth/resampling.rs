@@ -1,8 +1,8 @@
 //! Eq. 16: a product takes 2N + 2 multiplications.
 
-use super::{difference, eq_17::cut};
+use super::eq_17::cut;
 use crate::{
-    color::{Xyz, xyz_of_parts},
+    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::product::{folded_share, resampled},
     spectrum::{Basis, BasisTable, Composite, Sampling, Series},
     study::error::height,
@@ -64,7 +64,7 @@ pub fn resampling(
                     points,
                     // An empty sum is minus zero.
                     folded_share: 0.0 + folded_share(&light_unit, &factor_unit, points),
-                    delta_e_2000: difference(exact, product(*sampling), white),
+                    delta_e_2000: delta_e_of_xyz(exact, product(*sampling), white),
                 })
             })
             .collect(),

@@ -1,8 +1,9 @@
 //! Table 2: the colour-matching functions as four Gaussian bells.
 
-use super::difference;
 use crate::{
-    color::{ColourMatching, Observer, Xyz, gaussian_cmf, uv_1976_from_xyz, xyz_of_parts},
+    color::{
+        ColourMatching, Observer, Xyz, delta_e_of_xyz, gaussian_cmf, uv_1976_from_xyz, xyz_of_parts,
+    },
     spectrum::Band,
 };
 
@@ -60,7 +61,7 @@ pub fn table_2(band: Band, observer: Observer, light: &[f64]) -> Table2 {
         by_table,
         by_fit,
         delta_uv: uv.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])),
-        delta_e_2000: difference(by_table, by_fit, by_table),
+        delta_e_2000: delta_e_of_xyz(by_table, by_fit, by_table),
     }
 }
 

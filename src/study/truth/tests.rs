@@ -3,7 +3,7 @@ use super::{
     *,
 };
 use crate::{
-    color::{Observer, xyz_of_parts},
+    color::{Observer, Xyz, xyz_of_parts},
     spectrum::basis::numbers_of_order,
     spectrum::spikes::LineShape,
     spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike},
