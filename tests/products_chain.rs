@@ -13,7 +13,7 @@ use spectral_explorer::{
     preset::Shelf,
     spectrum::{
         Band, Basis, BasisTable, ChainTables, Composite, Factor, Sampling, Series, SpikeSettings,
-        chain::{bounces, glass},
+        factor::{bounces, glass},
         product::{chain_points, convolve, folded_share},
         spikes::detect,
     },

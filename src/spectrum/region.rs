@@ -1,9 +1,6 @@
 //! What the pixels of a rectangle have in common: mean, spread and extremes of every band.
 
-use super::{
-    cube::{Cube, Rect},
-    sampled::Sampled,
-};
+use super::{cube::Cube, rect::Rect, sampled::Sampled};
 
 /// Every band of a region, in the file's own numbers; NaN where a band was measured nowhere in it.
 #[derive(Clone, Debug, PartialEq)]
