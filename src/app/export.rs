@@ -15,7 +15,8 @@ use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,
         many::many,
-        write::{Column, Columns, encode, losses},
+        provenance::{Column, Columns},
+        write::{encode, losses},
     },
     spectrum::{NamedSpectrum, Sampled},
 };

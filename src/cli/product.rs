@@ -118,11 +118,9 @@ fn of_check(app: &App, chain: &[Link], found: Entry, json: bool) -> String {
 
 fn of_set(app: &App, group: &str, json: bool) -> String {
     let (names, values) = reflectances(group, app.document().settings.band);
-    let factors: Vec<Factor> = values
-        .into_iter()
-        .map(|values| product_report::factor_of(app, values))
-        .collect();
-    let errors = product_report::product_of(app).over(&factors);
+    let lit = Lit::of(app);
+    let factors: Vec<Factor> = values.into_iter().map(|v| lit.factor(v)).collect();
+    let errors = lit.product().over(&factors);
     if json {
         let json = product_report::set_json(app, group, &names, &errors);
         format!("{json:#}\n")

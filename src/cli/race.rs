@@ -19,7 +19,7 @@ use super::{
 use crate::{
     app::{
         App, Entry,
-        library::{Library, Preset},
+        library::Library,
         open::Loaded,
         studies::{Class, Field, RaceAsk, Same},
         study_report,
@@ -29,8 +29,9 @@ use crate::{
         error::{quoted, shown},
         many::many,
     },
+    preset::Preset,
     spectrum::Kind,
-    study::{Progress, judge::scaled_to_one},
+    study::{Progress, reference::scaled_to_one},
 };
 
 /// Carries the command out.

@@ -8,7 +8,6 @@ use std::{
 
 use clap::builder::{OsStringValueParser, TypedValueParser};
 
-use super::arguments::Form;
 use crate::{
     app::{
         pages::{Page, SPENDABLE},
@@ -205,6 +204,15 @@ pub fn factor_kind(word: &str) -> Result<Kind, String> {
 /// `--kind` of a list.
 pub fn any_kind(word: &str) -> Result<Kind, String> {
     one_of(word, &Kind::ALL, Kind::word)
+}
+
+/// What `convert` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Wavelengths and values.
+    Spectrum,
+    /// The model: coefficients and spikes.
+    Composite,
 }
 
 /// `--as`.

@@ -3,7 +3,7 @@
 use super::draft::{Draft, Scale};
 use super::heading::Heading;
 use super::number::{self, Cell};
-use super::text::lines;
+use super::text::{kept_line, lines};
 use super::units::WavelengthUnit;
 use super::{Input, ReadError, Reading};
 
@@ -42,7 +42,7 @@ fn longest_run(text: &str, decimal_comma: bool) -> Lone<'_> {
         }
         if let Cell::Number(value) = number::parse(content, decimal_comma) {
             run.numbers.push(value);
-            run.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+            run.lines.push(kept_line(line));
             continue;
         }
         let mut header = Vec::new();

@@ -9,10 +9,7 @@ use std::fmt::Write;
 
 use crate::spectrum::{Kind, NamedSpectrum, Outside};
 
-use super::write::{Provenance, one_line, shortest};
-
-/// `ORIGINATOR` of a file written here begins so.
-pub const ORIGINATOR: &str = "Spectral Explorer";
+use super::provenance::{ORIGINATOR, Provenance, one_line, shortest};
 
 /// Most bands that Argyll's own tools read.
 const ARGYLL_BANDS: usize = 601;

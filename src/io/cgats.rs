@@ -25,12 +25,11 @@ use std::collections::HashMap;
 
 use crate::spectrum::Kind;
 
-use super::argyll_write::ORIGINATOR;
 use super::cgats_tables::{self, CgatsTable};
 use super::error::quoted;
 use super::kinds::{is_plain_name, kind_of_name, kind_of_words};
 use super::measured::Measured;
-use super::write::add_notes_of_a_line;
+use super::provenance::{ORIGINATOR, add_notes_of_a_line};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Argyll and CGATS text.

@@ -19,7 +19,7 @@ use super::pick::{self, NoTable, Table};
 use super::roles::{self, Group};
 use super::rows::{AlongRow, read_rows};
 use super::samples;
-use super::table::{BadCell, MOST_COLUMNS, TooMuch};
+use super::table::{MOST_COLUMNS, TooMuch};
 use super::text::lines;
 use super::titles::Titles;
 use super::{
@@ -146,16 +146,6 @@ fn without_false_tables(file: &File, tables: &mut Vec<Table>) -> Vec<String> {
     left_out
 }
 
-/// The refusal for a word among numbers.
-pub fn bad_cell(input: &Input, bad: &BadCell) -> ReadError {
-    input
-        .error(
-            quoted(&bad.text),
-            format!("a number in column {}", bad.column + 1),
-        )
-        .at_line(bad.line)
-}
-
 fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
     match why {
         NoTable::TooMany(TooMuch::Cells { line }) => input
@@ -167,7 +157,7 @@ fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
                 format!("at most {MOST_COLUMNS} columns"),
             )
             .at_line(line),
-        NoTable::Bad(bad) => bad_cell(input, &bad),
+        NoTable::Bad(bad) => bad.refusal(input),
         NoTable::NoWavelengths {
             line,
             step_back: None,
@@ -308,7 +298,7 @@ fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Res
     }
     let bad = block.bad.iter().filter(|bad| counts[bad.column]);
     if let Some(bad) = bad.min_by_key(|bad| bad.line) {
-        return Err(bad_cell(file.input, bad));
+        return Err(bad.refusal(file.input));
     }
     if groups.iter().all(|group| group.values.is_empty()) {
         return Err(file

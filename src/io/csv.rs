@@ -8,8 +8,8 @@ use std::fmt::Write;
 use crate::spectrum::NamedSpectrum;
 
 use super::dialect::{Delimiter, Dialect};
+use super::provenance::{Columns, MEASURED, Provenance, one_line, shortest};
 use super::text::first_line;
-use super::write::{Columns, MEASURED, Provenance, one_line, shortest};
 
 /// Title of the column of wavelengths.
 const FIRST_TITLE: &str = "wavelength_nm";
@@ -120,8 +120,8 @@ fn cell(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::provenance::Column;
     use crate::io::read_bytes;
-    use crate::io::write::Column;
     use crate::io::write::tests::awkward_spectrum;
     use crate::spectrum::Kind;
 

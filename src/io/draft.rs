@@ -10,9 +10,9 @@ use super::decided::{BY_HAND, MOST_UNDERSTOOD};
 use super::heading::Heading;
 use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
+use super::provenance::add_notes_of_a_line;
 use super::reading::{AxisTold, Told, Understood, provenance};
 use super::units::{WavelengthUnit, names_wavelength};
-use super::write::add_notes_of_a_line;
 use super::{Counted, Guess, Guessed, Input, ReadError, Reading, budget};
 
 /// What a table says about one spectrum.

@@ -92,7 +92,7 @@ impl WriteError {
     pub fn new(file: &str, why: impl Into<String>) -> Self {
         Self {
             file: printable(file, LONGEST_NAME),
-            why: one_line(&why.into()),
+            why: printable_line(&why.into()),
         }
     }
 }
@@ -143,7 +143,7 @@ fn printable(text: &str, longest: usize) -> String {
 
 /// One part of a message: one line, and not for ever.
 fn part(text: &str) -> String {
-    let text = one_line(text);
+    let text = printable_line(text);
     match text.char_indices().nth(LONGEST_PART) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text,
@@ -160,7 +160,7 @@ pub fn kept(text: &str) -> &str {
 }
 
 /// Text of one line, anything unprintable as a blank.
-pub fn one_line(text: &str) -> String {
+pub fn printable_line(text: &str) -> String {
     text.chars()
         .map(|c| if is_printable(c) { c } else { ' ' })
         .collect()
@@ -178,7 +178,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_refusal_names_file_line_found_and_expected_in_one_line() {
+    fn a_refusal_names_file_line_found_and_expected_in_printable_line() {
         let error = ReadError::new("lamp.csv", quoted("abc"), "a number in column 2").at_line(12);
         assert_eq!(
             error.to_string(),

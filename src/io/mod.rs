@@ -36,6 +36,7 @@ pub mod draft;
 pub mod envi;
 pub mod error;
 pub mod foreign_json;
+pub mod foreign_spectrum;
 pub mod gdtf;
 pub mod guarded;
 pub mod heading;
@@ -57,8 +58,8 @@ pub mod perkin_elmer;
 pub mod pick;
 pub mod plain_json;
 pub mod plain_row;
-pub mod preset;
 pub mod procspec;
+pub mod provenance;
 pub mod raman;
 pub mod reading;
 pub mod refractive_yaml;
@@ -98,8 +99,9 @@ pub use dialect::Dialect;
 pub use error::{ReadError, WriteError};
 pub use input::Input;
 pub use makers_results::{MakersResult, Quantity};
+pub use provenance::Provenance;
 pub use reading::{CompositeFile, Guess, Guessed, Reading};
-pub use write::{Provenance, write_as};
+pub use write::write_as;
 
 /// How sure a format is that a file is its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -238,7 +240,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let mut reading = (format.read)(input)?;
     alike::settle(&mut reading);
-    decided::settle(format, &input.choices, &mut reading);
+    // Factors in ENVI files may be whole numbers to 10,000.
+    let large_numbers = format.name == envi::FORMAT.name;
+    decided::settle(large_numbers, &input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
     reading.tidy();

@@ -17,6 +17,25 @@ pub enum Cell {
     Text,
 }
 
+impl Cell {
+    /// The number, whatever stands behind it; NaN for a missing value, `None` for a word.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Self::Number(value) | Self::Percent(value) | Self::Nanometres(value) => Some(value),
+            Self::Empty | Self::Gap => Some(f64::NAN),
+            Self::Text => None,
+        }
+    }
+
+    /// The same where nothing may stand behind the number.
+    pub fn plain_value(self) -> Option<f64> {
+        match self {
+            Self::Percent(_) | Self::Nanometres(_) => None,
+            other => other.value(),
+        }
+    }
+}
+
 /// Numbers of this size and beyond stand for "not measured" (USGS writes -1.23e34), never for light.
 pub const ABSURD: f64 = 1e30;
 
@@ -119,17 +138,24 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
         None if ['\'', '’'].contains(&separator) => (cell, ""),
         None => return None,
     };
-    let bare = whole.trim_start_matches(['-', '+']);
-    let mut groups = bare.split(separator);
-    let is_digits = |group: &str| group.bytes().all(|b| b.is_ascii_digit());
-    let first = groups.next()?;
-    let fits = (1..=3).contains(&first.len())
-        && is_digits(first)
-        && groups.all(|group| group.len() == 3 && is_digits(group))
+    let fits = is_grouped(whole.trim_start_matches(['-', '+']), separator)
         && is_digits(decimals)
         && cell.len() <= 40;
     let plain: String = whole.chars().filter(|c| *c != separator).collect();
     fits.then(|| format!("{plain}.{decimals}0").parse().ok())?
+}
+
+fn is_digits(text: &str) -> bool {
+    text.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// Whether digits stand in groups of three, the first of which may be shorter.
+pub fn is_grouped(digits: &str, separator: char) -> bool {
+    let mut groups = digits.split(separator);
+    let first = groups.next().unwrap_or("");
+    (1..=3).contains(&first.len())
+        && is_digits(first)
+        && groups.all(|group| group.len() == 3 && is_digits(group))
 }
 
 /// A finite or overflowing decimal number and nothing else; `inf` and `nan` are words, not numbers.

@@ -393,7 +393,7 @@ fn add(
     let (values, _) = value_columns(block, &table.titles, axis);
     let is_used = |column| column == axis || values.contains(&column);
     if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
-        return Err(columns::bad_cell(input, bad));
+        return Err(bad.refusal(input));
     }
     let stem = name_of(input, input.head());
     for column in &values {

@@ -1,6 +1,5 @@
 //! Tables with their wavelengths along a row: one spectrum in each further row.
 
-use super::columns::bad_cell;
 use super::dialect::Dialect;
 use super::draft::{Draft, Scale};
 use super::heading::Heading;
@@ -41,7 +40,7 @@ pub fn read_rows(
     let kind_title = titles_before(table, along.first);
     let columns = along.first..along.first + along.axis.len();
     if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
-        return Err(bad_cell(input, bad));
+        return Err(bad.refusal(input));
     }
     let scale = Scale::new(along.axis);
     let corner = corner(table, dialect, along);

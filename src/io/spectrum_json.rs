@@ -14,8 +14,8 @@ use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::curve;
 use super::error::quoted;
+use super::provenance::Provenance;
 use super::reading::provenance as provenance_line;
-use super::write::Provenance;
 use super::{Confidence, Format, Input, ReadError, Reading, budget};
 
 /// The word in `format`.

@@ -8,9 +8,11 @@
 //! ([`plain_row`]); every other line is looked at cell by cell.
 
 use super::dialect::{Dialect, used};
+use super::error::quoted;
 use super::number::{self, Cell};
 use super::plain_row::PlainRow;
-use super::text::first_line;
+use super::text::{first_line, kept_line};
+use super::{Input, ReadError};
 
 /// Most cells of numbers that one file may hold; 64 million take 512 MiB of memory.
 pub const MOST_CELLS: usize = 64_000_000;
@@ -48,6 +50,14 @@ pub struct BadCell {
     pub text: String,
     /// Whether its line is a row beyond doubt: its first number carries the column on.
     pub certain: bool,
+}
+
+impl BadCell {
+    /// The refusal for a word among numbers.
+    pub fn refusal(&self, input: &Input) -> ReadError {
+        let expected = format!("a number in column {}", self.column + 1);
+        input.error(quoted(&self.text), expected).at_line(self.line)
+    }
 }
 
 /// A run of rows and the lines before it.
@@ -160,7 +170,7 @@ impl<'a> Block<'a> {
 
     /// A row of `width` plain numbers.
     fn push_plain(&mut self, line: usize, row: &[f64]) {
-        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+        self.lines.push(kept_line(line));
         self.uncounted += 1;
         for (column, value) in self.values.iter_mut().zip(row) {
             column.push(*value);
@@ -176,7 +186,7 @@ impl<'a> Block<'a> {
     }
 
     fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
-        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+        self.lines.push(kept_line(line));
         let columns = self.columns.iter_mut().zip(&mut self.values);
         for (column, (stats, values)) in columns.enumerate() {
             let kind = kinds.get(column).copied().unwrap_or(Cell::Empty);

@@ -102,9 +102,12 @@ pub fn run(start: Start) -> Result<(), NoWindow> {
                 .unwrap_or_default();
             let is_missing_library = text.contains("xkbcommon") || text.contains("Library");
             Err(if is_missing_library {
-                NoWindow::NoDisplay(format!("a display library is missing: {}", one_line(&text)))
+                NoWindow::NoDisplay(format!(
+                    "a display library is missing: {}",
+                    first_line(&text)
+                ))
             } else {
-                NoWindow::Failed(one_line(&text))
+                NoWindow::Failed(first_line(&text))
             })
         }
     }
@@ -195,10 +198,10 @@ impl eframe::App for Shell {
 /// The last part of a chain of error messages: what went wrong, without paths of a build machine.
 fn last_part(error: &dyn std::fmt::Display) -> String {
     let text = error.to_string();
-    one_line(text.rsplit(": ").next().unwrap_or_default())
+    first_line(text.rsplit(": ").next().unwrap_or_default())
 }
 
-fn one_line(text: &str) -> String {
+fn first_line(text: &str) -> String {
     let line = text.lines().next().unwrap_or_default().trim();
     line.chars().take(160).collect()
 }

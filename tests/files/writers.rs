@@ -12,8 +12,10 @@ use spectral_explorer::{
         scale::Scale,
     },
     io::{
-        Provenance, composite_json, composite_line, read_bytes, read_path,
-        write::{Columns, WRITABLE, encode, losses},
+        Provenance, composite_json, composite_line,
+        provenance::Columns,
+        read_bytes, read_path,
+        write::{WRITABLE, encode, losses},
     },
     spectrum::{Kind, NamedSpectrum, Sampled},
 };

@@ -25,7 +25,7 @@ use spectral_explorer::{
     },
     spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeEdits},
     study::{
-        Goal, Judge, Measure, Progress, Verdict,
+        Goal, Measure, Progress, Reference, Verdict,
         auction::{Ended, Purchase},
     },
     ui::Window,
@@ -169,8 +169,8 @@ fn many_lines() -> App {
 /// Every figure of the model in force.
 fn verdict_now(app: &App) -> Verdict {
     let ask = SweepAsk::of(app.document());
-    let judge: Judge = tradeoff::judge(&ask.about).expect("a light that shines");
-    tradeoff::verdict_now(app, &judge).expect("a model of it")
+    let reference: Reference = tradeoff::reference(&ask.about).expect("a light that shines");
+    tradeoff::verdict_now(app, &reference).expect("a model of it")
 }
 
 /// Figures agree but for the order of sums: 1e-9 of an error, and what ΔE00 makes of rounding.

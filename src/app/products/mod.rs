@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::{entry::Entry, library::Library};
 use crate::spectrum::{
     Band,
-    chain::{bounces, glass},
+    factor::{bounces, glass},
 };
 
 pub use known_lines::KnownLines;

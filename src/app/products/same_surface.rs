@@ -17,7 +17,7 @@ use crate::{
         studies::{RankAsk, Same, surfaces::Ranked},
         ticks::short,
     },
-    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, chain::bounces},
+    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, factor::bounces},
     study::products::{Checker, Compared, Sameness, check::SAME_RESIDUAL, measured_check},
 };
 

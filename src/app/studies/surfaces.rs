@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use super::{Job, Same};
 use crate::{
-    app::library::{Group, Library},
-    color::{Adaptation, Observer, Swatch, Xyz},
+    app::library::Library,
+    color::{Adaptation, Observer, Swatch, xyz_of_parts},
+    preset::Group,
     spectrum::{Band, Composite, Kind},
     study::{
         Progress,
@@ -173,8 +174,7 @@ impl RankAsk {
         let checker = Checker::new(light, outgoing);
         let [light, outgoing] = [0, 1].map(|i| self.measured[i].0.on_band(band));
         let seen = self.observer.table().on_band(band);
-        let weigh =
-            |values: &[f64]| Xyz::from_array(std::array::from_fn(|k| band.inner(values, &seen[k])));
+        let weigh = |values: &[f64]| xyz_of_parts(band, values, &[], &seen);
         let white = weigh(&light);
         let mut ranked = Vec::with_capacity(surfaces.len());
         for surface in surfaces {

@@ -24,7 +24,7 @@ use crate::{
         studies::{About, AuctionAsk, Stage, take},
     },
     io::many::numbers,
-    study::{Auction, Goal, Judge, Progress, Verdict, Way},
+    study::{Auction, Goal, Progress, Reference, Verdict, Way},
     ui::{chart_view::ChartView, model_view::named},
 };
 
@@ -60,7 +60,7 @@ struct Built {
 #[derive(Default)]
 pub struct AuctionView {
     built: Option<Built>,
-    judge: Option<(About, Option<Judge>)>,
+    reference: Option<(About, Option<Reference>)>,
 }
 
 impl AuctionView {
@@ -113,11 +113,15 @@ impl AuctionView {
         }
         built.marked = Some(revision);
         let about = &built.ask.about;
-        if self.judge.as_ref().is_none_or(|(of, _)| of != about) {
-            self.judge = Some((about.clone(), tradeoff::judge(about)));
+        if self.reference.as_ref().is_none_or(|(of, _)| of != about) {
+            self.reference = Some((about.clone(), tradeoff::reference(about)));
         }
-        let judge = self.judge.as_ref().and_then(|(_, judge)| judge.as_ref());
-        let now: Option<Verdict> = judge.and_then(|judge| tradeoff::verdict_now(app, judge));
+        let reference = self
+            .reference
+            .as_ref()
+            .and_then(|(_, reference)| reference.as_ref());
+        let now: Option<Verdict> =
+            reference.and_then(|reference| tradeoff::verdict_now(app, reference));
         built
             .chart
             .mark(app, &built.ask, &built.auction, now.as_ref());

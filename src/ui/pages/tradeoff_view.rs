@@ -21,7 +21,7 @@ use crate::{
         studies::{About, Stage, SweepAsk},
     },
     io::many::numbers,
-    study::{Judge, Measure, Progress, Sweep, Verdict, sweep::SweepPoint},
+    study::{Measure, Progress, Reference, Sweep, Verdict, sweep::SweepPoint},
     ui::chart_view::{ChartView, Hit},
 };
 
@@ -65,7 +65,7 @@ struct Built {
 #[derive(Default)]
 pub struct TradeoffView {
     built: Option<Built>,
-    judge: Option<(About, Option<Judge>)>,
+    reference: Option<(About, Option<Reference>)>,
     now: Option<(u64, Option<Verdict>)>,
 }
 
@@ -127,13 +127,17 @@ impl TradeoffView {
     /// Every figure of the present model, computed once a change.
     fn verdict_now(&mut self, context: &PageContext<'_>, about: &About) -> Option<Verdict> {
         let revision = context.app.revision();
-        if self.judge.as_ref().is_none_or(|(of, _)| of != about) {
-            self.judge = Some((about.clone(), tradeoff::judge(about)));
+        if self.reference.as_ref().is_none_or(|(of, _)| of != about) {
+            self.reference = Some((about.clone(), tradeoff::reference(about)));
             self.now = None;
         }
         if self.now.as_ref().is_none_or(|(of, _)| *of != revision) {
-            let judge = self.judge.as_ref().and_then(|(_, judge)| judge.as_ref());
-            let verdict = judge.and_then(|judge| tradeoff::verdict_now(context.app, judge));
+            let reference = self
+                .reference
+                .as_ref()
+                .and_then(|(_, reference)| reference.as_ref());
+            let verdict =
+                reference.and_then(|reference| tradeoff::verdict_now(context.app, reference));
             self.now = Some((revision, verdict));
         }
         self.now.as_ref().and_then(|(_, verdict)| *verdict)

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::forming::thin;
+use super::{chain::strip, forming::thin};
 use crate::{
     app::{
         App, Entry,
@@ -13,8 +13,9 @@ use crate::{
         products::Lit,
         ticks::extent,
     },
-    color::{Adaptation, Srgb, Swatch, srgb_from_wavelength_over},
-    io::{many::numbers, preset::Shelf},
+    color::{Adaptation, Swatch},
+    io::many::numbers,
+    preset::Shelf,
     spectrum::{Band, Kind},
     study::products::{Colours, Narrow, NarrowPoint},
 };
@@ -387,17 +388,4 @@ pub fn is_filter(entry: &Entry) -> bool {
 
 fn derived_unit(app: &App) -> &str {
     &app.document().light.spectrum.unit
-}
-
-/// The visible colours along the axis.
-fn strip(band: Band, theme: Theme) -> Option<Vec<[u8; 3]>> {
-    let ground = match theme {
-        Theme::Dark => Srgb([27, 27, 27]),
-        Theme::Light => Srgb([255, 255, 255]),
-    };
-    (band.min_nm() < 830.0 && band.max_nm() > 360.0).then(|| {
-        band.grid()
-            .map(|nm| srgb_from_wavelength_over(nm, ground).0)
-            .collect()
-    })
 }

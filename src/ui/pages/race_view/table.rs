@@ -254,27 +254,7 @@ pub fn about(racer: Racer) -> String {
             };
             format!("{spikes}{exact}")
         }
-        Racer::Rival(family) => {
-            use crate::rivals::Family;
-            match family {
-                Family::Samples => "Equally spaced values with straight lines between them.",
-                Family::Bins => "Averages over equal boxes.",
-                Family::Legendre => "A polynomial, least squares.",
-                Family::Principal => {
-                    "Components of the shipped lights, trained without the light at hand and its \
-                     likes. Its tables are not counted among its numbers."
-                }
-                Family::Moments => {
-                    "Trigonometric moments, read by maximum entropy; never negative. Reflectances \
-                     are bounded by 1."
-                }
-                Family::Wavelet => {
-                    "The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
-                     place and value."
-                }
-            }
-            .to_owned()
-        }
+        Racer::Rival(family) => family.about().meaning.to_owned(),
         Racer::Chosen => "For each light the composite that is best on the patches: one of the \
                           eight above again, so it wins nothing of its own."
             .to_owned(),

@@ -10,10 +10,11 @@ use crate::{
     app::{
         Command, Entry,
         charts::race::{figure, looks, short_name, shown_factor, spread_of},
-        library::{Library, Preset},
+        library::Library,
         studies::{Class, Field, RaceAsk},
         study_report::sets,
     },
+    preset::Preset,
     spectrum::Kind,
     study::{Measure, Race, race::Racer},
     ui::{

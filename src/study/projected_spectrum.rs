@@ -1,4 +1,4 @@
-//! A spectrum prepared so that any choice of lines and numbers is a subtraction.
+//! A spectrum projected so that any choice of lines and numbers is a subtraction.
 //!
 //! Projection is linear: the coefficients of what is left when some lines are taken out are the
 //! spectrum's own minus those of the lines. So a spectrum is projected once, each line once, and
@@ -12,14 +12,14 @@ use crate::spectrum::{
 
 /// Basis functions and their inner products with what makes the colour, for one basis.
 #[derive(Clone, Debug)]
-pub struct Kit {
+pub struct FitBasis {
     /// The functions on the grid.
     pub table: Arc<BasisTable>,
     /// Their inner products with the three weights that make the subject's colour.
     pub colour: Arc<InnerProducts>,
 }
 
-impl Kit {
+impl FitBasis {
     /// Up to `numbers` functions of a basis, for colours made by `seen` (three weights on the
     /// band's grid).
     pub fn new(band: Band, basis: Basis, numbers: usize, seen: &[Vec<f64>; 3]) -> Self {
@@ -33,7 +33,7 @@ impl Kit {
 
 /// A line that may become a spike, with all that taking it out changes.
 #[derive(Clone, Debug)]
-struct PreparedLine {
+struct ProjectedLine {
     spike: Spike,
     /// Coefficients of what it takes out.
     coefficients: Vec<f64>,
@@ -43,28 +43,33 @@ struct PreparedLine {
 
 /// A spectrum and its lines in terms of one basis.
 #[derive(Clone, Debug)]
-pub struct Prepared {
-    kit: Kit,
+pub struct ProjectedSpectrum {
+    fit_basis: FitBasis,
     /// Coefficients of the whole spectrum.
     whole: Vec<f64>,
     /// X, Y, Z of the whole spectrum.
     xyz: [f64; 3],
-    lines: Vec<PreparedLine>,
+    lines: Vec<ProjectedLine>,
 }
 
-impl Prepared {
+impl ProjectedSpectrum {
     /// Projects a spectrum (values on the band's grid) and what each of its lines takes out.
     ///
-    /// `seen` are the weights the kit was made with.
-    pub fn new(kit: &Kit, values: &[f64], shapes: &[LineShape], seen: &[Vec<f64>; 3]) -> Self {
-        let (table, band) = (&kit.table, kit.table.band());
+    /// `seen` are the weights the basis was made with.
+    pub fn new(
+        fit_basis: &FitBasis,
+        values: &[f64],
+        shapes: &[LineShape],
+        seen: &[Vec<f64>; 3],
+    ) -> Self {
+        let (table, band) = (&fit_basis.table, fit_basis.table.band());
         let numbers = table.numbers();
         let lines = shapes
             .iter()
             .map(|shape| {
                 let mut taken = vec![0.0; band.points()];
                 taken[shape.first..][..shape.residue.len()].copy_from_slice(&shape.residue);
-                PreparedLine {
+                ProjectedLine {
                     spike: shape.spike,
                     coefficients: table.project(&taken, numbers),
                     xyz: std::array::from_fn(|k| {
@@ -77,7 +82,7 @@ impl Prepared {
             whole: table.project(values, numbers),
             xyz: std::array::from_fn(|k| band.inner(values, &seen[k])),
             lines,
-            kit: kit.clone(),
+            fit_basis: fit_basis.clone(),
         }
     }
 
@@ -91,7 +96,7 @@ impl Prepared {
         self.lines[index].spike
     }
 
-    /// The model of `numbers` smooth numbers (at least one, at most what the kit has) with those
+    /// The model of `numbers` smooth numbers (at least one, at most what the basis has) with those
     /// lines as spikes, and how the colour-exact fit went.
     pub fn model(
         &self,
@@ -114,13 +119,13 @@ impl Prepared {
         }
         spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
         let exactness = if colour_exact {
-            self.kit.colour.make_exact(&mut coefficients, target)
+            self.fit_basis.colour.make_exact(&mut coefficients, target)
         } else {
             Exactness::TooFewNumbers
         };
         let smooth = Series {
-            band: self.kit.table.band(),
-            basis: self.kit.table.basis(),
+            band: self.fit_basis.table.band(),
+            basis: self.fit_basis.table.basis(),
             coefficients,
         };
         (Composite { smooth, spikes }, exactness)
@@ -128,7 +133,7 @@ impl Prepared {
 
     /// A model's smooth part on the grid.
     pub fn smooth(&self, model: &Composite) -> Vec<f64> {
-        self.kit.table.evaluate(&model.smooth.coefficients)
+        self.fit_basis.table.evaluate(&model.smooth.coefficients)
     }
 }
 
@@ -174,24 +179,24 @@ mod tests {
         let (_, shapes) = detect_shapes(BAND, &values, SpikeSettings::default());
         let seen = Observer::Cie1931.table().on_band(BAND);
         for basis in Basis::ALL {
-            let kit = Kit::new(BAND, basis, 31, &seen);
-            let prepared = Prepared::new(&kit, &values, &shapes, &seen);
-            assert_eq!(prepared.lines(), 2);
+            let fit_basis = FitBasis::new(BAND, basis, 31, &seen);
+            let projected = ProjectedSpectrum::new(&fit_basis, &values, &shapes, &seen);
+            assert_eq!(projected.lines(), 2);
             let mut left = values.clone();
             for (i, r) in shapes[1].residue.iter().enumerate() {
                 left[shapes[1].first + i] -= r;
             }
-            let (model, _) = prepared.model(15, &[1], false);
+            let (model, _) = projected.model(15, &[1], false);
             for (c, direct) in model
                 .smooth
                 .coefficients
                 .iter()
-                .zip(kit.table.project(&left, 15))
+                .zip(fit_basis.table.project(&left, 15))
             {
                 // Sums of 401 products near 1, in another order.
                 assert!((c - direct).abs() < 1e-13);
             }
-            assert_eq!(model.spikes, [prepared.spike(1)]);
+            assert_eq!(model.spikes, [projected.spike(1)]);
             assert_eq!(model.numbers(), 17);
         }
     }
@@ -201,10 +206,10 @@ mod tests {
         let values = lamp();
         let (_, shapes) = detect_shapes(BAND, &values, SpikeSettings::default());
         let seen = Observer::Cie1931.table().on_band(BAND);
-        let kit = Kit::new(BAND, Basis::Cosine, 31, &seen);
-        let prepared = Prepared::new(&kit, &values, &shapes, &seen);
+        let fit_basis = FitBasis::new(BAND, Basis::Cosine, 31, &seen);
+        let projected = ProjectedSpectrum::new(&fit_basis, &values, &shapes, &seen);
         for lines in [&[][..], &[0], &[1], &[0, 1]] {
-            let (model, exactness) = prepared.model(7, lines, true);
+            let (model, exactness) = projected.model(7, lines, true);
             assert!(exactness.is_exact());
             for row in &seen {
                 let found = model.integrate(|nm| BAND.interpolate(row, nm));

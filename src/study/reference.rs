@@ -16,6 +16,7 @@ use crate::{
         ciede2000::delta_e_2000,
         lab::lab_from_xyz,
         patches::{PatchSet, difference, labs_into},
+        xyz_of_one, xyz_of_parts,
     },
     spectrum::{Band, Spike, composite::add_spikes},
 };
@@ -36,7 +37,7 @@ pub fn filter_centres() -> impl Iterator<Item = f64> {
 
 /// What is shared by all spectra that are judged on one band for one observer.
 #[derive(Clone, Debug)]
-pub struct Yardsticks {
+pub struct Measures {
     /// The 10 nm blur.
     pub blur: Blur,
     /// The patches, exact.
@@ -47,8 +48,8 @@ pub struct Yardsticks {
     pub seen: [Vec<f64>; 3],
 }
 
-impl Yardsticks {
-    /// Yardsticks with these patches (exact, on the band's grid).
+impl Measures {
+    /// Measures with these patches (exact, on the band's grid).
     pub fn new(patches: PatchSet) -> Self {
         let (band, observer): (Band, Observer) = (patches.band(), patches.observer());
         let narrow = |centre_nm: f64| -> Vec<f64> {
@@ -162,8 +163,8 @@ pub fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
 
 /// The exact side of every comparison for one spectrum.
 #[derive(Clone, Debug)]
-pub struct Judge {
-    yardsticks: Arc<Yardsticks>,
+pub struct Reference {
+    measures: Arc<Measures>,
     measured: Vec<f64>,
     /// What weighs the spectrum to X, Y, Z.
     seen: [Vec<f64>; 3],
@@ -181,49 +182,49 @@ pub struct Judge {
 
 const BLACK: Lab = Lab::new(0.0, 0.0, 0.0);
 
-impl Judge {
-    /// The judge of a light, given on the band's grid at an ordinary scale ([`scaled_to_one`]).
-    pub fn of_light(yardsticks: &Arc<Yardsticks>, measured: &[f64]) -> Self {
-        let mut judge = Self::of(yardsticks, measured, yardsticks.seen.clone(), None);
-        if judge.own.is_none() {
-            return judge;
+impl Reference {
+    /// The reference of a light, given on the band's grid at an ordinary scale ([`scaled_to_one`]).
+    pub fn of_light(measures: &Arc<Measures>, measured: &[f64]) -> Self {
+        let mut reference = Self::of(measures, measured, measures.seen.clone(), None);
+        if reference.own.is_none() {
+            return reference;
         }
-        judge.patches = Some(judge.labs_of(&yardsticks.patches, measured, &[]));
-        let filters = &yardsticks.filters;
+        reference.patches = Some(reference.labs_of(&measures.patches, measured, &[]));
+        let filters = &measures.filters;
         let mut exact = filters.buffer();
         filters.xyz_into(measured, &mut exact);
         let gains: Vec<f64> = exact
             .iter()
-            .map(|xyz| (FILTER_Y * judge.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN))
+            .map(|xyz| (FILTER_Y * reference.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN))
             .collect();
-        let labs = judge.filtered(&mut exact, &gains);
-        judge.filters = Some((labs, gains));
-        judge
+        let labs = reference.filtered(&mut exact, &gains);
+        reference.filters = Some((labs, gains));
+        reference
     }
 
-    /// The judge of a reflectance or transmittance under a light, both on the band's grid: no
+    /// The reference of a reflectance or transmittance under a light, both on the band's grid: no
     /// patches, no filters. `perfect` is what a perfect reflector has in the measured scale.
     pub fn of_factor(
-        yardsticks: &Arc<Yardsticks>,
+        measures: &Arc<Measures>,
         measured: &[f64],
         light: &[f64],
         perfect: f64,
     ) -> Self {
-        let seen = seen_under(&yardsticks.seen, light);
-        let band = yardsticks.band();
-        let white = Xyz::from_array(std::array::from_fn(|k| perfect * band.integral(&seen[k])));
-        Self::of(yardsticks, measured, seen, Some(white))
+        let seen = seen_under(&measures.seen, light);
+        let band = measures.band();
+        let white = xyz_of_one(band, &seen) * perfect;
+        Self::of(measures, measured, seen, Some(white))
     }
 
     fn of(
-        yardsticks: &Arc<Yardsticks>,
+        measures: &Arc<Measures>,
         measured: &[f64],
         seen: [Vec<f64>; 3],
         white: Option<Xyz>,
     ) -> Self {
-        let band = yardsticks.band();
-        let blurred = yardsticks.blur.values(measured);
-        let exact = Xyz::from_array(std::array::from_fn(|k| band.inner(measured, &seen[k])));
+        let band = measures.band();
+        let blurred = measures.blur.values(measured);
+        let exact = xyz_of_parts(band, measured, &[], &seen);
         let white = white.unwrap_or(exact);
         let has_colour = white.y > 0.0 && white.is_finite() && exact.is_finite();
         Self {
@@ -237,7 +238,7 @@ impl Judge {
             top: measured.iter().fold(0.0, |m: f64, v| m.max(v.abs())),
             measured: measured.to_vec(),
             seen,
-            yardsticks: yardsticks.clone(),
+            measures: measures.clone(),
         }
     }
 
@@ -252,14 +253,14 @@ impl Judge {
         &self.seen
     }
 
-    /// The shared yardsticks.
-    pub fn yardsticks(&self) -> &Arc<Yardsticks> {
-        &self.yardsticks
+    /// The shared measures.
+    pub fn measures(&self) -> &Arc<Measures> {
+        &self.measures
     }
 
     /// Every figure of a model: its smooth part on the grid and its spikes.
     pub fn verdict(&self, smooth: &[f64], spikes: &[Spike]) -> Verdict {
-        self.verdict_through(smooth, spikes, &self.yardsticks.patches)
+        self.verdict_through(smooth, spikes, &self.measures.patches)
     }
 
     /// Every figure, the patches' reflectances approximated too: `patches` are the same patches
@@ -281,20 +282,14 @@ impl Judge {
     /// CIEDE2000 of the model's own colour.
     pub fn own(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
         let exact = self.own?;
-        let band = self.yardsticks.band();
-        let xyz = Xyz::from_array(std::array::from_fn(|k| {
-            let lines: f64 = spikes
-                .iter()
-                .map(|s| s.weight * band.interpolate(&self.seen[k], s.at_nm))
-                .sum();
-            band.inner(smooth, &self.seen[k]) + lines
-        }));
+        let band = self.measures.band();
+        let xyz = xyz_of_parts(band, smooth, spikes, &self.seen);
         Some(delta_e_2000(exact, lab_from_xyz(xyz, self.white)))
     }
 
     /// Mean and largest CIEDE2000 of the exact patches under the model.
     pub fn patches(&self, smooth: &[f64], spikes: &[Spike]) -> Option<(f64, f64)> {
-        self.patches_with(smooth, spikes, &self.yardsticks.patches)
+        self.patches_with(smooth, spikes, &self.measures.patches)
     }
 
     fn patches_with(
@@ -323,7 +318,7 @@ impl Judge {
     /// Mean CIEDE2000 behind the narrow filters.
     pub fn filters(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
         let (exact, gains) = self.filters.as_ref().filter(|f| !f.0.is_empty())?;
-        let filters = &self.yardsticks.filters;
+        let filters = &self.measures.filters;
         let mut xyz = filters.buffer();
         filters.xyz_into(smooth, &mut xyz);
         for spike in spikes {
@@ -343,7 +338,7 @@ impl Judge {
 
     /// Root mean square of the difference over that of the spectrum, on the 1 nm grid.
     pub fn relative_rms(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
-        let band = self.yardsticks.band();
+        let band = self.measures.band();
         let mut rest: Vec<f64> = smooth
             .iter()
             .zip(&self.measured)
@@ -355,12 +350,12 @@ impl Judge {
 
     /// The same behind a 10 nm blur, spikes blurred analytically.
     pub fn relative_rms_10nm(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
-        let band = self.yardsticks.band();
-        let mut rest = self.yardsticks.blur.values(smooth);
+        let band = self.measures.band();
+        let mut rest = self.measures.blur.values(smooth);
         for (r, m) in rest.iter_mut().zip(&self.blurred) {
             *r -= m;
         }
-        self.yardsticks.blur.add_spikes(spikes, &mut rest);
+        self.measures.blur.add_spikes(spikes, &mut rest);
         share(band.inner(&rest, &rest), self.blurred_square)
     }
 }
@@ -381,12 +376,12 @@ mod tests {
 
     const BAND: Band = Band::VISIBLE;
 
-    fn yardsticks() -> Arc<Yardsticks> {
+    fn measures() -> Arc<Measures> {
         let ramp: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
         let grey = vec![0.2; BAND.points()];
         let names = ["ramp", "grey"].map(String::from).to_vec();
         let set = PatchSet::new(&[ramp, grey], names, BAND, Observer::Cie1931);
-        Arc::new(Yardsticks::new(set))
+        Arc::new(Measures::new(set))
     }
 
     /// A smooth light of ordinary height.
@@ -398,8 +393,8 @@ mod tests {
 
     #[test]
     fn a_model_that_is_the_spectrum_is_off_by_nothing() {
-        let judge = Judge::of_light(&yardsticks(), &light());
-        let verdict = judge.verdict(&light(), &[]);
+        let reference = Reference::of_light(&measures(), &light());
+        let verdict = reference.verdict(&light(), &[]);
         for measure in Measure::ALL {
             assert_eq!(measure.of(&verdict), Some(0.0), "{measure:?}");
         }
@@ -408,7 +403,7 @@ mod tests {
 
     #[test]
     fn a_line_on_a_grid_point_is_one_nm_of_light_there() {
-        let judge = Judge::of_light(&yardsticks(), &light());
+        let reference = Reference::of_light(&measures(), &light());
         let mut nm_of_light = light();
         nm_of_light[166] += 3.0;
         let spike = Spike {
@@ -416,8 +411,8 @@ mod tests {
             weight: 3.0,
         };
         let (a, b) = (
-            judge.verdict(&nm_of_light, &[]),
-            judge.verdict(&light(), &[spike]),
+            reference.verdict(&nm_of_light, &[]),
+            reference.verdict(&light(), &[spike]),
         );
         for measure in Measure::ALL {
             let (a, b) = (measure.of(&a), measure.of(&b));
@@ -430,15 +425,15 @@ mod tests {
 
     #[test]
     fn the_errors_of_the_spectrum_are_those_of_the_main_page() {
-        let judge = Judge::of_light(&yardsticks(), &light());
+        let reference = Reference::of_light(&measures(), &light());
         let smooth: Vec<f64> = light().iter().map(|v| 0.9 * v + 0.02).collect();
         let spikes = [Spike {
             at_nm: 500.3,
             weight: 0.8,
         }];
-        let blur = &judge.yardsticks().blur;
+        let blur = &reference.measures().blur;
         let shown = spectrum_errors(blur, &light(), &smooth, &spikes).expect("it shines");
-        let verdict = judge.verdict(&smooth, &spikes);
+        let verdict = reference.verdict(&smooth, &spikes);
         for (found, shown) in [
             (verdict.relative_rms, shown.relative_rms),
             (verdict.relative_rms_10nm, shown.relative_rms_10nm),
@@ -452,10 +447,10 @@ mod tests {
 
     #[test]
     fn behind_a_filter_the_exact_light_has_y_50_or_is_brightened_fifty_times() {
-        let judge = Judge::of_light(&yardsticks(), &light());
-        let (labs, gains) = judge.filters.as_ref().expect("a light");
+        let reference = Reference::of_light(&measures(), &light());
+        let (labs, gains) = reference.filters.as_ref().expect("a light");
         assert_eq!(labs.len(), filter_centres().count());
-        let fifty = lab_from_xyz(judge.white * 0.5, judge.white).l;
+        let fifty = lab_from_xyz(reference.white * 0.5, reference.white).l;
         for ((lab, gain), at_nm) in labs.iter().zip(gains).zip(filter_centres()) {
             let reached = (lab.l - fifty).abs() < 1e-9;
             assert_eq!(reached, *gain < MOST_GAIN, "{at_nm} nm");
@@ -467,18 +462,18 @@ mod tests {
 
     #[test]
     fn what_a_filter_hides_does_not_count_behind_it() {
-        let judge = Judge::of_light(&yardsticks(), &light());
+        let reference = Reference::of_light(&measures(), &light());
         let mut outside = light();
         outside[..20].iter_mut().for_each(|v| *v += 0.5);
-        let filters = judge.filters(&outside, &[]).expect("a light");
+        let filters = reference.filters(&outside, &[]).expect("a light");
         // 400 nm is two widths from the first filter's centre: exp(-4 ln2 4) is 1e-5.
         assert!(filters < 1e-3, "{filters}");
-        assert!(judge.relative_rms(&outside, &[]).expect("a light") > 0.05);
+        assert!(reference.relative_rms(&outside, &[]).expect("a light") > 0.05);
     }
 
     #[test]
     fn approximated_patches_are_judged_against_exact_ones() {
-        let judge = Judge::of_light(&yardsticks(), &light());
+        let reference = Reference::of_light(&measures(), &light());
         let darker = PatchSet::new(
             &[
                 BAND.grid().map(|nm| 0.9 * (nm - 380.0) / 400.0).collect(),
@@ -488,28 +483,28 @@ mod tests {
             BAND,
             Observer::Cie1931,
         );
-        let verdict = judge.verdict_through(&light(), &[], &darker);
+        let verdict = reference.verdict_through(&light(), &[], &darker);
         assert_eq!(verdict.own, Some(0.0));
         assert!(verdict.patches_mean.expect("a light") > 0.5);
     }
 
     #[test]
     fn a_reflectance_is_seen_under_its_light_at_any_scale() {
-        let (all, light) = (yardsticks(), light());
+        let (all, light) = (measures(), light());
         let red: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
         let model: Vec<f64> = red.iter().map(|r| 0.8 * r + 0.1).collect();
         let own = |scale: f64| {
             let scaled =
                 |values: &[f64]| -> Vec<f64> { values.iter().map(|v| v * scale).collect() };
-            let judge = Judge::of_factor(&all, &scaled(&red), &light, scale);
-            judge.own(&scaled(&model), &[]).expect("a colour")
+            let reference = Reference::of_factor(&all, &scaled(&red), &light, scale);
+            reference.own(&scaled(&model), &[]).expect("a colour")
         };
         // Products by a power of two are exact.
         assert_eq!(own(1.0), own(4.0));
         assert!(own(1.0) > 1.0);
-        let judge = Judge::of_factor(&all, &red, &light, 1.0);
-        assert_eq!(judge.patches(&model, &[]), None);
-        assert_eq!(judge.filters(&model, &[]), None);
+        let reference = Reference::of_factor(&all, &red, &light, 1.0);
+        assert_eq!(reference.patches(&model, &[]), None);
+        assert_eq!(reference.filters(&model, &[]), None);
     }
 
     #[test]
@@ -522,8 +517,8 @@ mod tests {
             band,
             Observer::Cie1931,
         );
-        let judge = Judge::of_light(&Arc::new(Yardsticks::new(set)), &white);
-        let verdict = judge.verdict(&vec![0.5; band.points()], &[]);
+        let reference = Reference::of_light(&Arc::new(Measures::new(set)), &white);
+        let verdict = reference.verdict(&vec![0.5; band.points()], &[]);
         assert_eq!(
             (verdict.own, verdict.patches_mean, verdict.filters),
             (None, None, None)

@@ -4,20 +4,20 @@ use std::sync::Arc;
 
 use super::{
     Bins, Bounds, Family, Legendre, Moments, Principal, PrincipalBasis, Rival, Samples, Wavelet,
-    legendre::PolynomialTable, moments::PhaseTable, wavelet::WaveletTable,
+    legendre::PolynomialTable, phases::PhaseTable, wavelet::WaveletTable,
 };
 use crate::spectrum::Band;
 
 /// The tables of one band: polynomials, phases, wavelet norms. Cheap to share, never changed.
 #[derive(Clone, Debug)]
-pub struct Workshop {
+pub struct FitTables {
     band: Band,
     polynomials: Arc<PolynomialTable>,
     phases: Arc<PhaseTable>,
     wavelets: Arc<WaveletTable>,
 }
 
-impl Workshop {
+impl FitTables {
     /// Tables for fits of up to `most` numbers; cut to what the band's grid carries.
     ///
     /// Takes memory for `4 most` values a grid point.
@@ -39,7 +39,7 @@ impl Workshop {
     ///
     /// A count that a family cannot have is brought to the nearest it can: at least
     /// [`Family::least_numbers`], at most the grid's points (a wavelet: all its coefficients),
-    /// for polynomial and moments at most the workshop's own, for principal components at most
+    /// for polynomial and moments at most the tables' own, for principal components at most
     /// the rows of `basis`, which no other family looks at. An odd count leaves a wavelet one
     /// unused. [`Rival::numbers`] tells what was taken.
     ///
