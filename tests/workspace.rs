@@ -100,6 +100,7 @@ fn setting_of(place: &Place) -> Place {
     let length = match place[0].as_str() {
         "overlays" | "images" if place.len() < 4 => 1,
         "products" if is(1, "chain") && place.len() < 5 => 2,
+        "settings" if is(1, "band") => 2,
         "edits" => place.len().min(3),
         "preferences" if is(1, "recent") || is(1, "folded") || is(1, "window") => 2,
         "preferences" if is(2, "goal") || is(2, "spend_goal") => 3,
@@ -163,10 +164,13 @@ fn assert_costs_one_setting(whole: &Value, place: &Place, damage: &Value) {
         names.next_back().expect("a name").clone()
     };
     let names = [last_name(place), last_name(&setting)];
-    let is_told = losses.iter().any(|loss| {
-        loss.lines().count() == 1
-            && (names.iter().any(|name| loss.contains(name)) || loss.contains("wibble"))
-    });
+    let is_named = |loss: &str| {
+        let is_band = names[0] == "band" && loss.starts_with("The model's range");
+        is_band || loss.contains("wibble") || names.iter().any(|name| loss.contains(name))
+    };
+    let is_told = losses
+        .iter()
+        .any(|loss| loss.lines().count() == 1 && is_named(loss));
     assert!(
         stands || is_told,
         "nothing tells of {place:?} as {damage}: {losses:?}"
