@@ -15,7 +15,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spectral_explorer::{
     app::{
         library::Library,
-        picture::{Developed, Eye, Held, RasterAsk, Source, developed},
+        picture::{Developed, Eye, Held, MOST_SIDE, RasterAsk, Source, developed},
     },
     color::Observer,
     io::read_path,
@@ -111,6 +111,7 @@ fn true_colour(path: &Path) -> Developed {
     let ask = RasterAsk {
         image: Held(image),
         source: Source::Eye(Box::new(eye)),
+        most_side: MOST_SIDE,
     };
     let raster = ask.answer(&Progress::default()).expect("not cancelled");
     developed(&raster, 0.0)

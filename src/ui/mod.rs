@@ -10,6 +10,7 @@ pub mod colour_view;
 pub mod curve_view;
 pub mod dialogs;
 pub mod files;
+pub mod fit;
 pub mod import_view;
 pub mod keys;
 pub mod library_view;

@@ -12,7 +12,7 @@ pub use develop::{Developed, NOT_MEASURED, developed, seen_in};
 pub use eye::Eye;
 pub use memory::{BAND_NM, ImageMemory, STOPS, Show, Spread};
 pub use probe::{ProbeAsk, Probed, named};
-pub use raster::{Raster, RasterAsk, Source, step_of};
+pub use raster::{MOST_SIDE, Raster, RasterAsk, Source, step_of};
 
 use std::sync::Arc;
 

@@ -10,8 +10,11 @@ use crate::{
     color::{Srgb, srgb_from_wavelength_over},
 };
 
-/// What a strip was made for: first and last wavelength, dark ground.
-type Key = (u32, u32, bool);
+/// What a strip was made for: first and last wavelength, texels, dark ground.
+type Key = (u32, u32, usize, bool);
+
+/// Most texels of the strip: more than a screen shows, and no range is too wide for a texture.
+const MOST_TEXELS: usize = 1024;
 
 /// The strip's texture, made anew only for another range or theme.
 #[derive(Default)]
@@ -32,14 +35,18 @@ impl Strip {
         let band = app.derived().band;
         let (area, _) =
             ui.allocate_exact_size(vec2(ui.available_width(), height), egui::Sense::hover());
-        let key = (band.min_nm() as u32, band.max_nm() as u32, theme.dark);
+        let side = ui.input(|i| i.max_texture_side);
+        let texels = band.points().min(MOST_TEXELS).min(side).max(2);
+        let ends = (band.min_nm() as u32, band.max_nm() as u32);
+        let key = (ends.0, ends.1, texels, theme.dark);
         let texture = match &self.made {
             Some((made_for, texture)) if *made_for == key => texture.clone(),
             _ => {
                 let [r, g, b, _] = theme.ground.to_array();
-                let pixels: Vec<Color32> = band
-                    .grid()
-                    .map(|nm| {
+                let step = band.length_nm() / (texels - 1) as f64;
+                let pixels: Vec<Color32> = (0..texels)
+                    .map(|i| {
+                        let nm = band.min_nm() + step * i as f64;
                         let Srgb([r, g, b]) = srgb_from_wavelength_over(nm, Srgb([r, g, b]));
                         Color32::from_rgb(r, g, b)
                     })
@@ -59,8 +66,8 @@ impl Strip {
             pos2(frame.left(), area.top()),
             pos2(frame.right(), area.bottom()),
         ));
-        // Grid points are the middles of texels: the first and last stand on the band's ends.
-        let half = 0.5 / band.points() as f32;
+        // Wavelengths are the middles of texels: the first and last stand on the band's ends.
+        let half = 0.5 / texels as f32;
         painter.image(
             texture.id(),
             Rect::from_min_max(

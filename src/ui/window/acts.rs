@@ -8,6 +8,7 @@ use super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::Dialog,
         files::Ask,
+        fit::Front,
         keys::{self, Act},
         picture,
         theme::waker,
@@ -78,6 +79,7 @@ impl Window {
             Act::Projector => self.preferences.projector = !self.preferences.projector,
             Act::Search => {
                 self.preferences.no_library = false;
+                self.front = Front::Library;
                 self.library.wants_search = true;
             }
             Act::ZoomIn => self.zoom(self.preferences.zoom + 0.1),

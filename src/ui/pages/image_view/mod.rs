@@ -1,6 +1,7 @@
 //! The page "Image": a spectral image as a picture, from which a pixel or a region's mean becomes
 //! a spectrum.
 
+mod asks;
 mod canvas;
 mod controls;
 mod figures;
@@ -16,16 +17,12 @@ use crate::{
         Command,
         charts::image::probe_chart,
         opened::ImageEntry,
-        picture::{
-            Developed, Eye, Held, ProbeAsk, Probed, Raster, RasterAsk, Show, Source, Spread,
-            developed, named, shown,
-        },
+        picture::{Developed, Eye, Held, Probed, Raster, Show, Spread, developed, named, shown},
         plot_svg::{self, Chart},
         studies::{Same, Stage},
     },
     color::Observer,
     spectrum::Rect,
-    study::Progress,
     ui::{chart_view::ChartView, colour_view::capitalised},
 };
 use canvas::{Canvas, Picture, Touched};
@@ -120,8 +117,9 @@ impl ImageView {
         }
         controls::looks(ui, context, &entry);
         let shown = self.shown(context, entry);
-        let raster = ask_raster(context, &shown);
-        let probed = ask_probe(context, &shown);
+        let side = ui.input(|i| i.max_texture_side);
+        let raster = asks::raster(context, &shown, side);
+        let probed = asks::probe(context, &shown);
         self.draw(ui, context, &shown, raster);
         self.chart(context, probed);
 
@@ -358,43 +356,6 @@ impl Shown {
         self.entry.image.name_of(probed.rect) == probed.spectrum.name
             && self.entry.image.source == probed.spectrum.source
     }
-}
-
-fn ask_raster(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Raster>> {
-    let source = match &shown.eye {
-        Some(eye) if shown.bands.is_empty() => Source::Eye(eye.clone()),
-        _ => Source::Bands(shown.bands.clone()),
-    };
-    let ask = RasterAsk {
-        image: Held(shown.entry.image.clone()),
-        source,
-    };
-    let job = &mut context.studies.raster;
-    job.ask(&ask, context.wake, || {
-        let ask = ask.clone();
-        move |progress: &Progress| ask.answer(progress)
-    });
-    // The picture of another image is none of this one.
-    let (key, raster) = job.answer()?;
-    (key.image == ask.image).then(|| raster.clone())
-}
-
-fn ask_probe(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Probed>> {
-    let document = context.app.document();
-    let ask = ProbeAsk {
-        image: Held(shown.entry.image.clone()),
-        rect: shown.rect,
-        settings: document.settings,
-        light: Same(document.light.clone()),
-    };
-    let job = &mut context.studies.probe;
-    job.ask(&ask, context.wake, || {
-        let ask = ask.clone();
-        move |progress: &Progress| ask.answer(progress)
-    });
-    let (key, probed) = job.answer()?;
-    let impossible = job.stage() == Stage::Impossible;
-    (key.image == ask.image && !impossible).then(|| probed.clone())
 }
 
 /// How the picture is drawn and what of it is not shown as it is.

@@ -188,7 +188,7 @@ fn take_surface(context: &mut PageContext<'_>, entry: Arc<Entry>) {
 
 /// Which ways have curves.
 fn shown_ways(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let hidden = &mut context.memory.products.forming.hidden;
+    let memory = &mut context.memory.products.forming;
     ui.horizontal_wrapped(|ui| {
         ui.label("Show");
         for way in Sampling::ALL {
@@ -196,16 +196,13 @@ fn shown_ways(ui: &mut Ui, context: &mut PageContext<'_>) {
             if way == Sampling::Exact {
                 continue;
             }
-            let mut shown = !hidden.contains(&way);
+            let mut shown = !memory.hidden.contains(&way);
             if ui
                 .checkbox(&mut shown, way_name(way))
                 .on_hover_text(way_meaning(way))
                 .changed()
             {
-                hidden.retain(|one| *one != way);
-                if !shown {
-                    hidden.push(way);
-                }
+                memory.show(way, shown);
             }
         }
     });
