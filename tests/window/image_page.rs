@@ -8,7 +8,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crate::driver::{Shown, Ui, app, harness, no_files, words};
+use crate::driver::{Shown, Ui, app, assert_written, harness, no_files, words};
 use crate::root::root;
 use eframe::egui;
 use egui::{Key, Pos2, Role, vec2};
