@@ -3,8 +3,6 @@
 use std::fmt;
 use std::path::Path;
 
-use super::input::name_of;
-
 /// Longest piece of a file that a message repeats, in characters.
 const LONGEST_QUOTE: usize = 48;
 
@@ -171,6 +169,14 @@ pub fn printable_line(text: &str) -> String {
 fn is_printable(c: char) -> bool {
     !c.is_control()
         && !matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fffd}')
+}
+
+/// The last part of a path, as messages show it.
+pub fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(
+        || path.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    )
 }
 
 #[cfg(test)]

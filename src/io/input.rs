@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::choices::Choices;
 use super::error::ReadError;
+pub use super::error::name_of;
 use super::text::{self, Text};
 
 /// How much text a sniffer looks at, in bytes.
@@ -107,14 +108,6 @@ impl<'a> Input<'a> {
     pub fn error(&self, found: impl Into<String>, expected: impl Into<String>) -> ReadError {
         ReadError::new(&self.name, found, expected)
     }
-}
-
-/// The last part of a path, as messages show it.
-pub fn name_of(path: &Path) -> String {
-    path.file_name().map_or_else(
-        || path.display().to_string(),
-        |name| name.to_string_lossy().into_owned(),
-    )
 }
 
 #[cfg(test)]

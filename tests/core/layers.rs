@@ -495,7 +495,6 @@ const LONG: [&str; 29] = [
     "src/app/product_report.rs",
     "src/app/state.rs",
     "src/app/study_report.rs",
-    "src/app/workspace.rs",
     "src/io/cgats.rs",
     "src/io/columns.rs",
     "src/io/plain_json.rs",
