@@ -616,7 +616,7 @@ fn a_picture_is_reduced_to_the_largest_texture_of_the_driver() {
     ui.step();
     // A texture beyond it is a panic.
     open_file(&mut ui, &long);
-    assert!(words(&ui).contains("reduced: each drawn pixel is the mean of 2 x 2"));
+    assert!(words(&ui).contains("Reduced: each drawn pixel is the mean of 2 x 2"));
 }
 
 #[test]
