@@ -14,7 +14,7 @@ use spectral_explorer::{
         workspace::{self, Restored, StoredImage},
     },
     io::Choices,
-    spectrum::{Band, Kind},
+    spectrum::{Band, Kind, Sampling},
 };
 
 /// An image that is read again, with a person's decisions about it.
@@ -352,6 +352,30 @@ fn a_workspace_of_which_something_is_lost_is_kept_as_it_was_found() {
         assert_eq!(fs::read_to_string(&path).expect("in its place"), text);
         assert_eq!(fs::read_dir(folder.path()).expect("listed").count(), 2);
     }
+}
+
+#[test]
+fn what_the_program_itself_wrote_is_never_a_loss() {
+    let mut preferences = full_preferences();
+    // Folded away, and more files than are remembered.
+    preferences.window = Some([0.0, f32::NAN]);
+    preferences.zoom = f32::INFINITY;
+    preferences.recent = (0..40).map(|i| PathBuf::from(format!("{i}.csv"))).collect();
+    preferences.pages.auction_numbers = 0;
+    preferences.pages.products.narrow.centre_nm = f64::NAN;
+    let forming = &mut preferences.pages.products.forming;
+    for way in [Sampling::Convolution, Sampling::Paper, Sampling::Double] {
+        forming.show(way, false);
+    }
+    let text = workspace::to_json(&full_document(), Some(&preferences)).unwrap();
+    let restored = workspace::from_json(&text).expect("our own text");
+    assert!(restored.losses.is_empty(), "{:?}", restored.losses);
+    let restored = restored.preferences.expect("the window's");
+    assert_eq!(restored.window, None);
+    assert_eq!(
+        restored.pages.products.forming,
+        preferences.pages.products.forming
+    );
 }
 
 // -------------------------------------------------------------------------------------- overlays

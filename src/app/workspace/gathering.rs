@@ -64,7 +64,7 @@ pub fn begin(path: &Path) -> Begun {
         let words = "The workspace cannot be locked here: do not open a second window on it.";
         begun.words.push((Tone::Problem, words.to_owned()));
     }
-    for left in place.left_behind(path) {
+    for left in place.left_behind() {
         gather(&mut begun, &place, &left);
     }
     begun.place = Some(place);
@@ -117,14 +117,22 @@ fn gather(begun: &mut Begun, place: &Place, left: &Place) {
         // It is looked at again at the next start, and nothing in it is new then.
         Err(_) => name_of(from),
     };
-    if spectra + images > 0 {
-        begun.words.push((
-            Tone::Info,
-            format!(
-                "{spectra} spectra and {images} images of another window are among your files \
-                 now; its workspace is kept as {kept}."
-            ),
-        ));
+    let counted = |count: usize, one: &str, many: &str| match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        _ => Some(format!("{count} {many}")),
+    };
+    let brought = [
+        counted(spectra, "spectrum", "spectra"),
+        counted(images, "image", "images"),
+    ];
+    let brought: Vec<String> = brought.into_iter().flatten().collect();
+    if !brought.is_empty() {
+        let words = format!(
+            "Brought here from another window: {}. Its workspace is kept as {kept}.",
+            brought.join(", ")
+        );
+        begun.words.push((Tone::Info, words));
     }
 }
 

@@ -18,8 +18,10 @@ const MOST_WINDOWS: usize = 32;
 /// A workspace that no other window writes to for as long as this lives.
 #[derive(Debug)]
 pub struct Place {
-    path: PathBuf,
+    /// The workspace itself, which the first window has.
+    first: PathBuf,
     number: usize,
+    path: PathBuf,
     lock: Option<File>,
 }
 
@@ -69,13 +71,11 @@ impl Place {
         self.lock.is_some()
     }
 
-    /// The workspace at `first` and those beside it with higher numbers than this one's that no
-    /// window writes to any more.
-    pub fn left_behind(&self, first: &Path) -> Vec<Self> {
-        let first = std::fs::canonicalize(first).unwrap_or_else(|_| first.to_owned());
+    /// Those with higher numbers than this one's that no window writes to any more.
+    pub fn left_behind(&self) -> Vec<Self> {
         (self.number + 1..=MOST_WINDOWS)
-            .filter(|number| numbered(&first, *number).is_file())
-            .filter_map(|number| match Self::try_number(&first, number) {
+            .filter(|number| numbered(&self.first, *number).is_file())
+            .filter_map(|number| match Self::try_number(&self.first, number) {
                 // Without a lock nobody knows whether its window is still there.
                 Tried::Free(place) if place.is_locked() => Some(place),
                 Tried::Free(_) | Tried::Taken => None,
@@ -92,8 +92,9 @@ impl Place {
         let path = numbered(first, number);
         let free = |lock| {
             Tried::Free(Self {
-                path: path.clone(),
+                first: first.to_owned(),
                 number,
+                path: path.clone(),
                 lock,
             })
         };

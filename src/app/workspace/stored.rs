@@ -151,7 +151,8 @@ impl Stored {
             weight_factor: *weight_factor,
             view: *view,
             products: Some(StoredProducts::of(products)),
-            preferences: preferences.cloned(),
+            // A window that is folded away has no size, and so on: what is written can be read.
+            preferences: preferences.cloned().map(Preferences::clamped),
         }
     }
 }
