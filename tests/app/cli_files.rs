@@ -306,6 +306,8 @@ fn a_file_that_says_nothing_is_taken_as_a_light_with_a_word() {
             assert!(told.err.contains(words), "{args:?}: {}", told.err);
         }
     }
+    let told = desk.done(&["product", "FL2", "lamp behind a filter.csv"]);
+    assert!(told.err.contains("taken as transmittance"), "{}", told.err);
     desk.put("lamp.csv", lamp());
     assert_eq!(desk.done(&["product", "lamp.csv", "red"]).err, "");
 }

@@ -1842,9 +1842,10 @@ fn what_cannot_be_shown_is_refused_in_words() {
         let why = resolve(input, None, None).expect_err("nothing to show");
         assert!(is_one_line(&why) && why.contains(words), "{input}: {why}");
     }
-    let why = resolve(&bad.display().to_string(), None, None).expect_err("a bad cell");
+    let bad = bad.display().to_string();
+    let why = resolve(&bad, None, None).expect_err("a bad cell");
     assert!(
-        why.starts_with(&format!("{}, line 5: found", bad.display())) && is_one_line(&why),
+        why.starts_with(&format!("{bad}, line 5: found")) && is_one_line(&why),
         "{why}"
     );
     let seen = resolve("observers/V(lambda) photopic", None, Some(Kind::Light));
