@@ -4,7 +4,7 @@ use std::{io, path::PathBuf, process::ExitCode, time::Instant};
 
 use spectral_explorer::{
     app::workspace::Preferences,
-    app::{App, plot_svg, workspace},
+    app::{App, chart, charts::spectrum::spectrum_chart, workspace},
     cli::{self, Input, Outcome, Pictures},
     ui::{picture, shell},
 };
@@ -17,11 +17,11 @@ impl Pictures for Painted {
         picture::window_png(app, preferences, size)
     }
 
-    fn plot(&self, app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
-        picture::plot_png(app, theme, size)
+    fn plot(&self, app: &App, theme: chart::Theme, size: [u32; 2]) -> Vec<u8> {
+        picture::chart_png(&spectrum_chart(app, theme), size)
     }
 
-    fn chart(&self, chart: &plot_svg::Chart, size: [u32; 2]) -> Vec<u8> {
+    fn chart(&self, chart: &chart::Chart, size: [u32; 2]) -> Vec<u8> {
         picture::chart_png(chart, size)
     }
 }

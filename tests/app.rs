@@ -20,6 +20,7 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, Subject, View,
+        chart::Theme,
         document::{FIRST_LIGHT, FIRST_PATCH_SET},
         export::Export,
         library::Library,
@@ -27,7 +28,6 @@ use spectral_explorer::{
         opened::Opened,
         pages::{FieldChoice, Page, PageMemory, WaysShown},
         picture::{ImageMemory, Show, Spread},
-        plot_svg::Theme,
         products::{
             Link, Part, Products, ProductsMemory,
             memory::{

@@ -11,8 +11,9 @@ use std::{
 use serde_json::Value;
 use spectral_explorer::{
     app::{
-        self, App, Settings, open,
-        plot_svg::{Chart, Theme},
+        self, App, Settings,
+        chart::{Chart, Theme},
+        open,
         workspace::{self, Preferences},
     },
     cli::{self, Input, Outcome, Pictures},

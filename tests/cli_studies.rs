@@ -6,8 +6,8 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App,
+        chart::{Chart, Theme},
         pages::Page,
-        plot_svg::{Chart, Theme},
         workspace::Preferences,
     },
     cli::{self, Outcome, Pictures},

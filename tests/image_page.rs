@@ -631,11 +631,11 @@ impl spectral_explorer::cli::Pictures for NoPictures {
         Vec::new()
     }
 
-    fn plot(&self, _: &App, _: spectral_explorer::app::plot_svg::Theme, _: [u32; 2]) -> Vec<u8> {
+    fn plot(&self, _: &App, _: spectral_explorer::app::chart::Theme, _: [u32; 2]) -> Vec<u8> {
         Vec::new()
     }
 
-    fn chart(&self, _: &spectral_explorer::app::plot_svg::Chart, _: [u32; 2]) -> Vec<u8> {
+    fn chart(&self, _: &spectral_explorer::app::chart::Chart, _: [u32; 2]) -> Vec<u8> {
         Vec::new()
     }
 }

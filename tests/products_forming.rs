@@ -8,6 +8,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use spectral_explorer::{
     app::{
         App, Command, Settings,
+        chart::{Chart, Theme},
         charts::products::{
             bounces::Bounced,
             forming::Bench,
@@ -15,7 +16,6 @@ use spectral_explorer::{
         },
         open::resolve,
         pages::{Page, PageMemory},
-        plot_svg::{Chart, Theme},
         products::{Part, Products, ProductsMemory},
         workspace::Preferences,
     },

@@ -10,8 +10,8 @@ use root::root;
 use spectral_explorer::{
     app::{
         App, Command,
+        chart::Theme,
         export::{Export, composite_file},
-        plot_svg::Theme,
         scale::Scale,
     },
     io::{

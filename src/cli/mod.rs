@@ -37,9 +37,9 @@ use clap::Parser;
 
 use crate::app::{
     App,
+    chart::{Chart, Theme},
     library::Library,
     licences,
-    plot_svg::{Chart, Theme},
     workspace::Preferences,
 };
 use arguments::{Arguments, Command};

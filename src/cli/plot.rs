@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use super::{Pictures, arguments::Plot, print, refusal::Refusal, subject, words};
-use crate::{app::chart, io::atomic::save_atomically};
+use crate::{app::charts::spectrum::spectrum_chart, io::atomic::save_atomically};
 
 /// Carries the command out.
 ///
@@ -26,7 +26,7 @@ pub fn run(
     let app = subject::app(input, pick, *model, err)?;
     let [width, height] = *size;
     let picture = if words::extension(path) == "svg" {
-        let chart = chart::spectrum_chart(&app, *theme);
+        let chart = spectrum_chart(&app, *theme);
         chart.to_svg(width, height).into_bytes()
     } else {
         pictures.plot(&app, *theme, *size)

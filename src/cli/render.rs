@@ -6,11 +6,11 @@ use super::{Pictures, arguments::Render, print, refusal::Refusal, subject};
 use crate::{
     app::{
         App, Command,
+        chart::Theme,
         open::{self, Loaded},
         opened::Opened,
         pages::{Page, PageMemory},
         picture::{ImageMemory, back},
-        plot_svg::Theme,
         products::ProductsMemory,
         workspace::Preferences,
     },

@@ -31,11 +31,11 @@ use super::{
 use crate::app::{
     App, Command,
     already_open::Places,
+    chart,
     import::Origins,
     open::Loader,
     pages::Page,
     picture::{back::Reader, shown},
-    plot_svg,
     spike_hand::SpikeAct,
     state::Tone,
     studies::Studies,
@@ -159,12 +159,8 @@ impl Window {
     }
 
     /// The theme of files that are written now.
-    pub fn file_theme(&self) -> plot_svg::Theme {
-        if self.preferences.dark {
-            plot_svg::Theme::Dark
-        } else {
-            plot_svg::Theme::Light
-        }
+    pub fn file_theme(&self) -> chart::Theme {
+        Theme::of(&self.preferences).of_charts()
     }
 
     /// One frame.

@@ -14,13 +14,13 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         Command,
+        chart::{self, Chart},
         charts::image::probe_chart,
         opened::ImageEntry,
         picture::{
             Developed, Eye, Held, ProbeAsk, Probed, Raster, RasterAsk, Show, Source, Spread,
             developed, named, shown,
         },
-        plot_svg::{self, Chart},
         studies::{Same, Stage},
     },
     color::Observer,
@@ -78,7 +78,7 @@ struct Drawn {
 struct Charted {
     probed: Arc<Probed>,
     spread: Spread,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
     chart: Chart,
 }
 
