@@ -765,11 +765,6 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
         apply(&mut ui, Command::View(View { log_axis, ..view }));
         ui.run();
         let chart = charts::spectrum::spectrum_chart(app(&ui), chart::Theme::Dark);
-        std::fs::write(spectral_explorer::ui::picture::chart_png(
-            &chart,
-            [1000, 700],
-        ))
-        .unwrap();
         let log = |y: f64| if log_axis { y.log10() } else { y };
         let [[left, right], [low, high]] = [chart.x_limits(), chart.y_limits().map(log)];
         let bounds = *transform(&ui).bounds();

@@ -5,6 +5,7 @@
 //! be drawn (NaN, infinite, or not above 0 on a logarithmic axis) are left out and break a line in
 //! two.
 
+mod around;
 mod axis;
 mod cells;
 mod cut;

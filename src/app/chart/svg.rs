@@ -4,12 +4,12 @@
 //! ids, which would clash where several charts are pasted into one page), and no number in it is
 //! far outside the picture.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 
 use super::{
-    Chart, Rgb,
+    Chart, Dash, Rgb,
     drawing::{Drawing, Looks},
-    primitive::{Anchor, Place, Primitive, Text},
+    primitive::{Anchor, Field, Place, Primitive, Text},
 };
 use crate::app::ticks::without_trailing_zeros;
 
@@ -22,7 +22,8 @@ impl Chart {
         let drawing = Drawing::new(self, asked, Looks::FILE);
         let mut body = String::new();
         for primitive in drawing.primitives(self.whole_view()) {
-            write(&mut body, &primitive);
+            // Writing to a String cannot fail.
+            let _ = write(&mut body, &primitive);
         }
         let [width, height] = drawing.size.map(|side| px(side.ceil()));
         let title = escaped(&self.title);
@@ -38,29 +39,14 @@ impl Chart {
     }
 }
 
-/// Writes a primitive. Writing to a `String` cannot fail.
-fn write(out: &mut String, primitive: &Primitive) {
-    let _ = match primitive {
+fn write(out: &mut String, primitive: &Primitive) -> fmt::Result {
+    match primitive {
         Primitive::Lines {
             runs,
             width,
             dash,
             colour,
-        } => {
-            let path: String = runs.iter().map(|run| path(run)).collect();
-            if path.is_empty() {
-                return;
-            }
-            let dashes = dash.pattern().map(|pattern| pattern.map(px));
-            let dashes = dashes.map_or(String::new(), |[dash, gap]| {
-                format!(r#" stroke-dasharray="{dash} {gap}""#)
-            });
-            let (colour, width) = (hex(*colour), px(*width));
-            writeln!(
-                out,
-                r#"<path d="{path}" stroke="{colour}" stroke-linejoin="round" stroke-width="{width}"{dashes}/>"#
-            )
-        }
+        } => write_lines(out, runs, *width, *dash, *colour),
         Primitive::Band {
             corners,
             colour,
@@ -75,20 +61,7 @@ fn write(out: &mut String, primitive: &Primitive) {
                 r#"<path d="{path}Z" fill="{colour}" fill-opacity="{opacity}"/>"#
             )
         }
-        Primitive::Fields(fields) => {
-            let mut boxes = String::new();
-            for (field, colour) in fields {
-                let [left, top] = [field.left, field.top].map(px);
-                let [width, height] = [field.width, field.height].map(px);
-                let _ = writeln!(
-                    boxes,
-                    r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="{}"/>"#,
-                    hex(*colour)
-                );
-            }
-            // Neighbours share an edge: smoothed ones would show the ground between them.
-            writeln!(out, "<g shape-rendering=\"crispEdges\">\n{boxes}</g>")
-        }
+        Primitive::Fields(fields) => write_fields(out, fields),
         Primitive::Polygon { corners, colour } => {
             let (path, colour) = (path(corners), hex(*colour));
             writeln!(out, r#"<path d="{path}Z" fill="{colour}"/>"#)
@@ -106,21 +79,55 @@ fn write(out: &mut String, primitive: &Primitive) {
             };
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" {how}/>"#)
         }
-        Primitive::Text(text) => {
-            write_text(out, text);
-            Ok(())
-        }
+        Primitive::Text(text) => write_text(out, text),
         Primitive::Group { title, inner } => {
-            let _ = writeln!(out, "<g>\n<title>{}</title>", escaped(title));
+            writeln!(out, "<g>\n<title>{}</title>", escaped(title))?;
             for primitive in inner {
-                write(out, primitive);
+                write(out, primitive)?;
             }
             writeln!(out, "</g>")
         }
-    };
+    }
 }
 
-fn write_text(out: &mut String, text: &Text) {
+fn write_lines(
+    out: &mut String,
+    runs: &[Vec<Place>],
+    width: f64,
+    dash: Dash,
+    colour: Rgb,
+) -> fmt::Result {
+    let path: String = runs.iter().map(|run| path(run)).collect();
+    if path.is_empty() {
+        return Ok(());
+    }
+    let dashes = dash.pattern().map(|pattern| pattern.map(px));
+    let dashes = dashes.map_or(String::new(), |[dash, gap]| {
+        format!(r#" stroke-dasharray="{dash} {gap}""#)
+    });
+    let (colour, width) = (hex(colour), px(width));
+    writeln!(
+        out,
+        r#"<path d="{path}" stroke="{colour}" stroke-linejoin="round" stroke-width="{width}"{dashes}/>"#
+    )
+}
+
+fn write_fields(out: &mut String, fields: &[(Field, Rgb)]) -> fmt::Result {
+    // Neighbours share an edge: smoothed ones would show the ground between them.
+    writeln!(out, r#"<g shape-rendering="crispEdges">"#)?;
+    for (field, colour) in fields {
+        let [left, top] = [field.left, field.top].map(px);
+        let [width, height] = [field.width, field.height].map(px);
+        let colour = hex(*colour);
+        writeln!(
+            out,
+            r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="{colour}"/>"#
+        )?;
+    }
+    writeln!(out, "</g>")
+}
+
+fn write_text(out: &mut String, text: &Text) -> fmt::Result {
     let anchor = match text.anchor {
         Anchor::Start => "",
         Anchor::Middle => r#" text-anchor="middle""#,
@@ -142,13 +149,13 @@ fn write_text(out: &mut String, text: &Text) {
             r#" stroke="{ground}" stroke-width="3" stroke-linejoin="round" paint-order="stroke""#
         )
     });
-    let _ = writeln!(
+    writeln!(
         out,
         r#"<text {place} font-size="{}"{anchor} fill="{}"{rim}>{}</text>"#,
         px(text.size),
         hex(text.colour),
         escaped(&text.words)
-    );
+    )
 }
 
 fn path(run: &[Place]) -> String {

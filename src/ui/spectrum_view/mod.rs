@@ -5,7 +5,7 @@ use egui::{Id, Rect, Ui};
 use egui_plot::PlotTransform;
 
 use super::{
-    chart_view::{ChartView, How, Screen, draw},
+    chart_view::{How, Screen, draw, reset},
     theme::Theme,
 };
 use crate::app::{
@@ -79,7 +79,7 @@ impl SpectrumView {
         };
         let id = Id::unique("spectrum");
         if std::mem::take(&mut self.reset) {
-            ChartView::reset(ui, id, how);
+            reset(ui, id, how);
         }
         let size = ui.available_size();
         let shown = draw(ui, &chart, id, size, theme, how);
