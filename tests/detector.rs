@@ -21,7 +21,7 @@ use spectral_explorer::{
     io::preset::Shelf,
     spectrum::{
         Band, Kind, NamedSpectrum, Outside, Sampled,
-        composite::{GAUSSIAN_AREA, add_spikes},
+        composite::GAUSSIAN_AREA,
         gradient::{self, DEFAULT_GRADIENT},
         spikes::{Decomposition, FoundSpike, SpikeSettings, Wishes, detect},
     },

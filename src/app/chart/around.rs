@@ -63,22 +63,7 @@ impl Drawing<'_> {
                 &words,
             )));
         }
-        if !y_label.is_empty() {
-            // Over the upper end: a name never covers data.
-            let end = match self.chart.heat_map() {
-                Some(_) => left + 0.8 * (right - left),
-                None => self.size[0],
-            };
-            let room = (end - left) / text_width("x", self.looks.small());
-            let at = [left + 2.0, top - LIFT - self.looks.line_height() / 2.0];
-            let words = elided(y_label, room as usize);
-            out.push(Primitive::Text(self.text(
-                at,
-                Anchor::Start,
-                palette.text,
-                &words,
-            )));
-        }
+        self.y_label(out, field, y_label);
         let mut pen = Pen::new(plot, self.looks, palette);
         for series in series {
             let inner = pen.series(series);
@@ -93,6 +78,20 @@ impl Drawing<'_> {
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         let sides = (0..4).map(|i| vec![corners[i], corners[(i + 1) % 4]]);
         out.push(lines(sides.collect(), palette.frame));
+    }
+
+    /// What a vertical axis counts, over its upper end: a name never covers data.
+    fn y_label(&self, out: &mut Vec<Primitive>, panel: Field, label: &str) {
+        let end = match self.chart.heat_map() {
+            Some(_) => panel.left + 0.8 * panel.width,
+            None => self.size[0],
+        };
+        let room = (end - panel.left) / text_width("x", self.looks.small());
+        let y = panel.top - LIFT - self.looks.line_height() / 2.0;
+        let words = elided(label, room as usize);
+        let at = [panel.left + 2.0, y];
+        let text = self.text(at, Anchor::Start, self.palette().text, &words);
+        out.push(Primitive::Text(text));
     }
 
     /// Colours along the horizontal axis, right under the main panel.

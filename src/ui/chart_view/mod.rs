@@ -84,6 +84,16 @@ impl How {
         tells: false,
         ..Self::PAGE
     };
+
+    fn looks(self, theme: Theme) -> Looks {
+        Looks {
+            scale: f64::from(theme.scale),
+            // Charts are written for a line of 1.8.
+            line: f64::from(theme.line) / 1.8,
+            whole: false,
+            legend: self.legend,
+        }
+    }
 }
 
 impl ChartView {
@@ -132,15 +142,8 @@ pub(super) fn draw(
         wish = title(&mut ui, chart, theme);
         area.min.y = ui.cursor().top();
     }
-    let looks = Looks {
-        scale: f64::from(theme.scale),
-        // Charts are written for a line of 1.8.
-        line: f64::from(theme.line) / 1.8,
-        whole: false,
-        legend: how.legend,
-    };
     let sides = [area.width(), area.height()].map(f64::from);
-    let drawing = Drawing::new(chart, sides, looks);
+    let drawing = Drawing::new(chart, sides, how.looks(theme));
     let origin = area.min.to_vec2();
     for (series, field) in chart.legend_series().iter().zip(&drawing.legend) {
         let rect = paint::rect(origin, *field);
