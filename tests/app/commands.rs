@@ -19,12 +19,12 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, Subject, View,
+        chart::Theme,
         document::{FIRST_LIGHT, FIRST_PATCH_SET},
         export::Export,
         library::Library,
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
         opened::Opened,
-        plot_svg::Theme,
         products::{Link, Products},
         report,
         settings::ORDERS,

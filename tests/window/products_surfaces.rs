@@ -11,13 +11,13 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Settings,
+        chart::{Chart, Theme},
         charts::products::{
             check::check_chart,
             lights::{lights_chart, made_chart},
         },
         open::resolve,
         pages::Page,
-        plot_svg::{Chart, Theme},
         products::{
             Part, Products,
             same_surface::{CheckSheet, example, take_as_outgoing},

@@ -3,7 +3,7 @@
 use crate::{
     app::{
         chart::Inks,
-        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
         studies::RaceAsk,
         study_report::{field_words, race_notes, row_numbers, wins},
     },

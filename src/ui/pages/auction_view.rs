@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command,
+        App, Command, chart,
         charts::{
             auction::{
                 AuctionChart, MEANINGS, MEASURES, NAMES, ended_words, error_words, gain_words,
@@ -20,7 +20,6 @@ use crate::{
             tradeoff::{self, all_figures, lack},
         },
         pages::SPENDABLE,
-        plot_svg,
         studies::{About, AuctionAsk, Stage, take},
     },
     io::many::numbers,
@@ -45,7 +44,7 @@ const MOST_WEIGHT: f64 = 100.0;
 struct Built {
     ask: AuctionAsk,
     auction: Arc<Auction>,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
     chart: AuctionChart,
     ended: String,
     columns: Vec<Column>,
@@ -248,7 +247,7 @@ pub(in crate::ui) fn budget(ui: &mut Ui, numbers: &mut usize) -> egui::Response 
     response
 }
 
-fn build(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: plot_svg::Theme) -> Built {
+fn build(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: chart::Theme) -> Built {
     let names = names(&ask, &auction, app.element_lines());
     let goal = ask.terms.goal;
     let rows = (0..auction.steps.len())

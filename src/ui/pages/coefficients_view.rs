@@ -9,8 +9,8 @@ use super::PageContext;
 use crate::{
     app::{
         Command, Settings,
+        chart::{self, Chart},
         charts::coefficients::{CoefficientCharts, Sight},
-        plot_svg::{self, Chart},
         studies::paper::{CHANNELS, figure, harmonics_of, off_percent, percent, three},
         tables::CURVE_ORDER,
     },
@@ -51,7 +51,7 @@ pub struct CoefficientsView {
 }
 
 /// What the charts were drawn for.
-type Drawn = (u64, Sight, plot_svg::Theme);
+type Drawn = (u64, Sight, chart::Theme);
 
 impl CoefficientsView {
     /// The order whose bar is under the pointer.

@@ -17,9 +17,8 @@ use super::{
     theme::{Theme, Wake},
 };
 use crate::app::{
-    App, Command,
+    App, Command, chart,
     pages::{Page, PageMemory},
-    plot_svg,
     studies::{Job, Stage, Studies},
 };
 
@@ -45,12 +44,8 @@ pub struct PageContext<'a> {
 
 impl PageContext<'_> {
     /// The theme of charts.
-    pub fn chart_theme(&self) -> plot_svg::Theme {
-        if self.theme.dark {
-            plot_svg::Theme::Dark
-        } else {
-            plot_svg::Theme::Light
-        }
+    pub fn chart_theme(&self) -> chart::Theme {
+        self.theme.of_charts()
     }
 }
 

@@ -12,12 +12,12 @@ use super::{
 use crate::{
     app::{
         Command,
+        chart::{self, Chart},
         charts::tradeoff::{
             self, Tradeoff, all_figures, figure, lack, limits, mark_threshold, measure_within,
             needs, take, take_cell, threshold_chart, unit, way_name,
         },
         pages::WaysShown,
-        plot_svg::{self, Chart},
         studies::{About, Stage, SweepAsk},
     },
     io::many::numbers,
@@ -37,7 +37,7 @@ struct Of {
     sweep: Arc<Sweep>,
     measure: Measure,
     shown: WaysShown,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
 }
 
 impl PartialEq for Of {

@@ -6,8 +6,8 @@ use egui::{Frame, Grid, Margin, RichText, ScrollArea, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::truth::{neglected_chart, samples_chart, table_2_chart},
-        plot_svg::{self, Chart},
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
         ticks::short,
     },
@@ -38,7 +38,7 @@ pub const COPY: &str = "Copy as CSV";
 #[derive(Default)]
 pub struct TruthView {
     measured: Option<(u64, Claims, Vec<Row>)>,
-    charts: Option<((u64, plot_svg::Theme), Charts)>,
+    charts: Option<((u64, chart::Theme), Charts)>,
 }
 
 /// The charts of the cards.

@@ -31,10 +31,10 @@ use super::{
 use crate::app::{
     App, Command,
     already_open::Places,
+    chart,
     import::Origins,
     open::Loader,
     picture::back::Reader,
-    plot_svg,
     state::Tone,
     studies::Studies,
     workspace::{Preferences, Restored, StoredImage},
@@ -155,12 +155,8 @@ impl Window {
     }
 
     /// The theme of files that are written now.
-    pub fn file_theme(&self) -> plot_svg::Theme {
-        if self.preferences.dark {
-            plot_svg::Theme::Dark
-        } else {
-            plot_svg::Theme::Light
-        }
+    pub fn file_theme(&self) -> chart::Theme {
+        Theme::of(&self.preferences).of_charts()
     }
 
     /// One frame.

@@ -2,8 +2,9 @@
 
 use crate::{
     app::{
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Marks, Rgb, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Series, Theme},
+        charts::spectrum::provenance,
         state::App,
     },
     spectrum::{Spike, chain::below_zero},

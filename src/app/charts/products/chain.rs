@@ -3,7 +3,7 @@
 use crate::{
     app::{
         chart::Inks,
-        plot_svg::{Chart, Marks, Rgb, Series, Theme},
+        chart::{Chart, Marks, Rgb, Series, Theme},
         products::KnownLines,
         ticks::short,
     },

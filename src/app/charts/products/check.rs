@@ -2,8 +2,9 @@
 
 use crate::{
     app::{
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Panel, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Panel, Series, Theme},
+        charts::spectrum::provenance,
         products::same_surface::CheckSheet,
         state::App,
     },

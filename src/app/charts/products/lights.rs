@@ -1,8 +1,9 @@
 //! Two lights as charts: their spectra, and pairs of reflectances.
 
 use crate::app::{
-    chart::{Inks, provenance},
-    plot_svg::{Chart, Dash, Series, Theme},
+    chart::Inks,
+    chart::{Chart, Dash, Series, Theme},
+    charts::spectrum::provenance,
     products::two_lights::{LightsSheet, Made},
     state::App,
     studies::surfaces::Surface,

@@ -8,8 +8,9 @@ use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
+        charts::spectrum::provenance,
         products::Lit,
         ticks::extent,
     },

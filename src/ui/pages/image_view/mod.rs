@@ -15,10 +15,10 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         Command,
+        chart::{self, Chart},
         charts::image::probe_chart,
         opened::ImageEntry,
         picture::{Developed, Eye, Held, Probed, Raster, Show, Spread, developed, named, shown},
-        plot_svg::{self, Chart},
         studies::{Same, Stage},
     },
     color::Observer,
@@ -75,7 +75,7 @@ struct Drawn {
 struct Charted {
     probed: Arc<Probed>,
     spread: Spread,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
     chart: Chart,
 }
 

@@ -10,9 +10,9 @@ use crate::{
     app::{
         App, Command, Entry, Settings,
         cells::{line, number, words},
+        chart::{self, Chart},
         charts::products::absorption::{DipRow, absorption_chart, dip_rows},
         export::provenance,
-        plot_svg::{self, Chart},
         product_report::Told,
         products::Lit,
         settings::{Detector, THRESHOLDS_PERCENT, WIDTHS_NM},
@@ -100,7 +100,7 @@ pub struct AbsorptionView {
 
 /// What was found in the subject.
 struct Found {
-    of: (u64, plot_svg::Theme),
+    of: (u64, chart::Theme),
     dips: Vec<DipRow>,
     chart: Chart,
     rows: Vec<Row>,
@@ -110,7 +110,7 @@ struct Found {
 }
 
 impl Found {
-    fn of(app: &App, of: (u64, plot_svg::Theme)) -> Self {
+    fn of(app: &App, of: (u64, chart::Theme)) -> Self {
         let dips = dip_rows(app);
         Self {
             of,

@@ -8,11 +8,11 @@ use egui::{ScrollArea, Ui, vec2};
 use super::forming::{head, surface_picker, take_way};
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::products::{
             bounces::{Bounced, TOLD, UNSEEN, errors},
             forming::{way_meaning, way_name},
         },
-        plot_svg::{self, Chart},
         products::{Lit, memory::BouncesMemory},
         studies::{Stage, paper::delta_e},
     },
@@ -44,7 +44,7 @@ pub mod names {
 struct Of {
     bounced: Arc<Bounced>,
     memory: BouncesMemory,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
 }
 
 impl PartialEq for Of {

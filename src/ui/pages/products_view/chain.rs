@@ -10,9 +10,9 @@ use super::picker::{Picker, factors, lights};
 use crate::{
     app::{
         Command,
-        chart::provenance,
+        chart::{self, Chart},
         charts::products::chain::{StageDrawn, stage_chart},
-        plot_svg::{self, Chart},
+        charts::spectrum::provenance,
         product_report::{Told, scaled, spikes_csv, stages_csv},
         products::{BOUNCES, KnownLines, Link, Lit, MOST_LINKS, Products, THICKNESSES},
         ticks::short,
@@ -79,7 +79,7 @@ pub struct ChainView {
 }
 
 /// What the chart was made for: revision, card, looks.
-type ChartKey = (u64, Card, plot_svg::Theme);
+type ChartKey = (u64, Card, chart::Theme);
 
 /// A chain that the light went through.
 struct Passed {

@@ -15,9 +15,9 @@ use super::{
 use crate::{
     app::{
         Command,
+        chart::{self, Chart},
         charts::products::check::check_chart,
         entry::Entry,
-        plot_svg::{self, Chart},
         products::{
             Products,
             same_surface::{CheckSheet, example, ranking_csv, take_as_outgoing},
@@ -76,7 +76,7 @@ pub struct CheckView {
 
 /// What a revision of the document shows.
 struct Built {
-    of: (u64, plot_svg::Theme, bool),
+    of: (u64, chart::Theme, bool),
     sheet: Option<CheckSheet>,
     ranking: Option<RankAsk>,
     charts: [Option<Chart>; 2],

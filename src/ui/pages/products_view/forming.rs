@@ -9,8 +9,8 @@ use super::picker::{Picker, factors};
 use crate::{
     app::{
         App, Command, Entry,
+        chart::{self, Chart},
         charts::products::forming::{Bench, time_of, way_meaning, way_name},
-        plot_svg::{self, Chart},
         products::Products,
         studies::{
             Stage, TimingAsk,
@@ -51,7 +51,7 @@ pub mod names {
 struct Of {
     revision: u64,
     hidden: Vec<Sampling>,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
 }
 
 /// The part and what it keeps from frame to frame.

@@ -12,9 +12,9 @@ use super::picker::{self, Picker};
 use crate::{
     app::{
         Command, View,
+        chart::{self, Chart},
         charts::products::lights::{lights_chart, made_chart, pair_chart},
         library::Library,
-        plot_svg::{self, Chart},
         products::{
             Products,
             memory::ROOM_PERCENT,
@@ -81,7 +81,7 @@ pub struct LightsView {
 
 /// What a revision of the document shows.
 struct Built {
-    of: (u64, plot_svg::Theme),
+    of: (u64, chart::Theme),
     sheet: Option<LightsSheet>,
     exact: Vec<[Swatch; 2]>,
     model: Vec<[Swatch; 2]>,
@@ -90,7 +90,7 @@ struct Built {
 
 /// The metamer made, for a revision, a theme, a patch and a part of the room.
 struct MadeBuilt {
-    of: (u64, plot_svg::Theme, usize, i32),
+    of: (u64, chart::Theme, usize, i32),
     made: Result<(Made, Chart, Vec<[Swatch; 2]>), NoMetamer>,
 }
 
@@ -99,7 +99,7 @@ struct FoundBuilt {
     pairs: Arc<Pairs>,
     /// The lights that they were found under.
     lights: [String; 2],
-    of: (Adaptation, plot_svg::Theme, usize),
+    of: (Adaptation, chart::Theme, usize),
     swatches: Vec<[Swatch; 2]>,
     chart: Option<Chart>,
 }

@@ -9,8 +9,8 @@ use super::{forming::head, picker::Picker};
 use crate::{
     app::{
         App, Entry,
+        chart::{self, Chart},
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
-        plot_svg::{self, Chart},
         products::memory::{NarrowMemory, PASS_WIDTHS_NM},
         studies::paper::{delta_e, figure, percent},
     },
@@ -67,7 +67,7 @@ enum Grip {
 struct Of {
     revision: u64,
     memory: NarrowMemory,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
 }
 
 /// The part and what it keeps from frame to frame.

@@ -12,9 +12,9 @@ use egui::{Align, Label, Layout, Response, RichText, Ui, WidgetText, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
+        chart::{self, Chart, Marks},
         charts::race::{error_chart, table_chart},
         pages::{FieldChoice, RACE_BUDGETS},
-        plot_svg::{self, Chart, Marks},
         studies::{RaceAsk, Stage},
     },
     spectrum::Kind,
@@ -57,7 +57,7 @@ struct Key {
     class: Option<String>,
     budget: usize,
     measure: Measure,
-    theme: plot_svg::Theme,
+    theme: chart::Theme,
 }
 
 impl PartialEq for Key {

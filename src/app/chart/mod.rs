@@ -1,22 +1,22 @@
-//! Charts as data, as SVG files and as tables: lines, stems, areas, bars, points and heat maps
-//! over one or two panels.
+//! Charts: as data (lines, stems, areas, bars, points and heat maps over one or two panels), as
+//! tables, and their one drawing, which files write as SVG and the window paints.
 //!
-//! The writer gets numbers and returns text; it knows nothing of the window. Everything is cut to
-//! its panel before it is written, so the file needs no clip paths (and no ids, which would clash
-//! where several charts are pasted into one page), and no number in it is far outside the picture.
-//! Places that cannot be drawn (NaN, infinite, or not above 0 on a logarithmic axis) are left out
-//! and break a line in two.
+//! The drawing gets numbers and returns numbers; it knows nothing of the window. Places that cannot
+//! be drawn (NaN, infinite, or not above 0 on a logarithmic axis) are left out and break a line in
+//! two.
 
-mod axes;
+mod around;
+mod axis;
 mod cells;
 mod cut;
+mod drawing;
 mod legend;
-mod marks;
 mod palette;
-mod panel;
+mod plot;
+mod primitive;
 mod ramp;
 mod shape;
-mod strip;
+mod svg;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -25,40 +25,18 @@ mod text;
 use std::fmt::Write as _;
 
 use super::ticks::short;
-use axes::{Horizontal, SLANT, Vertical};
-use cells::{bar_room, draw_bar};
-use palette::{Palette, hex};
-use panel::Frame;
-use strip::{STRIP_HEIGHT, draw_strip};
-use text::{
-    Anchor, LEADING, NOTE_SIZE, TEXT_SIZE, TITLE_SIZE, Text, clean, escaped, px, text_width, wrap,
-};
 
+pub use axis::Axis;
 pub use cells::Cells;
-pub use cut::cut_segment;
+pub use drawing::{Drawing, Looks, View};
+pub use palette::{Inks, Palette};
+pub use plot::Plot;
+pub use primitive::{Anchor, Field, Place, Primitive, Text};
 pub use ramp::ramp_colour;
 pub use shape::{Dash, Shape};
 
 /// An sRGB colour, 8 bits a channel.
 pub type Rgb = [u8; 3];
-
-/// Free space around everything, px.
-const MARGIN: f64 = 14.0;
-
-/// Distance of the colour strip to the panel above, px.
-const STRIP_GAP: f64 = 3.0;
-
-/// Distance between the two panels, px.
-const PANEL_GAP: f64 = 16.0;
-
-/// Length of a tick mark, px.
-const TICK: f64 = 4.0;
-
-/// Least height of a panel, px: the picture grows when titles and notes leave less.
-const LEAST_PANEL: f64 = 40.0;
-
-/// Part of the panels' height that the residual gets.
-const RESIDUAL_SHARE: f64 = 0.28;
 
 /// A chart: titles, axes, one panel of series, and perhaps a second one below it.
 ///
@@ -81,6 +59,8 @@ pub struct Chart {
     pub y_range: Option<[f64; 2]>,
     /// How values become heights.
     pub y_scale: Scale,
+    /// Written after each number of the vertical axis.
+    pub y_unit: String,
     /// Drawn in this order, the last on top.
     pub series: Vec<Series>,
     /// Colours along the horizontal axis, evenly spaced from its first value to its last.
@@ -89,6 +69,8 @@ pub struct Chart {
     pub residual: Option<Panel>,
     /// Small lines at the bottom: where the data come from, which version drew them.
     pub notes: Vec<String>,
+    /// Said in the middle of the main panel: why it is empty.
+    pub blank: String,
     /// Dark or light background.
     pub theme: Theme,
 }
@@ -104,10 +86,12 @@ impl Default for Chart {
             x_names: Vec::new(),
             y_range: None,
             y_scale: Scale::Linear,
+            y_unit: String::new(),
             series: Vec::new(),
             strip: None,
             residual: None,
             notes: Vec::new(),
+            blank: String::new(),
             theme: Theme::Light,
         }
     }
@@ -155,6 +139,8 @@ pub struct Series {
     pub marks: Marks,
     /// A word on each point (or box), shown where it is pointed at; empty or missing for none.
     pub notes: Vec<String>,
+    /// Whether its name stands at its highest point too.
+    pub is_tagged: bool,
 }
 
 /// The marks of a series; each point is `[x, y]` in the units of the axes.
@@ -303,6 +289,7 @@ impl Series {
             colour,
             marks,
             notes: Vec::new(),
+            is_tagged: false,
         }
     }
 }
@@ -324,6 +311,11 @@ impl Chart {
         self.series.iter().find_map(|series| series.marks.cells())
     }
 
+    /// The colours along the horizontal axis, if there are any.
+    pub(super) fn strip(&self) -> Option<&[Rgb]> {
+        self.strip.as_deref().filter(|colours| !colours.is_empty())
+    }
+
     /// The name of a place on the horizontal axis: that of the nearest named one.
     pub fn name_at(&self, x: f64) -> Option<&str> {
         let off = |(at, _): &&(f64, String)| (at - x).abs();
@@ -331,177 +323,8 @@ impl Chart {
         nearest.map(|(_, name)| name.as_str())
     }
 
-    /// The chart as an SVG document of the given size in px (at least 160 x 120).
-    ///
-    /// The document is higher than asked where titles and notes leave no room for the panels.
-    pub fn to_svg(&self, width: u32, height: u32) -> String {
-        let width = f64::from(width.max(160));
-        let asked_height = f64::from(height.max(120));
-        let palette = Palette::of(self.theme);
-        let inner = width - 2.0 * MARGIN;
-
-        let mut body = String::new();
-        let mut y = MARGIN;
-        for line in wrap(&self.title, inner, TITLE_SIZE) {
-            y += TITLE_SIZE;
-            let style = Text {
-                size: TITLE_SIZE,
-                colour: palette.text,
-                anchor: Anchor::Start,
-            };
-            style.write(&mut body, [MARGIN, y], &line);
-            y += TITLE_SIZE * (LEADING - 1.0);
-        }
-        y = self.legend(&mut body, palette, y + 2.0, inner);
-        let top = y + 8.0;
-
-        let notes: Vec<String> = self.notes.iter().map(|note| clean(note)).collect();
-        let notes: Vec<String> = notes
-            .iter()
-            .flat_map(|note| wrap(note, inner, NOTE_SIZE))
-            .collect();
-        let notes_height = match notes.len() {
-            0 => 0.0,
-            lines => lines as f64 * NOTE_SIZE * LEADING + 6.0,
-        };
-        let x_label_height = if self.x_label.is_empty() {
-            0.0
-        } else {
-            TEXT_SIZE * LEADING
-        };
-        // How long the axis will be is known only when the panels' height is: names are measured
-        // on a shorter one.
-        let labels_height = Horizontal::new(self, 0.85 * inner).label_height();
-        let below = TICK + labels_height + x_label_height + notes_height + MARGIN;
-
-        let strip = self.strip.as_deref().filter(|colours| !colours.is_empty());
-        let strip_height = strip.map_or(0.0, |_| STRIP_GAP + STRIP_HEIGHT);
-        let gaps = strip_height + self.residual.as_ref().map_or(0.0, |_| PANEL_GAP);
-        let share = self.residual.as_ref().map_or(0.0, |_| RESIDUAL_SHARE);
-        let least = LEAST_PANEL / (if share > 0.0 { share } else { 1.0 });
-        let panels = (asked_height - top - below - gaps).max(least);
-        let height = asked_height.max(top + below + gaps + panels);
-
-        let main_height = panels * (1.0 - share);
-        let lower_height = panels * share;
-        let main = Vertical::new(self.y_limits(), self.y_scale, main_height);
-        let lower = self.residual.as_ref().map(|panel| {
-            let axis = Vertical::new(panel.y_limits(), Scale::Linear, lower_height);
-            (panel, axis)
-        });
-
-        let widest = lower
-            .iter()
-            .map(|(_, axis)| axis)
-            .chain([&main])
-            .flat_map(|axis| &axis.labels)
-            .map(|label| text_width(label, TEXT_SIZE))
-            .fold(0.0, f64::max);
-        let left = (MARGIN + TEXT_SIZE * LEADING + widest + TICK + 4.0).min(width * 0.4);
-        let map = self.heat_map();
-        let bar = map.map_or(0.0, |cells| bar_room(cells, main_height));
-        // The last label stands half to the right of its tick.
-        let right = (width - MARGIN - bar.max(14.0)).max(left + 0.2 * width);
-        let overhang = Horizontal::new(self, right - left).label_overhang();
-        let left = left.max((MARGIN + overhang).min(width * 0.4));
-        let horizontal = Horizontal::new(self, right - left);
-
-        let mut frame = Frame {
-            left,
-            top,
-            width: right - left,
-            height: main_height,
-        };
-        frame.draw(
-            &mut body,
-            palette,
-            &horizontal,
-            &main,
-            &self.y_label,
-            &self.series,
-        );
-        if let Some(cells) = map {
-            draw_bar(&mut body, palette, cells, [right, top], main_height, bar);
-        }
-        let mut bottom = top + main_height;
-        if let Some(colours) = strip {
-            bottom += STRIP_GAP;
-            draw_strip(&mut body, [left, bottom], right - left, colours);
-            bottom += STRIP_HEIGHT;
-        }
-        if let Some((panel, axis)) = &lower {
-            frame.top = bottom + PANEL_GAP;
-            frame.height = lower_height;
-            frame.draw(
-                &mut body,
-                palette,
-                &horizontal,
-                axis,
-                &panel.y_label,
-                &panel.series,
-            );
-            bottom = frame.top + lower_height;
-        }
-
-        let middle = Text {
-            size: TEXT_SIZE,
-            colour: palette.text,
-            anchor: Anchor::Middle,
-        };
-        for (at, label) in horizontal.ticks.iter().zip(&horizontal.labels) {
-            let x = left + horizontal.px(*at);
-            let _ = writeln!(
-                body,
-                r#"<path d="M{} {}v{TICK}" stroke="{}"/>"#,
-                px(x),
-                px(bottom),
-                hex(palette.axis),
-            );
-            if horizontal.slanted {
-                let _ = writeln!(
-                    body,
-                    r#"<text transform="translate({} {}) rotate(-{SLANT})" font-size="{TEXT_SIZE}" text-anchor="end" fill="{}">{}</text>"#,
-                    px(x + 4.0),
-                    px(bottom + TICK + TEXT_SIZE * 0.8),
-                    hex(palette.text),
-                    escaped(label),
-                );
-            } else {
-                middle.write(&mut body, [x, bottom + TICK + TEXT_SIZE], label);
-            }
-        }
-        if !self.x_label.is_empty() {
-            let y = bottom + TICK + labels_height + TEXT_SIZE;
-            middle.write(&mut body, [(left + right) / 2.0, y], &clean(&self.x_label));
-        }
-        let first_note = height - MARGIN - notes_height + NOTE_SIZE + 6.0;
-        for (i, note) in notes.iter().enumerate() {
-            let style = Text {
-                size: NOTE_SIZE,
-                colour: palette.faint_text,
-                anchor: Anchor::Start,
-            };
-            let y = first_note + i as f64 * NOTE_SIZE * LEADING;
-            style.write(&mut body, [MARGIN, y], note);
-        }
-
-        let (width, height) = (px(width), px(height.ceil()));
-        let title = escaped(&self.title);
-        let description = escaped(&self.description());
-        let background = hex(palette.background);
-        format!(
-            r#"<?xml version="1.0" encoding="UTF-8"?>
-<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="sans-serif" fill="none">
-<title>{title}</title>
-<desc>{description}</desc>
-<rect width="{width}" height="{height}" fill="{background}"/>
-{body}</svg>
-"#
-        )
-    }
-
     /// The chart in a sentence or two, for those who cannot see it.
-    fn description(&self) -> String {
+    pub fn description(&self) -> String {
         let or = |label: &str, otherwise: &str| {
             if label.is_empty() {
                 otherwise.to_owned()
