@@ -13,6 +13,8 @@ mod harness;
 mod large;
 #[path = "hostile/mutate.rs"]
 mod mutate;
+#[path = "hostile/refusals.rs"]
+mod refusals;
 #[path = "common/root.rs"]
 mod root;
 #[path = "hostile/seeds.rs"]

@@ -67,11 +67,17 @@ pub fn is_measured(value: f64) -> bool {
     value.abs() < ABSURD
 }
 
+/// The longest cell that may be anything but words, in bytes.
+const LONGEST_CELL: usize = 256;
+
 /// The cells that are not plain numbers; rare in a table, so not in the hot path.
 fn slow(cell: &str, decimal_comma: bool) -> Cell {
     let cell = cell.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\'');
     if cell.is_empty() {
         return Cell::Empty;
+    }
+    if cell.len() > LONGEST_CELL {
+        return Cell::Text;
     }
     if let Some(value) = in_thousands(cell, decimal_comma) {
         return sized(value, Cell::Number);
@@ -86,11 +92,11 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
         return number(body.trim(), decimal_comma)
             .map_or(Cell::Text, |value| sized(value, Cell::Percent));
     }
+    if !cell.bytes().any(|byte| byte.is_ascii_digit()) {
+        return Cell::Text;
+    }
     // A typographic minus, and Fortran's double exponent.
-    if cell.len() <= 40
-        && cell.contains(['−', 'D', 'd'])
-        && cell.contains(|c: char| c.is_ascii_digit())
-    {
+    if cell.len() <= 40 && cell.contains(['−', 'D', 'd']) {
         let plain = cell.replace('−', "-").replace(['D', 'd'], "e");
         if let Some(value) = number(&plain, decimal_comma) {
             return sized(value, Cell::Number);
@@ -111,6 +117,9 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
     } else {
         ('.', ',')
     };
+    if cell.len() > 40 {
+        return None;
+    }
     let separator = cell
         .chars()
         .find(|c| [other, ' ', '\u{a0}', '\u{202f}', '\'', '’'].contains(c))?;
@@ -126,10 +135,11 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
     let fits = (1..=3).contains(&first.len())
         && is_digits(first)
         && groups.all(|group| group.len() == 3 && is_digits(group))
-        && is_digits(decimals)
-        && cell.len() <= 40;
-    let plain: String = whole.chars().filter(|c| *c != separator).collect();
-    fits.then(|| format!("{plain}.{decimals}0").parse().ok())?
+        && is_digits(decimals);
+    fits.then(|| {
+        let plain: String = whole.chars().filter(|c| *c != separator).collect();
+        format!("{plain}.{decimals}0").parse().ok()
+    })?
 }
 
 /// A finite or overflowing decimal number and nothing else; `inf` and `nan` are words, not numbers.
