@@ -94,6 +94,15 @@ impl Dialect {
         cells.push(unquoted(&line[start..]));
     }
 
+    /// Whether a line may have more than one cell, at a glance.
+    pub fn parts(self, line: &str) -> bool {
+        let found = match self.mark() {
+            Some(mark) => memchr::memchr(mark, line.as_bytes()),
+            None => memchr::memchr3(b' ', b'\t', b'\x0c', line.as_bytes()),
+        };
+        found.is_some()
+    }
+
     /// How many cells a line has, were there ever so many.
     pub fn count(self, line: &str) -> usize {
         let Some(mark) = self.mark() else {

@@ -3,7 +3,6 @@
 use std::cell::{Cell, OnceCell};
 use std::path::{Path, PathBuf};
 
-use super::budget;
 use super::choices::Choices;
 use super::error::ReadError;
 use super::text::{self, Text};
@@ -80,8 +79,10 @@ impl<'a> Input<'a> {
     /// [`ReadError`] for a binary file, and one larger than such formats are.
     pub fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
         if self.bytes.len() > text::MOST_BYTES_OF_A_FORMAT {
-            let found = format!("a file of {}", budget::in_words(self.bytes.len()));
-            return Err(self.error(found, "at most 64 MiB in an instrument's own format"));
+            return Err(self.error(
+                "more than 64 MiB",
+                "at most 64 MiB in an instrument's own format",
+            ));
         }
         self.needs_long_text()
     }
@@ -137,6 +138,17 @@ pub fn name_of(path: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_text_larger_than_any_instrument_writes_is_refused_by_its_size() {
+        let mut bytes = b"##TITLE= a\n##JCAMP-DX= 4.24\n".to_vec();
+        bytes.resize(text::MOST_BYTES_OF_A_FORMAT + 1, b' ');
+        let said = crate::io::read_bytes("a.dx", &bytes).unwrap_err();
+        assert_eq!(
+            said.to_string(),
+            "a.dx: found more than 64 MiB, expected at most 64 MiB in an instrument's own format"
+        );
+    }
 
     #[test]
     fn what_is_odd_about_a_text_is_of_interest_where_it_was_read_as_one() {

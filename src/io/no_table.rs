@@ -82,6 +82,11 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
             )
             .at_line(line);
     }
+    if let Some((line, long)) = lines(start).find(|(_, line)| line.len() > LONG_LINE) {
+        let found = format!("a line of {}", budget::in_words(long.len()));
+        let expected = format!("rows of at most {MOST_COLUMNS} columns");
+        return input.error(found, expected).at_line(line);
+    }
     let Some((line, first)) = lines(start).find(|(_, line)| !line.trim().is_empty()) else {
         let found = match is_part {
             true => format!("{size} of blank lines"),
@@ -89,11 +94,6 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
         };
         return input.error(found, A_TABLE).at_line(1);
     };
-    if first.len() > LONG_LINE {
-        let found = format!("a line of {}", budget::in_words(first.len()));
-        let expected = format!("rows of at most {MOST_COLUMNS} columns");
-        return input.error(found, expected).at_line(line);
-    }
     let found = match is_part {
         true => format!("no table in {size} after {}", quoted(first)),
         false => format!("no table after {}", quoted(first)),

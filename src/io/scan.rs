@@ -4,8 +4,8 @@
 //! a run of rows; blank lines and comments do not end it. Lines that are no rows, and runs of a
 //! single row, are the header of the block that follows. One number is kept a cell, so time and
 //! memory grow with the text's length only. Once a block has shown its width, rows that are nothing
-//! but plain numbers take a short way ([`plain_row`](super::plain_row)); lines without a figure are
-//! no rows at a glance; every other line is looked at cell by cell.
+//! but plain numbers take a short way ([`plain_row`](super::plain_row)); lines without a figure or a
+//! delimiter are no rows at a glance; every other line is looked at cell by cell.
 
 use super::budget;
 use super::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
@@ -206,7 +206,11 @@ impl<'a> Scanner<'a> {
         self.kinds.clear();
         // A row has a figure. Titles without any are cells, too, where there are too many of them.
         let has_figure = || raw.bytes().any(|byte| byte.is_ascii_digit());
-        if raw.len() > LONGEST_ROW || raw.len() <= MOST_COLUMNS && !has_figure() {
+        let is_short = raw.len() <= MOST_COLUMNS;
+        if raw.len() > LONGEST_ROW
+            || !self.dialect.parts(content_with_tabs(raw))
+            || is_short && !has_figure()
+        {
             return Ok(false);
         }
         self.dialect.split(content_with_tabs(raw), &mut self.cells);
