@@ -99,7 +99,7 @@ fn is_noise_at_most(differences: &[f64], noise: f64) -> Option<bool> {
     let known = differences.iter().filter(|d| **d > 0.0).count();
     let small = differences.iter().filter(|d| **d <= limit).count();
     let small = small - (differences.len() - known);
-    (known >= LEAST_SAMPLES).then(|| small > (QUANTILE * known as f64) as usize)
+    (known >= LEAST_SAMPLES).then_some(small > (QUANTILE * known as f64) as usize)
 }
 
 /// The differences of a table with `step` grid points from sample to sample; none where lines
