@@ -10,6 +10,10 @@ use super::{Input, ReadError, Reading};
 /// Fewest points that alternating lines must hold to be taken for a spectrum.
 const FEWEST_POINTS: usize = 5;
 
+/// Longest text that is looked through for them, in bytes: thousands of times what a radiometer
+/// writes.
+const MOST_BYTES: usize = 16 << 20;
+
 /// A column of single numbers read as pairs.
 #[derive(Debug)]
 pub struct Pairs<'a> {
@@ -73,6 +77,9 @@ pub fn lone_numbers(text: &str) -> Option<(usize, usize)> {
 
 /// Wavelengths and values by turns, if the text holds them.
 pub fn find(text: &str) -> Option<Pairs<'_>> {
+    if text.len() > MOST_BYTES {
+        return None;
+    }
     [false, true].into_iter().find_map(|decimal_comma| {
         let run = longest_run(text, decimal_comma);
         // An odd count has one number of a header in front (a count, a scan number).

@@ -104,7 +104,9 @@ fn cells<'a>(line: &'a str, fields: usize, out: &mut Vec<&'a str>) -> bool {
     for mark in ['\t', ';', ','] {
         if line.contains(mark) {
             out.clear();
-            out.extend(line.split(mark).map(|c| c.trim().trim_matches('"')));
+            // One cell more may be an empty one at the end; two more are too many.
+            let all = line.split(mark).map(|c| c.trim().trim_matches('"'));
+            out.extend(all.take(fields + 2));
             if out.len() == fields + 1 && out.last().is_some_and(|c| c.is_empty()) {
                 out.pop();
             }

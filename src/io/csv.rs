@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use crate::spectrum::NamedSpectrum;
 
-use super::dialect::{Delimiter, Dialect};
+use super::dialect::{Delimiter, Dialect, MOST_COLUMNS};
 use super::provenance::{Columns, MEASURED, Provenance, one_line, shortest};
 use super::text::first_line;
 
@@ -61,6 +61,9 @@ impl<'a> Own<'a> {
             }
             let mut cells = Vec::new();
             DIALECT.split(line, &mut cells);
+            if cells.len() > MOST_COLUMNS {
+                return None;
+            }
             return Some(Self {
                 header,
                 titles: cells.into_iter().map(str::to_owned).collect(),

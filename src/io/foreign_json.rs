@@ -46,7 +46,7 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_text()?.text;
+    let text = &*input.needs_long_text()?.text;
     let mut reading = Reading::default();
     if !has_known_keys(text) || !read_known(input, &any_json(input, text)?, &mut reading)? {
         return read_plain(input, &tree::of(input, text)?);

@@ -115,7 +115,7 @@ fn separator(line: &str) -> Option<(char, usize)> {
 fn split<'a>(line: &'a str, mark: char, cells: &mut Vec<&'a str>) {
     if line.matches('"').count() % 2 == 1 {
         cells.clear();
-        cells.extend(line.split(mark).map(str::trim));
+        cells.extend(line.split(mark).map(str::trim).take(MOST_COLUMNS + 1));
         return;
     }
     let delimiter = match mark {

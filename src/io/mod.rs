@@ -53,6 +53,7 @@ pub mod makers_results;
 pub mod many;
 pub mod meaning;
 pub mod measured;
+pub mod no_table;
 pub mod number;
 pub mod perkin_elmer;
 pub mod pick;
@@ -66,6 +67,7 @@ pub mod refractive_yaml;
 pub mod roles;
 pub mod rows;
 pub mod samples;
+pub mod scan;
 pub mod sekonic;
 pub mod spd;
 pub mod spdx;
@@ -192,6 +194,9 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
     if about.is_dir() {
         return Err(ReadError::new(&name, "a folder", "a file"));
     }
+    if is_device(&file, &about) {
+        return Err(ReadError::new(&name, "a device", "a file"));
+    }
     if about.len() > text::MOST_BYTES {
         return Err(ReadError::new(&name, TOO_LARGE, AT_MOST));
     }
@@ -200,6 +205,20 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
         .read_to_end(&mut bytes)
         .map_err(trouble)?;
     read(&Input::at(path, &bytes).deciding(choices))
+}
+
+/// Whether a file is a device, which may give bytes for ever; what is typed has an end.
+#[cfg(unix)]
+fn is_device(file: &std::fs::File, about: &std::fs::Metadata) -> bool {
+    use std::io::IsTerminal;
+    use std::os::unix::fs::FileTypeExt;
+    let kind = about.file_type();
+    kind.is_block_device() || kind.is_char_device() && !file.is_terminal()
+}
+
+#[cfg(not(unix))]
+fn is_device(_: &std::fs::File, _: &std::fs::Metadata) -> bool {
+    false
 }
 
 /// Reads a file that is in memory; `name` is what messages and spectra call it.
@@ -269,6 +288,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let refusal = read_path(folder.path()).unwrap_err().to_string();
         assert!(refusal.contains("expected a file"), "{refusal}");
+        let device = cfg!(unix).then(|| read_path(Path::new("/dev/zero")).unwrap_err());
+        let said = device.map(|refusal| refusal.to_string());
+        assert!(said.is_none_or(|said| said == "zero: found a device, expected a file"));
         let missing = read_path(&folder.path().join("none.csv")).unwrap_err();
         assert_eq!(
             missing.to_string(),

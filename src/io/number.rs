@@ -86,11 +86,17 @@ pub fn is_measured(value: f64) -> bool {
     value.abs() < ABSURD
 }
 
+/// The longest cell that may be anything but words, in bytes.
+const LONGEST_CELL: usize = 256;
+
 /// The cells that are not plain numbers; rare in a table, so not in the hot path.
 fn slow(cell: &str, decimal_comma: bool) -> Cell {
     let cell = cell.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\'');
     if cell.is_empty() {
         return Cell::Empty;
+    }
+    if cell.len() > LONGEST_CELL {
+        return Cell::Text;
     }
     if let Some(value) = in_thousands(cell, decimal_comma) {
         return sized(value, Cell::Number);
@@ -105,11 +111,11 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
         return number(body.trim(), decimal_comma)
             .map_or(Cell::Text, |value| sized(value, Cell::Percent));
     }
+    if !cell.bytes().any(|byte| byte.is_ascii_digit()) {
+        return Cell::Text;
+    }
     // A typographic minus, and Fortran's double exponent.
-    if cell.len() <= 40
-        && cell.contains(['−', 'D', 'd'])
-        && cell.contains(|c: char| c.is_ascii_digit())
-    {
+    if cell.len() <= 40 && cell.contains(['−', 'D', 'd']) {
         let plain = cell.replace('−', "-").replace(['D', 'd'], "e");
         if let Some(value) = number(&plain, decimal_comma) {
             return sized(value, Cell::Number);
@@ -130,6 +136,9 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
     } else {
         ('.', ',')
     };
+    if cell.len() > 40 {
+        return None;
+    }
     let separator = cell
         .chars()
         .find(|c| [other, ' ', '\u{a0}', '\u{202f}', '\'', '’'].contains(c))?;

@@ -20,6 +20,7 @@ use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, Subject, View,
         chart::Theme,
+        charts::tradeoff,
         document::{FIRST_LIGHT, FIRST_PATCH_SET},
         export::Export,
         library::Library,
@@ -38,6 +39,7 @@ use spectral_explorer::{
         Band, Basis, HandSpike, Kind, NamedSpectrum, Sampled, Sampling, SpikeEdits,
         basis::numbers_of_order,
     },
+    study::Measure,
 };
 
 fn all_zero() -> NamedSpectrum {
@@ -1702,6 +1704,24 @@ fn an_all_zero_light_is_told_in_words_and_never_as_nan() {
     let json = report::json(&app);
     assert!(json["error"]["relative_rms"].is_null() && json["patches"].is_null());
     assert!(json["colour"]["exact"]["xyz"].is_null());
+}
+
+#[test]
+fn values_too_small_to_compute_with_are_called_that_and_not_zero() {
+    let tiny = |value: f64| {
+        let values = (0..81).map(|i| value * f64::from(1 + i % 7)).collect();
+        app_with(spectrum("tiny", Kind::Light, 380.0, 5.0, values))
+    };
+    let too_small = tiny(1e-320);
+    let derived = too_small.derived();
+    assert!(derived.errors.is_none() && derived.colour.exact.is_none());
+    let said = "The spectrum's values are too small to compute with: none reaches 1e-308.";
+    assert_eq!(derived.warnings[0], said);
+    let lack = tradeoff::lack(&too_small, Measure::Rms);
+    assert_eq!(lack, Some(said));
+    let derived = tiny(1e-307).derived().clone();
+    assert!(derived.errors.is_some() && derived.colour.exact.is_some());
+    assert_eq!(derived.warnings, [""; 0]);
 }
 
 #[test]

@@ -497,7 +497,6 @@ const LONG: [&str; 25] = [
     "src/io/cgats.rs",
     "src/io/columns.rs",
     "src/io/plain_json.rs",
-    "src/io/table.rs",
     "src/spectrum/spikes.rs",
     "src/study/auction.rs",
     "src/study/race.rs",

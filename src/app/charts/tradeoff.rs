@@ -74,7 +74,7 @@ pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
     let (document, derived) = (app.document(), app.derived());
     let is_light = document.is_about_light();
     if derived.errors.is_none() {
-        return Some("The spectrum is zero over the whole range.");
+        return Some(derived.why_no_errors());
     }
     if !measure.is_colour() {
         return None;

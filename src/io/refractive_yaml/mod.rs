@@ -36,8 +36,8 @@ const MOST_COEFFICIENTS: usize = 100;
 
 fn sniff(input: &Input) -> Confidence {
     let is_ours = |text: &str| {
-        let has_data = text.lines().any(|line| line.trim_end() == "DATA:");
-        has_data && (text.contains("type: tabulated") || text.contains("type: formula"))
+        (text.contains("type: tabulated") || text.contains("type: formula"))
+            && text.lines().any(|line| line.trim_end() == "DATA:")
     };
     match input.text() {
         Some(_) if is_ours(input.head()) => Confidence::Certain,
