@@ -187,17 +187,22 @@ fn devices_are_written_into_without_force() {
     assert!(told.out.contains("380,"), "{}", told.out);
 }
 
+/// Without the window there are pictures of vectors only, and the refusals.
 #[test]
 fn a_picture_replaces_a_picture_and_nothing_else() {
     let desk = Desk::new();
-    for out in ["p.svg", "p.png"] {
+    let window = cfg!(feature = "window");
+    for out in ["p.svg", "p.png"].into_iter().take(1 + usize::from(window)) {
         desk.done(&["plot", "FL2", "--out", out, "--size", "320x240"]);
         let first = fs::read(desk.path(out)).expect("a picture");
         desk.done(&["plot", "FL11", "--out", out, "--size", "320x240"]);
         assert_ne!(fs::read(desk.path(out)).expect("a picture"), first);
     }
-    desk.done(&["render", "FL2", "--out", "p.png", "--size", "320x240"]);
     desk.put("notes.png", lamp());
+    if !window {
+        return the_window_is_missing(&desk);
+    }
+    desk.done(&["render", "FL2", "--out", "p.png", "--size", "320x240"]);
     for command in ["plot", "render"] {
         let args = [command, "FL2", "--out", "notes.png", "--size", "320x240"];
         let line = desk.refused(&args);
@@ -209,7 +214,15 @@ fn a_picture_replaces_a_picture_and_nothing_else() {
     assert!(drawn.starts_with(b"\x89PNG"));
 }
 
-#[cfg(target_os = "linux")]
+fn the_window_is_missing(desk: &Desk) {
+    for command in ["plot", "render"] {
+        let line = desk.refused(&[command, "FL2", "--out", "notes.png"]);
+        assert!(line.contains("without the window"), "{line}");
+        assert_eq!(desk.get("notes.png"), lamp());
+    }
+}
+
+#[cfg(all(target_os = "linux", feature = "window"))]
 #[test]
 fn the_picture_of_a_missing_window_replaces_nothing_not_even_a_link() {
     let desk = Desk::new();
@@ -432,8 +445,9 @@ fn a_files_name_need_not_be_unicode() {
         (&["product", "FL2"], &second, &["--kind", "reflectance"]),
         (&["product", "FL2", "red", "--check"], &name, &[]),
         (&["plot"], &name, &["--out", "p.svg"]),
-        (&["render"], &name, &["--out", "p.png", "--size", "320x240"]),
         (&["convert"], &name, &["o.json"]),
+        #[cfg(feature = "window")]
+        (&["render"], &name, &["--out", "p.png", "--size", "320x240"]),
     ] {
         let args = [words(before), vec![file.clone()], words(behind)].concat();
         let told = desk.run(&args);
