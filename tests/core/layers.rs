@@ -487,7 +487,7 @@ const MOST_LINES: usize = 450;
 const TABLES: [&str; 0] = [];
 
 /// Files that are longer still. The list may only become shorter.
-const LONG: [&str; 25] = [
+const LONG: [&str; 24] = [
     "src/app/charts/coefficients.rs",
     "src/app/charts/tradeoff.rs",
     "src/app/import.rs",
