@@ -1,17 +1,66 @@
 //! What stands around the series: grids, axes with their numbers and names, the colour strip, the
-//! colour bar of a heat map.
+//! colour bar of a heat map, the entries of the legend.
 
 use super::{
-    Dash, Scale, Series,
+    Dash, Marks, Scale, Series,
     axis::Axis,
     drawing::{BAR, Drawing, LIFT, LONGEST_NAME, MARGIN, SLANT, TICK},
-    plot::{Pen, Plot},
+    legend::{GAP, SAMPLE, fitted},
+    plot::{Pen, Plot, dot, form, sound_px},
     primitive::{Anchor, Field, Place, Primitive},
     ramp::ramp_colour,
     text::{elided, text_width},
 };
 
 impl Drawing<'_> {
+    /// What a series looks like, and its name.
+    pub(super) fn legend_entry(&self, out: &mut Vec<Primitive>, series: &Series, field: Field) {
+        let (looks, colour) = (self.looks, series.colour);
+        let length = SAMPLE * looks.scale;
+        let middle = [field.left + length / 2.0, field.top + field.height / 2.0];
+        let [x, y] = middle;
+        let block = |half: f64| {
+            let reach = 0.35 * field.height;
+            Field::between([x - half, y - reach], [x + half, y + reach])
+        };
+        match &series.marks {
+            Marks::Line { width, dash, .. } => out.push(Primitive::Lines {
+                runs: vec![vec![[field.left, y], [field.left + length, y]]],
+                width: sound_px(*width) * looks.line,
+                dash: *dash,
+                colour,
+            }),
+            Marks::Stems { .. } => {
+                let (foot, top) = ([x, y + 6.0], [x, y - 4.0]);
+                out.push(Primitive::line(vec![foot, top], 1.8 * looks.line, colour));
+                out.push(dot(top, 2.5 * looks.scale, colour));
+            }
+            Marks::Area { .. } => {
+                let Field { top, height, .. } = block(length / 2.0);
+                let side = |x: f64| [x, top, top + height];
+                out.push(Primitive::Band {
+                    corners: vec![side(field.left), side(field.left + length)],
+                    colour,
+                    opacity: 0.4,
+                });
+            }
+            Marks::Bars { .. } => {
+                out.push(Primitive::Fields(vec![(block(0.3 * length), colour)]));
+            }
+            Marks::Points { radius, shape, .. } => {
+                let radius = (sound_px(*radius) * looks.scale).min(5.0);
+                out.push(form(middle, radius, *shape, colour));
+            }
+            // The colour bar tells what its colours mean.
+            Marks::Cells { .. } => {}
+        }
+        let at = [field.left + (SAMPLE + GAP) * looks.scale, y];
+        let room = self.size[0] - 2.0 * self.legend[0].left;
+        let name = fitted(&series.name, room, looks);
+        let text = self.text(at, Anchor::Start, self.palette().text, &name);
+        out.push(Primitive::Text(text));
+    }
+
     /// A panel: grid and vertical axis, then its series, then its frame.
     pub(super) fn panel(
         &self,

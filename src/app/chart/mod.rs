@@ -11,6 +11,7 @@ mod cells;
 mod cut;
 mod drawing;
 mod legend;
+mod looks;
 mod palette;
 mod plot;
 mod primitive;
@@ -28,7 +29,8 @@ use super::ticks::short;
 
 pub use axis::Axis;
 pub use cells::Cells;
-pub use drawing::{Drawing, Looks, View};
+pub use drawing::{Drawing, View};
+pub use looks::Looks;
 pub use palette::{Inks, Palette};
 pub use plot::Plot;
 pub use primitive::{Anchor, Field, Place, Primitive, Text};

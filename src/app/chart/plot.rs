@@ -2,10 +2,11 @@
 
 use super::{
     super::ticks::short,
-    Cells, Dash, Looks, Marks, Series, Shape,
+    Cells, Dash, Marks, Series, Shape,
     axis::Axis,
     base_at,
     cut::{cut_band, cut_segment},
+    looks::Looks,
     palette::Palette,
     primitive::{Anchor, Field, Place, Primitive, Text},
     text::text_width,

@@ -8,7 +8,8 @@ use std::fmt::{self, Write as _};
 
 use super::{
     Chart, Dash, Rgb,
-    drawing::{Drawing, Looks},
+    drawing::Drawing,
+    looks::Looks,
     primitive::{Anchor, Field, Place, Primitive, Text},
 };
 use crate::app::ticks::without_trailing_zeros;
