@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::library::Library;
+use super::{library::Library, origin::Origin};
 use crate::{
     io::MakersResult,
     preset::{self, Body, Preset, Shelf},
@@ -16,8 +16,8 @@ use crate::{
 pub struct Entry {
     /// What finds it again: `group/name` for a preset, `own/<number>` for a file's spectrum.
     pub key: String,
-    /// The heading it stands under; `None` for the user's own.
-    pub shelf: Option<Shelf>,
+    /// Where it came from.
+    pub origin: Origin,
     /// The spectrum.
     pub spectrum: NamedSpectrum,
     /// Under which terms the numbers may be passed on; empty for the user's own.
@@ -58,23 +58,31 @@ impl Entry {
         };
         Some(Self {
             key: preset.id(),
-            shelf: Some(preset.shelf),
+            origin: Origin::Preset(preset.shelf),
             spectrum,
             licence: preset.licence.words.clone(),
             makers: Vec::new(),
         })
     }
 
+    /// The heading it stands under; `None` for the user's own.
+    pub fn shelf(&self) -> Option<Shelf> {
+        match self.origin {
+            Origin::Preset(shelf) => Some(shelf),
+            Origin::File(_) | Origin::Made(_) | Origin::Numbers => None,
+        }
+    }
+
     /// Whether it is one of the paper's lamps, whose spikes' weights wait for a factor.
     pub fn is_of_the_paper(&self) -> bool {
-        self.shelf == Some(Shelf::Paper)
+        self.shelf() == Some(Shelf::Paper)
     }
 
     /// The user's own spectrum number `number`.
     pub fn own(number: u64, spectrum: NamedSpectrum) -> Self {
         Self {
             key: format!("own/{number}"),
-            shelf: None,
+            origin: Origin::Numbers,
             spectrum,
             licence: String::new(),
             makers: Vec::new(),

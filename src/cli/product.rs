@@ -69,7 +69,7 @@ pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Resul
                 .iter()
                 .map(|word| link(word, *kind, inputs))
                 .collect::<Result<_, _>>()?;
-            if kind.is_some() && chain.iter().all(|link| link.entry.shelf.is_some()) {
+            if kind.is_some() && chain.iter().all(|link| link.entry.shelf().is_some()) {
                 inputs.note("--kind is not used: no FACTOR is a file");
             }
             let app = about(light_name, *model, inputs)?;
@@ -183,7 +183,7 @@ fn factor(
     };
     let found = inputs.find(name, &wanted).map_err(refused)?;
     let (named, is) = (shown(Path::new(name)), found.entry.kind());
-    let Some(told) = kind.filter(|_| found.entry.shelf.is_none()) else {
+    let Some(told) = kind.filter(|_| found.entry.shelf().is_none()) else {
         if !is.is_factor() {
             return Err(refused(format!("{named}: {}", no_factor(&found.entry))));
         }
@@ -218,7 +218,7 @@ fn no_factor(entry: &Entry) -> String {
         Kind::Light => "a light".to_owned(),
         kind => format!("{kind} values"),
     };
-    let remedy = match entry.shelf {
+    let remedy = match entry.shelf() {
         Some(_) => "",
         None => " (say --kind if it is one)",
     };

@@ -11,7 +11,7 @@ use egui::{
 use super::{
     chart_view::{ChartView, ChartWish},
     model_view::named,
-    theme::Theme,
+    theme::{Theme, waker},
 };
 use crate::app::{
     App,
@@ -96,7 +96,9 @@ impl ImportView {
         within: Rect,
         keys_are_free: bool,
     ) -> Vec<Wish> {
-        if self.now.as_mut().is_some_and(|import| !import.follow(app)) {
+        let wake = waker(context);
+        let is_gone = |import: &mut Import| !import.follow(app, &wake);
+        if self.now.as_mut().is_some_and(is_gone) {
             self.close();
         }
         let Some(import) = &self.now else {

@@ -10,4 +10,5 @@ mod cli_files;
 mod cli_studies;
 mod commands;
 mod no_window;
+mod recipes;
 mod workspace;

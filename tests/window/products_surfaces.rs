@@ -16,11 +16,12 @@ use spectral_explorer::{
             check::check_chart,
             lights::{lights_chart, made_chart},
         },
+        command::MadeFor,
         open::resolve,
         pages::Page,
         products::{
             Part, Products,
-            same_surface::{CheckSheet, example, take_as_outgoing},
+            same_surface::{CheckSheet, example},
             two_lights::{LightsSheet, Made, NoMetamer},
         },
         studies::{PairsAsk, Same},
@@ -30,6 +31,7 @@ use spectral_explorer::{
     spectrum::{Band, Basis},
     study::{
         Progress,
+        command::MadeFor,
         products::{Sameness, check::SAME_RESIDUAL},
     },
     ui::{
@@ -51,8 +53,9 @@ fn entry(key: &str) -> Arc<spectral_explorer::app::Entry> {
 
 /// A light off a surface taken as the outgoing spectrum of the check.
 fn with_example(mut app: App, surface: &str, twice: bool) -> App {
-    let made = example(&app, &entry(surface), twice).expect("a spectrum");
-    app.apply(take_as_outgoing(&app, made));
+    let recipe = example(&app, &entry(surface), twice);
+    let place = MadeFor::Outgoing;
+    app.apply(Command::Make { recipe, place });
     app
 }
 

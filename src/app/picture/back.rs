@@ -13,10 +13,11 @@ use crate::{
     app::{
         open::{Loaded, load_path_as},
         opened::ImageEntry,
+        origin::FromFile,
         studies::Wake,
         workspace::StoredImage,
     },
-    io::{Choices, budget, envi},
+    io::{budget, envi},
 };
 
 /// What a thread has to tell.
@@ -69,8 +70,7 @@ impl Reader {
                     (&of.path, &of.choices) == (&stored.path, &stored.choices)
                 };
                 if !last.as_ref().is_some_and(is_of) {
-                    let images = images_of(&stored.path, &stored.choices);
-                    last = Some((stored.clone(), images));
+                    last = Some((stored.clone(), images_of(&stored)));
                 }
                 let found = last.as_ref().map(|(_, found)| found);
                 let news = match found.map(|found| pick(found, &stored)) {
@@ -163,7 +163,7 @@ impl Reader {
 /// # Errors
 /// A sentence that says why there is none.
 pub fn read_again(stored: &StoredImage) -> Result<ImageEntry, String> {
-    pick(&images_of(&stored.path, &stored.choices), stored)
+    pick(&images_of(stored), stored)
 }
 
 fn pick(
@@ -191,7 +191,9 @@ fn pick(
     })
 }
 
-fn images_of(path: &Path, choices: &Choices) -> Result<Vec<ImageEntry>, String> {
+fn images_of(stored: &StoredImage) -> Result<Vec<ImageEntry>, String> {
+    let StoredImage { path, choices, .. } = stored;
+    let reading = stored.reading();
     // A panic in a reader must not leave the image waiting for ever.
     let loaded = std::panic::catch_unwind(|| load_path_as(path, choices))
         .map_err(|_| format!("{}: the reader failed on this file", path.display()))?;
@@ -202,9 +204,10 @@ fn images_of(path: &Path, choices: &Choices) -> Result<Vec<ImageEntry>, String> 
             .enumerate()
             .map(|(index, image)| ImageEntry {
                 key: String::new(),
-                path: Some(path.to_owned()),
-                index,
-                choices: choices.clone(),
+                from: FromFile {
+                    reading: reading.clone(),
+                    index,
+                },
                 image: Arc::clone(image),
             })
             .collect()),

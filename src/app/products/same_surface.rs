@@ -4,20 +4,20 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use super::{Lit, Products, two_lights::modelled};
+use super::{Lit, two_lights::modelled};
 use crate::{
     app::{
-        Command,
         cells::{line, number, words},
         derived::Derived,
         document::Document,
         entry::Entry,
+        recipe::{Recipe, Times},
         report::settings_json,
         state::App,
         studies::{RankAsk, Same, surfaces::Ranked},
         ticks::short,
     },
-    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, factor::bounces},
+    spectrum::{Band, Composite},
     study::products::{Checker, Compared, Sameness, check::SAME_RESIDUAL, measured_check},
 };
 
@@ -173,51 +173,14 @@ pub fn ranking_csv(names: &[String; 3], ranked: &[Ranked]) -> String {
     out
 }
 
-/// The state's light off a surface, once or twice, as a spectrum of its own; `None` when there is
-/// nothing of it that could be kept.
-pub fn example(app: &App, surface: &Entry, twice: bool) -> Option<NamedSpectrum> {
-    let light = &app.document().light;
-    let table = &light.spectrum.samples;
-    // The light's own range, so that the example serves under another range of the model too.
-    let band = Band::new(table.first_nm().ceil(), table.last_nm().floor())
-        .unwrap_or(app.document().settings.band);
-    let count = if twice { 2 } else { 1 };
-    let shares = bounces(&surface.on_band(band), count);
-    let lit = light
-        .on_band(band)
-        .iter()
-        .zip(&shares)
-        .map(|(l, r)| l * r)
-        .collect();
-    let times = if twice { " twice" } else { "" };
-    let name = format!("{} off {}{times}", light.name(), surface.name());
-    Some(NamedSpectrum {
-        kind: Kind::Light,
-        unit: light.spectrum.unit.clone(),
-        scale: 1.0,
-        samples: Sampled::even(band.min_nm(), 1.0, lit).ok()?,
-        notes: vec![format!(
-            "Made as an example: {} ({}) times {} ({}){times}, at every nm.",
-            light.name(),
-            light.key,
-            surface.name(),
-            surface.key,
-        )],
-        source: format!("made from {} and {}", light.name(), surface.name()),
-        name,
-    })
-}
-
-/// Takes a spectrum in as the user's own and as the outgoing one, in one step of undo; the light
-/// stays what it is.
-pub fn take_as_outgoing(app: &App, spectrum: NamedSpectrum) -> Command {
-    let mut document = app.document().clone();
-    let entry = Arc::new(Entry::own(document.next_own, spectrum));
-    document.next_own = document.next_own.saturating_add(1);
-    document.own.push(entry.clone());
-    document.products = Products {
-        outgoing: Some(entry),
-        ..document.products
+/// The state's light off a surface, once or twice.
+pub fn example(app: &App, surface: &Entry, twice: bool) -> Recipe {
+    let times = Times {
+        bounces: if twice { 2 } else { 1 },
+        ..Times::default()
     };
-    Command::Replace(Box::new(document))
+    Recipe::Through {
+        light: app.document().light.key.clone(),
+        chain: vec![(surface.key.clone(), times)],
+    }
 }

@@ -13,7 +13,7 @@ use crate::{
         studies::{about::reflectances, surfaces::Pairs},
         ticks::short,
     },
-    color::{Adaptation, Swatch, delta_e_2000},
+    color::{Adaptation, Observer, Swatch, delta_e_2000},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
     study::products::{Black, TwoLights, black_of, two_lights, two_modelled_lights},
 };
@@ -55,23 +55,37 @@ impl LightsSheet {
         let document = app.document();
         let other = document.products.other_light.as_ref()?;
         let lit = Lit::of(app);
-        let band = lit.band();
+        let both = [document.light.clone(), other.clone()];
+        let observer = document.settings.observer;
+        let sheet = Self::measured(lit.band(), observer, both, &document.patch_set);
         let second = modelled(app, &lit, other);
-        let values = [lit.derived.measured.clone(), second.measured];
-        let (names, surfaces) = reflectances(&document.patch_set, band);
-        let seen = lit.tables.viewing.weights.clone();
-        let lights = [&values[0][..], &values[1][..]];
         let models = [&lit.derived.model, &second.model];
-        Some(Self {
+        let values = sheet.values.each_ref().map(Vec::as_slice);
+        let model = two_modelled_lights(sheet.band, &sheet.surfaces, models, values, &sheet.seen);
+        Some(Self { model, ..sheet })
+    }
+
+    /// Patches under two lights as measured, without models.
+    pub fn measured(
+        band: Band,
+        observer: Observer,
+        lights: [Arc<Entry>; 2],
+        patch_set: &str,
+    ) -> Self {
+        let values = lights.each_ref().map(|light| light.on_band(band));
+        let (names, surfaces) = reflectances(patch_set, band);
+        let seen = observer.table().on_band(band);
+        let on_grid = values.each_ref().map(Vec::as_slice);
+        Self {
             band,
-            lights: [document.light.name().to_owned(), other.name().to_owned()],
-            exact: two_lights(band, &surfaces, lights, &seen),
-            model: two_modelled_lights(band, &surfaces, models, lights, &seen),
+            lights: lights.map(|light| light.name().to_owned()),
+            exact: two_lights(band, &surfaces, on_grid, &seen),
+            model: None,
             values,
             names,
             surfaces,
             seen,
-        })
+        }
     }
 
     /// Both lights in the scale in which Y is 100; `None` for one that is not seen.

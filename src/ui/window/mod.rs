@@ -29,10 +29,7 @@ use super::{
     top_view,
 };
 use crate::app::{
-    App, Command,
-    already_open::Places,
-    chart,
-    import::Origins,
+    App, Command, chart,
     open::Loader,
     picture::back::Reader,
     state::Tone,
@@ -92,8 +89,6 @@ pub struct Window {
     /// How a file was read, while it is looked at.
     import: ImportView,
     makers: MakersView,
-    origins: Origins,
-    places: Places,
 }
 
 impl Window {
@@ -128,8 +123,6 @@ impl Window {
             spend: SpendView::default(),
             import: ImportView::default(),
             makers: MakersView::default(),
-            origins: Origins::default(),
-            places: Places::default(),
         }
     }
 

@@ -384,7 +384,7 @@ pub fn of(point: &NarrowPoint, way: usize) -> Colours {
 
 /// Shipped filter glasses, and the user's own transmittances.
 pub fn is_filter(entry: &Entry) -> bool {
-    entry.kind() == Kind::Transmittance && entry.shelf.is_none_or(|shelf| shelf == Shelf::Filters)
+    entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(|shelf| shelf == Shelf::Filters)
 }
 
 fn derived_unit(app: &App) -> &str {

@@ -50,7 +50,7 @@ pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) ->
         }
         let reading = ui
             .add_enabled(
-                entry.path.is_some(),
+                entry.path().is_some(),
                 egui::Button::new(names::READING).small(),
             )
             .on_hover_text(

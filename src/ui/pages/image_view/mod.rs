@@ -17,8 +17,10 @@ use crate::{
         Command,
         chart::{self, Chart},
         charts::image::probe_chart,
+        command::MadeFor,
         opened::ImageEntry,
         picture::{Developed, Eye, Held, Probed, Raster, Show, Spread, developed, named, shown},
+        recipe::Recipe,
         studies::{Same, Stage},
     },
     color::Observer,
@@ -305,8 +307,11 @@ impl ImageView {
         };
         if let Some(spectrum) = spectrum {
             let key = shown.entry.key.clone();
-            self.taken = Some((key, rect, spectrum.name.clone()));
-            context.commands.push(Command::Adopt(vec![spectrum]));
+            self.taken = Some((key.clone(), rect, spectrum.name.clone()));
+            context.commands.push(Command::Make {
+                recipe: Recipe::Region { image: key, rect },
+                place: MadeFor::Shown,
+            });
         }
     }
 

@@ -17,10 +17,11 @@ use crate::{
         Command,
         chart::{self, Chart},
         charts::products::check::check_chart,
+        command::MadeFor,
         entry::Entry,
         products::{
             Products,
-            same_surface::{CheckSheet, example, ranking_csv, take_as_outgoing},
+            same_surface::{CheckSheet, example, ranking_csv},
         },
         studies::{
             RankAsk, Stage,
@@ -210,11 +211,11 @@ impl CheckView {
             );
             if make.clicked()
                 && let Some(surface) = surface
-                && let Some(spectrum) = example(context.app, &surface, *twice)
             {
-                context
-                    .commands
-                    .push(take_as_outgoing(context.app, spectrum));
+                context.commands.push(Command::Make {
+                    recipe: example(context.app, &surface, *twice),
+                    place: MadeFor::Outgoing,
+                });
             }
         });
     }

@@ -14,12 +14,14 @@ use crate::{
         Command, View,
         chart::{self, Chart},
         charts::products::lights::{lights_chart, made_chart, pair_chart},
+        command::MadeFor,
         library::Library,
         products::{
             Products,
             memory::ROOM_PERCENT,
             two_lights::{LightsSheet, Made, NoMetamer, pairs_csv, swatches},
         },
+        recipe::Recipe,
         studies::{
             PairsAsk, Same, Stage,
             surfaces::{Pairs, shipped_reflectances},
@@ -570,10 +572,20 @@ fn made_section(
             .add_enabled(kept.is_some(), Button::new(names::KEEP))
             .on_hover_text("Puts the made reflectance into the library and opens it.")
             .on_disabled_hover_text("There is nothing made to keep.");
+        let other = context.app.document().products.other_light.as_ref();
         if button.clicked()
-            && let Some(spectrum) = kept.and_then(|(made, ..)| made.spectrum(sheet))
+            && let Some(other) = other
         {
-            context.commands.push(Command::Adopt(vec![spectrum]));
+            let document = context.app.document();
+            let recipe = Recipe::Metamer {
+                light: document.light.key.clone(),
+                other: other.key.clone(),
+                patch_set: document.patch_set.clone(),
+                patch,
+                room_percent: built.of.3,
+            };
+            let place = MadeFor::Shown;
+            context.commands.push(Command::Make { recipe, place });
         }
     });
     let (made, chart, shown) = match &built.made {
