@@ -363,9 +363,8 @@ impl Import {
             }
         };
         if std::mem::take(&mut self.flips)
-            && let Some((key, _)) = all_of(app.document(), &self.file).next()
+            && let Some(key) = self.key(app)
         {
-            let key = key.to_owned();
             app.end_gesture();
             app.apply(Command::Reread {
                 key,
@@ -377,6 +376,11 @@ impl Import {
         let reading = of_file.map_or(self.reading.clone(), |(_, from)| from.reading.clone());
         self.look_at(opened, reading);
         true
+    }
+
+    fn key(&self, app: &App) -> Option<String> {
+        let (key, _) = all_of(app.document(), &self.file).next()?;
+        Some(key.to_owned())
     }
 
     /// Follows an undo, a redo or a removal; false when the document has nothing of the file any

@@ -31,7 +31,6 @@ use spectral_explorer::{
     spectrum::{Band, Basis},
     study::{
         Progress,
-        command::MadeFor,
         products::{Sameness, check::SAME_RESIDUAL},
     },
     ui::{
