@@ -1,7 +1,7 @@
 //! Light through filters and off surfaces: what the command line prints, in words or as JSON.
 //!
-//! The JSON's keys are stable; the README documents them. XYZ has the exact light's Y at 100, the
-//! white of every difference is the exact light, and a number that does not exist is `null`.
+//! The JSON's keys are stable; docs/command_line.md tells them. XYZ has the exact light's Y at 100,
+//! the white of every difference is the exact light, and a number that does not exist is `null`.
 
 use std::fmt::Write as _;
 

@@ -2,12 +2,17 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/docs.rs"]
+mod docs;
 #[path = "../common/full.rs"]
 mod full;
+#[path = "../common/root.rs"]
+mod root;
 
 mod cli;
 mod cli_files;
 mod cli_studies;
+mod command_line;
 mod commands;
 mod no_window;
 mod recipes;

@@ -674,7 +674,7 @@ fn private_path<'t>(text: &'t str, folders: &[String]) -> Option<&'t str> {
 fn no_file_knows_on_whose_computer_it_was_written() {
     let root = root();
     let mut files: Vec<PathBuf> = [
-        "src", "tests", "presets", "benches", "LICENSES", ".ci", "fuzz",
+        "src", "tests", "presets", "benches", "LICENSES", ".ci", "fuzz", "docs",
     ]
     .iter()
     .flat_map(|folder| files_below(&root.join(folder)))
