@@ -4,7 +4,7 @@ use std::{ffi::OsString, fs};
 
 use crate::root::root;
 use spectral_explorer::{
-    app::{App, chart::Theme, workspace::Preferences},
+    app::{App, chart::Theme, charts::spectrum::spectrum_chart, workspace::Preferences},
     cli::{self, Outcome, Pictures},
     ui::picture,
 };
@@ -18,7 +18,7 @@ impl Pictures for Painted {
     }
 
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {
-        picture::plot_png(app, theme, size)
+        picture::chart_png(&spectrum_chart(app, theme), size)
     }
 }
 
