@@ -16,6 +16,7 @@ pub mod library;
 pub mod licences;
 pub mod line_names;
 pub mod makers;
+pub mod memo;
 pub mod natural;
 pub mod open;
 pub mod opened;

@@ -17,8 +17,8 @@ use crate::{
         open,
         product_report::{self, Told},
         products::{
-            Link, Lit,
-            same_surface::{CheckSheet, check_json, check_text},
+            Link, ModelledLight,
+            same_surface::{SameSurfaceSheet, check_json, check_text},
         },
         studies::about::reflectances,
         ticks::short,
@@ -74,7 +74,7 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
                 let outgoing = light("--check", name, spectrum)?;
                 return print(out, &of_check(&app, &chain, outgoing, *json));
             }
-            let told = Told::of(&app, &Lit::of(&app), &chain);
+            let told = Told::of(&app, &ModelledLight::of(&app), &chain);
             if *json {
                 let json = product_report::chain_json(&app, &told);
                 format!("{json:#}\n")
@@ -102,7 +102,7 @@ fn of_check(app: &App, chain: &[Link], found: Entry, json: bool) -> String {
             *s *= f;
         }
     }
-    let mut sheet = CheckSheet::against(app, &surface, &found.into());
+    let mut sheet = SameSurfaceSheet::against(app, &surface, &found.into());
     sheet.names[1] = names.join(", ");
     if json {
         format!("{:#}\n", check_json(app, &names, &sheet))

@@ -9,7 +9,7 @@ use crate::{
         open::{self, Loaded},
         opened::Opened,
         pages::{Page, PageMemory},
-        picture::{ImageMemory, back},
+        picture::{ImageMemory, reload},
         plot_svg::Theme,
         products::ProductsMemory,
         workspace::Preferences,
@@ -85,7 +85,7 @@ fn open_images(app: &mut App, input: &str) {
             let images = restored
                 .images
                 .iter()
-                .filter_map(|i| back::read_again(i).ok());
+                .filter_map(|i| reload::read_again(i).ok());
             images.for_each(|image| app.image_is_back(&Arc::new(image)));
         }
         // A preset, or what was refused before.

@@ -3,6 +3,7 @@
 use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
+pub(super) use super::kit::named;
 use super::theme::section;
 use crate::{
     app::{
@@ -305,11 +306,6 @@ fn edge(nm: &mut f64) -> egui::DragValue<'_> {
         .speed(1.0)
         .fixed_decimals(0)
         .suffix(" nm")
-}
-
-/// Gives a response a name for screen readers.
-pub(super) fn named(response: &egui::Response, role: egui::Role, name: &str) {
-    response.widget_info(|| egui::WidgetInfo::labeled(role, true, name));
 }
 
 fn products_row(ui: &mut Ui, settings: &mut Settings) {

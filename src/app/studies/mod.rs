@@ -18,7 +18,7 @@ use super::{
     charts::products::bounces::Bounced,
     document::Document,
     pages::FieldChoice,
-    picture::{ProbeAsk, Probed, Raster, RasterAsk},
+    picture::{Raster, RasterAsk, RegionAsk, RegionSpectrum},
     tables::CURVE_ORDER,
 };
 use crate::{
@@ -163,7 +163,7 @@ pub struct Studies {
     /// The picture of a spectral image.
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
-    pub probe: Job<ProbeAsk, Probed>,
+    pub region: Job<RegionAsk, RegionSpectrum>,
 }
 
 impl Studies {
@@ -178,7 +178,7 @@ impl Studies {
             timing,
             bounces,
             raster,
-            probe,
+            region,
         } = self;
         sweep.take_in();
         auction.take_in();
@@ -188,7 +188,7 @@ impl Studies {
         timing.take_in();
         bounces.take_in();
         raster.take_in();
-        probe.take_in();
+        region.take_in();
     }
 
     /// Whether anything is being computed.
@@ -202,7 +202,7 @@ impl Studies {
             timing,
             bounces,
             raster,
-            probe,
+            region,
         } = self;
         sweep.is_running()
             || auction.is_running()
@@ -212,7 +212,7 @@ impl Studies {
             || timing.is_running()
             || bounces.is_running()
             || raster.is_running()
-            || probe.is_running()
+            || region.is_running()
     }
 
     /// Waits for everything.
@@ -226,7 +226,7 @@ impl Studies {
             timing,
             bounces,
             raster,
-            probe,
+            region,
         } = self;
         sweep.finish();
         auction.finish();
@@ -236,6 +236,6 @@ impl Studies {
         timing.finish();
         bounces.finish();
         raster.finish();
-        probe.finish();
+        region.finish();
     }
 }

@@ -11,9 +11,8 @@ use crate::{
     study::{
         Progress,
         products::{
-            Checker, Metamers, Reflection, Sameness, TwoLights,
-            lights::{MATCH_DELTA_E, metameric_pairs_unless_cancelled},
-            measured_check, two_lights,
+            Checker, Metamers, Reflection, Sameness, TwoLights, measured_check, two_lights,
+            two_lights::{MATCH_DELTA_E, metameric_pairs_unless_cancelled},
         },
     },
 };

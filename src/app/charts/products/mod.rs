@@ -3,7 +3,7 @@
 pub mod absorption;
 pub mod bounces;
 pub mod chain;
-pub mod check;
-pub mod forming;
-pub mod lights;
 pub mod narrow;
+pub mod resampling;
+pub mod same_surface;
+pub mod two_lights;

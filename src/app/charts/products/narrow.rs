@@ -3,14 +3,14 @@
 
 use std::sync::Arc;
 
-use super::forming::thin;
+use super::resampling::thin;
 use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
         chart::{Inks, provenance},
         plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
-        products::Lit,
+        products::ModelledLight,
         ticks::extent,
     },
     color::{Adaptation, Srgb, Swatch, srgb_from_wavelength_over},
@@ -81,7 +81,7 @@ pub struct Behind {
     pub light: String,
     /// The grid.
     pub band: Band,
-    lit: Lit,
+    lit: ModelledLight,
     narrow: Narrow,
     width_nm: f64,
 }
@@ -107,7 +107,7 @@ pub struct FilterRow {
 impl Behind {
     /// The document's light.
     pub fn of(app: &App) -> Self {
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let settings = app.document().settings;
         let narrow = Narrow::new(
             &lit.derived.measured,

@@ -4,16 +4,16 @@ use crate::{
     app::{
         chart::{Inks, provenance},
         plot_svg::{Chart, Dash, Panel, Series, Theme},
-        products::same_surface::CheckSheet,
+        products::same_surface::SameSurfaceSheet,
         state::App,
     },
     study::products::Compared,
 };
 
 /// One of the two checks; `what` says whose numbers were compared.
-pub fn check_chart(
+pub fn same_surface_chart(
     app: &App,
-    sheet: &CheckSheet,
+    sheet: &SameSurfaceSheet,
     compared: &Compared,
     what: &str,
     theme: Theme,

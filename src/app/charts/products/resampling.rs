@@ -6,11 +6,11 @@ use crate::{
         cells::{line, number, words},
         chart::{Inks, provenance},
         plot_svg::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
-        products::Lit,
+        products::ModelledLight,
         ticks::extent,
     },
     spectrum::{Band, Sampling},
-    study::products::{Formed, Forming, ProductTime, Sizes, SpikeCosts, forming, spike_costs},
+    study::products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
 };
 
 /// A way of forming products, in a word or two.
@@ -68,7 +68,7 @@ pub struct Bench {
     /// The grid.
     pub band: Band,
     /// What came out.
-    pub forming: Forming,
+    pub resampled: Resampled,
     /// Eq. 17 at the light's spikes.
     pub spikes: SpikeCosts,
     /// What the time of a product depends on.
@@ -79,7 +79,7 @@ pub struct Bench {
 impl Bench {
     /// Forms the product of the document's light and a factor.
     pub fn of(app: &App, factor: &Entry) -> Self {
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let (band, product) = (lit.band(), lit.product());
         let own = lit.factor(factor.on_band(band));
         let table = &lit.tables.basis;
@@ -88,7 +88,7 @@ impl Bench {
             light: app.document().light.name().to_owned(),
             factor: factor.name().to_owned(),
             band,
-            forming: forming(product, &own, table),
+            resampled: resampled(product, &own, table),
             spikes: spike_costs(product, &own, table),
             sizes: Sizes {
                 band,
@@ -102,7 +102,7 @@ impl Bench {
 
     /// Whether there is any colour to be off by.
     pub fn has_colour(&self) -> bool {
-        let mut ways = self.forming.ways.iter();
+        let mut ways = self.resampled.ways.iter();
         ways.any(|way| way.step.added.is_some())
     }
 
@@ -117,7 +117,7 @@ impl Bench {
         let mut series = vec![Series::line(
             "measured × measured",
             inks.measured,
-            curve(&self.forming.exact),
+            curve(&self.resampled.exact),
         )];
         let mut off = Vec::new();
         for way in self.drawn(hidden) {
@@ -128,7 +128,7 @@ impl Bench {
                 .step
                 .smooth
                 .iter()
-                .zip(&self.forming.series_product)
+                .zip(&self.resampled.series_product)
                 .map(|(way, exact)| way - exact)
                 .collect();
             off.push(thin(name, ink, curve(&differences), dash));
@@ -164,20 +164,23 @@ impl Bench {
 
     /// The ways with curves of their own: at 1 nm nothing is formed from series.
     fn drawn<'a>(&'a self, hidden: &'a [Sampling]) -> impl Iterator<Item = &'a Formed> {
-        let ways = self.forming.ways.iter();
+        let ways = self.resampled.ways.iter();
         ways.filter(|way| way.sampling != Sampling::Exact && !hidden.contains(&way.sampling))
     }
 
     /// The light's spikes behind the factor, the same in all ways with points.
     fn stems(&self, inks: Inks) -> Option<Series> {
-        let way = self.forming.ways.first()?;
+        let way = self.resampled.ways.first()?;
         let spikes = &way.step.spikes;
         if spikes.is_empty() {
             return None;
         }
         let base: Vec<f64> = spikes
             .iter()
-            .map(|s| self.band.interpolate(&self.forming.series_product, s.at_nm))
+            .map(|s| {
+                self.band
+                    .interpolate(&self.resampled.series_product, s.at_nm)
+            })
             .collect();
         let tops = spikes.iter().zip(&base);
         Some(Series::new(
@@ -206,7 +209,7 @@ impl Bench {
             "ns",
         ];
         out += &line(heads.map(str::to_owned));
-        for way in &self.forming.ways {
+        for way in &self.resampled.ways {
             let step = &way.step;
             out += &line([
                 words(way_name(way.sampling)),
