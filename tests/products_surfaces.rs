@@ -14,6 +14,7 @@ use spectral_explorer::{
             same_surface::same_surface_chart,
             two_lights::{made_chart, two_lights_chart},
         },
+        memo::ByAddress,
         open::resolve,
         pages::Page,
         plot_svg::{Chart, Theme},
@@ -22,7 +23,7 @@ use spectral_explorer::{
             same_surface::{SameSurfaceSheet, example, take_as_outgoing},
             two_lights::{Made, NoMetamer, TwoLightsSheet},
         },
-        studies::{PairsAsk, Same},
+        studies::PairsAsk,
         workspace::Preferences,
     },
     cli::{self, Outcome, Pictures},
@@ -164,7 +165,8 @@ fn a_metamer_made_matches_under_the_first_light_and_parts_with_the_room_that_it_
 fn all_shipped_reflectances_have_pairs_that_one_light_joins_and_another_parts() {
     let start = Instant::now();
     let ask = PairsAsk {
-        lights: ["FL11", "CIE D65"].map(|key| Same(Arc::new(resolve(key, None, None).unwrap()))),
+        lights: ["FL11", "CIE D65"]
+            .map(|key| ByAddress(Arc::new(resolve(key, None, None).unwrap()))),
         band: Band::VISIBLE,
         observer: Settings::default().observer,
         group: None,

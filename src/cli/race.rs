@@ -18,8 +18,9 @@ use crate::{
     app::{
         App, Entry,
         library::{Library, Preset},
+        memo::ByAddress,
         open::{Loaded, load_path},
-        studies::{Class, Field, RaceAsk, Same},
+        studies::{Class, Field, RaceAsk},
         study_report,
     },
     io::error::quoted,
@@ -108,7 +109,7 @@ fn alone(app: &App) -> Result<Field, Refusal> {
             subject.kind(),
         )));
     }
-    Ok(Field::One(Same(document.light.clone())))
+    Ok(Field::One(ByAddress(document.light.clone())))
 }
 
 /// The lights of a class, a group or a folder.
@@ -168,7 +169,7 @@ fn lights_in(folder: &Path, err: &mut dyn Write) -> Result<Field, Refusal> {
                 for spectrum in spectra {
                     if spectrum.kind == Kind::Light {
                         let number = lights.len() as u64 + 1;
-                        lights.push(Same(Arc::new(Entry::own(number, spectrum))));
+                        lights.push(ByAddress(Arc::new(Entry::own(number, spectrum))));
                     } else {
                         others += 1;
                     }

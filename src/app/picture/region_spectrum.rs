@@ -11,7 +11,6 @@ use crate::{
         memo::ByAddress,
         settings::Settings,
         state::derived_of,
-        studies::Same,
     },
     spectrum::{NamedSpectrum, Rect, Region, Sampled, SpectralImage},
     study::Progress,
@@ -27,7 +26,7 @@ pub struct RegionAsk {
     /// The knobs.
     pub settings: Settings,
     /// The light that a reflectance is looked at under.
-    pub light: Same,
+    pub light: ByAddress<Entry>,
 }
 
 /// The spectrum of a region.

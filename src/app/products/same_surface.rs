@@ -12,9 +12,10 @@ use crate::{
         derived::Derived,
         document::Document,
         entry::Entry,
+        memo::ByAddress,
         report::settings_json,
         state::App,
-        studies::{RankAsk, Same, surfaces::Ranked},
+        studies::{RankAsk, surfaces::Ranked},
         ticks::short,
     },
     spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, chain::bounces},
@@ -87,7 +88,7 @@ impl SameSurfaceSheet {
     pub fn ranking(&self, document: &Document, everywhere: bool) -> Option<RankAsk> {
         let outgoing = document.products.outgoing.clone()?;
         Some(RankAsk {
-            measured: [Same(document.light.clone()), Same(outgoing)],
+            measured: [ByAddress(document.light.clone()), ByAddress(outgoing)],
             models: self.models.clone(),
             left_out: self.left_out.iter().sum(),
             band: self.band,

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use super::about::{Same, reflectances, yardsticks};
+use super::about::{reflectances, yardsticks};
 use crate::{
     app::{
         document::Document,
         entry::Entry,
         library::{Library, Preset},
+        memo::ByAddress,
     },
     color::Observer,
     io::preset::Shelf,
@@ -27,7 +28,7 @@ pub const CHECK_SET: &str = "tm30_ces99_5nm";
 #[derive(Clone, Debug, PartialEq)]
 pub enum Field {
     /// One light.
-    One(Same),
+    One(ByAddress<Entry>),
     /// Every shipped light.
     Shipped,
     /// The shipped lights of one class.
@@ -35,7 +36,7 @@ pub enum Field {
     /// The shipped lights of one file.
     Group(String),
     /// Any lights, such as the user's own.
-    These(Vec<Same>),
+    These(Vec<ByAddress<Entry>>),
 }
 
 /// What a race is about.

@@ -8,7 +8,7 @@ pub mod paper;
 pub mod surfaces;
 pub mod take;
 
-pub use about::{About, Same};
+pub use about::About;
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
@@ -17,6 +17,7 @@ pub use take::take;
 use super::{
     charts::products::bounces::Bounced,
     document::Document,
+    memo::ByAddress,
     pages::FieldChoice,
     picture::{Raster, RasterAsk, RegionAsk, RegionSpectrum},
     tables::CURVE_ORDER,
@@ -102,7 +103,7 @@ impl FieldChoice {
     /// The lights of the choice in a document.
     pub fn field(self, document: &Document) -> Field {
         match self {
-            Self::ThisLight => Field::One(Same(document.light.clone())),
+            Self::ThisLight => Field::One(ByAddress(document.light.clone())),
             Self::Shipped => Field::Shipped,
             Self::Smooth => Field::Class(Class::Smooth),
             Self::Led => Field::Class(Class::Led),
@@ -113,7 +114,7 @@ impl FieldChoice {
                     .own
                     .iter()
                     .filter(|entry| entry.kind() == Kind::Light)
-                    .map(|entry| Same(entry.clone()))
+                    .map(|entry| ByAddress(entry.clone()))
                     .collect(),
             ),
         }

@@ -3,9 +3,13 @@
 
 use std::sync::Arc;
 
-use super::{Job, Same};
+use super::Job;
 use crate::{
-    app::library::{Group, Library},
+    app::{
+        Entry,
+        library::{Group, Library},
+        memo::ByAddress,
+    },
     color::{Adaptation, Observer, Swatch, Xyz},
     spectrum::{Band, Composite, Kind},
     study::{
@@ -88,7 +92,7 @@ pub fn shipped_reflectances() -> usize {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairsAsk {
     /// The light that pairs match under, and the one that they part under.
-    pub lights: [Same; 2],
+    pub lights: [ByAddress<Entry>; 2],
     /// The range.
     pub band: Band,
     /// Whose colour-matching functions.
@@ -131,7 +135,7 @@ impl PairsAsk {
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankAsk {
     /// The light and what came from the surface, as measured.
-    pub measured: [Same; 2],
+    pub measured: [ByAddress<Entry>; 2],
     /// The same in the model's numbers.
     pub models: Arc<[Composite; 2]>,
     /// What the two models leave out themselves, as [`Sameness::of`] takes it.

@@ -20,6 +20,8 @@ pub struct Column {
     pub right: bool,
     /// The title is underlined: this column decides.
     pub decides: bool,
+    /// Room before the words, for a [`bar`], points.
+    pub indent: f32,
 }
 
 impl Column {
@@ -31,6 +33,7 @@ impl Column {
             share,
             right: false,
             decides: false,
+            indent: 0.0,
         }
     }
 
@@ -51,6 +54,8 @@ pub enum Look {
     Plain,
     /// What wins, or what matters most.
     Strong,
+    /// As any text, in small type.
+    Small,
     /// Strong in small type.
     SmallStrong,
     /// What stands back, in small type: a group's name.
@@ -88,6 +93,8 @@ pub struct Table<'a> {
     pub chosen: Option<usize>,
     /// Whether rows can be clicked.
     pub enabled: bool,
+    /// Whether titles stand over it.
+    pub titles: bool,
     /// Whether lines stand closer, for tables of many short ones.
     pub dense: bool,
     /// The looks.
@@ -119,6 +126,7 @@ impl<'a> Table<'a> {
             columns,
             chosen: None,
             enabled: true,
+            titles: true,
             dense: false,
             theme,
         }
@@ -167,7 +175,11 @@ impl<'a> Table<'a> {
         }
     }
 
-    fn head(&self, ui: &mut Ui) {
+    /// Titles.
+    pub fn head(&self, ui: &mut Ui) {
+        if !self.titles {
+            return;
+        }
         ui.spacing_mut().item_spacing.y = 0.0;
         let size = vec2(ui.available_width(), self.row_height(ui));
         let (head, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -186,6 +198,13 @@ impl<'a> Table<'a> {
         let line = head.bottom() - 1.0;
         let colour = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().hline(head.x_range(), line, colour);
+    }
+
+    /// Rows without titles or stripes, for tables with words between their rows.
+    pub fn plain(&self, ui: &mut Ui, rows: &[Row]) {
+        for row in rows {
+            self.rows(ui, (std::slice::from_ref(row), 0), &mut |_, _, _| {});
+        }
     }
 
     /// Rows without titles; the second of the pair is the index of the first of them.
@@ -221,8 +240,9 @@ impl<'a> Table<'a> {
             let mut tip = row.note.as_str();
             for (column, cell) in self.cells(rect).enumerate() {
                 let look = row.looks.get(column).copied().unwrap_or_default();
-                if let Some(text) = row.cells.get(column) {
-                    write(ui, cell, self.columns[column].right, text, look);
+                if let Some(text) = row.cells.get(column).filter(|text| !text.is_empty()) {
+                    let Column { right, indent, .. } = self.columns[column];
+                    write(ui, cell.with_min_x(cell.left() + indent), right, text, look);
                 }
                 paint(ui, [index, column], cell);
                 let whole = cell.expand2(vec2(INSET, 0.0));
@@ -280,6 +300,7 @@ fn write(ui: &Ui, cell: Rect, right: bool, text: &str, look: Look) {
     let (style, colour) = match look {
         Look::Plain => (TextStyle::Body, visuals.text_color()),
         Look::Strong => (TextStyle::Body, visuals.strong_text_color()),
+        Look::Small => (TextStyle::Small, visuals.text_color()),
         Look::SmallStrong => (TextStyle::Small, visuals.strong_text_color()),
         Look::SmallWeak => (TextStyle::Small, visuals.weak_text_color()),
     };

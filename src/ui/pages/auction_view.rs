@@ -21,7 +21,7 @@ use crate::{
         plot_svg,
         studies::{About, AuctionAsk, Stage, take},
     },
-    study::{Auction, Goal, Judge, Progress, Way},
+    study::{Auction, Goal, Judge, Way},
     ui::kit::{Column, Row, named, table},
 };
 
@@ -67,10 +67,10 @@ impl AuctionView {
         controls(ui, context, goal);
         let goal = goal_within(app, context.memory.goal);
         let ask = AuctionAsk::of(app.document(), goal, context.memory.auction_numbers);
-        context.studies.auction.ask(&ask, context.wake, || {
-            let ask = ask.clone();
-            move |progress: &Progress| ask.answer(progress)
-        });
+        context
+            .studies
+            .auction
+            .ask_by(&ask, context.wake, AuctionAsk::answer);
         let stage = context.studies.auction.stage();
         if stage != Stage::Done {
             progress(ui, &mut context.studies.auction, "The auction");

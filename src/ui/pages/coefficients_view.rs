@@ -31,11 +31,8 @@ const LEAST_ROW: f32 = 204.0;
 
 /// Names of controls, shared with the tests that use them.
 pub mod names {
-    /// The slider of the partial sum.
     pub const PARTIAL: &str = "Sum up to N";
-    /// Starts the play.
     pub const PLAY: &str = "▶ Play";
-    /// Stops it.
     pub const STOP: &str = "■ Stop";
 }
 

@@ -18,7 +18,7 @@ use crate::{
         plot_svg::{self, Chart},
         studies::{About, Stage, SweepAsk},
     },
-    study::{Judge, Measure, Progress, Sweep, Verdict, sweep::SweepPoint},
+    study::{Judge, Measure, Sweep, Verdict, sweep::SweepPoint},
     ui::{
         chart_view::Hit,
         kit::{Column, Row, line, table},
@@ -57,10 +57,10 @@ impl TradeoffView {
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let ask = SweepAsk::of(app.document());
-        context.studies.sweep.ask(&ask, context.wake, || {
-            let ask = ask.clone();
-            move |progress: &Progress| ask.answer(progress)
-        });
+        context
+            .studies
+            .sweep
+            .ask_by(&ask, context.wake, SweepAsk::answer);
         let measure = measure_within(app, context.memory.measure);
         controls(ui, context, measure);
         // A row that is always there: the charts must not jump while a slider is dragged.

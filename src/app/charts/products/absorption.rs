@@ -18,7 +18,7 @@ use crate::{
     study::products::dips::depths,
 };
 
-use super::chain::strip;
+use super::{chain::strip, curve, over};
 
 /// A dip of the subject as it is told.
 #[derive(Clone, Debug, PartialEq)]
@@ -155,10 +155,7 @@ fn csv(app: &App, dips: &[DipRow]) -> String {
 pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (inks, band, factor) = (Inks::of(theme), derived.band, app.scale_factor());
-    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-        let scaled = values.iter().map(|v| v * factor);
-        band.grid().zip(scaled).map(|(nm, v)| [nm, v]).collect()
-    };
+    let curve = |values: &[f64]| curve(band, values, factor);
     let mut series = vec![
         Series::new(
             "background",
@@ -212,17 +209,14 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
     notes.extend(provenance(app));
     Chart {
         title: format!("Absorption: {}", document.subject_entry().name()),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: if unit.is_empty() {
             "value".to_owned()
         } else {
             unit.to_owned()
         },
-        x_range: [band.min_nm(), band.max_nm()],
         series,
         strip: strip(band, theme),
         notes,
-        theme,
-        ..Chart::default()
+        ..over(band, theme)
     }
 }

@@ -1,5 +1,6 @@
 //! A light through its chain as the part "Chain" shows it: every stage, its words and its chart.
 
+use super::{curve, over};
 use crate::{
     app::{
         chart::{Inks, provenance},
@@ -99,10 +100,7 @@ impl ChainSheet {
         notes.extend(provenance(app));
         let (inks, band) = (Inks::of(theme), derived.band);
         let factor = document.scale.factor(&light.spectrum).unwrap_or(1.0);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            let scaled = values.iter().map(|v| v * factor);
-            band.grid().zip(scaled).map(|(nm, v)| [nm, v]).collect()
-        };
+        let curve = |values: &[f64]| curve(band, values, factor);
         let mut series = vec![
             Series::line("exact", inks.measured, curve(exact)),
             Series::line("smooth part", inks.smooth, curve(smooth)),
@@ -123,18 +121,15 @@ impl ChainSheet {
         let unit = document.scale.unit(&light.spectrum);
         Chart {
             title,
-            x_label: "Wavelength (nm)".to_owned(),
             y_label: if unit.is_empty() {
                 "value".to_owned()
             } else {
                 unit
             },
-            x_range: [band.min_nm(), band.max_nm()],
             series,
             strip: strip(band, theme),
             notes,
-            theme,
-            ..Chart::default()
+            ..over(band, theme)
         }
     }
 

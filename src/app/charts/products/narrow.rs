@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::resampling::thin;
+use super::{curve, resampling::thin};
 use crate::{
     app::{
         App, Entry,
@@ -194,9 +194,7 @@ impl Behind {
     pub fn light_chart(&self, app: &App, filter: &Filter, theme: Theme) -> Chart {
         let inks = Inks::of(theme);
         let (band, derived) = (self.band, &self.lit.derived);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            band.grid().zip(values).map(|(nm, v)| [nm, *v]).collect()
-        };
+        let curve = |values: &[f64]| curve(band, values, 1.0);
         let smooth = derived.model.smooth.on_band();
         let spikes = &derived.model.spikes;
         let base: Vec<f64> = spikes

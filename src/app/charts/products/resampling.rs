@@ -1,5 +1,6 @@
 //! One product formed in every way: curves, what each is off by, and the figures as tables.
 
+use super::{curve, over};
 use crate::{
     app::{
         App, Entry,
@@ -110,10 +111,7 @@ impl Bench {
     /// exact product of the same two series.
     pub fn chart(&self, app: &App, hidden: &[Sampling], theme: Theme) -> Chart {
         let inks = Inks::of(theme);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            let points = self.band.grid().zip(values);
-            points.map(|(nm, v)| [nm, *v]).collect()
-        };
+        let curve = |values: &[f64]| curve(self.band, values, 1.0);
         let mut series = vec![Series::line(
             "measured × measured",
             inks.measured,
@@ -142,13 +140,11 @@ impl Bench {
         notes.extend(provenance(app));
         Chart {
             title: "The product by every way".to_owned(),
-            x_label: "Wavelength (nm)".to_owned(),
             y_label: if y_range.is_some() {
                 "light × factor (measured lines leave the picture)".to_owned()
             } else {
                 "light × factor".to_owned()
             },
-            x_range: [self.band.min_nm(), self.band.max_nm()],
             y_range,
             series,
             residual: (!off.is_empty()).then(|| Panel {
@@ -157,8 +153,7 @@ impl Bench {
                 series: off,
             }),
             notes,
-            theme,
-            ..Chart::default()
+            ..over(self.band, theme)
         }
     }
 

@@ -1,5 +1,6 @@
 //! The reflection check as a chart: what was expected and what was found, as they were compared.
 
+use super::{curve, over};
 use crate::{
     app::{
         chart::{Inks, provenance},
@@ -19,10 +20,7 @@ pub fn same_surface_chart(
     theme: Theme,
 ) -> Chart {
     let inks = Inks::of(theme);
-    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-        let grid = sheet.band.grid();
-        grid.zip(values).map(|(nm, v)| [nm, *v]).collect()
-    };
+    let curve = |values: &[f64]| curve(sheet.band, values, 1.0);
     let Compared {
         reflection,
         expected,
@@ -32,9 +30,7 @@ pub fn same_surface_chart(
     let [light, surface, outgoing] = &sheet.names;
     Chart {
         title: what.to_owned(),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: "share of the largest value, behind 10 nm".to_owned(),
-        x_range: [sheet.band.min_nm(), sheet.band.max_nm()],
         series: vec![
             Series::line("found: S3", inks.measured, curve(found)),
             Series::line("expected: S1 S2", inks.spikes, curve(expected)).dashed(Dash::Dashed),
@@ -53,7 +49,6 @@ pub fn same_surface_chart(
             notes.extend(provenance(app));
             notes
         },
-        theme,
-        ..Chart::default()
+        ..over(sheet.band, theme)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::{curve, over};
 use crate::{
     app::{
         chart::{Inks, provenance},
@@ -92,11 +93,11 @@ pub fn two_lights_chart(app: &App, sheet: &TwoLightsSheet, theme: Theme) -> Char
     let [first, second] = sheet.scaled();
     let mut series = Vec::new();
     if let Some(values) = first {
-        let points = points(sheet.band, &values);
+        let points = curve(sheet.band, &values, 1.0);
         series.push(Series::line(&sheet.lights[0], inks.measured, points));
     }
     if let Some(values) = second {
-        let points = points(sheet.band, &values);
+        let points = curve(sheet.band, &values, 1.0);
         let line = Series::line(&sheet.lights[1], inks.spikes, points);
         series.push(line.dashed(Dash::Dashed));
     }
@@ -110,10 +111,10 @@ pub fn two_lights_chart(app: &App, sheet: &TwoLightsSheet, theme: Theme) -> Char
 /// The two reflectances of a pair that was found.
 fn pair_chart(app: &App, band: Band, pair: [&Surface; 2], theme: Theme) -> Chart {
     let inks = Inks::of(theme);
-    let curve = |i: usize, ink| Series::line(&pair[i].key, ink, points(band, &pair[i].values));
+    let line = |i: usize, ink| Series::line(&pair[i].key, ink, curve(band, &pair[i].values, 1.0));
     let series = vec![
-        curve(0, inks.smooth),
-        curve(1, inks.spikes).dashed(Dash::Dashed),
+        line(0, inks.smooth),
+        line(1, inks.spikes).dashed(Dash::Dashed),
     ];
     Chart {
         title: "The chosen pair".to_owned(),
@@ -129,9 +130,10 @@ pub fn made_chart(app: &App, sheet: &TwoLightsSheet, made: &Made, theme: Theme) 
         Series::line(
             &sheet.names[made.patch],
             inks.smooth,
-            points(sheet.band, &made.original),
+            curve(sheet.band, &made.original, 1.0),
         ),
-        Series::line("made", inks.spikes, points(sheet.band, &made.values)).dashed(Dash::Dashed),
+        Series::line("made", inks.spikes, curve(sheet.band, &made.values, 1.0))
+            .dashed(Dash::Dashed),
     ];
     Chart {
         title: "A patch and its metamer".to_owned(),
@@ -154,15 +156,8 @@ fn over_wavelength(app: &App, band: Band, series: Vec<Series>, theme: Theme) -> 
     ));
     notes.extend(provenance(app));
     Chart {
-        x_label: "Wavelength (nm)".to_owned(),
-        x_range: [band.min_nm(), band.max_nm()],
         series,
         notes,
-        theme,
-        ..Chart::default()
+        ..over(band, theme)
     }
-}
-
-fn points(band: Band, values: &[f64]) -> Vec<[f64; 2]> {
-    band.grid().zip(values).map(|(nm, v)| [nm, *v]).collect()
 }

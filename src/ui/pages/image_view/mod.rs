@@ -13,7 +13,7 @@ use egui::{ColorImage, TextureHandle, TextureOptions, Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
-        Command,
+        Command, Entry,
         charts::image::region_chart,
         memo::{ByAddress, Memo},
         opened::ImageEntry,
@@ -22,36 +22,25 @@ use crate::{
             Spread, exposed, named, shown,
         },
         plot_svg::{self, Chart},
-        studies::{Same, Stage},
+        studies::Stage,
     },
     color::Observer,
     spectrum::{Rect, SpectralImage},
-    study::Progress,
     ui::{colour_view::capitalised, kit},
 };
 use canvas::{Canvas, Picture, Touched};
 
 /// What people and tests call the controls.
 pub mod names {
-    /// The list of images.
     pub const IMAGE: &str = "Image";
-    /// Takes an image out of the list.
     pub const REMOVE: &str = "Remove image";
-    /// How the image was read, with the other choices.
     pub const READING: &str = "How it was read…";
-    /// The chosen pixels become a spectrum.
     pub const TAKE: &str = "Take as spectrum";
-    /// Chooses all pixels.
     pub const WHOLE: &str = "Whole image";
-    /// Shows all of the picture.
     pub const FIT: &str = "Fit";
-    /// The exposure.
     pub const EXPOSURE: &str = "Exposure";
-    /// The band shown in grey.
     pub const BAND: &str = "Band";
-    /// The bands shown as red, green and blue.
     pub const RGB: [&str; 3] = ["Red", "Green", "Blue"];
-    /// Brings the light to the screen's white.
     pub const ADAPT: &str = "adapt to light";
 }
 
@@ -68,7 +57,12 @@ struct Drawn {
 
 /// What the weights of an image's bands depend on: the image, the observer, the light on it, and
 /// whether that light becomes the screen's white.
-type WeightsOf = (ByAddress<SpectralImage>, Observer, Option<Same>, bool);
+type WeightsOf = (
+    ByAddress<SpectralImage>,
+    Observer,
+    Option<ByAddress<Entry>>,
+    bool,
+);
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
@@ -146,7 +140,10 @@ impl ImageView {
             entry: entry.clone(),
         };
         // The read-out tells XYZ whatever is shown.
-        let under = image.kind.is_factor().then(|| Same(document.light.clone()));
+        let under = image
+            .kind
+            .is_factor()
+            .then(|| ByAddress(document.light.clone()));
         let observer = document.settings.observer;
         let of = (
             ByAddress(image.clone()),
@@ -363,10 +360,7 @@ fn ask_raster(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Raster
         source,
     };
     let job = &mut context.studies.raster;
-    job.ask(&ask, context.wake, || {
-        let ask = ask.clone();
-        move |progress: &Progress| ask.answer(progress)
-    });
+    job.ask_by(&ask, context.wake, RasterAsk::answer);
     // The picture of another image is none of this one.
     let (key, raster) = job.answer()?;
     (key.image == ask.image).then(|| raster.clone())
@@ -378,13 +372,10 @@ fn ask_region(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Region
         image: ByAddress(shown.entry.image.clone()),
         rect: shown.rect,
         settings: document.settings,
-        light: Same(document.light.clone()),
+        light: ByAddress(document.light.clone()),
     };
     let job = &mut context.studies.region;
-    job.ask(&ask, context.wake, || {
-        let ask = ask.clone();
-        move |progress: &Progress| ask.answer(progress)
-    });
+    job.ask_by(&ask, context.wake, RegionAsk::answer);
     let (key, region) = job.answer()?;
     let impossible = job.stage() == Stage::Impossible;
     (key.image == ask.image && !impossible).then(|| region.clone())

@@ -23,17 +23,11 @@ use crate::{
 
 /// Names of controls, shared with the tests that move them.
 pub mod names {
-    /// Any other spectrum.
     pub const OTHER: &str = "Another light, glass or surface";
-    /// The absorption switch.
     pub const DIPS: &str = "Look for dips";
-    /// The threshold.
     pub const THRESHOLD: &str = "Least share of a dip";
-    /// The widest dip.
     pub const WIDTH: &str = "Widest dip";
-    /// The button that copies the table.
     pub const COPY: &str = "Copy as CSV";
-    /// What the part says when dips are not looked for.
     pub const OFF: &str = "Dips are not looked for";
 }
 

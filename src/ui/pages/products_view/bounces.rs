@@ -24,15 +24,10 @@ use crate::{
 
 /// What people and tests call the controls.
 pub mod names {
-    /// The list of surfaces.
     pub const SURFACE: &str = "Surface";
-    /// The whole error.
     pub const TOTAL: &str = "total";
-    /// What forming the products adds.
     pub const ADDED: &str = "added by forming";
-    /// The axis.
     pub const LOG: &str = "logarithmic";
-    /// Copies all errors.
     pub const COPY: &str = "Copy bounces as CSV";
 }
 

@@ -32,13 +32,9 @@ const WIDE: f32 = 1040.0;
 
 /// What people and tests call the controls.
 pub mod names {
-    /// The list of factors.
     pub const FACTOR: &str = "Factor";
-    /// Copies the ways.
     pub const COPY: &str = "Copy as CSV";
-    /// Copies Eq. 17.
     pub const COPY_SPIKES: &str = "Copy spikes as CSV";
-    /// Measures the times once more.
     pub const AGAIN: &str = "Measure again";
 }
 
@@ -123,9 +119,7 @@ fn times(context: &mut PageContext<'_>, bench: &Bench, turn: u32) -> Option<Arc<
         turn,
     };
     let job = &mut context.studies.timing;
-    job.ask(&ask, context.wake, || {
-        move |progress: &crate::study::Progress| ask.answer(progress)
-    });
+    job.ask_by(&ask, context.wake, TimingAsk::answer);
     let (of, times) = job.answer()?;
     (of.sizes == ask.sizes).then(|| times.clone())
 }

@@ -15,13 +15,10 @@ use crate::{
         memo::{ByAddress, Memo},
         plot_svg::{self, Chart},
         products::same_surface::{SameSurfaceSheet, example, take_as_outgoing},
-        studies::surfaces::Ranked,
+        studies::{RankAsk, surfaces::Ranked},
         ticks::short,
     },
-    study::{
-        Progress,
-        products::{Compared, Sameness, same_surface::SAME_RESIDUAL},
-    },
+    study::products::{Compared, Sameness, same_surface::SAME_RESIDUAL},
     ui::{
         kit::{Chooser, Row, factors, framed, lights, scrolled, two_columns},
         pages::PageContext,
@@ -36,19 +33,12 @@ const ROWS: f32 = 8.0;
 
 /// What buttons and lists are called.
 pub mod names {
-    /// The list of surfaces.
     pub const SURFACE: &str = "Surface S2";
-    /// The list of outgoing spectra.
     pub const OUTGOING: &str = "Outgoing spectrum S3";
-    /// The list of surfaces for an example.
     pub const EXAMPLE: &str = "Surface of the example";
-    /// Whether the example's light meets it twice.
     pub const TWICE: &str = "twice";
-    /// Makes an example.
     pub const MAKE: &str = "Make an example";
-    /// Where the best surface is looked for.
     pub const AMONG: &str = "Best surface among";
-    /// Copies the ranking.
     pub const COPY: &str = "Copy the ranking as CSV";
 }
 
@@ -87,10 +77,11 @@ impl SameSurfaceView {
         });
         let everywhere = context.memory.products.same_surface.everywhere;
         if let Some(ask) = &sheet.ranking(app.document(), everywhere) {
-            context.studies.surfaces.ranking.ask(ask, context.wake, || {
-                let ask = ask.clone();
-                move |progress: &Progress| ask.answer(progress)
-            });
+            context
+                .studies
+                .surfaces
+                .ranking
+                .ask_by(ask, context.wake, RankAsk::answer);
         }
         let rows = &mut self.ranking;
         let room = ui.available_size();

@@ -11,18 +11,17 @@ use crate::{
     app::{
         Command, View,
         charts::products::two_lights::{Found, MadeShown, two_lights_chart},
-        library::Library,
         memo::{ByAddress, Memo},
         plot_svg::{self, Chart},
         products::two_lights::{NoMetamer, TwoLightsSheet, swatches},
-        studies::{PairsAsk, Same, surfaces::Pairs},
+        studies::{PairsAsk, surfaces::Pairs},
     },
     color::{Adaptation, Swatch},
-    study::{Progress, products::TwoLights},
+    study::products::TwoLights,
     ui::{
         kit::{Choice, Chooser, Row, lights, scrolled, two_columns},
         pages::PageContext,
-        patches_view::set_title,
+        patches_view::set_choice,
     },
 };
 
@@ -31,21 +30,13 @@ const WIDE: f32 = 940.0;
 
 /// What buttons and lists are called.
 pub mod names {
-    /// The list of second lights.
     pub const OTHER: &str = "Second light";
-    /// The list of patch sets.
     pub const SET: &str = "Patch set";
-    /// Where pairs are looked for.
     pub const AMONG: &str = "Pairs among";
-    /// Copies the patches.
     pub const COPY_PATCHES: &str = "Copy the patches as CSV";
-    /// Copies the pairs.
     pub const COPY_PAIRS: &str = "Copy the pairs as CSV";
-    /// The patch that a metamer is made of.
     pub const PATCH: &str = "Patch";
-    /// How much of the room is used.
     pub const ROOM: &str = "Part of the room";
-    /// Keeps the metamer.
     pub const KEEP: &str = "Keep as my own spectrum";
 }
 
@@ -78,10 +69,11 @@ impl TwoLightsView {
             return;
         };
         if let Some(ask) = &pairs_ask(context) {
-            context.studies.surfaces.pairs.ask(ask, context.wake, || {
-                let ask = ask.clone();
-                move |progress: &Progress| ask.answer(progress)
-            });
+            context
+                .studies
+                .surfaces
+                .pairs
+                .ask_by(ask, context.wake, PairsAsk::answer);
         }
         let shown = &*self.shown.get((revision, theme), |_| {
             let of_all = |both: &Option<TwoLights>| {
@@ -161,7 +153,7 @@ fn pairs_ask(context: &PageContext<'_>) -> Option<PairsAsk> {
     let other = document.products.other_light.clone()?;
     let everywhere = context.memory.products.two_lights.everywhere;
     Some(PairsAsk {
-        lights: [Same(document.light.clone()), Same(other)],
+        lights: [ByAddress(document.light.clone()), ByAddress(other)],
         band: document.settings.band,
         observer: document.settings.observer,
         group: (!everywhere).then(|| document.patch_set.clone()),
@@ -189,7 +181,12 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>) {
             change(context, |products| products.other_light = Some(light));
         }
         ui.separator();
-        set_choice(ui, context);
+        let choice = Choice {
+            name: names::SET,
+            meaning: "Whose reflectances are seen under both lights.",
+            width: 128.0 * context.theme.scale,
+        };
+        set_choice(ui, choice, context.app, context.commands);
         let mut adapt = document.view.adapt_patches;
         let response = ui.checkbox(&mut adapt, "Adapt").on_hover_text(
             "Shows each half as an eye adapted to its light sees it (Bradford). It changes the \
@@ -200,25 +197,6 @@ fn head(ui: &mut Ui, context: &mut PageContext<'_>) {
                 adapt_patches: adapt,
                 ..document.view
             }));
-        }
-    });
-}
-
-fn set_choice(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let document = context.app.document();
-    let choice = Choice {
-        name: names::SET,
-        meaning: "Whose reflectances are seen under both lights.",
-        width: 128.0 * context.theme.scale,
-    };
-    choice.show(ui, set_title(&document.patch_set), |ui| {
-        let groups = Library::bundled().groups().iter();
-        for group in groups.filter(|g| g.items.iter().any(|p| p.kind.is_factor())) {
-            let is_chosen = document.patch_set == group.id;
-            let response = ui.selectable_label(is_chosen, set_title(&group.id));
-            if response.on_hover_text(&group.title).clicked() {
-                context.commands.push(Command::PatchSet(group.id.clone()));
-            }
         }
     });
 }

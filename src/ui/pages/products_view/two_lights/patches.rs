@@ -106,12 +106,10 @@ fn fields(
             for row in 0..rows {
                 ui.horizontal(|ui| {
                     for i in row * PER_ROW..count.min((row + 1) * PER_ROW) {
-                        let shifts = [exact, model].map(|both| both.patches[i].delta_e_2000);
                         let field = Field {
                             name: &sheet.names[i],
-                            exact: &shown.exact[i],
-                            model: &shown.model[i],
-                            shifts,
+                            colours: [&shown.exact[i], &shown.model[i]],
+                            shifts: [exact, model].map(|both| both.patches[i].delta_e_2000),
                             worst: worst == Some(i),
                             chosen: chosen == i,
                         };
@@ -130,8 +128,8 @@ fn fields(
 /// One patch: above as measured, below by the models; left and right the two lights.
 struct Field<'a> {
     name: &'a str,
-    exact: &'a [Swatch; 2],
-    model: &'a [Swatch; 2],
+    /// As measured and by the models, each under both lights.
+    colours: [&'a [Swatch; 2]; 2],
     /// CIEDE2000, measured and by the models.
     shifts: [f64; 2],
     worst: bool,
@@ -142,19 +140,18 @@ impl Field<'_> {
     fn show(&self, ui: &mut Ui, size: Vec2) -> bool {
         let Self {
             name,
-            exact,
-            model,
+            colours: [exact, model],
             shifts,
             worst,
             chosen,
-        } = self;
+        } = *self;
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         let said = format!(
             "{name}: shift {:.3}, by the models {:.3}",
             shifts[0], shifts[1]
         );
         response.widget_info(|| {
-            egui::WidgetInfo::selected(egui::Role::Button, ui.is_enabled(), *chosen, &said)
+            egui::WidgetInfo::selected(egui::Role::Button, ui.is_enabled(), chosen, &said)
         });
         if !ui.is_rect_visible(rect) {
             return response.clicked();
@@ -180,7 +177,7 @@ impl Field<'_> {
                 swatch::out_of_gamut_mark(ui, pos2(x, rect.top() + 8.0));
             }
         }
-        if *chosen {
+        if chosen {
             let stroke = Stroke::new(2.0, ui.visuals().strong_text_color());
             swatch::outline(ui, colours, stroke);
         } else if response.hovered() || response.has_focus() {
@@ -188,7 +185,7 @@ impl Field<'_> {
         }
         let font = TextStyle::Small.resolve(ui.style());
         let (strong, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
-        let mark = if *worst { "▲" } else { "" };
+        let mark = if worst { "▲" } else { "" };
         let x = rect.center().x;
         for (line, words, colour) in [
             (2.0, format!("{mark}{:.2}", shifts[0]), strong),
@@ -204,7 +201,7 @@ impl Field<'_> {
              {}, right {}. Models: left {}, right {}.\nClick to make a metamer of it.",
             shifts[0],
             shifts[1],
-            if *worst { " (the most)" } else { "" },
+            if worst { " (the most)" } else { "" },
             exact[0].hex(),
             exact[1].hex(),
             model[0].hex(),
