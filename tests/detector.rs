@@ -576,6 +576,14 @@ fn light_whose_peak_lies_outside_the_range_has_no_line_at_its_border() {
             .spikes
             .is_empty()
     );
+    // A rise towards the table's end with a notch in it (read off a printed curve).
+    let notched = [
+        1.68, 1.64, 1.83, 1.94, 2.07, 2.13, 2.21, 2.37, 2.13, 2.29, 2.67, 2.67,
+    ];
+    let rise = (0..239).map(|i| 0.7 + 0.004 * f64::from(i)).chain(notched);
+    let rise = Sampled::even(400.0, 1.0, rise.collect()).expect("a rising grid");
+    let found = by_default(&rise.on_band(BAND, Outside::Zero)).spikes;
+    assert!(found.is_empty(), "{found:?}");
     let below = Band::new(300.0, 380.0).expect("80 nm");
     let fl2 = on_band("cie_fluorescent_1nm/FL2", below);
     assert!(

@@ -245,9 +245,13 @@ fn take_lines(
         let mut found_one = false;
         for (members, limits) in groups.iter().zip(borders) {
             // Of what only rises towards an end nobody knows whether it is a line.
-            let is_inside = |peak: &&Peak| peak.at > start && peak.at + 1 < end;
-            let members: Vec<Peak> = members.iter().filter(is_inside).copied().collect();
-            let Some(line) = weigh(band, &parts.smooth, &members, limits, (start, end)) else {
+            if members
+                .iter()
+                .any(|peak| peak.at == start || peak.at + 1 == end)
+            {
+                continue;
+            }
+            let Some(line) = weigh(band, &parts.smooth, members, limits, (start, end)) else {
                 continue;
             };
             let strong_and_narrow =
@@ -379,13 +383,17 @@ fn candidates(values: &[f64], least_height: f64, max_width: f64) -> Vec<Peak> {
             i += 1;
             continue;
         }
-        // A flat top is one maximum, at its middle.
+        // A flat top is one maximum, at its middle; one that touches an end is at the end.
         let mut end = i;
         while end + 1 < n && values[end + 1] == values[i] {
             end += 1;
         }
         let after = if end + 1 == n { floor } else { values[end + 1] };
-        let at = usize::midpoint(i, end);
+        let at = match (i, end + 1) {
+            (0, _) => 0,
+            (_, past) if past == n => end,
+            _ => usize::midpoint(i, end),
+        };
         if after < values[i]
             && let Some(peak) = prominent(values, at, floor, reach, least_height)
             && peak.width <= max_width
@@ -568,12 +576,15 @@ fn weigh(
     let mut ground = values[first..=last].to_vec();
     // A flank that an end cuts has no foot on that side: the other foot is the ground there.
     let (head, tail) = (ground[0], ground[last - first]);
-    let top = ground.iter().copied().fold(head, f64::max);
-    let is_on_flank = |end: f64, foot: f64| end - foot > CUT_FLANK * (top - foot);
-    if first == ends.0 && is_on_flank(head, tail) {
+    let is_flank = |values: &mut dyn Iterator<Item = &f64>, foot: f64| {
+        let falling: Vec<f64> = values.copied().collect();
+        let (top, end) = (falling[0], falling[falling.len() - 1]);
+        falling.is_sorted_by(|a, b| a >= b) && end - foot > CUT_FLANK * (top - foot)
+    };
+    if first == ends.0 && is_flank(&mut values[first..=members.first()?.at].iter().rev(), tail) {
         ground[0] = tail;
     }
-    if last + 1 == ends.1 && is_on_flank(tail, head) {
+    if last + 1 == ends.1 && is_flank(&mut values[members.last()?.at..=last].iter(), head) {
         ground[last - first] = head;
     }
     weigh_window(band, values, (first, last), &lower_hull(&ground))
