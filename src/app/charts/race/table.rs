@@ -374,6 +374,11 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
         &|row| row.cost.map(|c| c.bytes as f64),
         &|bytes| format!("{bytes:.0}"),
     );
+    promises(columns, rows);
+}
+
+/// What the numbers of a representation can do beside being few.
+fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
     for (title, tip, yes) in [
         (
             "portable",

@@ -36,25 +36,6 @@ pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
         "Costs are against the factor as measured: where the series is far off, a wrong reading \
          may come out nearer by chance. The page Truth compares with the series.",
     );
-    let columns = [
-        Column::numbers("at nm", "The spike's wavelength, nm.", 0.9),
-        Column::numbers("measured", "The factor as measured there.", 1.1),
-        Column::numbers(
-            "series",
-            "The factor's series evaluated exactly at the spike: what this program does.",
-            1.0,
-        ),
-        Column::numbers("ΔE00", COST, 1.2),
-        Column::numbers(
-            "corrected",
-            "Eq. 17 with its two weights exchanged: the straight line between two of the paper's \
-             points.",
-            1.3,
-        ),
-        Column::numbers("ΔE00", COST, 1.2),
-        Column::numbers("as printed", "Eq. 17 with its weights as printed.", 1.2),
-        Column::numbers("ΔE00", COST, 1.2),
-    ];
     let mut rows: Vec<Row> = costs
         .each
         .iter()
@@ -97,8 +78,30 @@ pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
         ..Row::default()
     });
     let last = rows.len() - 1;
-    table(ui, &columns, &rows, Some(last), false, context.theme);
+    table(ui, &columns(), &rows, Some(last), false, context.theme);
 }
 
 const COST: &str =
     "CIEDE2000 against the same product with this spike weighed by the factor as measured there.";
+
+fn columns() -> [Column; 8] {
+    [
+        Column::numbers("at nm", "The spike's wavelength, nm.", 0.9),
+        Column::numbers("measured", "The factor as measured there.", 1.1),
+        Column::numbers(
+            "series",
+            "The factor's series evaluated exactly at the spike: what this program does.",
+            1.0,
+        ),
+        Column::numbers("ΔE00", COST, 1.2),
+        Column::numbers(
+            "corrected",
+            "Eq. 17 with its two weights exchanged: the straight line between two of the paper's \
+             points.",
+            1.3,
+        ),
+        Column::numbers("ΔE00", COST, 1.2),
+        Column::numbers("as printed", "Eq. 17 with its weights as printed.", 1.2),
+        Column::numbers("ΔE00", COST, 1.2),
+    ]
+}

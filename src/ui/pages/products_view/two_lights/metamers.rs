@@ -141,10 +141,9 @@ pub(super) fn found(
     ui.label(format!(
         "{} of {} surfaces match under {first} (ΔE00 below {MATCH_DELTA_E}); metamerism index \
          under {second}: {index:.2}.",
-        if pairs.len() == 1 {
-            "1 pair".to_owned()
-        } else {
-            format!("{} pairs", pairs.len())
+        match pairs.len() {
+            1 => "1 pair".to_owned(),
+            many => format!("{many} pairs"),
         },
         found.pairs.surfaces.len()
     ))
