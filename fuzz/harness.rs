@@ -1,5 +1,4 @@
-//! What must hold whatever a file holds: one harness for the fuzz targets and for
-//! `tests/hostile.rs`.
+//! What must hold whatever a file holds: one harness for the fuzz target and for `tests/hostile`.
 //!
 //! [`attack`] hands bytes to one reader, directly and through the sniffers, as they are and with a
 //! person's choices, and panics when a promise is broken: an answer in time and within memory, a
@@ -113,6 +112,13 @@ fn format_of(name: &str) -> &'static Format {
     found.unwrap_or_else(|| panic!("no format is called {name:?}"))
 }
 
+/// What the fuzzer's bytes say: the first one chooses a reader by its place in [`FORMATS`], the
+/// others are its file. `None` without a byte.
+pub fn reader_and_file(bytes: &[u8]) -> Option<(&'static str, &[u8])> {
+    let (first, file) = bytes.split_first()?;
+    Some((FORMATS[usize::from(*first) % FORMATS.len()].name, file))
+}
+
 /// A zip archive.
 pub fn zipped(members: &[(&str, &[u8])], method: CompressionMethod) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
@@ -212,7 +218,7 @@ pub fn attack(name: &str, bytes: &[u8]) {
 
 /// Whether a file is taken for one of a format by its content, and read. One of the format that is
 /// not read is refused.
-#[allow(dead_code, reason = "the fuzz targets do not ask")]
+#[allow(dead_code, reason = "the fuzz target does not ask")]
 pub fn opens_as(name: &str, bytes: &[u8]) -> bool {
     let format = format_of(name);
     if let Some(archive) = dressed(name, bytes) {

@@ -5,7 +5,10 @@ use super::{
     plot_svg::{self, Chart, Marks, Panel, Rgb, Series, Theme},
     state::App,
 };
-use crate::color::{Srgb, srgb_from_wavelength_over};
+use crate::{
+    color::{Srgb, srgb_from_wavelength_over},
+    io::many::{many, numbers},
+};
 
 /// Line colours that colour-blind eyes tell apart, after Okabe and Ito (2008), tuned for a ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,12 +137,12 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
     let unit = app.unit();
     Chart {
         title: format!(
-            "{}: {} numbers ({} order {}, {} spikes)",
+            "{}: {} ({} order {}, {})",
             subject.name(),
-            derived.numbers(),
+            numbers(derived.numbers()),
             derived.model.smooth.basis.word(),
             derived.model.smooth.order(),
-            derived.model.spikes.len(),
+            many(derived.model.spikes.len(), "spike", "spikes"),
         ),
         x_label: "Wavelength (nm)".to_owned(),
         y_label: if unit.is_empty() {
@@ -198,10 +201,10 @@ pub fn curve_chart(app: &App, theme: Theme) -> Chart {
     ];
     Chart {
         title: format!(
-            "{}: error against order ({}, {} spikes)",
+            "{}: error against order ({}, {})",
             document.subject_entry().name(),
             derived.model.smooth.basis.word(),
-            derived.model.spikes.len()
+            many(derived.model.spikes.len(), "spike", "spikes")
         ),
         x_label: "Order N".to_owned(),
         y_label: "Error (CIEDE2000, or percent)".to_owned(),

@@ -14,6 +14,7 @@ use super::{
 use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,
+        many::many,
         write::{Column, Columns, encode, losses},
     },
     spectrum::{NamedSpectrum, Sampled},
@@ -203,10 +204,10 @@ pub fn provenance(app: &App) -> Provenance {
         source: document.subject_entry().spectrum.source.clone(),
         scale_words: document.scale.words().to_owned(),
         settings: format!(
-            "{} order {}, {} spikes{}{}{}, {}-{} nm, {}",
+            "{} order {}, {}{}{}{}, {}-{} nm, {}",
             settings.basis.word(),
             settings.effective_order(),
-            app.derived().model.spikes.len(),
+            many(app.derived().model.spikes.len(), "spike", "spikes"),
             match (settings.spikes, settings.detector) {
                 (false, _) => String::new(),
                 (true, Detector::Energy) => format!(

@@ -2,6 +2,7 @@
 
 pub mod batch;
 pub mod folders;
+pub mod named;
 pub mod summary;
 
 use std::{
@@ -10,18 +11,18 @@ use std::{
 };
 
 pub use batch::{Came, FileRead, Finished, Loader, Progress};
+pub use named::{Found, Wanted, names_a_file, resolve};
 pub use summary::{FileRow, OpenBefore, Outcome, Summary};
 
 use super::{
-    entry::{Entry, sampled_from_composite},
-    library::{Body, Library},
+    entry::sampled_from_composite,
     opened::Opened,
     photons, picture,
     workspace::{self, Restored},
 };
 use crate::{
-    io::{self, Choices, CompositeFile, Reading},
-    spectrum::{Kind, NamedSpectrum, Rect, SpectralImage, Spike},
+    io::{self, Choices, CompositeFile, Reading, many},
+    spectrum::{NamedSpectrum, Rect, SpectralImage, Spike},
 };
 
 /// What a file turned out to be.
@@ -42,20 +43,27 @@ pub enum Loaded {
 
 /// Reads a file.
 pub fn load_path(path: &Path) -> Loaded {
-    load_path_with(path, &Choices::default())
-}
-
-/// Reads a project, or any other file with decisions about it.
-pub fn load_path_with(path: &Path, choices: &Choices) -> Loaded {
-    project_at(path).unwrap_or_else(|| load_path_as(path, choices))
+    project_at(path).unwrap_or_else(|| load_path_as(path, &Choices::default()))
 }
 
 /// Reads a file with decisions about it.
 pub fn load_path_as(path: &Path, choices: &Choices) -> Loaded {
     let reading = io::read_path_as(path, choices);
-    // It is found again from any folder that the program is started in.
-    let kept = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    from_reading(reading, Some(kept), None, choices)
+    from_reading(reading, kept_path(path), None, choices)
+}
+
+/// Reads a project, or any other file with decisions about it; what is said of it tells its path.
+pub fn load_named(path: &Path, choices: &Choices) -> Loaded {
+    let as_file = || {
+        let reading = io::read_path_as(path, choices).map_err(|why| why.at(path));
+        from_reading(reading, kept_path(path), None, choices)
+    };
+    project_at(path).unwrap_or_else(as_file)
+}
+
+/// Where a file is found again from any folder that the program is started in.
+fn kept_path(path: &Path) -> Option<PathBuf> {
+    Some(std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
 }
 
 /// Reads a file that is in memory with decisions about it.
@@ -66,16 +74,24 @@ pub fn load_bytes_as(name: &str, bytes: &Arc<[u8]>, choices: &Choices) -> Loaded
 
 /// Reads a file that is in memory.
 pub fn load_bytes(name: &str, bytes: &[u8]) -> Loaded {
-    if looks_like_project(bytes)
-        && let Ok(text) = std::str::from_utf8(bytes)
-    {
-        return project(name, text, None);
-    }
-    load_bytes_as(name, &Arc::from(bytes), &Choices::default())
+    load_bytes_with(name, &Arc::from(bytes), &Choices::default())
 }
 
-/// A project is JSON of our own: it is looked for by its format word, not by its extension.
-fn project_at(path: &Path) -> Option<Loaded> {
+/// Reads a project that is in memory, or any other file with decisions about it.
+pub fn load_bytes_with(name: &str, bytes: &Arc<[u8]>, choices: &Choices) -> Loaded {
+    project_in(name, bytes).unwrap_or_else(|| load_bytes_as(name, bytes, choices))
+}
+
+/// The project that a file in memory is, if it is one.
+pub fn project_in(name: &str, bytes: &[u8]) -> Option<Loaded> {
+    let text = std::str::from_utf8(bytes);
+    let text = text.ok().filter(|_| looks_like_project(bytes))?;
+    Some(project(name, text, None))
+}
+
+/// The project that a file is, if it is one: JSON of our own, looked for by its format word and
+/// not by its extension.
+pub fn project_at(path: &Path) -> Option<Loaded> {
     use std::io::Read;
     // Looking into a pipe would eat its beginning.
     if !path.is_file() {
@@ -257,8 +273,8 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
         notes: {
             let composite = &file.composite;
             let mut notes = vec![format!(
-                "A composite of {} numbers, sampled at 1 nm; the model on screen is fitted anew.",
-                composite.numbers()
+                "A composite of {}, sampled at 1 nm; the model on screen is fitted anew.",
+                many::numbers(composite.numbers())
             )];
             let band = composite.band();
             let outside = |s: &&Spike| !band.contains(s.at_nm);
@@ -272,169 +288,4 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
         },
         source: file.source,
     })
-}
-
-/// The spectrum that the command line names: a file, a preset or `group/name`.
-///
-/// `pick` chooses one of a file's spectra by name or by number from 1.
-///
-/// # Errors
-/// One line that says what was found and what was expected.
-pub fn resolve(input: &str, pick: Option<&str>, kind: Option<Kind>) -> Result<Entry, String> {
-    resolve_pixels(input, pick, None, kind)
-}
-
-/// The same with some pixels of a spectral image: a pixel's spectrum or the mean of a region.
-///
-/// # Errors
-/// One line that says what was found and what was expected.
-pub fn resolve_pixels(
-    input: &str,
-    pick: Option<&str>,
-    pixels: Option<Rect>,
-    kind: Option<Kind>,
-) -> Result<Entry, String> {
-    let choices = Choices {
-        kind,
-        ..Choices::default()
-    };
-    let entry = resolve_any(input, pick, pixels, &choices)?;
-    if !entry.is_usable() {
-        return Err(format!(
-            "{}: found {} values, expected a light, a reflectance or a transmittance (say --kind, \
-             or --spectrum for another of the file)",
-            entry.name(),
-            entry.kind()
-        ));
-    }
-    Ok(entry)
-}
-
-/// The same, whatever its values are, with decisions about a file: absorbance, weighting functions
-/// and n and k have no colour, but are kept and written.
-///
-/// # Errors
-/// One line that says what was found and what was expected.
-pub fn resolve_any(
-    input: &str,
-    pick: Option<&str>,
-    pixels: Option<Rect>,
-    choices: &Choices,
-) -> Result<Entry, String> {
-    let path = Path::new(input);
-    // Not `is_file`: a pipe is a fine input too.
-    let entry = if path.exists() && !path.is_dir() {
-        from_file(path, pick, pixels, choices)?
-    } else if pixels.is_some() {
-        return Err(format!(
-            "{input}: found no file, expected a spectral image with --pixel and --region"
-        ));
-    } else {
-        let mut preset = from_library(input, path, pick)?;
-        preset.spectrum.kind = choices.kind.unwrap_or(preset.spectrum.kind);
-        preset
-    };
-    Ok(entry)
-}
-
-fn from_file(
-    path: &Path,
-    pick: Option<&str>,
-    pixels: Option<Rect>,
-    choices: &Choices,
-) -> Result<Entry, String> {
-    let kind = choices.kind;
-    let (mut spectra, makers) = match load_path_with(path, choices) {
-        Loaded::File(opened) => match pixels {
-            Some(pixels) => (opened.spectra_of_pixels(pixels)?, Vec::new()),
-            // What the picture of an image is of, unless one of the listed pixels is named.
-            None if pick.is_none() && !opened.images.is_empty() => (opened.means(), Vec::new()),
-            None => {
-                let makers: Vec<_> = (0..opened.spectra.len())
-                    .map(|index| opened.makers_of(index))
-                    .collect();
-                (opened.into_spectra(), makers)
-            }
-        },
-        Loaded::Refused(why) => return Err(why),
-        Loaded::Project { restored, .. } => {
-            let mut entry = Entry::clone(restored.document.subject_entry());
-            entry.spectrum.kind = kind.unwrap_or(entry.spectrum.kind);
-            return Ok(entry);
-        }
-    };
-    let index = match pick {
-        Some(pick) => picked(&spectra, pick).ok_or_else(|| {
-            let names: Vec<&str> = spectra.iter().take(8).map(|s| s.name.as_str()).collect();
-            format!(
-                "{}: found no spectrum {pick:?}, expected a name or a number from 1 to {} ({}{})",
-                path.display(),
-                spectra.len(),
-                names.join(", "),
-                if spectra.len() > 8 { ", ..." } else { "" }
-            )
-        })?,
-        None => 0,
-    };
-    let count = spectra.len();
-    let mut spectrum = spectra.swap_remove(index);
-    // An image's pixels have the image's kind.
-    spectrum.kind = kind.unwrap_or(spectrum.kind);
-    if count > 1 {
-        spectrum
-            .notes
-            .push(format!("Spectrum {} of {count} in the file.", index + 1));
-    }
-    Ok(Entry {
-        makers: makers.into_iter().nth(index).unwrap_or_default(),
-        ..Entry::own(1, spectrum)
-    })
-}
-
-fn picked(spectra: &[NamedSpectrum], pick: &str) -> Option<usize> {
-    let by_name = spectra.iter().position(|s| s.name == pick);
-    let by_number = || {
-        let number: usize = pick.parse().ok()?;
-        (1..=spectra.len()).contains(&number).then(|| number - 1)
-    };
-    let by_any_case = || {
-        let pick = pick.to_lowercase();
-        spectra.iter().position(|s| s.name.to_lowercase() == pick)
-    };
-    by_name.or_else(by_number).or_else(by_any_case)
-}
-
-/// Whether a word means a file, be it there or not: it ends as files do, or is a whole path.
-pub fn names_a_file(path: &Path) -> bool {
-    let is_ending = |e: &std::ffi::OsStr| {
-        e.len() <= 5 && e.to_string_lossy().chars().all(|c| c.is_ascii_alphabetic())
-    };
-    path.extension().is_some_and(is_ending) || path.is_absolute()
-}
-
-fn from_library(input: &str, path: &Path, pick: Option<&str>) -> Result<Entry, String> {
-    let preset = match Library::bundled().find(input) {
-        Ok(preset) => preset,
-        Err(_) if names_a_file(path) => {
-            // The reader's own words for a missing file or a folder.
-            return Err(io::read_path(path).err().map_or_else(
-                || format!("{input}: found no file, expected a file or a preset's name"),
-                |e| e.to_string(),
-            ));
-        }
-        Err(why) => return Err(why.to_string()),
-    };
-    if pick.is_some() {
-        return Err(format!(
-            "{input}: found a preset, expected a file where one of several spectra is named"
-        ));
-    }
-    match &preset.body {
-        Body::Lines(_) => Err(format!(
-            "{input}: found a list of lines, expected a spectrum"
-        )),
-        Body::Spectrum(_) | Body::Composite(_) => Entry::of_preset(preset).ok_or_else(|| {
-            format!("{input}: found numbers that are no spectrum, expected a spectrum")
-        }),
-    }
 }

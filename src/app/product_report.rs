@@ -17,7 +17,10 @@ use super::{
 };
 use crate::{
     color::{Xyz, srgb::Swatch},
-    io::write::one_line,
+    io::{
+        many::{many, numbers},
+        write::one_line,
+    },
     spectrum::{Factor, Sampling, Spike},
     study::{
         Spread,
@@ -403,15 +406,14 @@ fn percent(share: Option<f64>) -> String {
 fn head_text(app: &App) -> String {
     let model = &app.derived().model;
     format!(
-        "Light     {}\nModel     {} order {} on {}-{} nm, {} spike{}: {} numbers\nProducts  {}\n",
+        "Light     {}\nModel     {} order {} on {}-{} nm, {}: {}\nProducts  {}\n",
         app.document().light.name(),
         model.smooth.basis.word(),
         model.smooth.order(),
         short(model.band().min_nm()),
         short(model.band().max_nm()),
-        model.spikes.len(),
-        if model.spikes.len() == 1 { "" } else { "s" },
-        model.numbers(),
+        many(model.spikes.len(), "spike", "spikes"),
+        numbers(model.numbers()),
         app.document().settings.sampling.word(),
     )
 }
@@ -501,7 +503,11 @@ pub fn chain_text(app: &App, told: &Told) -> String {
 /// A light with every factor of a group for people.
 pub fn set_text(app: &App, set: &str, errors: &SetErrors) -> String {
     let mut out = head_text(app);
-    let _ = writeln!(out, "Set       {set}, {} factors", errors.count);
+    let _ = writeln!(
+        out,
+        "Set       {set}, {}",
+        many(errors.count, "factor", "factors")
+    );
     for (what, spread) in [("Added", errors.added), ("Total", errors.total)] {
         let _ = writeln!(
             out,

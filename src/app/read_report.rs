@@ -9,7 +9,11 @@ use serde_json::{Value, json};
 
 use super::ticks::short;
 use crate::{
-    io::{CompositeFile, MakersResult, ReadError, Reading},
+    io::{
+        CompositeFile, MakersResult, ReadError, Reading,
+        error::shown,
+        many::{many, numbers},
+    },
     spectrum::{NamedSpectrum, SpectralImage},
 };
 
@@ -175,7 +179,7 @@ pub fn text(path: &Path, read: &Result<Reading, ReadError>) -> String {
         Ok(reading) => reading,
         Err(refusal) => return format!("{refusal}\n"),
     };
-    let mut out = format!("{}: {}\n", path.display(), reading.format);
+    let mut out = format!("{}: {}\n", shown(path), reading.format);
     // Writing to a String cannot fail.
     let mut line = |text: String| {
         let _ = writeln!(out, "  {text}");
@@ -206,14 +210,17 @@ pub fn text(path: &Path, read: &Result<Reading, ReadError>) -> String {
     }
     let left = reading.spectra.len().saturating_sub(MOST_TOLD);
     if left > 0 {
-        line(format!("and {left} more spectra"));
+        line(format!(
+            "and {}",
+            many(left, "more spectrum", "more spectra")
+        ));
     }
     for file in &reading.composites {
         let band = file.composite.band();
         line(format!(
-            "{}: a composite of {} numbers on {}-{} nm",
+            "{}: a composite of {} on {}-{} nm",
             file.name,
-            file.composite.numbers(),
+            numbers(file.composite.numbers()),
             short(band.min_nm()),
             short(band.max_nm()),
         ));

@@ -12,7 +12,10 @@ use super::{
     makers::{Beside, beside},
     state::App,
 };
-use crate::spectrum::{Basis, Exactness};
+use crate::{
+    io::many::{many, numbers},
+    spectrum::{Basis, Exactness},
+};
 
 /// The report as JSON.
 pub fn json(app: &App) -> Value {
@@ -183,14 +186,13 @@ pub fn text(app: &App) -> String {
         }
     ));
     line(format!(
-        "Model     {} order {} on {}-{} nm, {} spike{}: {} numbers{}",
+        "Model     {} order {} on {}-{} nm, {}: {}{}",
         model.smooth.basis.word(),
         model.smooth.order(),
         derived.band.min_nm(),
         derived.band.max_nm(),
-        model.spikes.len(),
-        if model.spikes.len() == 1 { "" } else { "s" },
-        model.numbers(),
+        many(model.spikes.len(), "spike", "spikes"),
+        numbers(model.numbers()),
         match derived.exactness {
             Some(Exactness::Exact { .. }) => ", colour-exact",
             _ => "",

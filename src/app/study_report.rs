@@ -15,7 +15,10 @@ use super::{
     studies::{AuctionAsk, Field, RaceAsk, SweepAsk, about::About},
 };
 use crate::{
-    io::write::{Provenance, one_line},
+    io::{
+        many::{many, numbers},
+        write::{Provenance, one_line},
+    },
     spectrum::{Kind, SpikeSettings},
     study::{
         Auction, Measure, Race, Spread, Sweep, Verdict,
@@ -352,7 +355,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
     let terms = ask.terms;
     let unit = unit_of(&ask.about);
     let more = format!(
-        "; goal {}, {}{}, at most {} numbers, ended: {}",
+        "; goal {}, {}{}, at most {}, ended: {}",
         terms.goal.words(),
         terms.basis.word(),
         if terms.colour_exact {
@@ -360,7 +363,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
         } else {
             ""
         },
-        terms.numbers,
+        numbers(terms.numbers),
         match auction.ended {
             Ended::Spent => "all was spent",
             Ended::NothingHelps => "nothing helps any more",
@@ -424,7 +427,7 @@ pub fn field_words(field: &Field) -> String {
         Field::Shipped => "all shipped lights".to_owned(),
         Field::Class(class) => format!("shipped lights: {}", class.word()),
         Field::Group(group) => format!("group {group}"),
-        Field::These(entries) => format!("{} own lights", entries.len()),
+        Field::These(entries) => many(entries.len(), "own light", "own lights"),
     }
 }
 

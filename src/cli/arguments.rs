@@ -67,7 +67,7 @@ pub enum Command {
 /// Options of `read`.
 #[derive(Args, Debug)]
 pub struct Read {
-    /// Files, or folders whose files are read.
+    /// Files, or folders whose files are read; - is standard input.
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
     /// Print JSON, a list with one object a file; its keys are stable.
@@ -78,16 +78,18 @@ pub struct Read {
 /// Options of `report`.
 #[derive(Args, Debug)]
 pub struct Report {
-    /// A file, a preset's name (FL2, "CIE D65") or group/name (paper/Mercury).
+    /// A file (- is standard input), a preset's name (FL2, "CIE D65") or group/name
+    /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
-    pub input: String,
+    pub input: OsString,
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON; its keys are stable.
+    /// Print JSON; its keys are stable. Shares are fractions of 1 and not per cent: all of error,
+    /// share_of_power.
     #[arg(long)]
     pub json: bool,
 }
@@ -95,16 +97,18 @@ pub struct Report {
 /// Options of `sweep`.
 #[derive(Args, Debug)]
 pub struct Sweep {
-    /// A file, a preset's name (FL2, "CIE D65") or group/name (paper/Mercury).
+    /// A file (- is standard input), a preset's name (FL2, "CIE D65") or group/name
+    /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
-    pub input: String,
+    pub input: OsString,
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// The model: basis and fit are those of the threshold map.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON instead of CSV; its keys are stable.
+    /// Print JSON instead of CSV; its keys are stable. In both relative_rms and relative_rms_10nm
+    /// are fractions of 1 and not per cent.
     #[arg(long)]
     pub json: bool,
 }
@@ -112,9 +116,10 @@ pub struct Sweep {
 /// Options of `auction`.
 #[derive(Args, Debug)]
 pub struct Auction {
-    /// A file, a preset's name (FL2, "CIE D65") or group/name (paper/Mercury).
+    /// A file (- is standard input), a preset's name (FL2, "CIE D65") or group/name
+    /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
-    pub input: String,
+    pub input: OsString,
     /// What is to be made small: own, patches, spectrum, filters or a mix such as
     /// patches=2,filters=1 (each error over its value at order 0).
     #[arg(long, value_name = "GOAL", value_parser = words::goal)]
@@ -128,7 +133,8 @@ pub struct Auction {
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON instead of CSV; its keys are stable.
+    /// Print JSON instead of CSV; its keys are stable. In both relative_rms and relative_rms_10nm
+    /// are fractions of 1 and not per cent.
     #[arg(long)]
     pub json: bool,
 }
@@ -136,10 +142,10 @@ pub struct Auction {
 /// Options of `race`.
 #[derive(Args, Debug)]
 pub struct Race {
-    /// A light that races alone: a file, a preset's name or group/name
+    /// A light that races alone: a file (- is standard input), a preset's name or group/name
     /// [default: all shipped lights].
     #[arg(value_name = "INPUT")]
-    pub input: Option<String>,
+    pub input: Option<OsString>,
     /// Counts of numbers, 1 to 101, repeated or with commas (11,20,31).
     #[arg(long, value_name = "P", required = true, value_delimiter = ',',
         allow_negative_numbers = true, value_parser = words::numbers)]
@@ -147,14 +153,15 @@ pub struct Race {
     /// Lights that race: a group of presets (cie_fluorescent_1nm), a class (smooth, led,
     /// fluorescent or discharge) or a folder with files of lights.
     #[arg(long, value_name = "GROUP|FOLDER")]
-    pub set: Option<String>,
+    pub set: Option<OsString>,
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON instead of CSV; its keys are stable.
+    /// Print JSON instead of CSV; its keys are stable. In both relative_rms, relative_rms_10nm and
+    /// negative_lobes are fractions of 1 and not per cent.
     #[arg(long)]
     pub json: bool,
 }
@@ -162,24 +169,24 @@ pub struct Race {
 /// Options of `product`.
 #[derive(Args, Debug)]
 pub struct Product {
-    /// A light: a file (lamps.csv#2 is the second of several spectra), a preset's name (FL2,
-    /// "CIE D65") or group/name.
+    /// A light: a file (lamps.csv#2 is the second of several spectra, - is standard input), a
+    /// preset's name (FL2, "CIE D65") or group/name. A file that states another kind is refused.
     #[arg(value_name = "LIGHT")]
-    pub light: String,
+    pub light: OsString,
     /// What it passes or falls on, in order: reflectances and transmittances, each a file, a
     /// preset's name or group/name (colorchecker_ohta/red). One given twice is met twice. What
     /// may follow the name: #SPECTRUM which one of a file, by name or number from 1; @4mm or @x2
     /// how thick a glass is, in mm where its name tells them or as a multiple; *3 how many times
     /// in a row it is met ("isuzu IVG550 (Green filter) 2 mm@4mm", "red*3", glasses.csv#2@x1.5).
     #[arg(value_name = "FACTOR")]
-    pub factors: Vec<String>,
+    pub factors: Vec<OsString>,
     /// Instead of factors a group of presets (tm30_ces99_5nm): each alone, and their spread.
     #[arg(long, value_name = "GROUP")]
     pub set: Option<String>,
     /// Instead of the product: whether this spectrum is the light off the factors, up to a
     /// factor, in the model's numbers. A file, a preset's name or group/name.
     #[arg(long, value_name = "OUTGOING")]
-    pub check: Option<String>,
+    pub check: Option<OsString>,
     /// What the files among the factors are: reflectance or transmittance
     /// [default: as each file says].
     #[arg(long, value_name = "KIND", value_parser = words::factor_kind)]
@@ -187,7 +194,8 @@ pub struct Product {
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON; its keys are stable.
+    /// Print JSON; its keys are stable. Shares are fractions of 1 and not per cent: transmission,
+    /// luminance_error, folded_share, depth.
     #[arg(long)]
     pub json: bool,
 }
@@ -207,18 +215,22 @@ pub struct List {
 /// Options of `render`.
 #[derive(Args, Debug)]
 pub struct Render {
-    /// A file, a preset's name or group/name [default: what the window shows at first].
+    /// A file (- is standard input), a preset's name or group/name [default: what the window
+    /// shows at first].
     #[arg(value_name = "INPUT")]
-    pub input: Option<String>,
+    pub input: Option<OsString>,
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// The picture to write.
+    /// The picture to write; it may replace a picture.
     #[arg(long, value_name = "FILE.png", value_parser = words::png_path())]
     pub out: PathBuf,
+    /// Let it replace any other file too, but for what is read.
+    #[arg(long)]
+    pub force: bool,
     /// Width and height in px.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x800", value_parser = words::size)]
     pub size: [u32; 2],
@@ -234,18 +246,21 @@ pub struct Render {
 /// Options of `plot`.
 #[derive(Args, Debug)]
 pub struct Plot {
-    /// A file, a preset's name or group/name.
+    /// A file (- is standard input), a preset's name or group/name.
     #[arg(value_name = "INPUT")]
-    pub input: String,
+    pub input: OsString,
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// The picture to write, .svg or .png.
+    /// The picture to write, .svg or .png; it may replace a picture.
     #[arg(long, value_name = "FILE", value_parser = words::picture_path())]
     pub out: PathBuf,
+    /// Let it replace any other file too, but for what is read.
+    #[arg(long)]
+    pub force: bool,
     /// Width and height in px.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x800", value_parser = words::size)]
     pub size: [u32; 2],
@@ -257,17 +272,22 @@ pub struct Plot {
 /// Options of `convert`.
 #[derive(Args, Debug)]
 pub struct Convert {
-    /// A file, a preset's name or group/name.
+    /// A file (- is standard input), a preset's name or group/name.
     #[arg(value_name = "IN")]
-    pub input: String,
-    /// The file to write: .csv, .json, .sp (Argyll), .spd, .spdx, or .txt (a model in one line).
+    pub input: OsString,
+    /// The file to write: .csv, .json, .sp (Argyll), .spd, .spdx, or .txt (a model in one line);
+    /// a new one, never the one that is read.
     #[arg(value_name = "OUT")]
     pub out: PathBuf,
+    /// Let OUT replace a file that exists.
+    #[arg(long)]
+    pub force: bool,
     /// Write the samples (spectrum) or the model (composite, as .json or .txt only)
     /// [default: composite for .txt, for OUT.composite.json, or for .json from a composite].
     #[arg(long = "as", value_name = "FORM", value_parser = words::form)]
     pub form: Option<Form>,
-    /// Write all spectra of the file, a column each; into .csv only.
+    /// Write all spectra of the file, a column each; into .csv only. Without it one of several
+    /// must be named by --spectrum.
     #[arg(long)]
     pub all: bool,
     /// Which spectrum of the file, and what it is.

@@ -4,6 +4,7 @@ use std::io::Write;
 
 use super::{
     arguments::Auction,
+    inputs::Inputs,
     print,
     refusal::Refusal,
     subject,
@@ -19,7 +20,7 @@ use crate::{
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or has nothing to measure, and for a goal that it
 /// does not have.
-pub fn run(options: &Auction, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+pub fn run(options: &Auction, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Auction {
         input,
         goal,
@@ -28,9 +29,9 @@ pub fn run(options: &Auction, out: &mut dyn Write, err: &mut dyn Write) -> Resul
         model,
         json,
     } = options;
-    let app = subject::app(input, pick, *model, err)?;
+    let app = subject::app(input, pick, *model, inputs)?;
     for_lights_only(&app, *goal)?;
-    say_unused(*model, &[("--order", model.order.is_some())], err);
+    say_unused(*model, &[("--order", model.order.is_some())], inputs);
     let ask = AuctionAsk::of(app.document(), *goal, *numbers);
     let auction = ask
         .answer(&Progress::default())

@@ -6,23 +6,28 @@ use std::{io::Write, path::Path};
 
 use super::{
     arguments::{Convert, Form},
-    options::PickOptions,
+    inputs::Inputs,
     print,
     refusal::Refusal,
-    subject, words,
+    subject,
+    target::{Replaces, Target},
+    words,
 };
 use crate::{
     app::{
         entry::composite_from_preset,
         export,
         library::Library,
-        open::{self, Loaded},
+        open::{Loaded, Wanted},
         ticks::short,
     },
     io::{
         self, Choices, CompositeFile, Provenance,
         atomic::save_atomically,
         composite_json, composite_line,
+        error::shown,
+        many::many,
+        stream::is_stream,
         write::{Columns, WRITABLE, losses},
         write_as,
     },
@@ -32,7 +37,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or a form that cannot be written.
-pub fn run(options: &Convert, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+pub fn run(options: &Convert, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let path = &options.out;
     let extension = words::extension(path);
     if extension != LINE && !WRITABLE.iter().any(|(known, _)| *known == extension) {
@@ -44,21 +49,29 @@ pub fn run(options: &Convert, out: &mut dyn Write, err: &mut dyn Write) -> Resul
             known.join(" or ")
         )));
     }
-    let pick = options.pick.spectrum.as_deref();
-    if options.all {
-        let what = all_spectra(options, &extension)?;
-        return print(out, &format!("Wrote {}: {what}\n", path.display()));
-    }
-    let kept = if is_of_models(&extension) {
-        composite(&options.input, pick)
+    let target = Target {
+        what: "OUT",
+        path,
+        replaces: Replaces::Nothing,
+        force: options.force,
+        read: Vec::new(),
+    };
+    let target = target.beside(&[Some(options.input.as_os_str())]);
+    target.path()?;
+    let what = if options.all {
+        all_spectra(options, &extension, &target, inputs)?
     } else {
-        None
+        let kept = if is_of_models(&extension) {
+            composite(options, inputs)
+        } else {
+            None
+        };
+        match form(options, &extension, kept.is_some())? {
+            Form::Spectrum => spectrum(options, &target, inputs)?,
+            Form::Composite => model(options, kept, &target, inputs)?,
+        }
     };
-    let what = match form(options, &extension, kept.is_some())? {
-        Form::Spectrum => spectrum(options)?,
-        Form::Composite => model(options, kept, err)?,
-    };
-    print(out, &format!("Wrote {}: {what}\n", path.display()))
+    print(out, &format!("Wrote {}: {what}\n", shown(path)))
 }
 
 /// Extension of a model in one line of text.
@@ -81,17 +94,29 @@ fn as_measured() -> Provenance {
 /// Most notes told of a file of many spectra.
 const MOST_NOTES: usize = 12;
 
+/// What is meant by the input, whose file holds one spectrum or is told which.
+fn wanted(options: &Convert) -> Wanted<'_> {
+    Wanted {
+        alone: true,
+        ..options.pick.wanted()
+    }
+}
+
 /// Decisions about a file whose numbers go into another file as they are.
-fn as_they_are(pick: &PickOptions) -> Choices {
+fn as_they_are(options: &Convert) -> Choices {
     Choices {
-        kind: pick.kind,
         keep_photons: true,
-        ..Choices::default()
+        ..options.pick.wanted().choices
     }
 }
 
 /// Every spectrum of a file, side by side.
-fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
+fn all_spectra(
+    options: &Convert,
+    extension: &str,
+    target: &Target,
+    inputs: &mut Inputs,
+) -> Result<String, Refusal> {
     let usage = |words: String| Err(Refusal::Usage(words));
     if extension != "csv" {
         return usage(format!(
@@ -105,9 +130,9 @@ fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
                 .to_owned(),
         );
     }
-    let input = &options.input;
-    let file = |why: String| Refusal::File(format!("{input}: {why}"));
-    let spectra = match open::load_path_with(Path::new(input), &as_they_are(pick)) {
+    let input = Path::new(&options.input);
+    let file = |why: String| Refusal::File(format!("{}: {why}", shown(input)));
+    let spectra = match inputs.load(input, &as_they_are(options)) {
         Loaded::File(opened) => opened.into_spectra(),
         Loaded::Refused(why) => return Err(Refusal::File(why)),
         Loaded::Project { .. } => {
@@ -119,18 +144,15 @@ fn all_spectra(options: &Convert, extension: &str) -> Result<String, Refusal> {
     let columns = Columns::together(&spectra).map_err(file)?;
     let mut about = spectra[0].clone();
     if spectra.len() > 1 {
-        about.name = io::input::name_of(Path::new(input));
+        about.name = io::input::name_of(input);
         // Those of one spectrum are not those of all.
         about.notes.clear();
     }
-    write_as(&options.out, &about, &columns, &as_measured())
+    write_as(target.path()?, &about, &columns, &as_measured())
         .map_err(|why| Refusal::File(why.to_string()))?;
     let what = format!(
         "{} ({}, {} wavelengths)",
-        match spectra.len() {
-            1 => "1 spectrum".to_owned(),
-            count => format!("{count} spectra"),
-        },
+        many(spectra.len(), "spectrum", "spectra"),
         about.kind,
         columns.nm.len()
     );
@@ -187,18 +209,15 @@ fn form(options: &Convert, extension: &str, is_composite: bool) -> Result<Form, 
     Ok(form)
 }
 
-fn spectrum(options: &Convert) -> Result<String, Refusal> {
-    let pick = &options.pick;
-    let entry = open::resolve_any(
-        &options.input,
-        pick.spectrum.as_deref(),
-        pick.pixels(),
-        &as_they_are(pick),
-    )
-    .map_err(Refusal::File)?;
-    let spectrum = &entry.spectrum;
+fn spectrum(options: &Convert, target: &Target, inputs: &mut Inputs) -> Result<String, Refusal> {
+    let wanted = Wanted {
+        choices: as_they_are(options),
+        ..wanted(options)
+    };
+    let found = inputs.find(&options.input, &wanted);
+    let spectrum = &found.map_err(Refusal::File)?.entry.spectrum;
     write_as(
-        &options.out,
+        target.path()?,
         spectrum,
         &Columns::measured(spectrum),
         &as_measured(),
@@ -228,12 +247,15 @@ fn with_notes(mut what: String, notes: &[String]) -> String {
 fn model(
     options: &Convert,
     kept: Option<CompositeFile>,
-    err: &mut dyn Write,
+    target: &Target,
+    inputs: &mut Inputs,
 ) -> Result<String, Refusal> {
     let (file, notes) = match kept {
         Some(file) if !options.model.is_given() => (file, Vec::new()),
         _ => {
-            let app = subject::app(&options.input, &options.pick, options.model, err)?;
+            let (input, pick) = (&options.input, &options.pick);
+            let app = subject::app_of(input, pick, &wanted(options), options.model, inputs)?;
+            inputs.note_sampling(options.model, false);
             if !app.is_measured_in_range() {
                 let spectrum = &app.document().subject_entry().spectrum;
                 let band = app.derived().band;
@@ -257,7 +279,8 @@ fn model(
     } else {
         composite_json::write(&file)
     };
-    text.and_then(|text| save_atomically(&options.out, text.as_bytes()))
+    let path = target.path()?;
+    text.and_then(|text| save_atomically(path, text.as_bytes()))
         .map_err(|why| Refusal::File(why.to_string()))?;
     let what = format!(
         "the model of {}, {}",
@@ -267,30 +290,33 @@ fn model(
     Ok(with_notes(what, &notes))
 }
 
-/// The composite that an input is, if it is one: a file's or a preset's.
-fn composite(input: &str, pick: Option<&str>) -> Option<CompositeFile> {
-    let path = Path::new(input);
-    if path.is_file() {
-        let reading = io::read_path(path).ok()?;
-        if !reading.spectra.is_empty() {
-            return None;
-        }
+/// The composite that an input is, if it is one: a file's or a preset's, of the kind that a person
+/// may have told.
+fn composite(options: &Convert, inputs: &mut Inputs) -> Option<CompositeFile> {
+    let (path, pick) = (Path::new(&options.input), &options.pick);
+    if pick.pixels().is_some() {
+        return None;
+    }
+    if path.is_file() || is_stream(path) {
+        let reading = inputs.reading(path, &as_they_are(options)).ok()?;
         let mut all = reading.composites;
-        let index = match pick {
-            None => 0,
+        let index = match &pick.spectrum {
+            _ if !reading.spectra.is_empty() => return None,
+            None if all.len() == 1 => 0,
+            None => return None,
             Some(pick) => all
                 .iter()
-                .position(|file| file.name == pick)
+                .position(|file| file.name == *pick)
                 .or_else(|| pick.parse::<usize>().ok()?.checked_sub(1))?,
         };
         return (index < all.len()).then(|| all.swap_remove(index));
     }
-    let preset = Library::bundled().find(input).ok()?;
+    let preset = Library::bundled().find(options.input.to_str()?).ok()?;
     Some(CompositeFile {
         composite: composite_from_preset(preset.composite()?)?,
         unit: preset.unit.clone(),
         source: preset.source.clone(),
         name: preset.name.clone(),
-        kind: preset.kind,
+        kind: pick.kind.unwrap_or(preset.kind),
     })
 }

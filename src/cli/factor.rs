@@ -12,7 +12,7 @@
 //! No shipped name has one of the three signs (a test), and a file whose own name has them is
 //! taken as it stands.
 
-use std::path::Path;
+use std::{ffi::OsStr, path::Path};
 
 use super::refusal::Refusal;
 use crate::{
@@ -21,14 +21,14 @@ use crate::{
         products::{BOUNCES, Link, THICKNESSES},
         ticks::short,
     },
-    io::error::quoted,
+    io::error::{quoted, shown},
 };
 
 /// A word taken apart.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FactorWord<'a> {
     /// A file, a preset's name or group/name.
-    pub name: &'a str,
+    pub name: &'a OsStr,
     /// Which spectrum of the file, by name or number from 1.
     pub spectrum: Option<&'a str>,
     /// How thick.
@@ -51,37 +51,39 @@ impl<'a> FactorWord<'a> {
     ///
     /// # Errors
     /// [`Refusal::Usage`] for a sign with something else behind it.
-    pub fn of(word: &'a str) -> Result<Self, Refusal> {
+    pub fn of(word: &'a OsStr) -> Result<Self, Refusal> {
         Self::within(word, &|name| {
-            Path::new(name).exists() || Library::bundled().find(name).is_ok()
+            let is_shipped = |name| Library::bundled().find(name).is_ok();
+            Path::new(name).exists() || name.to_str().is_some_and(is_shipped)
         })
     }
 
-    fn within(word: &'a str, exists: &dyn Fn(&str) -> bool) -> Result<Self, Refusal> {
+    fn within(word: &'a OsStr, exists: &dyn Fn(&OsStr) -> bool) -> Result<Self, Refusal> {
         let mut found = Self {
             name: word,
-            ..Self::default()
+            spectrum: None,
+            thickness: None,
+            times: None,
         };
+        let shown = shown(Path::new(word));
         while !exists(found.name) {
-            let Some(at) = found.name.rfind(['#', '@', '*']) else {
+            let Some((name, sign, value)) = split_at_sign(found.name, "#@*") else {
                 break;
             };
-            let (name, rest) = found.name.split_at(at);
-            let (sign, value) = rest.split_at(1);
             let refused = |expected: String| {
                 Refusal::Usage(format!(
-                    "FACTOR: {word}: found {} after {sign}, expected {expected}",
+                    "FACTOR: {shown}: found {} after {sign}, expected {expected}",
                     quoted(value)
                 ))
             };
             let again = match sign {
-                "#" => {
+                '#' => {
                     if value.is_empty() {
                         return Err(refused("a spectrum's name or number".to_owned()));
                     }
                     found.spectrum.replace(value).is_some()
                 }
-                "@" => {
+                '@' => {
                     let thickness = thickness(value).ok_or_else(|| {
                         refused("a thickness such as 4mm, or a multiple such as x2".to_owned())
                     })?;
@@ -102,7 +104,7 @@ impl<'a> FactorWord<'a> {
             };
             if again {
                 return Err(Refusal::Usage(format!(
-                    "FACTOR: {word}: found {sign} twice, expected it once"
+                    "FACTOR: {shown}: found {sign} twice, expected it once"
                 )));
             }
             found.name = name;
@@ -153,6 +155,30 @@ impl<'a> FactorWord<'a> {
     }
 }
 
+/// A word before the last of some signs, the sign, and what stands behind it; `None` where it has
+/// none, or what stands behind it is no text.
+pub fn split_at_sign<'a>(word: &'a OsStr, signs: &str) -> Option<(&'a OsStr, char, &'a str)> {
+    let is_sign = |byte: &u8| signs.as_bytes().contains(byte);
+    let at = word.as_encoded_bytes().iter().rposition(is_sign)?;
+    let (name, rest) = split_at(word, at)?;
+    let sign = rest.chars().next()?;
+    Some((name, sign, &rest[sign.len_utf8()..]))
+}
+
+/// The two parts of a word of which the second is text, as a file's name need not be.
+#[cfg(unix)]
+fn split_at(word: &OsStr, at: usize) -> Option<(&OsStr, &str)> {
+    use std::os::unix::ffi::OsStrExt;
+    let (name, rest) = word.as_bytes().split_at_checked(at)?;
+    Some((OsStr::from_bytes(name), std::str::from_utf8(rest).ok()?))
+}
+
+#[cfg(not(unix))]
+fn split_at(word: &OsStr, at: usize) -> Option<(&OsStr, &str)> {
+    let (name, rest) = word.to_str()?.split_at_checked(at)?;
+    Some((OsStr::new(name), rest))
+}
+
 fn thickness(word: &str) -> Option<Thickness> {
     let number = |text: &str| {
         let number: f64 = text.trim().parse().ok()?;
@@ -170,7 +196,7 @@ mod tests {
     use super::*;
 
     fn taken_apart(word: &str) -> FactorWord<'_> {
-        FactorWord::within(word, &|name| name == "a@x2.csv").unwrap()
+        FactorWord::within(OsStr::new(word), &|name| name == "a@x2.csv").unwrap()
     }
 
     #[test]
@@ -184,14 +210,16 @@ mod tests {
     #[test]
     fn a_word_is_a_name_a_spectrum_a_thickness_and_times_of_which_only_the_name_must_be() {
         let plain = |name| FactorWord {
-            name,
-            ..FactorWord::default()
+            name: OsStr::new(name),
+            spectrum: None,
+            thickness: None,
+            times: None,
         };
         assert_eq!(taken_apart("a b (c) 2 mm"), plain("a b (c) 2 mm"));
         assert_eq!(
             taken_apart("f.csv#red 2@4mm*3"),
             FactorWord {
-                name: "f.csv",
+                name: OsStr::new("f.csv"),
                 spectrum: Some("red 2"),
                 thickness: Some(Thickness::Mm(4.0)),
                 times: Some(3),
@@ -204,6 +232,15 @@ mod tests {
         // A file's own name comes first.
         assert_eq!(taken_apart("a@x2.csv"), plain("a@x2.csv"));
         assert_eq!(taken_apart("a@x2.csv*2").name, "a@x2.csv");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_name_that_is_no_text_is_taken_apart_all_the_same() {
+        use std::os::unix::ffi::OsStrExt;
+        let word = OsStr::from_bytes(b"gr\xfcn.csv#2*3");
+        let found = FactorWord::within(word, &|name| name.as_bytes() == b"gr\xfcn.csv").unwrap();
+        assert_eq!((found.spectrum, found.times), (Some("2"), Some(3)));
     }
 
     #[test]
@@ -222,7 +259,7 @@ mod tests {
             "red*2*2",
             "red@x1@x2",
         ] {
-            let refused = FactorWord::within(word, &|_| false);
+            let refused = FactorWord::within(OsStr::new(word), &|_| false);
             assert!(matches!(refused, Err(Refusal::Usage(_))), "{word}");
         }
     }

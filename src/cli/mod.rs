@@ -13,6 +13,7 @@ mod arguments;
 mod auction;
 mod convert;
 mod factor;
+mod inputs;
 mod list;
 mod no_display;
 mod options;
@@ -25,24 +26,24 @@ mod render;
 mod report;
 mod subject;
 mod sweep;
+mod target;
 mod window;
 mod words;
 
 use std::{
     ffi::OsString,
     io::{self, Write},
+    path::Path,
 };
 
 use clap::Parser;
 
-use crate::app::{
-    App,
-    library::Library,
-    licences,
-    plot_svg::{Chart, Theme},
-    workspace::Preferences,
+use crate::{
+    app::{App, library::Library, licences, plot_svg::Theme, workspace::Preferences},
+    io::error::shown,
 };
 use arguments::{Arguments, Command};
+use inputs::Inputs;
 pub use no_display::without_display;
 use refusal::Refusal;
 pub use window::{Input, app_with};
@@ -64,14 +65,13 @@ pub enum Outcome {
     },
 }
 
-/// Who draws pictures: the window's own painter, handed in by the caller.
+/// Who draws pictures: the window's own painter, handed in by the caller. A build without the
+/// window has none.
 pub trait Pictures {
     /// The whole window as PNG, `size` in px.
     fn window(&self, app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8>;
     /// The spectrum plot alone as PNG, `size` in px.
     fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8>;
-    /// Any chart as PNG in its own theme, `size` in px.
-    fn chart(&self, chart: &Chart, size: [u32; 2]) -> Vec<u8>;
 }
 
 /// Carries out a command line; `args` begins with the program's own name.
@@ -80,15 +80,21 @@ pub trait Pictures {
 /// to was bad, 2 the arguments were.
 pub fn run(
     args: impl IntoIterator<Item = OsString>,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Outcome {
     let done = match Arguments::try_parse_from(args) {
-        Ok(arguments) => match carry_out(arguments, pictures, out, err) {
-            Ok(outcome) => return outcome,
-            Err(refusal) => Err(refusal),
-        },
+        Ok(arguments) => {
+            let mut inputs = Inputs::new(&mut *err);
+            match carry_out(arguments, pictures, out, &mut inputs) {
+                Ok(outcome) => {
+                    inputs.tell_notes();
+                    return outcome;
+                }
+                Err(refusal) => Err(refusal),
+            }
+        }
         Err(error) => refusal::of_clap(&error).and_then(|text| print(out, &text)),
     };
     Outcome::Done(match done {
@@ -99,26 +105,38 @@ pub fn run(
 
 fn carry_out(
     arguments: Arguments,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
-    err: &mut dyn Write,
+    inputs: &mut Inputs,
 ) -> Result<Outcome, Refusal> {
     match arguments {
-        Arguments { licences: true, .. } => print(out, &licences::text(Library::bundled()))?,
+        Arguments {
+            licences: true,
+            files,
+            window,
+            ..
+        } => {
+            let window = window.then(|| "--window".to_owned());
+            let files = files.iter().map(|file| shown(Path::new(file)));
+            for word in files.chain(window) {
+                inputs.note(format!("{word} is not used: --licences opens nothing"));
+            }
+            print(out, &licences::text(Library::bundled()))?;
+        }
         Arguments {
             command: Some(command),
             ..
         } => match command {
-            Command::Report(options) => report::run(&options, out, err)?,
-            Command::Sweep(options) => sweep::run(&options, out, err)?,
-            Command::Auction(options) => auction::run(&options, out, err)?,
-            Command::Race(options) => race::run(&options, out, err)?,
-            Command::Product(options) => product::run(&options, out)?,
-            Command::Read(options) => read::run(&options, out, err)?,
+            Command::Report(options) => report::run(&options, out, inputs)?,
+            Command::Sweep(options) => sweep::run(&options, out, inputs)?,
+            Command::Auction(options) => auction::run(&options, out, inputs)?,
+            Command::Race(options) => race::run(&options, out, inputs)?,
+            Command::Product(options) => product::run(&options, out, inputs)?,
+            Command::Read(options) => read::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out)?,
-            Command::Render(options) => render::run(&options, pictures, out, err)?,
-            Command::Plot(options) => plot::run(&options, pictures, out, err)?,
-            Command::Convert(options) => convert::run(&options, out, err)?,
+            Command::Render(options) => render::run(&options, pictures, out, inputs)?,
+            Command::Plot(options) => plot::run(&options, pictures, out, inputs)?,
+            Command::Convert(options) => convert::run(&options, out, inputs)?,
         },
         Arguments { files, window, .. } => {
             return Ok(Outcome::Window {
@@ -128,6 +146,19 @@ fn carry_out(
         }
     }
     Ok(Outcome::Done(0))
+}
+
+/// What draws pictures, for a command that cannot do without; `whose` names it.
+fn painter<'p>(
+    pictures: Option<&'p dyn Pictures>,
+    whose: &str,
+) -> Result<&'p dyn Pictures, Refusal> {
+    pictures.ok_or_else(|| {
+        Refusal::Usage(format!(
+            "{whose}: found a build without the window, which draws it, expected one with it \
+             (cargo build --release); plot --out FILE.svg needs none"
+        ))
+    })
 }
 
 /// Prints text and brings it out.

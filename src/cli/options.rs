@@ -1,11 +1,14 @@
 //! The options that several commands share.
 
+use std::ffi::OsString;
+
 use clap::Args;
 
 use super::words;
 use crate::{
-    app::Settings,
+    app::{Settings, open::Wanted},
     color::Observer,
+    io::Choices,
     spectrum::{Band, Basis, Kind, Rect, Sampling},
 };
 
@@ -21,7 +24,7 @@ pub struct PickOptions {
     pub kind: Option<Kind>,
     /// The light on a reflectance or transmittance, a file or a preset [default: CIE D65].
     #[arg(long, value_name = "NAME")]
-    pub light: Option<String>,
+    pub light: Option<OsString>,
     /// Which pixel of a spectral image: its column and row, from 0 [default: the mean of
     /// all pixels, unless --spectrum names one].
     #[arg(long, value_name = "X,Y", value_parser = words::pixel, conflicts_with = "region")]
@@ -35,6 +38,19 @@ impl PickOptions {
     /// Which pixels of an image, if the command line says so.
     pub fn pixels(&self) -> Option<Rect> {
         self.pixel.or(self.region)
+    }
+
+    /// What is meant by an input with these options.
+    pub fn wanted(&self) -> Wanted<'_> {
+        Wanted {
+            spectrum: self.spectrum.as_deref(),
+            pixels: self.pixels(),
+            choices: Choices {
+                kind: self.kind,
+                ..Choices::default()
+            },
+            alone: false,
+        }
     }
 }
 

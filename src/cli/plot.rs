@@ -2,8 +2,20 @@
 
 use std::io::Write;
 
-use super::{Pictures, arguments::Plot, print, refusal::Refusal, subject, words};
-use crate::{app::chart, io::atomic::save_atomically};
+use super::{
+    Pictures,
+    arguments::Plot,
+    inputs::Inputs,
+    painter, print,
+    refusal::Refusal,
+    subject,
+    target::{Replaces, Target},
+    words,
+};
+use crate::{
+    app::chart,
+    io::{atomic::save_atomically, error::shown},
+};
 
 /// Carries the command out.
 ///
@@ -11,29 +23,45 @@ use crate::{app::chart, io::atomic::save_atomically};
 /// [`Refusal`] for an input that cannot be read or a picture that cannot be written.
 pub fn run(
     options: &Plot,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
-    err: &mut dyn Write,
+    inputs: &mut Inputs,
 ) -> Result<(), Refusal> {
     let Plot {
         input,
         pick,
         model,
         out: path,
+        force,
         size,
         theme,
     } = options;
-    let app = subject::app(input, pick, *model, err)?;
-    let [width, height] = *size;
-    let picture = if words::extension(path) == "svg" {
-        let chart = chart::spectrum_chart(&app, *theme);
-        chart.to_svg(width, height).into_bytes()
-    } else {
-        pictures.plot(&app, *theme, *size)
+    let painter = match words::extension(path).as_str() {
+        "svg" => None,
+        _ => Some(painter(pictures, "a plot as PNG")?),
     };
-    save_atomically(path, &picture).map_err(|why| Refusal::File(why.to_string()))?;
+    let target = Target {
+        what: "--out",
+        path,
+        replaces: Replaces::Pictures,
+        force: *force,
+        read: Vec::new(),
+    };
+    let target = target.beside(&[Some(input.as_os_str()), pick.light.as_deref()]);
+    target.path()?;
+    let app = subject::app(input, pick, *model, inputs)?;
+    inputs.note_sampling(*model, false);
+    let [width, height] = *size;
+    let picture = match painter {
+        Some(painter) => painter.plot(&app, *theme, *size),
+        None => {
+            let chart = chart::spectrum_chart(&app, *theme);
+            chart.to_svg(width, height).into_bytes()
+        }
+    };
+    save_atomically(target.path()?, &picture).map_err(|why| Refusal::File(why.to_string()))?;
     print(
         out,
-        &format!("Wrote {}, {width} x {height} px.\n", path.display()),
+        &format!("Wrote {}, {width} x {height} px.\n", shown(path)),
     )
 }

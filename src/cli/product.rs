@@ -1,10 +1,11 @@
 //! `product`: a light through filters and off surfaces, in words or as JSON.
 
-use std::{io::Write, path::Path, sync::Arc};
+use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
 
 use super::{
     arguments::Product,
-    factor::FactorWord,
+    factor::{FactorWord, split_at_sign},
+    inputs::Inputs,
     options::ModelOptions,
     print,
     refusal::Refusal,
@@ -14,7 +15,7 @@ use crate::{
     app::{
         App, Entry,
         library::Library,
-        open,
+        open::Wanted,
         product_report::{self, Told},
         products::{
             Link, ModelledLight,
@@ -23,7 +24,7 @@ use crate::{
         studies::about::reflectances,
         ticks::short,
     },
-    io::error::quoted,
+    io::error::{quoted, shown},
     spectrum::{Factor, Kind},
 };
 
@@ -32,7 +33,7 @@ use crate::{
 /// # Errors
 /// [`Refusal`] for an input that cannot be read, a factor that is no share of light, and a group
 /// without one.
-pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
+pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Product {
         light: light_name,
         factors,
@@ -66,12 +67,16 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
         (factors, None) => {
             let chain: Vec<Link> = factors
                 .iter()
-                .map(|word| link(word, *kind))
+                .map(|word| link(word, *kind, inputs))
                 .collect::<Result<_, _>>()?;
-            let app = about(light_name, *model)?;
+            if kind.is_some() && chain.iter().all(|link| link.entry.shelf.is_some()) {
+                inputs.note("--kind is not used: no FACTOR is a file");
+            }
+            let app = about(light_name, *model, inputs)?;
             if let Some(outgoing) = check {
                 let (name, spectrum) = named_spectrum(outgoing);
-                let outgoing = light("--check", name, spectrum)?;
+                let outgoing = light("--check", name, spectrum, inputs)?;
+                inputs.note_sampling(*model, false);
                 return print(out, &of_check(&app, &chain, outgoing, *json));
             }
             let told = Told::of(&app, &ModelledLight::of(&app), &chain);
@@ -85,7 +90,7 @@ pub fn run(options: &Product, out: &mut dyn Write) -> Result<(), Refusal> {
         ([], Some(set)) => {
             let group = set.trim().to_lowercase();
             check_group(&group, set)?;
-            let app = about(light_name, *model)?;
+            let app = about(light_name, *model, inputs)?;
             of_set(&app, &group, *json)
         }
     };
@@ -127,9 +132,9 @@ fn of_set(app: &App, group: &str, json: bool) -> String {
 }
 
 /// The state about a light that has something to multiply.
-fn about(word: &str, model: ModelOptions) -> Result<App, Refusal> {
+fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, Refusal> {
     let (name, spectrum) = named_spectrum(word);
-    let app = subject::about_light(light("LIGHT", name, spectrum)?, model);
+    let app = subject::about_light(light("LIGHT", name, spectrum, inputs)?, model);
     let derived = app.derived();
     if derived.errors.is_some() {
         return Ok(app);
@@ -144,51 +149,78 @@ fn about(word: &str, model: ModelOptions) -> Result<App, Refusal> {
 }
 
 /// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
-fn named_spectrum(word: &str) -> (&str, Option<&str>) {
-    let is_there = Path::new(word).exists() || Library::bundled().find(word).is_ok();
-    match word.rsplit_once('#') {
-        Some((name, spectrum)) if !is_there => (name, Some(spectrum)),
-        _ => (word, None),
+fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
+    let is_shipped = || {
+        word.to_str()
+            .is_some_and(|name| Library::bundled().find(name).is_ok())
+    };
+    if Path::new(word).exists() || is_shipped() {
+        return (word, None);
+    }
+    match split_at_sign(word, "#") {
+        Some((name, _, spectrum)) => (name, Some(spectrum)),
+        None => (word, None),
     }
 }
 
 /// A factor with its thickness and times.
-fn link(word: &str, kind: Option<Kind>) -> Result<Link, Refusal> {
+fn link(word: &OsStr, kind: Option<Kind>, inputs: &mut Inputs) -> Result<Link, Refusal> {
     let parts = FactorWord::of(word)?;
-    let entry = factor(parts.name, parts.spectrum, kind)?;
+    let entry = factor(parts.name, parts.spectrum, kind, inputs)?;
     parts.over(Link::once(Arc::new(entry)))
 }
 
 /// A reflectance or transmittance by its name. Only a file may be told what it is: a shipped
 /// spectrum knows, and so does a file whose unit is one of power.
-fn factor(name: &str, spectrum: Option<&str>, kind: Option<Kind>) -> Result<Entry, Refusal> {
+fn factor(
+    name: &OsStr,
+    spectrum: Option<&str>,
+    kind: Option<Kind>,
+    inputs: &mut Inputs,
+) -> Result<Entry, Refusal> {
     let refused = |why: String| Refusal::File(format!("FACTOR: {why}"));
-    let told = kind.filter(|_| Path::new(name).exists());
-    let entry = open::resolve(name, spectrum, told).map_err(refused)?;
-    if entry.kind().is_factor() && (told.is_none() || is_a_share(&entry.spectrum.unit)) {
-        return Ok(entry);
+    let mut wanted = Wanted {
+        spectrum,
+        ..Wanted::default()
+    };
+    let found = inputs.find(name, &wanted).map_err(refused)?;
+    let entry = found.entry;
+    let named = shown(Path::new(name));
+    match kind.filter(|_| entry.shelf.is_none()) {
+        Some(told) => {
+            wanted.choices.kind = Some(told);
+            let as_told = inputs.find(name, &wanted).map_err(refused)?.entry;
+            let unit = &as_told.spectrum.unit;
+            if !is_a_share(unit) {
+                return Err(refused(format!(
+                    "{named}: found values in {}, expected shares of light (a light times a light \
+                     has no meaning)",
+                    quoted(unit)
+                )));
+            }
+            let states = entry.kind();
+            if !found.is_kind_open && states != told {
+                inputs.note(format!(
+                    "FACTOR: {named}: found {states} values, taken as {told} as --kind says"
+                ));
+            }
+            Ok(as_told)
+        }
+        None if entry.kind().is_factor() => Ok(entry),
+        None => {
+            let remedy = match entry.shelf {
+                Some(_) => "",
+                None => " (say --kind if it is one)",
+            };
+            Err(refused(format!(
+                "{named}: found {}, expected a reflectance or a transmittance{remedy}",
+                match entry.kind() {
+                    Kind::Light => "a light".to_owned(),
+                    kind => format!("{kind} values"),
+                }
+            )))
+        }
     }
-    let unit = &entry.spectrum.unit;
-    Err(refused(if told.is_some() && !is_a_share(unit) {
-        format!(
-            "{}: found values in {}, expected shares of light (a light times a light has no \
-             meaning)",
-            entry.name(),
-            quoted(unit)
-        )
-    } else if entry.shelf.is_some() {
-        format!(
-            "{}: found a {}, expected a reflectance or a transmittance",
-            entry.name(),
-            entry.kind()
-        )
-    } else {
-        format!(
-            "{}: found a {}, expected a reflectance or a transmittance (say --kind if it is one)",
-            entry.name(),
-            entry.kind()
-        )
-    }))
 }
 
 /// Whether a unit leaves room for shares: power has watts, lumens, photons or joules in it.

@@ -1,6 +1,7 @@
 //! `race`: the composite beside other representations at equal counts of numbers.
 
 use std::{
+    ffi::OsStr,
     fs,
     io::Write,
     path::{Path, PathBuf},
@@ -9,9 +10,10 @@ use std::{
 
 use super::{
     arguments::Race,
+    inputs::Inputs,
     print,
     refusal::Refusal,
-    remark, subject,
+    subject,
     sweep::{all_zero, say_unused},
 };
 use crate::{
@@ -19,11 +21,15 @@ use crate::{
         App, Entry,
         library::{Library, Preset},
         memo::ByAddress,
-        open::{Loaded, load_path},
+        open::Loaded,
         studies::{Class, Field, RaceAsk},
         study_report,
     },
-    io::error::quoted,
+    io::{
+        Choices,
+        error::{quoted, shown},
+        many::many,
+    },
     spectrum::Kind,
     study::{Progress, judge::scaled_to_one},
 };
@@ -32,7 +38,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input or a set that cannot be read or has no light.
-pub fn run(options: &Race, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+pub fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Race {
         input,
         numbers,
@@ -48,11 +54,11 @@ pub fn run(options: &Race, out: &mut dyn Write, err: &mut dyn Write) -> Result<(
             ));
         }
         (Some(input), None) => {
-            let app = subject::app(input, pick, *model, err)?;
+            let app = subject::app(input, pick, *model, inputs)?;
             let field = alone(&app)?;
             (app, field)
         }
-        (None, Some(set)) => (subject::first_app(pick, *model)?, set_of(set, err)?),
+        (None, Some(set)) => (subject::first_app(pick, *model)?, set_of(set, inputs)?),
         (None, None) => (subject::first_app(pick, *model)?, Field::Shipped),
     };
     let every = [
@@ -60,7 +66,7 @@ pub fn run(options: &Race, out: &mut dyn Write, err: &mut dyn Write) -> Result<(
         ("--basis", model.basis.is_some()),
         ("--colour-exact", model.colour_exact),
     ];
-    say_unused(*model, &every, err);
+    say_unused(*model, &every, inputs);
     let mut budgets = numbers.clone();
     budgets.sort_unstable();
     budgets.dedup();
@@ -71,7 +77,10 @@ pub fn run(options: &Race, out: &mut dyn Write, err: &mut dyn Write) -> Result<(
             (Some(_), _) => all_zero(&app),
             (None, set) => Refusal::File(format!(
                 "{}: found no light but zeros from {} to {} nm, expected one to measure",
-                set.as_deref().unwrap_or("the shipped lights"),
+                set.as_ref().map_or_else(
+                    || "the shipped lights".to_owned(),
+                    |set| shown(Path::new(set))
+                ),
                 ask.band.min_nm(),
                 ask.band.max_nm(),
             )),
@@ -79,15 +88,12 @@ pub fn run(options: &Race, out: &mut dyn Write, err: &mut dyn Write) -> Result<(
     for lamp in ask.lamps() {
         if scaled_to_one(&lamp.values).is_none() {
             let band = ask.band;
-            remark(
-                err,
-                &format!(
-                    "skipped: {}: nothing but zeros from {} to {} nm",
-                    lamp.name,
-                    band.min_nm(),
-                    band.max_nm()
-                ),
-            );
+            inputs.remark(&format!(
+                "skipped: {}: nothing but zeros from {} to {} nm",
+                lamp.name,
+                band.min_nm(),
+                band.max_nm()
+            ));
         }
     }
     if *json {
@@ -113,7 +119,9 @@ fn alone(app: &App) -> Result<Field, Refusal> {
 }
 
 /// The lights of a class, a group or a folder.
-fn set_of(set: &str, err: &mut dyn Write) -> Result<Field, Refusal> {
+fn set_of(set: &OsStr, inputs: &mut Inputs) -> Result<Field, Refusal> {
+    let folder = Path::new(set);
+    let set = set.to_string_lossy();
     let word = set.trim().to_lowercase();
     let called = |class: &Class| class.word().to_lowercase() == word;
     if let Some(class) = Class::ALL.into_iter().find(called) {
@@ -129,21 +137,20 @@ fn set_of(set: &str, err: &mut dyn Write) -> Result<Field, Refusal> {
             "--set: found the group {word}, which has no light, expected a group of lights"
         )));
     }
-    let folder = Path::new(set);
     if folder.is_dir() {
-        return lights_in(folder, err);
+        return lights_in(folder, inputs);
     }
     Err(Refusal::File(format!(
         "--set: found {}, expected a group of presets, smooth, led, fluorescent, discharge or a \
          folder",
-        quoted(set)
+        quoted(&set)
     )))
 }
 
 /// Every light in the files of a folder, not in the folders below it.
-fn lights_in(folder: &Path, err: &mut dyn Write) -> Result<Field, Refusal> {
+fn lights_in(folder: &Path, inputs: &mut Inputs) -> Result<Field, Refusal> {
     let unreadable = |why: std::io::Error| {
-        let folder = folder.display();
+        let folder = shown(folder);
         Refusal::File(format!(
             "{folder}: found {}, expected a folder to read",
             why.kind()
@@ -159,10 +166,10 @@ fn lights_in(folder: &Path, err: &mut dyn Write) -> Result<Field, Refusal> {
     let mut lights = Vec::new();
     let mut others = 0;
     for path in &paths {
-        match load_path(path) {
-            Loaded::Refused(why) => remark(err, &format!("skipped: {why}")),
+        match inputs.load(path, &Choices::default()) {
+            Loaded::Refused(why) => inputs.remark(&format!("skipped: {why}")),
             Loaded::Project { .. } => {
-                remark(err, &format!("skipped: {}: a project", path.display()));
+                inputs.remark(&format!("skipped: {}: a project", shown(path)));
             }
             Loaded::File(opened) => {
                 let spectra = opened.into_spectra();
@@ -178,13 +185,18 @@ fn lights_in(folder: &Path, err: &mut dyn Write) -> Result<Field, Refusal> {
         }
     }
     if others > 0 {
-        remark(err, &format!("skipped {others} spectra that are no lights"));
+        let others = many(
+            others,
+            "spectrum that is no light",
+            "spectra that are no lights",
+        );
+        inputs.remark(&format!("skipped {others}"));
     }
     if lights.is_empty() {
         return Err(Refusal::File(format!(
-            "{}: found no light in {} files, expected at least one",
-            folder.display(),
-            paths.len(),
+            "{}: found no light in {}, expected at least one",
+            shown(folder),
+            many(paths.len(), "file", "files"),
         )));
     }
     Ok(Field::These(lights))

@@ -4,13 +4,13 @@ use std::io::Write;
 
 use serde_json::Value;
 
-use super::{arguments::Read, print, refusal::Refusal, remark};
+use super::{arguments::Read, inputs::Inputs, print, refusal::Refusal};
 use crate::{
     app::{
         open::folders::{self, Listed},
         read_report,
     },
-    io,
+    io::{Choices, error::shown},
 };
 
 /// Carries the command out. A file that is refused does not stop the others.
@@ -18,19 +18,23 @@ use crate::{
 /// # Errors
 /// [`Refusal`], after everything was printed, when one of the files was refused or a folder could
 /// not be listed.
-pub fn run(options: &Read, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+pub fn run(options: &Read, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let mut refused = Vec::new();
     let mut values = Vec::new();
     for Listed {
-        path, refused: why, ..
+        label,
+        path,
+        refused: why,
+        ..
     } in folders::every_file(&options.files)
     {
         // A folder that holds nothing or cannot be listed has no reading.
         if let Some(why) = why {
-            refused.push(why);
+            let without_name = why.strip_prefix(&label);
+            refused.push(without_name.map_or(why.clone(), |rest| shown(&path) + rest));
             continue;
         }
-        let reading = io::read_path(&path);
+        let reading = inputs.reading(&path, &Choices::default());
         if let Err(refusal) = &reading {
             refused.push(refusal.to_string());
         }
@@ -47,7 +51,7 @@ pub fn run(options: &Read, out: &mut dyn Write, err: &mut dyn Write) -> Result<(
         return Ok(());
     };
     for line in refused {
-        remark(err, &line);
+        inputs.remark(&line);
     }
     Err(Refusal::File(last))
 }

@@ -94,7 +94,14 @@ fn in_words(error: &clap::Error) -> String {
         }
         ErrorKind::MissingRequiredArgument => {
             let missing = option.replace(['<', '>'], "");
-            format!("found no {missing}, expected one (see --help)")
+            let missing: Vec<&str> = missing.split(", ").collect();
+            let expected = match missing.len() {
+                1 => "one",
+                2 => "both",
+                _ => "all of them",
+            };
+            let missing = missing.join(" and no ");
+            format!("found no {missing}, expected {expected} (see --help)")
         }
         ErrorKind::ArgumentConflict => {
             let other = context(ContextKind::PriorArg);

@@ -1,12 +1,20 @@
 //! `render`: a picture of the window, with no display needed.
 
-use std::{io::Write, path::Path, sync::Arc};
+use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
 
-use super::{Pictures, arguments::Render, print, refusal::Refusal, subject};
+use super::{
+    Pictures,
+    arguments::Render,
+    inputs::Inputs,
+    painter, print,
+    refusal::Refusal,
+    subject,
+    target::{Replaces, Target},
+};
 use crate::{
     app::{
         App, Command,
-        open::{self, Loaded},
+        open::Loaded,
         opened::Opened,
         pages::{Page, PageMemory},
         picture::{ImageMemory, reload},
@@ -14,7 +22,7 @@ use crate::{
         products::ProductsMemory,
         workspace::Preferences,
     },
-    io::atomic::save_atomically,
+    io::{Choices, atomic::save_atomically, error::shown},
 };
 
 /// Carries the command out.
@@ -23,30 +31,43 @@ use crate::{
 /// [`Refusal`] for an input that cannot be read or a picture that cannot be written.
 pub fn run(
     options: &Render,
-    pictures: &dyn Pictures,
+    pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,
-    err: &mut dyn Write,
+    inputs: &mut Inputs,
 ) -> Result<(), Refusal> {
     let Render {
         input,
         pick,
         model,
         out: path,
+        force,
         size,
         theme,
         page,
     } = options;
-    let app = match input {
-        Some(input) => subject::app(input, pick, *model, err)?,
+    let pictures = painter(pictures, "render")?;
+    let target = Target {
+        what: "--out",
+        path,
+        replaces: Replaces::Pictures,
+        force: *force,
+        read: Vec::new(),
+    };
+    let mut target = target.beside(&[input.as_deref(), pick.light.as_deref()]);
+    target.path()?;
+    let mut app = match input {
+        Some(input) => subject::app(input, pick, *model, inputs)?,
         None => subject::first_app(pick, *model)?,
     };
-    let mut app = app;
     let memory = ImageMemory {
         selection: pick.pixels(),
         ..ImageMemory::default()
     };
     if let (Page::Image, Some(input)) = (page.0, input) {
-        open_images(&mut app, input);
+        open_images(&mut app, input, inputs);
+        let images = app.document().images.iter();
+        let files = images.filter_map(|image| image.path.as_deref());
+        files.for_each(|file| target.reads(file));
     }
     let preferences = Preferences {
         dark: *theme == Theme::Dark,
@@ -62,17 +83,17 @@ pub fn run(
         ..Preferences::default()
     };
     let picture = pictures.window(&app, &preferences, *size);
-    save_atomically(path, &picture).map_err(|why| Refusal::File(why.to_string()))?;
+    save_atomically(target.path()?, &picture).map_err(|why| Refusal::File(why.to_string()))?;
     let [width, height] = size;
     print(
         out,
-        &format!("Wrote {}, {width} x {height} px.\n", path.display()),
+        &format!("Wrote {}, {width} x {height} px.\n", shown(path)),
     )
 }
 
 /// The images of a file or a project, for the page that shows them.
-fn open_images(app: &mut App, input: &str) {
-    match open::load_path(Path::new(input)) {
+fn open_images(app: &mut App, input: &OsStr, inputs: &mut Inputs) {
+    match inputs.load(Path::new(input), &Choices::default()) {
         Loaded::File(opened) => {
             let images_alone = Opened {
                 spectra: Vec::new(),

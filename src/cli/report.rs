@@ -2,21 +2,23 @@
 
 use std::io::Write;
 
-use super::{arguments::Report, print, refusal::Refusal, subject};
+use super::{arguments::Report, inputs::Inputs, print, refusal::Refusal, subject};
 use crate::app::report;
 
 /// Carries the command out.
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read.
-pub fn run(options: &Report, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+pub fn run(options: &Report, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Report {
         input,
         pick,
         model,
         json,
     } = options;
-    let app = subject::app(input, pick, *model, err)?;
+    let app = subject::app(input, pick, *model, inputs)?;
+    // Only a light has patches.
+    inputs.note_sampling(*model, app.document().is_about_light());
     if *json {
         print(out, &format!("{:#}\n", report::json(&app)))
     } else {

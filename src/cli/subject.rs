@@ -1,20 +1,21 @@
 //! From an input and its options to the program's state.
 
-use std::{fs::File, io::Read, io::Write, path::Path};
+use std::{ffi::OsStr, path::Path};
 
 use super::{
+    inputs::Inputs,
     options::{ModelOptions, PickOptions},
     refusal::Refusal,
-    remark,
 };
 use crate::{
     app::{
         App, Command, Document, Entry,
         document::Subject,
-        open::{self, Loaded},
+        open::{self, Loaded, Wanted},
         opened::Opened,
-        workspace::{self, Restored},
+        workspace::Restored,
     },
+    io::error::shown,
     spectrum::Kind,
 };
 
@@ -26,24 +27,41 @@ const USUAL_LIGHT: &str = "cie_illuminants/CIE D65";
 /// # Errors
 /// [`Refusal::File`] for an input that cannot be found or read.
 pub fn app(
-    input: &str,
+    input: &OsStr,
     pick: &PickOptions,
     model: ModelOptions,
-    err: &mut dyn Write,
+    inputs: &mut Inputs,
 ) -> Result<App, Refusal> {
-    let named = |name| light("--light", name, None);
-    let light = pick.light.as_deref().map(named).transpose()?;
-    if let Some(restored) = project(Path::new(input))? {
-        return of_project(input, restored, pick, light, model, err);
+    app_of(input, pick, &pick.wanted(), model, inputs)
+}
+
+/// The same where the options leave open how the input's file is read.
+///
+/// # Errors
+/// As [`app`].
+pub fn app_of(
+    input: &OsStr,
+    pick: &PickOptions,
+    wanted: &Wanted,
+    model: ModelOptions,
+    inputs: &mut Inputs,
+) -> Result<App, Refusal> {
+    let light = match &pick.light {
+        Some(name) => Some(light("--light", name, None, inputs)?),
+        None => None,
+    };
+    if let Some(restored) = project(Path::new(input), inputs)? {
+        let input = shown(Path::new(input));
+        return of_project(&input, restored, pick, light, model, inputs);
     }
-    let entry = open::resolve_pixels(input, pick.spectrum.as_deref(), pick.pixels(), pick.kind)
+    let found = inputs.find(input, wanted);
+    let entry = found
+        .and_then(|found| found.usable(input))
         .map_err(Refusal::File)?;
     let is_light = entry.kind() == Kind::Light;
     if is_light && light.is_some() {
-        remark(
-            err,
-            &format!("--light is not used: {} is a light itself", entry.name()),
-        );
+        let line = format!("--light is not used: {} is a light itself", entry.name());
+        inputs.note(line);
     }
     let light = match light {
         Some(light) => light,
@@ -104,39 +122,55 @@ fn show(app: &mut App, entry: Entry) {
     });
 }
 
-/// A light by its name; a file's values are taken as a light whatever they look like.
-/// `what` is the word of the command line that named it, `spectrum` which one of a file it is.
+/// A light by its name. `what` is the word of the command line that named it, `spectrum` which one
+/// of a file it is. A file that does not say what its values are is taken as a light, with a word;
+/// one that is sure of something else is none.
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be found or read, or is no light.
-pub fn light(what: &str, name: &str, spectrum: Option<&str>) -> Result<Entry, Refusal> {
-    let kind = Path::new(name).is_file().then_some(Kind::Light);
-    let entry = open::resolve(name, spectrum, kind)
-        .map_err(|why| Refusal::File(format!("{what}: {why}")))?;
-    if entry.kind() != Kind::Light {
-        return Err(Refusal::File(format!(
-            "{what}: {name}: found {} values, expected a light",
-            entry.kind()
-        )));
+pub fn light(
+    what: &str,
+    name: &OsStr,
+    spectrum: Option<&str>,
+    inputs: &mut Inputs,
+) -> Result<Entry, Refusal> {
+    let refused = |why| Refusal::File(format!("{what}: {why}"));
+    let mut wanted = Wanted {
+        spectrum,
+        ..Wanted::default()
+    };
+    let mut found = inputs.find(name, &wanted).map_err(refused)?;
+    let shown = shown(Path::new(name));
+    if found.is_kind_open {
+        inputs.note(format!(
+            "{what}: {shown}: found nothing that says what its values are, taken as a light"
+        ));
+        if found.entry.kind() != Kind::Light {
+            // Its numbers may have been taken for per cent.
+            wanted.choices.kind = Some(Kind::Light);
+            found = inputs.find(name, &wanted).map_err(refused)?;
+        }
     }
-    Ok(entry)
+    let entry = found.entry;
+    if entry.kind() == Kind::Light {
+        return Ok(entry);
+    }
+    let remedy = match entry.shelf {
+        Some(_) => "",
+        None => " (convert it with --kind light if it is one)",
+    };
+    Err(refused(format!(
+        "{shown}: found {} values, expected a light{remedy}",
+        entry.kind()
+    )))
 }
 
 /// The project in a file; `None` when the file is none or is something else.
-fn project(path: &Path) -> Result<Option<Restored>, Refusal> {
-    let mut head = Vec::new();
-    let is_project = path.is_file()
-        && File::open(path)
-            .and_then(|file| file.take(512).read_to_end(&mut head))
-            .is_ok()
-        && String::from_utf8_lossy(&head).contains(workspace::FORMAT);
-    if !is_project {
-        return Ok(None);
-    }
-    match open::load_path(path) {
-        Loaded::Project { restored, .. } => Ok(Some(*restored)),
-        Loaded::Refused(why) => Err(Refusal::File(why)),
-        Loaded::File(_) => Ok(None),
+fn project(path: &Path, inputs: &mut Inputs) -> Result<Option<Restored>, Refusal> {
+    match inputs.project(path) {
+        Some(Loaded::Project { restored, .. }) => Ok(Some(*restored)),
+        Some(Loaded::Refused(why)) => Err(Refusal::File(why)),
+        Some(Loaded::File(_)) | None => Ok(None),
     }
 }
 
@@ -146,7 +180,7 @@ fn of_project(
     pick: &PickOptions,
     light: Option<Entry>,
     model: ModelOptions,
-    err: &mut dyn Write,
+    inputs: &mut Inputs,
 ) -> Result<App, Refusal> {
     for (option, given) in [
         ("--spectrum", pick.spectrum.is_some()),
@@ -161,7 +195,7 @@ fn of_project(
         }
     }
     for loss in &restored.losses {
-        remark(err, &format!("{input}: {loss}"));
+        inputs.note(format!("{input}: {loss}"));
     }
     let mut document = restored.document;
     document.settings = model.over(document.settings).clamped();
@@ -169,7 +203,7 @@ fn of_project(
     if let Some(light) = light {
         let subject = app.document().subject;
         if subject == Subject::Light {
-            remark(err, "--light is not used: the project is about a light");
+            inputs.note("--light is not used: the project is about a light");
         } else {
             show(&mut app, light);
             app.apply(Command::About(subject));

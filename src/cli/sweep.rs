@@ -2,9 +2,11 @@
 
 use std::io::Write;
 
-use super::{arguments::Sweep, options::ModelOptions, print, refusal::Refusal, remark, subject};
+use super::{
+    arguments::Sweep, inputs::Inputs, options::ModelOptions, print, refusal::Refusal, subject,
+};
 use crate::{
-    app::{App, studies::SweepAsk, study_report},
+    app::{App, studies::SweepAsk, study_report, tables::CURVE_ORDER},
     study::Progress,
 };
 
@@ -12,15 +14,21 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or has nothing to measure.
-pub fn run(options: &Sweep, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Refusal> {
+pub fn run(options: &Sweep, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Sweep {
         input,
         pick,
         model,
         json,
     } = options;
-    let app = subject::app(input, pick, *model, err)?;
-    say_unused(*model, &[], err);
+    let app = subject::app(input, pick, *model, inputs)?;
+    say_unused(*model, &[], inputs);
+    // A higher one makes the sweep go on.
+    if let Some(order) = model.order.filter(|order| *order <= CURVE_ORDER) {
+        inputs.note(format!(
+            "--order {order} is not used: every order up to {CURVE_ORDER} is swept"
+        ));
+    }
     let ask = SweepAsk::of(app.document());
     let sweep = ask
         .answer(&Progress::default())
@@ -34,16 +42,13 @@ pub fn run(options: &Sweep, out: &mut dyn Write, err: &mut dyn Write) -> Result<
 }
 
 /// Says which of the given options change nothing here.
-pub fn say_unused(model: ModelOptions, more: &[(&str, bool)], err: &mut dyn Write) {
+pub fn say_unused(model: ModelOptions, more: &[(&str, bool)], inputs: &mut Inputs) {
     let more = more
         .iter()
         .filter(|(_, given)| *given)
         .map(|(word, _)| *word);
     for option in model.unused_in_studies().into_iter().chain(more) {
-        remark(
-            err,
-            &format!("{option} is not used: it changes nothing here"),
-        );
+        inputs.note(format!("{option} is not used: it changes nothing here"));
     }
 }
 

@@ -11,10 +11,10 @@ use crate::{
     app::{
         App, Command, Entry,
         library::Library,
-        open::{Loaded, Outcome, batch::read_all, names_a_file},
+        open::{FileRow, Loaded, batch::read_all, names_a_file},
         state::Tone,
     },
-    io::error::quoted,
+    io::{error::quoted, stream::is_standard_input},
 };
 
 /// Something to open.
@@ -67,6 +67,13 @@ fn input(word: &OsString) -> Result<Input, Refusal> {
         return Ok(Input::File(path.to_owned()));
     }
     let name = word.to_string_lossy();
+    if is_standard_input(path) {
+        return Err(Refusal::File(
+            "\"-\": found standard input, expected a file, a folder, a preset or a command (report \
+             and the other commands read it)"
+                .to_owned(),
+        ));
+    }
     match Library::bundled().find(&name) {
         Ok(preset) => Entry::of_preset(preset)
             .map(|entry| Input::Preset(Arc::new(entry)))
@@ -111,11 +118,7 @@ fn open_all(app: &mut App, paths: &[PathBuf], refused: &mut Vec<String>) {
     }
     let finished = read_all(paths);
     let summary = finished.summary();
-    refused.extend(summary.rows.iter().filter_map(|row| match &row.outcome {
-        Outcome::Refused(why) => Some(why.clone()),
-        Outcome::NotRead(why) => Some(format!("{}: not read, {why}", row.file)),
-        Outcome::Read { .. } | Outcome::Project => None,
-    }));
+    refused.extend(summary.rows.iter().filter_map(FileRow::trouble));
     let (opened, projects) = finished.into_loaded();
     for project in projects {
         if let Loaded::Project { restored, .. } = project {

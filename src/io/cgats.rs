@@ -30,7 +30,7 @@ use super::cgats_tables::{self, CgatsTable};
 use super::error::quoted;
 use super::kinds::{is_plain_name, kind_of_name, kind_of_words};
 use super::measured::Measured;
-use super::write::notes_of_a_line;
+use super::write::add_notes_of_a_line;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Argyll and CGATS text.
@@ -594,7 +594,7 @@ fn read_group(
         {
             source.clone_into(&mut spectrum.source);
             let notes = table.key("NOTES").unwrap_or("");
-            spectrum.notes.extend(notes_of_a_line(notes));
+            add_notes_of_a_line(&mut spectrum.notes, notes);
         }
     }
     if let Some(note) = grid_note {

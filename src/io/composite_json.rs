@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use crate::spectrum::{Band, Basis, Composite, Kind, Series, Spike};
 
 use super::error::WriteError;
+use super::many::{many, numbers};
 use super::number::is_measured;
 use super::spectrum_json::json_error;
 use super::{CompositeFile, Confidence, Format, Input, ReadError, Reading};
@@ -100,17 +101,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 pub fn in_words(composite: &Composite) -> String {
     let (band, smooth) = (composite.band(), &composite.smooth);
     format!(
-        "{} series of order {}, {}-{} nm, {}, {} numbers",
+        "{} series of order {}, {}-{} nm, {}, {}",
         smooth.basis.word(),
         smooth.order(),
         band.min_nm(),
         band.max_nm(),
         match composite.spikes.len() {
             0 => "no spikes".to_owned(),
-            1 => "1 spike".to_owned(),
-            n => format!("{n} spikes"),
+            n => many(n, "spike", "spikes"),
         },
-        composite.numbers()
+        numbers(composite.numbers())
     )
 }
 

@@ -12,7 +12,7 @@ use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
 use super::reading::{AxisTold, Told, Understood, provenance};
 use super::units::{WavelengthUnit, names_wavelength};
-use super::write::notes_of_a_line;
+use super::write::add_notes_of_a_line;
 use super::{Counted, Guess, Guessed, Input, ReadError, Reading, budget};
 
 /// What a table says about one spectrum.
@@ -191,17 +191,22 @@ impl Draft<'_> {
         notes.extend(cleaned.notes);
         let mut samples = cleaned.samples;
 
+        let (title, header) = (&self.title, &self.heading.kind);
+        let own = kinds::kind(title, header, &input.name, samples.values());
         let found = match input.choices.kind_of(index) {
-            Some(kind) => KindFound {
-                kind,
-                because: BY_HAND.to_owned(),
-                stated: true,
-                plain: true,
-            },
-            None => {
-                let (title, header) = (&self.title, &self.heading.kind);
-                kinds::kind(title, header, &input.name, samples.values())
+            Some(kind) => {
+                if own.plain && own.kind != kind {
+                    let (tells, because) = (own.kind, &own.because);
+                    notes.push(format!("chosen by hand as {kind}: {because} tells {tells}"));
+                }
+                KindFound {
+                    kind,
+                    because: BY_HAND.to_owned(),
+                    stated: true,
+                    plain: true,
+                }
             }
+            None => own,
         };
         if !found.stated {
             let KindFound {
@@ -307,8 +312,7 @@ impl Draft<'_> {
         }
         spectrum.notes.push(line);
         spectrum.notes.extend(notes);
-        let before = self.heading.notes.unwrap_or("");
-        spectrum.notes.extend(notes_of_a_line(before));
+        add_notes_of_a_line(&mut spectrum.notes, self.heading.notes.unwrap_or(""));
         reading.guesses.extend(guesses);
         reading.spectra.push(spectrum);
         Ok(())
@@ -375,7 +379,8 @@ fn drop_sentinels(values: &mut [f64], notes: &mut Vec<String>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::{Reading, read_bytes};
+    use crate::io::{Choices, Reading, read_bytes, read_bytes_as};
+    use crate::spectrum::Kind;
 
     fn read(text: &str) -> Reading {
         read_bytes("a.csv", text.as_bytes()).expect("a table")
@@ -389,6 +394,26 @@ mod tests {
         assert!(notes.contains(&"1 value of -9999 taken as not measured".to_owned()));
         let low = read("nm,lamp\n380,1\n390,-9.999\n400,2\n");
         assert_eq!(low.spectra[0].samples.values(), [1.0, -9.999, 2.0]);
+    }
+
+    #[test]
+    fn a_kind_that_goes_against_the_file_is_noted() {
+        let choices = Choices {
+            kind: Some(Kind::Transmittance),
+            ..Choices::default()
+        };
+        let notes = |text: &str| {
+            let reading = read_bytes_as("a.csv", text.as_bytes(), &choices).expect("a table");
+            reading.spectra[0].notes.join("; ")
+        };
+        let against =
+            "chosen by hand as transmittance: the column's title \"absorbance\" tells absorbance";
+        let told = notes("nm,absorbance\n380,0.1\n390,0.5\n");
+        assert!(told.contains(against), "{told}");
+        for agrees in ["nm,transmittance\n380,0.1\n390,0.5\n", "380,0.1\n390,0.5\n"] {
+            let told = notes(agrees);
+            assert!(!told.contains("by hand"), "{told}");
+        }
     }
 
     #[test]

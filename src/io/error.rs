@@ -1,12 +1,18 @@
 //! Why a file was not read or not written: one line each, naming the file.
 
 use std::fmt;
+use std::path::Path;
+
+use super::input::name_of;
 
 /// Longest piece of a file that a message repeats, in characters.
 const LONGEST_QUOTE: usize = 48;
 
 /// Longest file name that a message repeats, in characters.
 const LONGEST_NAME: usize = 120;
+
+/// Longest path that a message repeats, in characters.
+const LONGEST_PATH: usize = 300;
 
 /// Longest part of a message, in characters: parsers of others quote whole elements.
 const LONGEST_PART: usize = 300;
@@ -16,7 +22,7 @@ const LONGEST_PART: usize = 300;
 /// The message is always one line: `lamp.csv, line 12: found "abc", expected a number in column 2`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadError {
-    /// Name of the file without its folder.
+    /// Name of the file: without its folder, unless [`ReadError::at`] was told where it lies.
     pub file: String,
     /// Line in the file, counted from 1, where there is one to point at.
     pub line: Option<usize>,
@@ -41,6 +47,16 @@ impl ReadError {
     #[must_use]
     pub fn at_line(mut self, line: usize) -> Self {
         self.line = Some(line);
+        self
+    }
+
+    /// The same error with the file's whole path: two files may have one name. The other file of a
+    /// pair keeps its own.
+    #[must_use]
+    pub fn at(mut self, path: &Path) -> Self {
+        if self.file == printable(&name_of(path), LONGEST_NAME) {
+            self.file = shown(path);
+        }
         self
     }
 }
@@ -88,6 +104,23 @@ impl fmt::Display for WriteError {
 }
 
 impl std::error::Error for WriteError {}
+
+/// A path as a person is shown it: in one line, control characters and bytes that are no text as
+/// escapes, of a very long one the end.
+pub fn shown(path: &Path) -> String {
+    let mut out = String::new();
+    for c in path.to_string_lossy().chars() {
+        if is_printable(c) {
+            out.push(c);
+        } else {
+            out.extend(c.escape_default());
+        }
+    }
+    match out.char_indices().nth_back(LONGEST_PATH) {
+        Some((start, _)) => format!("…{}", &out[start..]),
+        None => out,
+    }
+}
 
 /// A piece of a file as a quotation: in quotes, shortened, anything unprintable as a dot.
 pub fn quoted(text: &str) -> String {
@@ -151,6 +184,17 @@ mod tests {
             error.to_string(),
             "lamp.csv, line 12: found \"abc\", expected a number in column 2"
         );
+    }
+
+    #[test]
+    fn a_file_is_named_by_its_path_where_two_may_have_one_name() {
+        let error = ReadError::new("x.csv", "nothing", "something");
+        let at = |path: &str| error.clone().at(Path::new(path)).to_string();
+        assert!(at("a/x.csv").starts_with("a/x.csv: found"));
+        // What is said of the other file of a pair is not said of this one.
+        assert!(at("a/x.hdr").starts_with("x.csv: found"));
+        let odd = shown(Path::new("a/\u{1b}[31m\nx.csv"));
+        assert_eq!(odd, "a/\\u{1b}[31m\\nx.csv");
     }
 
     #[test]

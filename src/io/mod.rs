@@ -49,6 +49,7 @@ pub mod licor_1800;
 pub mod licor_li180;
 pub mod macam;
 pub mod makers_results;
+pub mod many;
 pub mod meaning;
 pub mod measured;
 pub mod number;
@@ -72,12 +73,14 @@ pub mod spectral_exr;
 pub mod spectral_image;
 pub mod spectrum_json;
 pub mod spotread;
+pub mod stream;
 pub mod svc;
 pub mod table;
 pub mod text;
 pub mod titles;
 pub mod tuv;
 pub mod units;
+pub mod unopened;
 pub mod unreadable;
 pub mod uprtek;
 pub mod usgs;
@@ -179,13 +182,7 @@ pub fn read_path(path: &Path) -> Result<Reading, ReadError> {
 pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
     let name = input::name_of(path);
     let trouble = |error: std::io::Error| {
-        let (found, expected) = match error.kind() {
-            std::io::ErrorKind::NotFound => (missing(path), "a file that exists"),
-            std::io::ErrorKind::PermissionDenied => {
-                ("no permission to read it".to_owned(), "a file you may read")
-            }
-            _ => (error.to_string(), "a file that can be read"),
-        };
+        let (found, expected) = unopened::words(path, &error);
         ReadError::new(&name, found, expected)
     };
     let file = std::fs::File::open(path).map_err(trouble)?;
@@ -201,18 +198,6 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
         .read_to_end(&mut bytes)
         .map_err(trouble)?;
     read(&Input::at(path, &bytes).deciding(choices))
-}
-
-/// What is said of a file that is not there: where it was looked for, too.
-fn missing(path: &Path) -> String {
-    match path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-    {
-        None => "no such file".to_owned(),
-        Some(folder) if folder.is_dir() => format!("no such file in {}", folder.display()),
-        Some(folder) => format!("no folder {}", folder.display()),
-    }
 }
 
 /// Reads a file that is in memory; `name` is what messages and spectra call it.

@@ -15,7 +15,7 @@ use super::kinds;
 use super::meaning;
 use super::number;
 use super::reading::provenance as provenance_line;
-use super::write::notes_of_a_line;
+use super::write::add_notes_of_a_line;
 use super::xml;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
@@ -150,7 +150,7 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
             if is_own {
                 let notes = comments.split_once(NOTES_AT);
                 let notes = notes.map_or("", |(_, notes)| notes);
-                spectrum.notes.extend(notes_of_a_line(notes));
+                add_notes_of_a_line(&mut spectrum.notes, notes);
             } else {
                 let note = format!("comment in the file: {comments}");
                 spectrum.notes.push(note);

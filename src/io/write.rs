@@ -90,11 +90,13 @@ fn notes_in_a_line(notes: &[String]) -> String {
     line
 }
 
-/// The notes that [`Provenance::of`] wrote in one line.
-pub fn notes_of_a_line(line: &str) -> impl Iterator<Item = String> {
-    line.split(BETWEEN_NOTES)
-        .map(|note| note.trim().to_owned())
-        .filter(|note| !note.is_empty())
+/// Adds the notes that [`Provenance::of`] wrote in one line, but what the first note says already:
+/// how the file before this one was read is most often how this one is.
+pub fn add_notes_of_a_line(notes: &mut Vec<String>, line: &str) {
+    let told = |note: &&str| !notes.first().is_some_and(|first| first.starts_with(note));
+    let written = line.split(BETWEEN_NOTES).map(str::trim);
+    let new: Vec<String> = written.filter(told).map(str::to_owned).collect();
+    notes.extend(new);
 }
 
 /// Title of the column of measured samples.
@@ -323,7 +325,7 @@ pub(crate) mod tests {
                 let path = folder.path().join(format!("x.{extension}"));
                 write_as(&path, &spectrum, &columns, &provenance).unwrap();
                 if *extension == *"sp" {
-                    // Even steps only; tests/writers.rs has those.
+                    // Even steps only; tests/files/writers.rs has those.
                     continue;
                 }
                 let reading = read_path(&path).unwrap();
@@ -381,6 +383,28 @@ pub(crate) mod tests {
                 }
             }
             assert_eq!(texts[1].len(), texts[2].len(), "{extension}: {}", texts[2]);
+        }
+    }
+
+    #[test]
+    fn what_was_read_back_says_once_how_it_was_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let provenance = Provenance {
+            program: "Spectral Explorer 0.0.0".to_owned(),
+            ..Provenance::default()
+        };
+        let mut spectrum = awkward_spectrum(Kind::Light);
+        spectrum.samples = Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap();
+        let line = "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1";
+        spectrum.notes = vec![line.to_owned(), "2 missing values dropped".to_owned()];
+        for (extension, _) in WRITABLE {
+            let path = folder.path().join(format!("x.{extension}"));
+            let columns = Columns::measured(&spectrum);
+            write_as(&path, &spectrum, &columns, &provenance).unwrap();
+            let back = read_path(&path).unwrap().spectra.remove(0).notes;
+            let told = |what: &str| back.iter().filter(|note| **note == *what).count();
+            assert_eq!(told(line), 1, "{extension}: {back:?}");
+            assert_eq!(told(&spectrum.notes[1]), 1, "{extension}: {back:?}");
         }
     }
 

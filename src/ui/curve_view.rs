@@ -9,9 +9,12 @@ use super::{
     model_view::named,
     theme::{Theme, ink},
 };
-use crate::app::{
-    App, Command, Settings, ticks,
-    workspace::{CurveQuantity, Preferences},
+use crate::{
+    app::{
+        App, Command, Settings, ticks,
+        workspace::{CurveQuantity, Preferences},
+    },
+    io::many::numbers,
 };
 
 /// The count of numbers, and the curve; clicking it goes to that order.
@@ -218,13 +221,14 @@ fn plot(ui: &mut Ui, app: &App, chosen: CurveQuantity, theme: Theme, commands: &
         }));
     }
     let read = pointed.unwrap_or(order);
-    if let (Some(point), Some(numbers)) = (
+    if let (Some(point), Some(count)) = (
         points.iter().find(|p| p[0] as usize == read),
         derived.curve.get(read).map(|p| p.numbers),
     ) {
         response.response.on_hover_text_at_pointer(format!(
-            "N = {read}: {} ({numbers} numbers). Click to go there.",
-            words(point[1])
+            "N = {read}: {} ({}). Click to go there.",
+            words(point[1]),
+            numbers(count)
         ));
     }
 }

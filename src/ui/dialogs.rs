@@ -1,6 +1,6 @@
 //! Small windows over the window: a path to type, the shortcuts, About.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use eframe::egui;
 use egui::{Context, Ui};
@@ -51,10 +51,16 @@ pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
         ui.heading(title);
         ui.add_space(4.0);
         match dialog {
-            Dialog::OpenPath(text) => {
-                path_field(ui, text, "Open it", &mut outcome, Outcome::OpenPath)
+            Dialog::OpenPath(text) => path_field(
+                ui,
+                text,
+                ("Open it", false),
+                &mut outcome,
+                Outcome::OpenPath,
+            ),
+            Dialog::SavePath(text) => {
+                path_field(ui, text, ("Save", true), &mut outcome, Outcome::SavePath)
             }
-            Dialog::SavePath(text) => path_field(ui, text, "Save", &mut outcome, Outcome::SavePath),
             Dialog::Shortcuts => shortcuts(ui),
             Dialog::About(reading) => about(ui, reading),
         }
@@ -74,7 +80,7 @@ pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
 fn path_field(
     ui: &mut Ui,
     text: &mut String,
-    verb: &str,
+    (verb, writes): (&str, bool),
     outcome: &mut Outcome,
     chosen: impl Fn(PathBuf) -> Outcome,
 ) {
@@ -82,7 +88,13 @@ fn path_field(
     let field = ui
         .add(egui::TextEdit::singleline(text).desired_width(480.0))
         .labelled_by(label.id);
-    let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+    // Elsewhere the system asks before a file is lost; here a button that says so is pressed.
+    let is_there = writes && Path::new(text.trim()).is_file();
+    if is_there {
+        ui.label("A file of this name is there already.");
+    }
+    let verb = if is_there { "Replace it" } else { verb };
+    let entered = !is_there && field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
     if !field.has_focus() && !entered {
         field.request_focus();
     }

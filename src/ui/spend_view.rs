@@ -22,6 +22,7 @@ use crate::{
         state::Tone,
         studies::{AuctionAsk, Stage, Studies, take},
     },
+    io::many::numbers,
     study::{Auction, Goal},
 };
 
@@ -197,9 +198,9 @@ fn words(app: &App, ask: &AuctionAsk, auction: &Auction, command: &Command) -> S
     };
     let was = error(app).map_or_else(String::new, |error| format!(" (was {error})"));
     format!(
-        "Spent {} of {} numbers: {}; {} {}{was}.",
+        "Spent {} of {}: {}; {} {}{was}.",
         after.derived().numbers(),
-        ask.terms.numbers,
+        numbers(ask.terms.numbers),
         model_words(auction, last),
         goal_words(goal),
         error(&after).unwrap_or_else(|| error_words(goal, last.error)),

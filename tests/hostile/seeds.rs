@@ -15,7 +15,7 @@ use super::harness::{BESIDE, workbook, zipped};
 pub struct Seeds {
     /// The reader's name in the list of formats.
     pub format: &'static str,
-    /// Its module, which names the fuzz target.
+    /// Its module, which names its seeds.
     pub module: &'static str,
     /// Small files.
     pub files: Vec<Vec<u8>>,

@@ -9,6 +9,7 @@ use crate::{
         plot_svg::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
         studies::AuctionAsk,
     },
+    io::many::numbers,
     spectrum::{Spike, spikes::absolute_power},
     study::{
         Auction, Goal, Measure, Verdict, Way,
@@ -197,15 +198,12 @@ pub fn model_words(auction: &Auction, step: &Step) -> String {
 
 /// Why an auction ended, a sentence.
 pub fn ended_words(ask: &AuctionAsk, auction: &Auction) -> String {
-    let (last, most) = (auction.last(), ask.terms.numbers);
+    let (last, most) = (auction.last(), numbers(ask.terms.numbers));
     let model = model_words(auction, last);
     match auction.ended {
-        Ended::Spent => format!(
-            "The budget is spent: {} of {most} numbers, {model}.",
-            last.numbers
-        ),
+        Ended::Spent => format!("The budget is spent: {} of {most}, {model}.", last.numbers),
         Ended::NothingHelps => format!(
-            "It stopped at {} of {most} numbers, {model}: nothing that the rest would buy lowers \
+            "It stopped at {} of {most}, {model}: nothing that the rest would buy lowers \
              the goal.",
             last.numbers
         ),
@@ -350,10 +348,10 @@ fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
         note.push(format!("gave back {gave}"));
     }
     note.push(format!(
-        "N = {}, {}: {} numbers",
+        "N = {}, {}: {}",
         step.order,
         spikes_words(step.lines.len()),
-        step.numbers
+        numbers(step.numbers)
     ));
     note.push(all_figures(&step.verdict));
     note.push("Click to take this model.".to_owned());

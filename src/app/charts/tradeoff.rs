@@ -11,6 +11,7 @@ use crate::{
         studies::{About, SweepAsk},
         ticks::short,
     },
+    io::many::numbers,
     spectrum::{Basis, SpikeEdits},
     study::{
         Judge, Measure, Sweep, Verdict, Way,
@@ -324,11 +325,11 @@ pub fn words_now(app: &App) -> String {
     let spikes = derived.model.spikes.len();
     let way = Way::new(settings.basis, spikes > 0, settings.colour_exact);
     format!(
-        "{}\nN = {}, {}: {} numbers",
+        "{}\nN = {}, {}: {}",
         way.title(),
         derived.model.smooth.order(),
         spikes_words(spikes),
-        derived.numbers()
+        numbers(derived.numbers())
     )
 }
 
@@ -356,10 +357,10 @@ pub fn spikes_words(count: usize) -> String {
 
 fn note(point: &SweepPoint) -> String {
     format!(
-        "N = {}, {}: {} numbers\n{}\nClick to take this model.",
+        "N = {}, {}: {}\n{}\nClick to take this model.",
         point.order,
         spikes_words(point.spikes),
-        point.numbers,
+        numbers(point.numbers),
         all_figures(&point.verdict)
     )
 }
@@ -497,9 +498,9 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
             let (row, order) = (i / columns, i % columns);
             let spikes = map.spikes[row];
             format!(
-                "{} at this threshold: {} numbers\n{}\nClick to take this model.",
+                "{} at this threshold: {}\n{}\nClick to take this model.",
                 spikes_words(spikes),
-                2 * order + 1 + 2 * spikes,
+                numbers(2 * order + 1 + 2 * spikes),
                 all_figures(&map.verdicts[i])
             )
         })

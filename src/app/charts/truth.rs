@@ -8,6 +8,7 @@ use crate::{
         studies::paper::{CHANNELS, Claims},
     },
     color::gaussian_cmf,
+    io::many::numbers,
     study::{
         harmonics::Order,
         truth::{Errors, STATED_ORDER, SampledErrors},
@@ -102,7 +103,7 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
     let highest = heights.map(|p| p[1]).fold(0.0, f64::max);
     Some(Chart {
         y_range: (lowest < highest).then_some([lowest / 5.0, 2.0 * highest]),
-        title: format!("Samples against {} numbers", found.numbers()),
+        title: format!("Samples against {}", numbers(found.numbers())),
         x_label: "Samples, joined by straight lines".to_owned(),
         y_label: "ΔE00, or %".to_owned(),
         x_range: [first, last.max(first + 1.0)],

@@ -71,8 +71,19 @@ impl Fitted {
         } else {
             0.0
         };
+        // It knows no range: there is one where the model's range is dark, too.
+        let full = question.full.and_then(|(xyz, xyz_1931)| {
+            // Of a reflectance's light nothing but Y, at 100 here, is needed.
+            let white = if is_light {
+                xyz
+            } else {
+                Xyz::new(0.0, 100.0, 0.0)
+            };
+            Colour::of(xyz, xyz_1931, white, is_light)
+        });
         if !is_positive(self.white.y) {
             return ColourComparison {
+                full,
                 missing_luminance,
                 ..ColourComparison::default()
             };
@@ -82,18 +93,11 @@ impl Fitted {
         let colour = |xyz: Xyz, xyz_1931: Xyz| Colour::of(xyz, xyz_1931, white, is_light);
         let exact = colour(self.exact_xyz * scale, exact_1931);
         let model = colour(self.model_xyz(tables, coefficients) * scale, model_1931);
-        let full = question
-            .full
-            .and_then(|(xyz, xyz_1931)| Colour::of(xyz, xyz_1931, xyz, is_light));
         let both = exact.zip(model);
         ColourComparison {
             exact,
             model,
-            full: match (is_light, question.full) {
-                (true, _) => full,
-                (false, Some((xyz, xyz_1931))) => Colour::of(xyz, xyz_1931, white, false),
-                (false, None) => None,
-            },
+            full,
             delta_e_2000: both
                 .map(|(e, m)| delta_e_2000(lab_from_xyz(e.xyz, white), lab_from_xyz(m.xyz, white))),
             delta_uv: both.map(|(e, m)| (e.uv[0] - m.uv[0]).hypot(e.uv[1] - m.uv[1])),

@@ -6,7 +6,7 @@ use super::{Loaded, batch::Came, batch::FileRead};
 use crate::{
     app::cells::{line, words},
     app::opened::Opened,
-    io::{Guess, Guessed},
+    io::{Guess, Guessed, error::shown, many::many},
 };
 
 /// Formats that the headline tells by name.
@@ -158,6 +158,20 @@ impl FileRow {
         }
     }
 
+    /// Why it was not read, with its path: two files may be called alike.
+    pub fn trouble(&self) -> Option<String> {
+        let name = self.path.as_deref().map_or(self.file.clone(), shown);
+        match &self.outcome {
+            Outcome::Refused(why) => {
+                let rest = self.without_its_name(why);
+                let at_line = why[..why.len() - rest.len()].ends_with(", ");
+                Some(format!("{name}{}{rest}", if at_line { ", " } else { ": " }))
+            }
+            Outcome::NotRead(why) => Some(format!("{name}: not read, {why}")),
+            Outcome::Read { .. } | Outcome::Project => None,
+        }
+    }
+
     /// A refusal without the file's name in front: it stands in the row already.
     fn without_its_name<'a>(&self, why: &'a str) -> &'a str {
         let names = [self.file.rsplit('/').next(), Some(self.file.as_str())];
@@ -243,7 +257,8 @@ impl Summary {
     pub fn headline(&self) -> String {
         let read = self.count(FileRow::is_read);
         let stopped = if self.cancelled { "Cancelled: " } else { "" };
-        let mut line = format!("{stopped}{read} of {} files read", self.rows.len());
+        let files = many(self.rows.len(), "file", "files");
+        let mut line = format!("{stopped}{read} of {files} read");
         if read > 0 {
             line += &format!(", {}", many(self.spectra(), "spectrum", "spectra"));
         }
@@ -355,8 +370,4 @@ impl Summary {
         }
         out
     }
-}
-
-fn many(count: usize, one: &str, several: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { several })
 }

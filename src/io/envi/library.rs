@@ -4,6 +4,7 @@ use crate::spectrum::NamedSpectrum;
 use crate::spectrum::cube::{bytes_of, is_missing};
 
 use super::super::curve;
+use super::super::many::many;
 use super::super::reading::AxisTold;
 use super::super::reading::provenance;
 use super::super::{Choices, Guess, ReadError, Reading, budget};
@@ -92,7 +93,8 @@ pub fn read(
         spectrum.notes.push(provenance(&spectrum, &[]));
         spectrum.notes.extend(cleaned.notes);
         if at == 0 {
-            let line = format!("library of {count} spectra: {}", spectrum.notes[0]);
+            let spectra = many(count, "spectrum", "spectra");
+            let line = format!("library of {spectra}: {}", spectrum.notes[0]);
             reading.notes.push(line);
         }
         let of_it = meaning.guesses.iter().chain(&axis.guessed);

@@ -110,6 +110,11 @@ pub fn data_beside(path: &Path) -> Option<PathBuf> {
     pair::place_of_data(path, need)
 }
 
+/// The other file of a pair: a header's data, or the header of data.
+pub fn pair_of(path: &Path) -> Option<PathBuf> {
+    data_beside(path).or_else(|| pair::header_of(path))
+}
+
 /// What a header announces, before its data are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Needs {

@@ -17,7 +17,7 @@ use crate::{
 ///
 /// Chosen on shipped lights of all kinds off 15 of the 99 colour evaluation samples, N = 7: up to
 /// here the right surface passes in 95 cases of 100 and a wrong one in 2, nearly all of these
-/// under sodium lamps, whose one line looks alike off every surface. `tests/products_chain.rs`
+/// under sodium lamps, whose one line looks alike off every surface. `tests/core/products_chain.rs`
 /// prints the figures.
 pub const SAME_RESIDUAL: f64 = 0.1;
 

@@ -21,6 +21,7 @@ use crate::{
         plot_svg,
         studies::{About, AuctionAsk, Stage, take},
     },
+    io::many::numbers,
     study::{Auction, Goal, Judge, Way},
     ui::kit::{Column, Row, named, table},
 };
@@ -290,9 +291,9 @@ fn row(
     Row {
         cells,
         name: format!(
-            "Step {}: {} numbers, {bought}, error {error}",
+            "Step {}: {}, {bought}, error {error}",
             index + 1,
-            step.numbers
+            numbers(step.numbers)
         ),
         note: format!(
             "{}

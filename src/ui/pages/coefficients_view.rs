@@ -15,6 +15,7 @@ use crate::{
         studies::paper::{CHANNELS, figure, harmonics_of, off_percent, percent, three},
         tables::CURVE_ORDER,
     },
+    io::many::numbers,
     spectrum::{Basis, basis::numbers_of_order},
     study::harmonics::Harmonics,
     ui::chart_view::ChartResponse,
@@ -176,8 +177,8 @@ fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
     if ui
         .add_enabled(order != settings.order, button)
         .on_hover_text(format!(
-            "Gives the model this order: {} numbers for the smooth part.",
-            numbers_of_order(order)
+            "Gives the model this order: {} for the smooth part.",
+            numbers(numbers_of_order(order))
         ))
         .on_disabled_hover_text("The model has this order.")
         .clicked()

@@ -18,6 +18,7 @@ use crate::{
         plot_svg::{self, Chart},
         studies::{About, Stage, SweepAsk},
     },
+    io::many::numbers,
     study::{Judge, Measure, Sweep, Verdict, sweep::SweepPoint},
     ui::{
         chart_view::Hit,
@@ -265,8 +266,8 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[usize]) -> Row {
     Row {
         cells,
         name: format!(
-            "{} numbers: {}, order {}, {} {} {}",
-            point.numbers,
+            "{}: {}, order {}, {} {} {}",
+            numbers(point.numbers),
             point.way.title(),
             point.order,
             measure.title(),

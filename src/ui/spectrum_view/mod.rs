@@ -10,6 +10,7 @@ use super::{
 };
 use crate::{
     app::{App, Command, spike_hand::SpikeAct, ticks},
+    io::many::{many, numbers},
     spectrum::Band,
 };
 
@@ -303,15 +304,15 @@ impl SpectrumView {
                 egui::Role::Image,
                 true,
                 format!(
-                    "Spectrum of {}{}: {} numbers, {} spikes{}",
+                    "Spectrum of {}{}: {}, {}{}",
                     document.subject_entry().name(),
                     if app.is_measured_in_range() {
                         ""
                     } else {
                         ", nothing measured in this range"
                     },
-                    derived.numbers(),
-                    derived.model.spikes.len(),
+                    numbers(derived.numbers()),
+                    many(derived.model.spikes.len(), "spike", "spikes"),
                     if unit.is_empty() {
                         String::new()
                     } else {

@@ -14,7 +14,7 @@ use crate::{
         ticks::extent,
     },
     color::{Adaptation, Srgb, Swatch, srgb_from_wavelength_over},
-    io::preset::Shelf,
+    io::{many::numbers, preset::Shelf},
     spectrum::{Band, Kind},
     study::products::{Colours, Narrow, NarrowPoint},
 };
@@ -318,9 +318,9 @@ impl Behind {
 
     fn notes(&self, app: &App) -> Vec<String> {
         let mut notes = vec![format!(
-            "Light: {}. Three representations of {} numbers each; the filter is exact.",
+            "Light: {}. Three representations of {} each; the filter is exact.",
             self.light,
-            self.numbers()
+            numbers(self.numbers())
         )];
         notes.extend(provenance(app));
         notes

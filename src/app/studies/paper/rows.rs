@@ -9,6 +9,7 @@ use super::{
 use crate::{
     app::ticks::short,
     color::Observer,
+    io::many,
     spectrum::{Basis, Sampling, basis::numbers_of_order},
     study::truth::{self, Match, STATED_ORDER, STATED_SHARE},
 };
@@ -73,7 +74,10 @@ pub(super) fn five_percent_row(claims: &Claims) -> Row {
         Some(orders) => {
             let order = orders.into_iter().max().unwrap_or(stated).max(stated);
             let condition = if order > stated {
-                format!("from N = {order} on ({} numbers)", numbers_of_order(order))
+                format!(
+                    "from N = {order} on ({})",
+                    many::numbers(numbers_of_order(order))
+                )
             } else {
                 "for the sum: a single term left out is larger".to_owned()
             };
@@ -155,9 +159,10 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
         .own
         .map_or_else(String::new, |own| format!(" own colour {},", both(own)));
     let measured = format!(
-        "{numbers} numbers ({} for the background, {} for {}) leave{of_colour} rms {} % at 1 nm \
+        "{} ({} for the background, {} for {}) leave{of_colour} rms {} % at 1 nm \
          (where a line of some width counts as missed by its spike) and {} % behind 10 nm. \
          Samples joined by straight lines that do as well:{for_colour} rms {}, behind 10 nm {}.",
+        many::numbers(numbers),
         found.background,
         2 * found.spikes,
         count(found.spikes, "spike"),

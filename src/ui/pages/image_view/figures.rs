@@ -11,6 +11,7 @@ use crate::{
         ticks::short,
     },
     color::{Srgb, Swatch},
+    io::many::numbers,
     spectrum::Sampled,
     ui::{colour_view::capitalised, pages::PageContext, swatch, theme::Theme},
 };
@@ -157,8 +158,8 @@ pub(super) fn model(
     let model = &derived.model;
     let spikes = model.spikes.len();
     let words = format!(
-        "Model: {} numbers, order {}, {spikes} spike{}; ΔE00 {delta_e}{}",
-        derived.numbers(),
+        "Model: {}, order {}, {spikes} spike{}; ΔE00 {delta_e}{}",
+        numbers(derived.numbers()),
         model.smooth.order(),
         if spikes == 1 { "" } else { "s" },
         match &derived.errors {

@@ -17,6 +17,7 @@ use crate::{
         studies::paper::{delta_e, figure, percent},
     },
     color::Swatch,
+    io::many::numbers,
     spectrum::{Band, Kind},
     study::products::NarrowPoint,
     ui::{
@@ -267,9 +268,9 @@ fn fields(
     };
     let (swatches, gain) = behind.swatches(figures);
     let sentence = format!(
-        "{over}: {} % of the luminance; three times {} numbers.",
+        "{over}: {} % of the luminance; three times {}.",
         percent(figures.luminance),
-        behind.numbers()
+        numbers(behind.numbers())
     );
     ui.add(egui::Label::new(sentence).truncate())
         .on_hover_text(format!(

@@ -18,6 +18,7 @@ use crate::{
             paper::{delta_e, figure},
         },
     },
+    io::many::numbers,
     spectrum::Sampling,
     study::products::{Formed, ProductTime, timing},
     ui::{
@@ -56,9 +57,9 @@ impl ResamplingView {
             surface_chooser(ui, context, names::FACTOR);
             if let Some(bench) = self.bench.held().filter(|_| chosen.is_some()) {
                 ui.weak(format!(
-                    "{} in {} numbers{}",
+                    "{} in {}{}",
                     bench.light,
-                    bench.sizes.numbers,
+                    numbers(bench.sizes.numbers),
                     match bench.sizes.spikes {
                         0 => String::new(),
                         1 => " and 1 spike".to_owned(),

@@ -18,6 +18,7 @@ use crate::{
         studies::{RankAsk, surfaces::Ranked},
         ticks::short,
     },
+    io::many::numbers,
     study::products::{Compared, Sameness, same_surface::SAME_RESIDUAL},
     ui::{
         kit::{Chooser, Row, factors, framed, lights, scrolled, two_columns},
@@ -274,8 +275,9 @@ fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
                 }
                 ui.end_row();
                 let model = format!(
-                    "in the model's {} and {} numbers",
-                    sheet.numbers[0], sheet.numbers[1]
+                    "in the model's {} and {}",
+                    sheet.numbers[0],
+                    numbers(sheet.numbers[1])
                 );
                 let rows = [
                     (model, &sheet.model, verdict),

@@ -1,0 +1,137 @@
+//! What a command reads, and what it has to say beside its result.
+
+use std::{
+    collections::HashMap,
+    ffi::{OsStr, OsString},
+    io::Write,
+    path::Path,
+    sync::Arc,
+};
+
+use super::{options::ModelOptions, remark};
+use crate::{
+    app::open::{self, Found, Loaded, Wanted, named},
+    io::{
+        self, Choices, ReadError, Reading,
+        error::shown,
+        input::name_of,
+        stream::{self, ITS_NAME, is_standard_input, is_stream},
+        unopened,
+    },
+};
+
+/// The files of one command. A stream is read once, however often it is asked for.
+pub struct Inputs<'e> {
+    err: &'e mut dyn Write,
+    streams: HashMap<OsString, Arc<[u8]>>,
+    notes: Vec<String>,
+}
+
+impl<'e> Inputs<'e> {
+    /// Nothing read yet; `err` takes what is said beside the result.
+    pub fn new(err: &'e mut dyn Write) -> Self {
+        Self {
+            err,
+            streams: HashMap::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// Says something now.
+    pub fn remark(&mut self, text: &str) {
+        remark(self.err, text);
+    }
+
+    /// Says something about the result, if it comes to one: a refusal is one line.
+    pub fn note(&mut self, text: impl Into<String>) {
+        self.notes.push(text.into());
+    }
+
+    /// Says that `--sampling` was given where no product is formed.
+    pub fn note_sampling(&mut self, model: ModelOptions, multiplies: bool) {
+        if model.sampling.is_some() && !multiplies {
+            self.note("--sampling is not used: nothing is multiplied here");
+        }
+    }
+
+    /// Says what is to be known of the result.
+    pub fn tell_notes(&mut self) {
+        for note in std::mem::take(&mut self.notes) {
+            self.remark(&note);
+        }
+    }
+
+    /// What a word means.
+    ///
+    /// # Errors
+    /// One line that says what was found and what was expected.
+    pub fn find(&mut self, word: &OsStr, wanted: &Wanted) -> Result<Found, String> {
+        named::find(word, wanted, |path, choices| self.load(path, choices))
+    }
+
+    /// A project, or any other file with decisions about it.
+    pub fn load(&mut self, path: &Path, choices: &Choices) -> Loaded {
+        match self.stream(path) {
+            None => open::load_named(path, choices),
+            Some(Ok(bytes)) => open::load_bytes_with(&name_at(path), &bytes, choices),
+            Some(Err(why)) => Loaded::Refused(why.to_string()),
+        }
+    }
+
+    /// The project that a file is, if it is one.
+    pub fn project(&mut self, path: &Path) -> Option<Loaded> {
+        match self.stream(path) {
+            None => open::project_at(path),
+            Some(Ok(bytes)) => open::project_in(&name_at(path), &bytes),
+            Some(Err(why)) => Some(Loaded::Refused(why.to_string())),
+        }
+    }
+
+    /// What a file holds.
+    ///
+    /// # Errors
+    /// [`ReadError`] with the file's path.
+    pub fn reading(&mut self, path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
+        let reading = match self.stream(path) {
+            None => io::read_path_as(path, choices),
+            Some(bytes) => io::read_bytes_as(&name_at(path), &bytes?, choices),
+        };
+        reading.map_err(|why| why.at(path))
+    }
+
+    /// All of a stream; `None` for what can be read again.
+    fn stream(&mut self, path: &Path) -> Option<Result<Arc<[u8]>, ReadError>> {
+        if let Some(bytes) = self.streams.get(path.as_os_str()) {
+            return Some(Ok(bytes.clone()));
+        }
+        if !is_stream(path) {
+            return None;
+        }
+        let name = name_at(path);
+        let waits = || {
+            let line = format!(
+                "{}: waiting for something to write into this pipe",
+                shown(path)
+            );
+            remark(self.err, &line);
+        };
+        let bytes: Arc<[u8]> = match stream::drained(path, waits) {
+            Ok(bytes) => bytes.into(),
+            Err(error) => {
+                let (found, expected) = unopened::words(path, &error);
+                return Some(Err(ReadError::new(&name, found, expected)));
+            }
+        };
+        self.streams.insert(path.into(), bytes.clone());
+        Some(Ok(bytes))
+    }
+}
+
+/// What messages and spectra call a file or a stream.
+fn name_at(path: &Path) -> String {
+    if is_standard_input(path) {
+        ITS_NAME.to_owned()
+    } else {
+        name_of(path)
+    }
+}

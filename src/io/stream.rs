@@ -1,0 +1,72 @@
+//! What can be read only once: standard input and pipes.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::channel;
+use std::thread;
+use std::time::Duration;
+
+use super::text::MOST_BYTES;
+
+/// The word that means standard input; `./-` is a file of that name.
+pub const STANDARD_INPUT: &str = "-";
+
+/// What messages and spectra call standard input.
+pub const ITS_NAME: &str = "standard input";
+
+/// How long nobody may write into a pipe before a word is said about it.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Whether what is at a path can be read only once.
+pub fn is_stream(path: &Path) -> bool {
+    is_standard_input(path) || is_pipe(path)
+}
+
+/// Whether a path is the word for standard input.
+pub fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == STANDARD_INPUT
+}
+
+#[cfg(unix)]
+fn is_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    std::fs::metadata(path).is_ok_and(|about| about.file_type().is_fifo())
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &Path) -> bool {
+    false
+}
+
+/// All that comes out of a stream, up to one byte more than a file may have. `waits` is called
+/// when nobody has opened the other end of a pipe for a while: it may be that nobody will.
+///
+/// # Errors
+/// When it cannot be opened or read.
+pub fn drained(path: &Path, waits: impl FnOnce()) -> io::Result<Vec<u8>> {
+    if is_standard_input(path) {
+        return whole(io::stdin().lock());
+    }
+    let (sender, opened) = channel();
+    let path: PathBuf = path.to_owned();
+    // Opening a pipe takes as long as its writer takes to come.
+    let reader = thread::spawn(move || {
+        let pipe = File::open(path);
+        // Whoever waits for it may be waiting for the thread by now.
+        let _ = sender.send(());
+        whole(pipe?)
+    });
+    if opened.recv_timeout(PATIENCE).is_err() {
+        waits();
+    }
+    reader
+        .join()
+        .unwrap_or_else(|_| Err(io::Error::other("the pipe could not be read")))
+}
+
+fn whole(stream: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    stream.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}

@@ -1,0 +1,78 @@
+//! Why a path cannot be opened, in words: what was found there and what was expected.
+
+use std::io::{Error, ErrorKind};
+use std::path::Path;
+
+use super::error::shown;
+
+/// What was found at a path that cannot be opened, and what was expected.
+pub fn words(path: &Path, error: &Error) -> (String, &'static str) {
+    match error.kind() {
+        ErrorKind::NotFound if path.is_symlink() => (
+            "a link to something that is not there".to_owned(),
+            "a file that exists",
+        ),
+        ErrorKind::NotFound => (missing(path), "a file that exists"),
+        ErrorKind::PermissionDenied => {
+            ("no permission to read it".to_owned(), "a file you may read")
+        }
+        ErrorKind::NotADirectory => (in_the_way(path), "a folder there"),
+        // Most likely round in a circle, which has no name of its own yet.
+        _ if path.is_symlink() => ("a link that leads nowhere".to_owned(), "a file that exists"),
+        _ => (error.to_string(), "a file that can be read"),
+    }
+}
+
+/// What is said of a file that is not there: where it was looked for, too.
+fn missing(path: &Path) -> String {
+    match path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+    {
+        None => "no such file".to_owned(),
+        Some(folder) if folder.is_dir() => format!("no such file in {}", shown(folder)),
+        Some(folder) => format!("no folder {}", shown(folder)),
+    }
+}
+
+/// The file that stands where a path goes on.
+fn in_the_way(path: &Path) -> String {
+    // A slash at the end is no part of a name.
+    let path = path.components().as_path();
+    let file = path.ancestors().find(|part| part.exists());
+    file.map_or_else(
+        || "a file on the way".to_owned(),
+        |file| format!("{}, which is no folder", shown(file)),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(path: &Path) -> String {
+        let error = std::fs::metadata(path).expect_err("nothing to open");
+        words(path, &error).0
+    }
+
+    #[test]
+    fn what_stands_in_the_way_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("x.csv");
+        std::fs::write(&file, "380,1\n").unwrap();
+        let no_folder = format!("{}, which is no folder", file.display());
+        assert_eq!(said(&file.join("y.csv")), no_folder);
+        assert!(said(&folder.path().join("a/b.csv")).starts_with("no folder "));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_nothing_is_told_from_one_that_leads_round() {
+        let folder = tempfile::tempdir().unwrap();
+        let [gone, round] = ["gone", "round"].map(|name| folder.path().join(name));
+        std::os::unix::fs::symlink(folder.path().join("none"), &gone).unwrap();
+        std::os::unix::fs::symlink(&round, &round).unwrap();
+        assert_eq!(said(&gone), "a link to something that is not there");
+        assert_eq!(said(&round), "a link that leads nowhere");
+    }
+}

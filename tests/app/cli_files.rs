@@ -1,0 +1,634 @@
+//! The files of the command line, by the program itself: what it reads, whatever that is called and
+//! wherever it comes from, and what it writes without losing anything.
+
+use std::{
+    ffi::{OsStr, OsString},
+    fs,
+    io::{BufRead, BufReader, Write},
+    path::{Path, PathBuf},
+    process::{Command, Output, Stdio},
+    sync::mpsc::channel,
+    time::Duration,
+};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// A folder that the program is started in.
+struct Desk(TempDir);
+
+/// What the program did.
+struct Told {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+impl Desk {
+    fn new() -> Self {
+        Self(tempfile::tempdir().expect("a folder"))
+    }
+
+    fn path(&self, name: impl AsRef<Path>) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn put(&self, name: impl AsRef<Path>, content: impl AsRef<[u8]>) {
+        fs::write(self.path(name), content).expect("a file");
+    }
+
+    fn get(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).expect("a text")
+    }
+
+    fn program(&self, args: &[impl AsRef<OsStr>]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_spectral-explorer"));
+        command.args(args).current_dir(&self.0).stdin(Stdio::null());
+        command
+    }
+
+    fn run(&self, args: &[impl AsRef<OsStr>]) -> Told {
+        told(&self.program(args).output().expect("it starts"))
+    }
+
+    /// With a file as standard input.
+    fn run_on(&self, input: &str, args: &[&str]) -> Told {
+        let file = fs::File::open(self.path(input)).expect("a file");
+        let mut command = self.program(args);
+        told(&command.stdin(file).output().expect("it starts"))
+    }
+
+    /// What a command that works prints on both ways out.
+    #[track_caller]
+    fn done(&self, args: &[impl AsRef<OsStr>]) -> Told {
+        let told = self.run(args);
+        assert_eq!(told.code, 0, "{}", told.err);
+        told
+    }
+
+    /// The line with which a command is refused.
+    #[track_caller]
+    fn refused(&self, args: &[impl AsRef<OsStr>]) -> String {
+        line(self.run(args))
+    }
+}
+
+fn told(output: &Output) -> Told {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("UTF-8");
+    Told {
+        code: output.status.code().expect("it ends by itself"),
+        out: text(&output.stdout),
+        err: text(&output.stderr),
+    }
+}
+
+#[track_caller]
+fn line(told: Told) -> String {
+    assert!([1, 2].contains(&told.code), "{} {}", told.code, told.out);
+    assert_eq!(told.out, "");
+    assert_eq!(told.err.lines().count(), 1, "{}", told.err);
+    assert!(told.err.contains("expected"), "{}", told.err);
+    told.err
+}
+
+fn rows(value: impl Fn(f64) -> f64) -> String {
+    let row = |i| 380.0 + 5.0 * f64::from(i);
+    let rows = (0..=80).map(row).map(|nm| format!("{nm},{}\n", value(nm)));
+    rows.collect()
+}
+
+/// A light that says so.
+fn lamp() -> String {
+    format!("nm,irradiance (W/m2/nm)\n{}", rows(|nm| nm / 500.0))
+}
+
+fn three_spectra() -> String {
+    let row = |i| format!("{},1,2,3\n", 380 + 5 * i);
+    format!("nm,a,b,c\n{}", (0..=80).map(row).collect::<String>())
+}
+
+/// An ENVI cube of 2 x 2 pixels.
+fn put_cube(desk: &Desk) {
+    desk.put(
+        "scene.hdr",
+        "ENVI\nsamples = 2\nlines = 2\nbands = 2\nheader offset = 0\ndata type = 1\n\
+         interleave = bip\nbyte order = 0\nwavelength units = Nanometers\nwavelength = {500, 600}\n",
+    );
+    desk.put("scene.img", [1, 2, 3, 4, 5, 6, 7, 8]);
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_onto_what_is_read_by_whatever_link() {
+    let desk = Desk::new();
+    desk.put("lamp.csv", lamp());
+    fs::create_dir(desk.path("more")).expect("a folder");
+    std::os::unix::fs::symlink(desk.path("lamp.csv"), desk.path("soft.csv")).expect("a link");
+    fs::hard_link(desk.path("lamp.csv"), desk.path("hard.csv")).expect("a link");
+    for out in ["lamp.csv", "soft.csv", "hard.csv", "more/../lamp.csv"] {
+        for force in [&["--force"][..], &[]] {
+            let line = desk.refused(&[&["convert", "lamp.csv", out], force].concat());
+            assert!(line.contains("OUT: found"), "{line}");
+            assert!(line.contains("which is what is read"), "{line}");
+        }
+    }
+    let through = desk.refused(&["convert", "soft.csv", "lamp.csv", "--force"]);
+    assert!(through.contains("which is what is read"), "{through}");
+    let piped = line(desk.run_on("lamp.csv", &["convert", "-", "lamp.csv", "--force"]));
+    assert!(piped.contains("which is what is read"), "{piped}");
+    // A table may be called as a picture is.
+    fs::hard_link(desk.path("lamp.csv"), desk.path("lamp.png")).expect("a link");
+    for read in [
+        &["plot", "lamp.csv"][..],
+        &["plot", "red", "--light", "lamp.csv"],
+        &["render", "lamp.csv"],
+        &["render", "red", "--light", "lamp.csv"],
+    ] {
+        let line = desk.refused(&[read, &["--out", "lamp.png", "--force"]].concat());
+        assert!(line.contains("which is what is read"), "{line}");
+    }
+    assert_eq!(desk.get("lamp.csv"), lamp());
+}
+
+#[test]
+fn the_other_file_of_a_pair_is_read_too() {
+    let desk = Desk::new();
+    put_cube(&desk);
+    fs::hard_link(desk.path("scene.img"), desk.path("scene.csv")).expect("a link");
+    let line = desk.refused(&["convert", "scene.hdr", "scene.csv", "--force"]);
+    assert!(line.contains("which is what is read"), "{line}");
+    assert_eq!(fs::read(desk.path("scene.img")).expect("there").len(), 8);
+}
+
+#[test]
+fn data_replace_another_file_only_with_force() {
+    let desk = Desk::new();
+    for name in ["notes.csv", "notes.txt", "notes.composite.json"] {
+        desk.put(name, "kept");
+        let line = desk.refused(&["convert", "FL2", name]);
+        assert!(line.contains("which exists already"), "{line}");
+        assert!(line.contains("--force"), "{line}");
+        assert_eq!(desk.get(name), "kept");
+        desk.done(&["convert", "FL2", name, "--force"]);
+        assert_ne!(desk.get(name), "kept");
+    }
+    desk.put("three.csv", three_spectra());
+    desk.put("all.csv", "kept");
+    desk.refused(&["convert", "three.csv", "all.csv", "--all"]);
+    assert_eq!(desk.get("all.csv"), "kept");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_are_written_into_without_force() {
+    let desk = Desk::new();
+    std::os::unix::fs::symlink("/dev/stdout", desk.path("o.csv")).expect("a link");
+    let told = desk.done(&["convert", "FL2", "o.csv"]);
+    assert!(told.out.contains("380,"), "{}", told.out);
+}
+
+#[test]
+fn a_picture_replaces_a_picture_and_nothing_else() {
+    let desk = Desk::new();
+    for out in ["p.svg", "p.png"] {
+        desk.done(&["plot", "FL2", "--out", out, "--size", "320x240"]);
+        let first = fs::read(desk.path(out)).expect("a picture");
+        desk.done(&["plot", "FL11", "--out", out, "--size", "320x240"]);
+        assert_ne!(fs::read(desk.path(out)).expect("a picture"), first);
+    }
+    desk.done(&["render", "FL2", "--out", "p.png", "--size", "320x240"]);
+    desk.put("notes.png", lamp());
+    for command in ["plot", "render"] {
+        let args = [command, "FL2", "--out", "notes.png", "--size", "320x240"];
+        let line = desk.refused(&args);
+        assert!(line.contains("is no picture"), "{line}");
+        assert_eq!(desk.get("notes.png"), lamp());
+    }
+    desk.done(&["plot", "FL2", "--out", "notes.png", "--force"]);
+    let drawn = fs::read(desk.path("notes.png")).expect("a picture");
+    assert!(drawn.starts_with(b"\x89PNG"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_picture_of_a_missing_window_replaces_nothing_not_even_a_link() {
+    let desk = Desk::new();
+    let link = desk.path("spectral-explorer.png");
+    std::os::unix::fs::symlink("gone.png", &link).expect("a link");
+    let mut command = desk.program(&["FL2"]);
+    for name in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
+        command.env_remove(name);
+    }
+    command.env("SPECTRAL_EXPLORER_WORKSPACE", "");
+    let told = told(&command.output().expect("it starts"));
+    assert!(told.out.contains("spectral-explorer-2.png"), "{}", told.out);
+    assert!(link.is_symlink());
+}
+
+#[test]
+fn of_several_spectra_one_is_named_or_all_are_written() {
+    let desk = Desk::new();
+    desk.put("three.csv", three_spectra());
+    for out in [
+        "o.csv",
+        "o.spd",
+        "o.sp",
+        "o.json",
+        "o.txt",
+        "o.composite.json",
+    ] {
+        let line = desk.refused(&["convert", "three.csv", out]);
+        assert!(line.contains("found 3 spectra"), "{out}: {line}");
+        assert!(
+            line.contains("--spectrum") && line.contains("--all"),
+            "{line}"
+        );
+        assert!(!desk.path(out).exists(), "{out}");
+    }
+    desk.done(&["convert", "three.csv", "b.csv", "--spectrum", "b"]);
+    desk.done(&["convert", "three.csv", "b.txt", "--spectrum", "2"]);
+    let all = desk.done(&["convert", "three.csv", "all.csv", "--all"]);
+    assert!(all.out.contains("3 spectra"), "{}", all.out);
+    // An image is one thing, and its mean is what is meant.
+    put_cube(&desk);
+    desk.done(&["convert", "scene.hdr", "mean.csv"]);
+}
+
+/// Files that are sure to be no light, by what they state or by a name that leaves no doubt.
+fn no_lights(desk: &Desk) -> [(&'static str, &'static str); 3] {
+    desk.put("glass.csv", format!("nm,absorbance\n{}", rows(|_| 0.5)));
+    desk.put("leaf.csv", format!("nm,reflectance %\n{}", rows(|_| 50.0)));
+    desk.put("macbeth-1.csv", rows(|_| 0.3));
+    [
+        ("glass.csv", "absorbance"),
+        ("leaf.csv", "reflectance"),
+        ("macbeth-1.csv", "reflectance"),
+    ]
+}
+
+#[test]
+fn a_file_that_is_sure_to_be_something_else_is_no_light() {
+    let desk = Desk::new();
+    for (file, kind) in no_lights(&desk) {
+        for args in [
+            &["product", file, "red"][..],
+            &["product", "FL2", "red", "--check", file],
+            &["report", "red", "--light", file],
+            &["sweep", "red", "--light", file],
+            &["plot", "red", "--light", file, "--out", "p.svg"],
+        ] {
+            let line = desk.refused(args);
+            let words = format!("{file}: found {kind} values, expected a light");
+            assert!(line.contains(&words), "{args:?}: {line}");
+        }
+    }
+    // What the remedy says works.
+    desk.done(&["convert", "macbeth-1.csv", "lamp.csv", "--kind", "light"]);
+    let told = desk.done(&["product", "lamp.csv", "red"]);
+    assert_eq!(told.err, "");
+}
+
+#[test]
+fn a_file_that_says_nothing_is_taken_as_a_light_with_a_word() {
+    let desk = Desk::new();
+    desk.put("bare.csv", rows(|nm| nm / 500.0));
+    // A name that might mean two kinds.
+    desk.put("lamp behind a filter.csv", rows(|nm| nm / 5.0));
+    for file in ["bare.csv", "lamp behind a filter.csv"] {
+        for args in [
+            &["product", file, "red"][..],
+            &["product", "FL2", "red", "--check", file],
+            &["report", "red", "--light", file],
+        ] {
+            let told = desk.done(args);
+            assert_eq!(told.err.lines().count(), 1, "{}", told.err);
+            let words = "found nothing that says what its values are, taken as a light";
+            assert!(told.err.contains(words), "{args:?}: {}", told.err);
+        }
+    }
+    desk.put("lamp.csv", lamp());
+    assert_eq!(desk.done(&["product", "lamp.csv", "red"]).err, "");
+}
+
+#[test]
+fn absorbance_is_a_factor_only_where_it_is_said_and_with_a_word() {
+    let desk = Desk::new();
+    desk.put("glass.csv", format!("nm,absorbance\n{}", rows(|_| 0.5)));
+    let line = desk.refused(&["product", "FL2", "glass.csv"]);
+    assert!(
+        line.contains("glass.csv: found absorbance values"),
+        "{line}"
+    );
+    let told = desk.done(&["product", "FL2", "glass.csv", "--kind", "transmittance"]);
+    let words = "found absorbance values, taken as transmittance as --kind says";
+    assert!(told.err.contains(words), "{}", told.err);
+    let told = desk.done(&["report", "glass.csv", "--kind", "transmittance"]);
+    assert!(
+        told.out.contains("chosen by hand as transmittance"),
+        "{}",
+        told.out
+    );
+    // A shipped factor knows what it is.
+    let told = desk.done(&["product", "FL2", "red", "--kind", "transmittance"]);
+    assert!(told.err.contains("--kind is not used"), "{}", told.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_word_that_leads_to_no_file_says_what_stands_there() {
+    let desk = Desk::new();
+    fs::create_dir(desk.path("lamps")).expect("a folder");
+    desk.put("x.csv", lamp());
+    std::os::unix::fs::symlink("round", desk.path("round")).expect("a link");
+    for command in ["report", "sweep"] {
+        let of = |word: &str| desk.refused(&[command, word]);
+        assert!(of("lamps").contains("lamps: found a folder"));
+        assert!(of("x.csv/y").contains("x.csv/y: found x.csv, which is no folder"));
+        assert!(of("round").contains("round: found a link that leads nowhere"));
+    }
+    let told = desk.run(&["report", "no lamp"]);
+    assert!(told.err.contains("no shipped spectrum"), "{}", told.err);
+    let line = desk.refused(&["product", "FL2", "lamps"]);
+    assert!(line.contains("FACTOR: lamps: found a folder"), "{line}");
+    assert!(
+        desk.refused(&["read", "x.csv/y"])
+            .contains("which is no folder")
+    );
+}
+
+#[test]
+fn two_files_of_one_name_are_told_apart() {
+    let desk = Desk::new();
+    for folder in ["a", "b", "empty"] {
+        fs::create_dir_all(desk.path(folder).join("empty")).expect("a folder");
+        desk.put(format!("{folder}/x.csv"), "no spectrum");
+    }
+    let told = desk.run(&["read", "a/x.csv", "b/x.csv", "a/empty", "b/empty"]);
+    assert_eq!(told.code, 1);
+    for (said, name) in told
+        .err
+        .lines()
+        .zip(["a/x.csv", "b/x.csv", "a/empty", "b/empty"])
+    {
+        assert!(said.contains(&format!(": {name}")), "{said}");
+    }
+    let all: Value = {
+        let told = desk.run(&["read", "a/x.csv", "--json"]);
+        serde_json::from_str(&told.out).expect("JSON")
+    };
+    assert!(
+        all[0]["error"]
+            .as_str()
+            .expect("why")
+            .starts_with("a/x.csv, line 1: ")
+    );
+    let line = desk.refused(&["product", "FL2", "b/x.csv"]);
+    assert!(line.contains("b/x.csv, line 1: "), "{line}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_files_name_never_reaches_the_terminal_raw() {
+    let desk = Desk::new();
+    let name = "od\u{1b}[31md\n.csv";
+    desk.put(name, lamp());
+    desk.put("bad\u{1b}[31m.csv", "no spectrum");
+    let read = desk.run(&["read", name, "bad\u{1b}[31m.csv"]);
+    assert!(
+        read.out.starts_with("od\\u{1b}[31md\\n.csv: "),
+        "{}",
+        read.out
+    );
+    let written = desk.done(&["convert", name, "o\u{7}.csv"]);
+    for text in [read.out, read.err, written.out, written.err] {
+        assert!(!text.contains(['\u{1b}', '\u{7}']), "{text:?}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_files_name_need_not_be_unicode() {
+    use std::os::unix::ffi::OsStringExt;
+    let desk = Desk::new();
+    let name = OsString::from_vec(b"gr\xfcn.csv".to_vec());
+    desk.put(&name, lamp());
+    let folder = OsString::from_vec(b"l\xe4mps".to_vec());
+    fs::create_dir(desk.path(&folder)).expect("a folder");
+    desk.put(Path::new(&folder).join("a.csv"), lamp());
+    let mut second = name.clone();
+    second.push("#1*2");
+    let words = |args: &[&str]| -> Vec<OsString> { args.iter().map(OsString::from).collect() };
+    for (before, file, behind) in [
+        (&["read"][..], &name, &[][..]),
+        (&["report"], &name, &[]),
+        (&["report", "red", "--light"], &name, &[]),
+        (&["sweep"], &name, &[]),
+        (&["auction"], &name, &["--goal", "own", "--numbers", "3"]),
+        (&["race"], &name, &["--numbers", "3"]),
+        (&["race", "--numbers", "3", "--set"], &folder, &[]),
+        (&["product"], &name, &["red"]),
+        (&["product", "FL2"], &second, &["--kind", "reflectance"]),
+        (&["product", "FL2", "red", "--check"], &name, &[]),
+        (&["plot"], &name, &["--out", "p.svg"]),
+        (&["render"], &name, &["--out", "p.png", "--size", "320x240"]),
+        (&["convert"], &name, &["o.json"]),
+    ] {
+        let args = [words(before), vec![file.clone()], words(behind)].concat();
+        let told = desk.run(&args);
+        assert_eq!(told.code, 0, "{before:?}: {}", told.err);
+    }
+}
+
+#[test]
+fn a_hyphen_is_standard_input_wherever_a_file_is_read() {
+    let desk = Desk::new();
+    desk.put("lamp.csv", lamp());
+    desk.put("half.csv", format!("nm,reflectance\n{}", rows(|_| 0.5)));
+    for (input, args, words) in [
+        (
+            "lamp.csv",
+            &["report", "-"][..],
+            "standard input (light, 81 points",
+        ),
+        ("lamp.csv", &["read", "-"], "-: plain columns"),
+        ("lamp.csv", &["sweep", "-"], "standard input"),
+        (
+            "lamp.csv",
+            &["race", "-", "--numbers", "3"],
+            "standard input",
+        ),
+        (
+            "lamp.csv",
+            &["product", "-", "red"],
+            "Light     standard input",
+        ),
+        ("half.csv", &["product", "FL2", "-"], "passes  50.00 %"),
+        (
+            "lamp.csv",
+            &["report", "red", "--light", "-"],
+            "under standard input",
+        ),
+        ("lamp.csv", &["convert", "-", "o.json"], "Wrote o.json"),
+        // The stream is read once, however often it is asked for.
+        (
+            "lamp.csv",
+            &["convert", "-", "o.composite.json"],
+            "Wrote o.composite.json",
+        ),
+    ] {
+        let told = desk.run_on(input, args);
+        assert_eq!(told.code, 0, "{args:?}: {}", told.err);
+        assert!(told.out.contains(words), "{args:?}: {}", told.out);
+    }
+    // A model stays one.
+    let told = desk.run_on(
+        "o.composite.json",
+        &["convert", "-", "again.composite.json"],
+    );
+    assert_eq!(told.code, 0, "{}", told.err);
+    assert_eq!(
+        desk.get("again.composite.json"),
+        desk.get("o.composite.json")
+    );
+    let empty = line(desk.run(&["report", "-"]));
+    assert!(
+        empty.contains("standard input: found an empty file"),
+        "{empty}"
+    );
+    assert!(desk.refused(&["-"]).contains("found standard input"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_that_nobody_writes_into_is_waited_for_with_a_word() {
+    let desk = Desk::new();
+    let pipe = desk.path("pipe");
+    let made = Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.is_ok_and(|status| status.success()));
+    let mut command = desk.program(&["read", "pipe"]);
+    let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("it starts");
+    let mut said = BufReader::new(child.stderr.take().expect("piped"));
+    let (sender, first_line) = channel();
+    std::thread::spawn(move || {
+        let mut line = String::new();
+        // Whoever waits for it may have given up.
+        let _ = said.read_line(&mut line).map(|_| sender.send(line));
+    });
+    // Without a word it would wait for ever: so long that no machine is as slow.
+    let word = first_line.recv_timeout(Duration::from_secs(120));
+    if word.is_err() {
+        child.kill().expect("it runs");
+    }
+    let word = word.expect("a word");
+    assert!(
+        word.contains("pipe: waiting for something to write"),
+        "{word}"
+    );
+    let mut end = fs::OpenOptions::new()
+        .write(true)
+        .open(&pipe)
+        .expect("the other end");
+    end.write_all(lamp().as_bytes()).expect("written");
+    drop(end);
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.status.success());
+    assert!(told(&output).out.starts_with("pipe: plain columns"));
+}
+
+#[test]
+fn options_that_do_nothing_are_told() {
+    let desk = Desk::new();
+    for (args, words) in [
+        (
+            &["sweep", "FL2", "--order", "3"][..],
+            "--order 3 is not used",
+        ),
+        (&["--licences", "FL2"], "FL2 is not used"),
+        (
+            &[
+                "product",
+                "FL2",
+                "red",
+                "--check",
+                "FL2",
+                "--sampling",
+                "3n",
+            ],
+            "--sampling is not",
+        ),
+        (&["report", "red", "--sampling", "3n"], "--sampling is not"),
+        (
+            &["convert", "FL2", "m.txt", "--sampling", "3n"],
+            "--sampling is not",
+        ),
+    ] {
+        let told = desk.done(args);
+        assert_eq!(told.err.lines().count(), 1, "{args:?}: {}", told.err);
+        assert!(told.err.contains(words), "{args:?}: {}", told.err);
+    }
+    // Beyond the usual end of the sweep it does something.
+    assert_eq!(desk.done(&["sweep", "FL2", "--order", "42"]).err, "");
+    let line = desk.refused(&["auction", "FL2"]);
+    assert!(
+        line.contains("found no --goal GOAL and no --numbers P, expected both"),
+        "{line}"
+    );
+}
+
+#[test]
+fn one_number_is_no_numbers() {
+    let desk = Desk::new();
+    let one = ["--order", "0", "--no-spikes"];
+    for args in [&["report", "FL2"][..], &["product", "FL2", "red"]] {
+        let told = desk.done(&[args, &one].concat());
+        assert!(told.out.contains(": 1 number\n"), "{}", told.out);
+    }
+    let told = desk.done(&[&["convert", "FL2", "m.txt"][..], &one].concat());
+    assert!(told.out.contains(", 1 number\n"), "{}", told.out);
+    let told = desk.done(&["read", "m.txt"]);
+    assert!(
+        told.out.contains("a composite of 1 number on"),
+        "{}",
+        told.out
+    );
+}
+
+#[test]
+fn the_colour_of_the_whole_is_known_where_the_models_range_is_dark() {
+    let desk = Desk::new();
+    for input in ["FL2", "colorchecker_ohta/red"] {
+        let of = |range: &str| -> Value {
+            let told = desk.done(&["report", input, "--json", "--range", range]);
+            let report: Value = serde_json::from_str(&told.out).expect("JSON");
+            report["colour"].clone()
+        };
+        let (dark, visible) = (of("900:1100"), of("380:780"));
+        assert!(dark["exact"]["xyz"].is_null());
+        assert!(dark["full"]["xyz"].is_array(), "{input}");
+        assert_eq!(dark["full"], visible["full"], "{input}");
+    }
+}
+
+#[test]
+fn help_says_which_figures_are_fractions() {
+    let desk = Desk::new();
+    for command in ["report", "sweep", "auction", "race", "product"] {
+        let help = desk.done(&[command, "--help"]).out;
+        let help: Vec<&str> = help.split_whitespace().collect();
+        assert!(help.join(" ").contains("fractions of 1"), "{command}");
+    }
+}
+
+#[test]
+fn a_spectrum_of_our_own_says_once_how_it_was_read() {
+    let desk = Desk::new();
+    desk.put("lamp.csv", lamp());
+    for out in ["o.csv", "o.sp", "o.spd"] {
+        desk.done(&["convert", "lamp.csv", out]);
+        let told = desk.done(&["report", out]);
+        let line = "Note      5 nm steps, 81 points, 380-780 nm, light, W/m2/nm";
+        let count = told.out.lines().filter(|said| *said == line).count();
+        assert_eq!(count, 1, "{out}: {}", told.out);
+    }
+}

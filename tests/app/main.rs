@@ -1,0 +1,10 @@
+//! What the program does, without a window: commands and the command line. One file a subject.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod cli;
+mod cli_files;
+mod cli_studies;
+mod commands;
+mod no_window;

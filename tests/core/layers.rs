@@ -1,0 +1,397 @@
+//! The promise of the house: imports point one way, widgets stay in their rooms, and no file knows
+//! on whose computer it was written.
+
+use crate::root::root;
+use std::{
+    collections::BTreeSet,
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// The rooms of `src`, and which others each may use.
+const ROOMS: [(&str, &[&str]); 8] = [
+    ("spectrum", &[]),
+    ("color", &["spectrum"]),
+    ("rivals", &["spectrum"]),
+    ("study", &["rivals", "color", "spectrum"]),
+    ("io", &["spectrum"]),
+    ("app", &["study", "rivals", "color", "spectrum", "io"]),
+    (
+        "cli",
+        &["app", "study", "rivals", "color", "spectrum", "io"],
+    ),
+    ("ui", &["app", "study", "rivals", "color", "spectrum", "io"]),
+];
+
+/// What only the window and the start of the program may name.
+const WIDGETS: [&str; 7] = [
+    "egui",
+    "eframe",
+    "egui_plot",
+    "rfd",
+    "epaint",
+    "emath",
+    "winit",
+];
+
+/// Every file below a folder; none when the folder is not there.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).into_iter().flatten() {
+        let path = entry.expect("a folder that can be listed").path();
+        if path.is_dir() {
+            files.extend(files_below(&path));
+        } else {
+            files.push(path);
+        }
+    }
+    files.sort();
+    files
+}
+
+/// A source file with its path below `src`, split: `["ui", "window.rs"]`.
+struct Source {
+    place: Vec<String>,
+    code: String,
+}
+
+impl Source {
+    /// The room that the file stands in; `None` for `main.rs` and `lib.rs`.
+    fn room(&self) -> Option<&str> {
+        (self.place.len() > 1).then(|| self.place[0].as_str())
+    }
+
+    fn name(&self) -> String {
+        format!("src/{}", self.place.join("/"))
+    }
+}
+
+fn sources() -> Vec<Source> {
+    let src = root().join("src");
+    let sources: Vec<Source> = files_below(&src)
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|e| e == "rs"))
+        .map(|path| {
+            let text = fs::read_to_string(&path).expect("a source file is UTF-8");
+            let below = path.strip_prefix(&src).expect("found below src");
+            Source {
+                place: below
+                    .iter()
+                    .map(|part| part.to_string_lossy().into_owned())
+                    .collect(),
+                code: code_of(&text),
+            }
+        })
+        .collect();
+    assert!(sources.len() > 50, "found only {} files", sources.len());
+    sources
+}
+
+/// Rust without comments and without what stands inside string and character literals.
+fn code_of(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let at = |i: usize| letters.get(i).copied().unwrap_or('\0');
+    let mut code = String::new();
+    let mut i = 0;
+    while i < letters.len() {
+        match at(i) {
+            '/' if at(i + 1) == '/' => {
+                while i < letters.len() && at(i) != '\n' {
+                    i += 1;
+                }
+            }
+            '/' if at(i + 1) == '*' => {
+                let mut depth = 0;
+                loop {
+                    match (at(i), at(i + 1)) {
+                        ('/', '*') => (depth, i) = (depth + 1, i + 2),
+                        ('*', '/') => (depth, i) = (depth - 1, i + 2),
+                        _ => i += 1,
+                    }
+                    if depth == 0 || i >= letters.len() {
+                        break;
+                    }
+                }
+            }
+            'r' if raw_hashes(&letters, i).is_some() && !is_word(i.checked_sub(1).map(at)) => {
+                let hashes = raw_hashes(&letters, i).unwrap_or_default();
+                i += hashes + 2;
+                let end = |i: usize| at(i) == '"' && (1..=hashes).all(|h| at(i + h) == '#');
+                while i < letters.len() && !end(i) {
+                    i += 1;
+                }
+                i += hashes + 1;
+            }
+            '"' => {
+                i += 1;
+                while i < letters.len() && at(i) != '"' {
+                    i += if at(i) == '\\' { 2 } else { 1 };
+                }
+                i += 1;
+            }
+            // A character, not a lifetime: 'x' or '\n'.
+            '\'' if at(i + 1) == '\\' || at(i + 2) == '\'' => {
+                i += if at(i + 1) == '\\' { 3 } else { 2 };
+                while i < letters.len() && at(i) != '\'' {
+                    i += 1;
+                }
+                i += 1;
+            }
+            letter => {
+                code.push(letter);
+                i += 1;
+            }
+        }
+    }
+    code
+}
+
+/// The count of `#` of a raw string that starts here.
+fn raw_hashes(letters: &[char], start: usize) -> Option<usize> {
+    let hashes = letters[start + 1..].iter().take_while(|c| **c == '#');
+    let hashes = hashes.count();
+    (letters.get(start + 1 + hashes) == Some(&'"')).then_some(hashes)
+}
+
+fn is_word(letter: Option<char>) -> bool {
+    letter.is_some_and(|c| c.is_alphanumeric() || c == '_')
+}
+
+/// The identifiers of some code.
+fn words(code: &str) -> impl Iterator<Item = &str> {
+    code.split(|c: char| !is_word(Some(c)))
+        .filter(|word| !word.is_empty())
+}
+
+/// The names that follow a path's beginning: `crate::a::b` gives `a`, `crate::{a::b, c}` gives
+/// `a` and `c`.
+fn named_after(code: &str, beginning: &str) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for (start, _) in code.match_indices(beginning) {
+        if is_word(code[..start].chars().next_back()) {
+            continue;
+        }
+        let rest = code[start + beginning.len()..].trim_start();
+        match rest.strip_prefix('{') {
+            None => names.extend(words(rest).next().map(str::to_owned)),
+            Some(group) => {
+                let (mut depth, mut element) = (0, String::new());
+                for letter in group.chars() {
+                    match letter {
+                        '{' => depth += 1,
+                        '}' if depth == 0 => break,
+                        '}' => depth -= 1,
+                        ',' if depth == 0 => {
+                            names.extend(words(&element).next().map(str::to_owned));
+                            element.clear();
+                        }
+                        _ if depth == 0 => element.push(letter),
+                        _ => {}
+                    }
+                }
+                names.extend(words(&element).next().map(str::to_owned));
+            }
+        }
+    }
+    names
+}
+
+/// The other rooms that a file uses, by `crate::` or by climbing up with `super::`.
+fn rooms_used(source: &Source) -> BTreeSet<String> {
+    let own = source.room().unwrap_or_default();
+    let mut used = named_after(&source.code, "crate::");
+    // From a file in a room `super` is the room and `super::super` the crate; inside the file's
+    // own test module there is one step more. Whatever a climb reaches must not be a room.
+    let mut climb = "super::super::".to_owned();
+    for _ in 0..3 {
+        used.extend(named_after(&source.code, &climb));
+        climb.push_str("super::");
+    }
+    used.retain(|name| name != own && ROOMS.iter().any(|(room, _)| room == name));
+    used
+}
+
+#[test]
+fn every_room_of_the_house_is_on_the_plan() {
+    let found: BTreeSet<String> = sources()
+        .iter()
+        .filter_map(|s| s.room().map(str::to_owned))
+        .collect();
+    let planned: BTreeSet<String> = ROOMS.iter().map(|(room, _)| (*room).to_owned()).collect();
+    assert_eq!(found, planned);
+}
+
+#[test]
+fn imports_point_downward_only() {
+    let mut wrong = Vec::new();
+    for source in sources() {
+        let Some(room) = source.room() else { continue };
+        let allowed = ROOMS
+            .iter()
+            .find(|(name, _)| *name == room)
+            .map_or(&[][..], |(_, allowed)| allowed);
+        for used in rooms_used(&source) {
+            if !allowed.contains(&used.as_str()) {
+                wrong.push(format!("{} uses {used}", source.name()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_plan_itself_has_no_way_back_up() {
+    // A room may only use rooms that stand before it in the list of rooms, io being a floor of
+    // its own beside color and study.
+    for (index, (room, allowed)) in ROOMS.iter().enumerate() {
+        for below in *allowed {
+            let place = ROOMS.iter().position(|(name, _)| name == below);
+            assert!(place.is_some_and(|p| p < index), "{room} -> {below}");
+        }
+    }
+}
+
+#[test]
+fn nobody_outside_the_crate_is_asked_for_the_crates_own_rooms() {
+    // The library does not import itself by its public name, which would go round the rule.
+    for source in sources() {
+        if source.room().is_some() {
+            assert!(
+                !words(&source.code).any(|word| word == "spectral_explorer"),
+                "{} names the crate from outside",
+                source.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn widgets_are_named_in_the_window_and_at_the_start_only() {
+    let mut wrong = Vec::new();
+    let mut in_window = 0;
+    for source in sources() {
+        let widgets: BTreeSet<&str> = words(&source.code)
+            .filter(|word| WIDGETS.contains(word))
+            .collect();
+        if source.room() == Some("ui") {
+            in_window += usize::from(!widgets.is_empty());
+        } else if source.place != ["main.rs"] {
+            wrong.extend(widgets.iter().map(|w| format!("{}: {w}", source.name())));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(
+        in_window > 5,
+        "the test sees egui in {in_window} files only"
+    );
+}
+
+#[test]
+fn the_reader_of_this_test_sees_what_it_should() {
+    let code = code_of(
+        r##"
+        use crate::{app::{App, ui}, io, spectrum::Band};
+        // crate::cli in a comment
+        /* crate::ui /* nested */ crate::ui */
+        let text = "crate::ui \" crate::cli";
+        let raw = r#"crate::ui " crate::cli"#;
+        let letters = ['"', '\'', 'a'];
+        fn f<'a>(x: &'a str) -> &'a str { crate::color::Xyz::of(x) }
+        my_crate::study::x();
+        super::super::study::error();
+        "##,
+    );
+    let names = named_after(&code, "crate::");
+    assert_eq!(
+        names.iter().map(String::as_str).collect::<Vec<_>>(),
+        ["app", "color", "io", "spectrum"]
+    );
+    let source = Source {
+        place: vec!["color".to_owned(), "x.rs".to_owned()],
+        code,
+    };
+    assert_eq!(
+        rooms_used(&source).into_iter().collect::<Vec<_>>(),
+        ["app", "io", "spectrum", "study"]
+    );
+}
+
+/// Beginnings of paths that lead to a person's own folder, made of parts so that this file does
+/// not hold them.
+fn private_folders() -> Vec<String> {
+    ["home", "root", "tmp", "Users", "var/folders"]
+        .map(|folder| format!("/{folder}/"))
+        .into_iter()
+        .chain([format!("{}:\\Users\\", 'C')])
+        .collect()
+}
+
+/// Where a text names a private folder with something in it: `/folder/x`, not a lone `/folder/`.
+fn private_path<'t>(text: &'t str, folders: &[String]) -> Option<&'t str> {
+    for folder in folders {
+        for (start, _) in text.match_indices(folder.as_str()) {
+            let before = text[..start].chars().next_back();
+            let after = text[start + folder.len()..].chars().next();
+            // Part of a web address or of a longer path is something else.
+            let is_start = !is_word(before) && !matches!(before, Some('.' | '-' | '~' | ')' | '}'));
+            if is_start && is_word(after) {
+                let end = text[start..]
+                    .find(|c: char| c.is_whitespace() || c == '"')
+                    .unwrap_or(text.len() - start);
+                return Some(&text[start..start + end]);
+            }
+        }
+    }
+    None
+}
+
+#[test]
+fn no_file_knows_on_whose_computer_it_was_written() {
+    let root = root();
+    let mut files: Vec<PathBuf> = [
+        "src", "tests", "presets", "benches", "LICENSES", ".ci", "fuzz",
+    ]
+    .iter()
+    .flat_map(|folder| files_below(&root.join(folder)))
+    .collect();
+    files.extend(
+        ["Cargo.toml", "README.md", ".gitignore"]
+            .iter()
+            .map(|f| root.join(f)),
+    );
+    let folders = private_folders();
+    // A copy that lies at `/src` or the like proves nothing: such words stand in many texts.
+    let here = (root.components().count() > 2).then(|| root.display().to_string());
+    let is_here = |text: &str| here.as_ref().is_some_and(|here| text.contains(here));
+    let (mut read, mut wrong) = (0, Vec::new());
+    for path in files {
+        // Fonts and pictures are no text; what is missing holds nothing.
+        let Ok(text) = fs::read_to_string(&path) else {
+            continue;
+        };
+        read += 1;
+        let found = private_path(&text, &folders)
+            .or_else(|| is_here(&text).then_some("the folder of this copy"));
+        if let Some(found) = found {
+            let name = path.strip_prefix(&root).unwrap_or(&path);
+            wrong.push(format!("{}: {found}", name.display()));
+        }
+    }
+    assert!(read > 80, "only {read} files were read");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_search_for_private_folders_finds_one() {
+    let folders = private_folders();
+    for folder in &folders {
+        let text = format!("let lamp = \"{folder}anna\";");
+        assert!(private_path(&text, &folders).is_some(), "{text}");
+        let listed = format!("{folder:?}, and");
+        assert!(private_path(&listed, &folders).is_none(), "{listed}");
+    }
+    assert_eq!(
+        private_path("https://example.org/home/anna", &folders),
+        None
+    );
+}

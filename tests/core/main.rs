@@ -1,0 +1,21 @@
+//! What needs no window and no files: spectra, colour, the other representations, studies, and the
+//! promises of the house. One file a subject.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../common/lights.rs"]
+mod lights;
+#[path = "../common/root.rs"]
+mod root;
+
+mod colour;
+mod detector;
+mod fine_data;
+mod layers;
+mod model;
+mod products;
+mod products_chain;
+mod race;
+mod readme;
+mod spectra;
+mod tradeoff;

@@ -1,0 +1,7 @@
+//! Files read and written. One file a subject.
+
+#[path = "../common/root.rs"]
+mod root;
+
+mod readers;
+mod writers;

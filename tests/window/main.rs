@@ -1,0 +1,21 @@
+//! The window driven without a display. One file a subject.
+
+#[path = "../common/window.rs"]
+mod driver;
+#[path = "../common/root.rs"]
+mod root;
+#[path = "../common/soft_renderer.rs"]
+mod soft_renderer;
+
+mod batch;
+mod chart_view;
+mod image_page;
+mod import;
+mod pages_paper;
+mod pages_tradeoff;
+mod products_chain_page;
+mod products_forming;
+mod products_surfaces;
+mod readme;
+mod ui;
+mod ui_race;

@@ -1,0 +1,1391 @@
+//! The real window, driven without a display: what a hand does, and what is on screen then.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    sync::{Arc, Mutex},
+};
+
+use crate::driver::{Shown, Ui, app, assert_written, at_rest, click, no_files, wait_until, words};
+use crate::soft_renderer::SoftRenderer;
+use eframe::egui;
+use egui::{Key, Modifiers, Pos2, Role, Vec2, vec2};
+use egui_kittest::{
+    Harness, Node,
+    kittest::{NodeT as _, Queryable as _},
+};
+use egui_plot::{PlotPoint, PlotTransform};
+use spectral_explorer::{
+    app::{
+        App, Command, Scale, Settings, Subject, View, chart,
+        export::Export,
+        plot_svg,
+        state::Tone,
+        workspace::{self, CurveQuantity, Preferences},
+    },
+    io::read_bytes,
+    spectrum::{Band, Kind, NamedSpectrum, Sampled, Sampling, Spike},
+    ui::{
+        Window,
+        files::{Ask, Picked, Picker},
+        model_view::names,
+        saver::Saver,
+        theme,
+    },
+};
+
+/// Time of the program between two frames: short, so that two clicks make a double click.
+const FRAME: f32 = 0.02;
+/// Frames in which the window must come to rest; a tooltip comes after 0.35 s.
+const MOST_FRAMES: u64 = 40;
+
+fn window(app: App, picker: Picker) -> Window {
+    Window::new(app, Preferences::default(), picker, None)
+}
+
+fn fresh() -> Ui {
+    at_rest(window(App::new(), no_files()))
+}
+
+fn settings(ui: &Ui) -> Settings {
+    app(ui).document().settings
+}
+
+fn apply(ui: &mut Ui, command: Command) {
+    let app = &mut ui.state_mut().app;
+    app.apply(command);
+    app.end_gesture();
+    ui.run();
+}
+
+/// The control of that kind and name; the first from above where there are several.
+#[track_caller]
+fn control<'u>(ui: &'u Ui, role: Role, name: &'u str) -> Node<'u> {
+    let mut found = ui.query_all_by_role_and_label(role, name);
+    found
+        .next()
+        .unwrap_or_else(|| panic!("no {role:?} is called {name:?}"))
+}
+
+fn shortcut(ui: &mut Ui, modifiers: Modifiers, key: Key) {
+    ui.key_press_modifiers(modifiers, key);
+    ui.run();
+}
+
+fn press(ui: &mut Ui, key: Key) {
+    ui.key_press(key);
+    ui.run();
+}
+
+fn type_into(ui: &mut Ui, role: Role, name: &str, text: &str) {
+    control(ui, role, name).click();
+    ui.run();
+    ui.event(egui::Event::Text(text.to_owned()));
+    ui.run();
+}
+
+/// What the panel says about the numbers used.
+fn numbers_words(app: &App) -> String {
+    let derived = app.derived();
+    let (smooth, spikes) = (
+        derived.model.smooth.coefficients.len(),
+        derived.model.spikes.len(),
+    );
+    format!("= {smooth} smooth + {} for {spikes} spike", 2 * spikes)
+}
+
+/// Controls without a name: not even a hint inside counts, as the harness itself lets it.
+fn nameless(ui: &Ui) -> Vec<String> {
+    ui.root()
+        .children_recursive()
+        .map(|node| node.accesskit_node())
+        .filter(|node| {
+            let role = node.role();
+            matches!(
+                role,
+                Role::Button
+                    | Role::Slider
+                    | Role::SpinButton
+                    | Role::TextInput
+                    | Role::ComboBox
+                    | Role::CheckBox
+                    | Role::RadioButton
+                    | Role::Image
+            )
+        })
+        .filter(|node| node.label().is_none_or(|label| label.trim().is_empty()))
+        .map(|node| format!("{:?} at {:?}", node.role(), node.raw_bounds()))
+        .collect()
+}
+
+#[track_caller]
+fn assert_named(ui: &Ui, place: &str) {
+    let nameless = nameless(ui);
+    assert!(nameless.is_empty(), "{place}: without a name {nameless:?}");
+}
+
+/// Every control has a name, and every number is one.
+#[track_caller]
+fn assert_sound(ui: &Ui, place: &str) {
+    assert_named(ui, place);
+    for word in words(ui) {
+        let is_no_number = word
+            .split(|c: char| !c.is_alphanumeric())
+            .any(|w| matches!(w, "NaN" | "inf" | "Infinity"));
+        assert!(!is_no_number, "{place}: {word:?}");
+    }
+}
+
+fn spectrum(name: &str, first_nm: f64, values: Vec<f64>) -> NamedSpectrum {
+    NamedSpectrum {
+        name: name.to_owned(),
+        kind: Kind::Light,
+        unit: "W m-2 nm-1".to_owned(),
+        scale: 1.0,
+        samples: Sampled::even(first_nm, 5.0, values).expect("finite values, rising grid"),
+        notes: vec!["Made up for a test.".to_owned()],
+        source: "a test".to_owned(),
+    }
+}
+
+fn darkness() -> NamedSpectrum {
+    spectrum("darkness", 380.0, vec![0.0; 81])
+}
+
+fn heater() -> NamedSpectrum {
+    let values = (0..=64).map(|i| 1.0 + (f64::from(i) / 5.0).sin());
+    spectrum("heater", 780.0, values.collect())
+}
+
+fn light(app: &App, key: &str) -> Command {
+    Command::Show(app.entry(key).expect("shipped"))
+}
+
+// -------------------------------------------------------------------------------------- sliders
+
+#[test]
+fn the_first_window_shows_a_lamp_with_its_numbers() {
+    let ui = fresh();
+    assert_written(&ui, "FL11");
+    assert_written(&ui, &numbers_words(app(&ui)));
+    assert_written(&ui, "Spectrum of FL11");
+    assert_sound(&ui, "first window");
+}
+
+#[test]
+fn a_slider_moves_everything_in_the_same_frame() {
+    let mut ui = fresh();
+    let before = numbers_words(app(&ui));
+    for order in [23.0, 3.0, 40.0, 0.0] {
+        control(&ui, Role::Slider, names::ORDER).set_value_accesskit(order);
+        // One frame for the one event: what is on screen now was drawn in it.
+        ui.step();
+        assert_eq!(settings(&ui).order as f64, order);
+        let now = numbers_words(app(&ui));
+        assert_ne!(now, before);
+        assert_written(&ui, &now);
+        let patches = app(&ui).derived().patches.clone().expect("a light");
+        for patch in &patches.items {
+            let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
+            control(&ui, Role::Button, &name);
+        }
+        assert_written(&ui, &format!("{:.3}", patches.mean));
+        let errors = app(&ui).derived().errors.expect("not dark");
+        assert_written(&ui, &format!("{:.2} %", 100.0 * errors.relative_rms));
+        let numbers = app(&ui).derived().numbers();
+        assert_written(&ui, &format!("Spectrum of FL11: {numbers} numbers"));
+    }
+}
+
+#[test]
+fn the_threshold_slider_drops_spikes() {
+    let mut ui = fresh();
+    let before = app(&ui).derived().model.spikes.len();
+    control(&ui, Role::Slider, names::THRESHOLD).set_value_accesskit(5.0);
+    ui.step();
+    // The slider is logarithmic: its end is reached by rounding.
+    assert!((settings(&ui).threshold_percent - 5.0).abs() < 1e-9);
+    let now = app(&ui).derived().model.spikes.len();
+    assert!(now < before, "{now} of {before}");
+    assert_written(&ui, &format!("Spikes ({now})"));
+}
+
+#[test]
+fn a_number_can_be_typed_and_reach_further_than_the_slider() {
+    let mut ui = fresh();
+    for (typed, order) in [("21", 21), ("60", 60), ("5000", 100)] {
+        type_into(&mut ui, Role::SpinButton, names::ORDER, typed);
+        press(&mut ui, Key::Enter);
+        assert_eq!(settings(&ui).order, order, "typed {typed}");
+    }
+    type_into(&mut ui, Role::SpinButton, names::ORDER, "many");
+    press(&mut ui, Key::Enter);
+    assert_eq!(settings(&ui).order, 100, "words are no number");
+    type_into(&mut ui, Role::SpinButton, names::THRESHOLD, "0.02");
+    press(&mut ui, Key::Enter);
+    assert_eq!(settings(&ui).threshold_percent, 0.02);
+    type_into(&mut ui, Role::SpinButton, names::WIDTH, "33");
+    press(&mut ui, Key::Enter);
+    assert_eq!(settings(&ui).max_width_nm, 33.0);
+}
+
+#[test]
+fn the_exported_plot_ends_where_the_table_does() {
+    let mut app = App::new();
+    app.apply(light(&app, "cie_fluorescent_1nm/FL2"));
+    let settings = app.document().settings;
+    let chart_on = |app: &mut App, low, high| {
+        app.apply(Command::Edit(Settings {
+            band: Band::new(low, high).expect("a range"),
+            ..settings
+        }));
+        chart::spectrum_chart(app, plot_svg::Theme::Dark)
+    };
+    let wide = chart_on(&mut app, 300.0, 1400.0);
+    let measured = wide.series.iter().find(|s| s.name == "measured");
+    let points = app.measured_points().map(|(nm, _)| nm).collect::<Vec<_>>();
+    assert!(measured.is_some());
+    assert_eq!(points.first().zip(points.last()), Some((&380.0, &780.0)));
+    let beside = chart_on(&mut app, 1000.0, 2000.0);
+    assert!(beside.series.iter().all(|s| s.name != "measured"));
+    assert!(beside.residual.is_none());
+}
+
+#[test]
+fn a_range_in_which_nothing_was_measured_is_said_to_be_empty() {
+    let mut app = App::new();
+    app.apply(light(&app, "cie_fluorescent_1nm/FL2"));
+    let settings = app.document().settings;
+    app.apply(Command::Edit(Settings {
+        band: Band::new(1000.0, 2000.0).expect("a range"),
+        ..settings
+    }));
+    let ui = at_rest(window(app, no_files()));
+    assert_written(&ui, "Spectrum of FL2, nothing measured in this range");
+}
+
+#[test]
+fn the_range_can_be_typed_and_brought_back() {
+    let mut ui = fresh();
+    type_into(&mut ui, Role::SpinButton, "Range from", "400");
+    press(&mut ui, Key::Enter);
+    type_into(&mut ui, Role::SpinButton, "Range to", "700");
+    press(&mut ui, Key::Enter);
+    assert_eq!(settings(&ui).band, Band::PAPER);
+    assert_eq!(app(&ui).derived().measured.len(), 301);
+    // Twenty nm are the least: what is shorter moves to that.
+    type_into(&mut ui, Role::SpinButton, "Range to", "405");
+    press(&mut ui, Key::Enter);
+    assert_eq!(settings(&ui).band.max_nm(), 420.0);
+    click(&mut ui, "380-780");
+    assert_eq!(settings(&ui).band, Band::VISIBLE);
+}
+
+#[test]
+fn plain_keys_change_the_order_when_no_control_has_the_keyboard() {
+    let mut ui = fresh();
+    press(&mut ui, Key::ArrowRight);
+    press(&mut ui, Key::ArrowRight);
+    press(&mut ui, Key::ArrowLeft);
+    assert_eq!(settings(&ui).order, 8);
+    press(&mut ui, Key::PageUp);
+    assert_eq!(settings(&ui).threshold_percent, 0.5 * 1.25);
+    press(&mut ui, Key::PageDown);
+    assert_eq!(settings(&ui).threshold_percent, 0.5);
+    for _ in 0..20 {
+        press(&mut ui, Key::ArrowLeft);
+    }
+    assert_eq!(settings(&ui).order, 0, "there is nothing below");
+    // A slider with the keyboard keeps the arrows to itself.
+    control(&ui, Role::Slider, names::WIDTH).focus();
+    ui.run();
+    press(&mut ui, Key::ArrowRight);
+    assert_eq!(settings(&ui).order, 0);
+    assert!(settings(&ui).max_width_nm > 10.0);
+}
+
+#[test]
+fn switches_and_choices_do_what_they_say() {
+    let mut ui = fresh();
+    control(&ui, Role::CheckBox, names::COLOUR_EXACT).click();
+    ui.run();
+    assert!(settings(&ui).colour_exact);
+    let delta = app(&ui).derived().colour.delta_e_2000.expect("a colour");
+    // Exact but for rounding.
+    assert!(delta < 1e-6, "{delta}");
+    control(&ui, Role::CheckBox, names::SPIKES).click();
+    ui.run();
+    assert!(app(&ui).derived().model.spikes.is_empty());
+    click(&mut ui, "Cosine");
+    assert_eq!(app(&ui).derived().model.smooth.basis.word(), "cosine");
+    control(&ui, Role::CheckBox, "Show residual").click();
+    ui.run();
+    assert!(!app(&ui).document().view.residual);
+    for (combo, choice) in [("Scale", "peak 1"), ("Products by", "twice the numbers")] {
+        control(&ui, Role::ComboBox, combo).click();
+        ui.run();
+        control(&ui, Role::Button, choice).click();
+        ui.run();
+    }
+    assert_eq!(app(&ui).document().scale, Scale::PeakOne);
+    assert_eq!(settings(&ui).sampling, Sampling::Double);
+    assert_written(&ui, "share of the peak");
+}
+
+#[test]
+fn a_click_in_the_error_curve_goes_to_that_order() {
+    let mut ui = fresh();
+    let name = "Error against order; click to go to an order";
+    let rect = control(&ui, Role::Image, name).rect();
+    let inside = rect.left_top() + vec2(0.7 * rect.width(), 0.4 * rect.height());
+    ui.hover_at(inside);
+    ui.run();
+    ui.drag_at(inside);
+    ui.drop_at(inside);
+    ui.run();
+    let order = settings(&ui).order;
+    assert!(
+        (15..=35).contains(&order),
+        "order {order} of 40 at 0.7 of the width"
+    );
+    assert_written(&ui, &numbers_words(app(&ui)));
+}
+
+// -------------------------------------------------------------------------------------- library
+
+fn search(ui: &mut Ui, text: &str) {
+    control(ui, Role::TextInput, "Library").click();
+    ui.run();
+    shortcut(ui, Modifiers::COMMAND, Key::A);
+    ui.event(egui::Event::Text(text.to_owned()));
+    ui.run();
+}
+
+#[test]
+fn a_search_finds_a_spectrum_and_a_click_shows_it() {
+    let mut ui = fresh();
+    search(&mut ui, "fluorescent fl2");
+    assert!(ui.query_by_role_and_label(Role::Button, "CIE A").is_none());
+    click(&mut ui, "FL2");
+    assert_eq!(app(&ui).document().light.name(), "FL2");
+    assert_written(&ui, "Spectrum of FL2:");
+    search(&mut ui, "no such lamp");
+    assert_written(&ui, "Nothing is called that.");
+    search(&mut ui, "ohta red");
+    click(&mut ui, "moderate red");
+    assert_eq!(app(&ui).document().subject, Subject::Factor);
+    assert_written(&ui, "The model is of a reflectance");
+    // Back to the light by the switch over the model.
+    click(&mut ui, "FL2");
+    assert!(app(&ui).document().is_about_light());
+}
+
+#[test]
+fn a_click_with_ctrl_or_shift_lays_a_spectrum_over() {
+    let mut ui = fresh();
+    for modifiers in [Modifiers::COMMAND, Modifiers::SHIFT] {
+        let before = app(&ui).document().overlays.len();
+        let name = if before == 0 { "CIE D65" } else { "CIE A" };
+        control(&ui, Role::Button, name).click_modifiers(modifiers);
+        ui.run();
+        assert_eq!(app(&ui).document().light.name(), "FL11");
+        assert_eq!(app(&ui).document().overlays.len(), before + 1);
+    }
+    control(&ui, Role::CheckBox, "Show overlays");
+    control(&ui, Role::Button, "CIE A").click_modifiers(Modifiers::COMMAND);
+    ui.run();
+    let overlays = &app(&ui).document().overlays;
+    let names: Vec<&str> = overlays.iter().map(|o| o.name()).collect();
+    assert_eq!(names, ["CIE D65"]);
+    click(&mut ui, "clear");
+    assert!(app(&ui).document().overlays.is_empty());
+}
+
+#[test]
+fn an_own_spectrum_is_renamed_and_removed_in_the_library() {
+    let mut ui = fresh();
+    apply(&mut ui, Command::Adopt(vec![heater()]));
+    control(&ui, Role::Button, "heater").click_secondary();
+    ui.run();
+    click(&mut ui, "Rename");
+    shortcut(&mut ui, Modifiers::COMMAND, Key::A);
+    ui.event(egui::Event::Text("my lamp".to_owned()));
+    ui.run();
+    press(&mut ui, Key::Enter);
+    assert_eq!(app(&ui).document().own[0].name(), "my lamp");
+    control(&ui, Role::Button, "my lamp").click_secondary();
+    ui.run();
+    click(&mut ui, "Remove");
+    assert!(app(&ui).document().own.is_empty());
+    assert_eq!(app(&ui).document().light.name(), "FL11");
+}
+
+#[test]
+fn a_click_on_a_patch_shows_its_product_and_a_second_hides_it() {
+    let mut ui = fresh();
+    let patch = app(&ui).derived().patches.as_ref().expect("a light").items[4].clone();
+    let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
+    click(&mut ui, &name);
+    assert_eq!(app(&ui).document().patch, Some(4));
+    assert_eq!(
+        app(&ui).product().map(|p| p.name.clone()),
+        Some(patch.name.clone())
+    );
+    assert_written(&ui, &format!("through {}", patch.name));
+    click(&mut ui, &name);
+    assert_eq!(app(&ui).product(), None);
+}
+
+// ----------------------------------------------------------------------------- spikes in the plot
+
+fn transform(ui: &Ui) -> PlotTransform {
+    ui.state().spectrum.transform.expect("the plot was drawn")
+}
+
+/// Where a spike's tip stands on screen.
+fn tip(ui: &Ui, spike: Spike) -> Pos2 {
+    let (app, derived) = (app(ui), app(ui).derived());
+    let base = derived.band.interpolate(&derived.smooth, spike.at_nm);
+    let height = base + spike.stem_height(app.document().settings.max_width_nm);
+    transform(ui).position_from_point(&PlotPoint::new(spike.at_nm, height * app.scale_factor()))
+}
+
+fn strongest(ui: &Ui) -> Spike {
+    let spikes = app(ui).derived().model.spikes.iter().copied();
+    spikes
+        .max_by(|a, b| a.weight.total_cmp(&b.weight))
+        .expect("FL11 has spikes")
+}
+
+fn hand_spike(ui: &Ui) -> Option<Spike> {
+    let spikes = &app(ui).derived().parts.spikes;
+    spikes.iter().find(|s| s.hand.is_some()).map(|s| s.spike)
+}
+
+/// Presses, and moves in a few frames; the button stays down.
+fn drag(ui: &mut Ui, from: Pos2, by: Vec2) {
+    ui.hover_at(from);
+    ui.run();
+    ui.drag_at(from);
+    ui.step();
+    for step in 1..=5 {
+        ui.hover_at(from + by * (step as f32 / 5.0));
+        ui.step();
+    }
+    // One more frame: a plot tells where its points are in the frame after.
+    ui.step();
+}
+
+#[test]
+fn a_spike_is_dragged_in_place_and_weight_as_one_step_and_the_plot_stands_still() {
+    let mut ui = fresh();
+    let first = app(&ui).document().clone();
+    let bounds = *transform(&ui).bounds();
+    let spike = strongest(&ui);
+    let from = tip(&ui, spike);
+    let by = vec2(-40.0, 90.0);
+    drag(&mut ui, from, by);
+    let moved = hand_spike(&ui).expect("the spike is in hand");
+    // The tip is under the pointer, to the pixel.
+    let off = tip(&ui, moved).distance(from + by);
+    assert!(off < 1.0, "the tip is {off} points from the pointer");
+    assert!(
+        moved.at_nm < spike.at_nm - 5.0 && moved.weight < 0.8 * spike.weight,
+        "{moved:?}"
+    );
+    assert_eq!(
+        transform(&ui).bounds().min(),
+        bounds.min(),
+        "the plot does not pan or zoom"
+    );
+    assert_eq!(transform(&ui).bounds().max(), bounds.max());
+    ui.drop_at(from + by);
+    ui.run();
+    assert_eq!(hand_spike(&ui), Some(moved), "it stays where it was let go");
+    let x = |b: &egui_plot::PlotBounds| [b.min()[0], b.max()[0]];
+    assert_eq!(x(transform(&ui).bounds()), x(&bounds));
+    // Moving on without the button moves nothing.
+    ui.hover_at(from + by + vec2(60.0, 0.0));
+    ui.run();
+    assert_eq!(hand_spike(&ui), Some(moved));
+    shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(app(&ui).document(), &first);
+    assert!(!app(&ui).can_undo(), "the whole drag is one step");
+}
+
+#[test]
+fn a_spike_that_is_held_still_lets_the_window_rest() {
+    let mut ui = fresh();
+    let from = tip(&ui, strongest(&ui));
+    drag(&mut ui, from, vec2(-40.0, 90.0));
+    let (revision, held) = (app(&ui).revision(), hand_spike(&ui));
+    // Panics when frame follows frame although nothing moves.
+    ui.run();
+    assert_eq!((app(&ui).revision(), hand_spike(&ui)), (revision, held));
+}
+
+#[test]
+fn a_spike_is_dragged_past_another_without_changing_hands() {
+    let mut ui = fresh();
+    let spike = strongest(&ui);
+    let from = tip(&ui, spike);
+    // Far to the left, over every other line.
+    let target = transform(&ui).position_from_point_x(400.0);
+    let by = vec2(target - from.x, 20.0);
+    drag(&mut ui, from, by);
+    ui.drop_at(from + by);
+    ui.run();
+    assert_eq!(
+        app(&ui).document().subject_edits().hand.len(),
+        1,
+        "one spike was moved"
+    );
+    let moved = hand_spike(&ui).expect("the one in hand");
+    assert!((moved.at_nm - 400.0).abs() < 1.0, "{moved:?}");
+}
+
+#[test]
+fn a_click_on_a_spike_alone_changes_nothing() {
+    let mut ui = fresh();
+    let from = tip(&ui, strongest(&ui));
+    ui.hover_at(from);
+    ui.run();
+    ui.drag_at(from);
+    ui.run();
+    ui.hover_at(from + vec2(1.0, -1.0));
+    ui.run();
+    ui.drop_at(from + vec2(1.0, -1.0));
+    ui.run();
+    assert!(!app(&ui).can_undo());
+}
+
+#[test]
+fn a_spike_is_dragged_to_the_same_place_under_another_scale_and_a_log_axis() {
+    for log_axis in [false, true] {
+        let mut ui = fresh();
+        let view = app(&ui).document().view;
+        apply(&mut ui, Command::Scale(Scale::HundredLux));
+        apply(&mut ui, Command::View(View { log_axis, ..view }));
+        let spike = strongest(&ui);
+        let factor = app(&ui).scale_factor();
+        let place = |ui: &Ui, spike: Spike| {
+            let derived = app(ui).derived();
+            let base = derived.band.interpolate(&derived.smooth, spike.at_nm);
+            let value = factor * (base + spike.stem_height(settings(ui).max_width_nm));
+            let height = if log_axis { value.log10() } else { value };
+            transform(ui).position_from_point(&PlotPoint::new(spike.at_nm, height))
+        };
+        let from = place(&ui, spike);
+        let by = vec2(-30.0, 25.0);
+        drag(&mut ui, from, by);
+        let moved = hand_spike(&ui).expect("the spike is in hand");
+        let off = place(&ui, moved).distance(from + by);
+        assert!(
+            off < 1.0,
+            "log {log_axis}: the tip is {off} points from the pointer"
+        );
+        ui.drop_at(from + by);
+        ui.run();
+    }
+}
+
+#[test]
+fn a_double_click_beside_the_spikes_adds_one() {
+    let mut ui = fresh();
+    let before = app(&ui).derived().model.spikes.len();
+    let frame = *transform(&ui).frame();
+    let at = Pos2::new(
+        transform(&ui).position_from_point_x(675.0),
+        frame.center().y,
+    );
+    ui.hover_at(at);
+    ui.run();
+    let height = transform(&ui).value_from_position(at).y;
+    for _ in 0..2 {
+        ui.drag_at(at);
+        ui.event(egui::Event::PointerButton {
+            pos: at,
+            button: egui::PointerButton::Primary,
+            pressed: false,
+            modifiers: Modifiers::NONE,
+        });
+        ui.step();
+    }
+    ui.run();
+    assert_eq!(app(&ui).derived().model.spikes.len(), before + 1);
+    let added = hand_spike(&ui).expect("the added one");
+    // A pixel is about half a nm.
+    assert!((added.at_nm - 675.0).abs() < 0.6, "{added:?}");
+    assert!(added.weight > 0.0 && added.stem_height(10.0) < height);
+    click(&mut ui, "Undo");
+    assert_eq!(app(&ui).derived().model.spikes.len(), before);
+    assert!(!app(&ui).can_undo());
+}
+
+#[test]
+fn a_drag_in_the_empty_plot_pans_it_and_home_brings_it_back() {
+    let mut ui = fresh();
+    let bounds = *transform(&ui).bounds();
+    let frame = *transform(&ui).frame();
+    let from = Pos2::new(
+        transform(&ui).position_from_point_x(675.0),
+        frame.top() + 0.4 * frame.height(),
+    );
+    drag(&mut ui, from, vec2(-80.0, 0.0));
+    ui.drop_at(from + vec2(-80.0, 0.0));
+    ui.run();
+    assert!(transform(&ui).bounds().min()[0] > bounds.min()[0] + 1.0);
+    assert!(!app(&ui).can_undo(), "looking is no change");
+    press(&mut ui, Key::Home);
+    let now = *transform(&ui).bounds();
+    assert_eq!(
+        (now.min()[0], now.max()[0]),
+        (bounds.min()[0], bounds.max()[0])
+    );
+}
+
+#[test]
+fn the_spike_table_edits_locks_and_deletes() {
+    let mut ui = fresh();
+    let count = app(&ui).derived().model.spikes.len();
+    click(&mut ui, &format!("Spikes ({count})"));
+    type_into(&mut ui, Role::SpinButton, "Spike 1 place", "410");
+    press(&mut ui, Key::Enter);
+    assert_eq!(hand_spike(&ui).map(|s| s.at_nm), Some(410.0));
+    type_into(&mut ui, Role::SpinButton, "Spike 1 weight", "12.5");
+    press(&mut ui, Key::Enter);
+    assert_eq!(hand_spike(&ui).map(|s| s.weight), Some(12.5));
+    click(&mut ui, "Forget hand edits");
+    assert_eq!(hand_spike(&ui), None);
+    click(&mut ui, "Delete spike 1");
+    assert_eq!(app(&ui).derived().model.spikes.len(), count - 1);
+    control(&ui, Role::CheckBox, "Lock spike 1").click();
+    ui.run();
+    assert!(hand_spike(&ui).is_some());
+}
+
+// ---------------------------------------------------------------------------------------- undo
+
+#[test]
+fn undo_and_redo_by_keys_and_by_buttons() {
+    let mut ui = fresh();
+    let first = app(&ui).document().clone();
+    control(&ui, Role::Slider, names::ORDER).set_value_accesskit(20.0);
+    ui.run();
+    let second = app(&ui).document().clone();
+    shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(app(&ui).document(), &first);
+    shortcut(&mut ui, Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+    assert_eq!(app(&ui).document(), &second);
+    click(&mut ui, "Undo");
+    assert_eq!(app(&ui).document(), &first);
+    click(&mut ui, "Redo");
+    assert_eq!(app(&ui).document(), &second);
+    shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
+    shortcut(&mut ui, Modifiers::COMMAND, Key::Y);
+    assert_eq!(app(&ui).document(), &second);
+}
+
+#[test]
+fn a_slider_dragged_by_the_mouse_is_one_step_of_undo() {
+    let mut ui = fresh();
+    let first = app(&ui).document().clone();
+    let rail = control(&ui, Role::Slider, names::ORDER).rect();
+    let from = Pos2::new(rail.left() + 20.0, rail.center().y);
+    drag(&mut ui, from, vec2(60.0, 0.0));
+    ui.drop_at(from + vec2(60.0, 0.0));
+    ui.run();
+    assert_ne!(settings(&ui).order, 7);
+    shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(app(&ui).document(), &first);
+    assert!(!app(&ui).can_undo());
+}
+
+// ---------------------------------------------------------------------------------------- files
+
+#[derive(Debug)]
+struct FakeFile(PathBuf, Vec<u8>);
+
+impl egui::DroppedFile for FakeFile {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Ok(self.1.clone())
+    }
+}
+
+fn drop_file(ui: &mut Ui, name: &str, bytes: &[u8]) {
+    let file = FakeFile(name.into(), bytes.to_vec());
+    ui.input_mut().dropped_files.push(Arc::new(file));
+    ui.run();
+}
+
+/// What was asked of a picker that always gives the same answer.
+fn picker(answer: Picked) -> (Picker, Arc<Mutex<Vec<Ask>>>) {
+    let asked = Arc::new(Mutex::new(Vec::new()));
+    let record = asked.clone();
+    let picker: Picker = Arc::new(move |ask| {
+        record
+            .lock()
+            .expect("no panic in a picker")
+            .push(ask.clone());
+        answer.clone()
+    });
+    (picker, asked)
+}
+
+const LAMP: &str = "400 1\n450 2\n500 4\n550 2\n600 1\n650 1\n700 1\n";
+
+#[test]
+fn a_dropped_file_is_shown() {
+    let mut ui = fresh();
+    drop_file(&mut ui, "lamp.csv", LAMP.as_bytes());
+    assert_eq!(app(&ui).document().own.len(), 1);
+    assert!(app(&ui).document().light.key.starts_with("own/"));
+    let message = app(&ui).message().expect("how it was read");
+    assert!(
+        message.tone == Tone::Info && message.text.contains("lamp.csv"),
+        "{message:?}"
+    );
+    assert_written(&ui, "lamp.csv");
+    click(&mut ui, "Undo");
+    assert_eq!(app(&ui).document().light.name(), "FL11");
+}
+
+#[test]
+fn a_dropped_file_that_is_no_spectrum_leaves_everything_and_is_named() {
+    let mut ui = fresh();
+    let before = app(&ui).document().clone();
+    for (name, bytes) in [
+        (
+            "poem.txt",
+            &b"Tyger Tyger, burning bright\nIn the forests of the night"[..],
+        ),
+        ("noise.bin", &[0, 159, 146, 150, 0, 1, 2, 3]),
+        ("empty.csv", b""),
+        (
+            "half.json",
+            b"{\"format\": \"spectral-explorer-project\", \"version\": 1, ",
+        ),
+    ] {
+        drop_file(&mut ui, name, bytes);
+        assert_eq!(app(&ui).document(), &before);
+        let message = app(&ui).message().expect("a refusal");
+        assert_eq!(message.tone, Tone::Problem);
+        assert!(
+            message.text.starts_with(name) && !message.text.contains('\n'),
+            "{message:?}"
+        );
+        assert_written(&ui, &message.text.clone());
+    }
+    assert!(!app(&ui).can_undo());
+}
+
+#[test]
+fn a_dropped_project_is_opened_and_can_be_undone() {
+    let mut other = App::new();
+    other.apply(light(&other, "cie_illuminants/CIE A"));
+    other.apply(Command::Scale(Scale::OneWatt));
+    let text = workspace::to_json(other.document(), None).unwrap();
+    let mut ui = fresh();
+    let before = app(&ui).document().clone();
+    drop_file(&mut ui, "project.json", text.as_bytes());
+    assert_eq!(app(&ui).document(), other.document());
+    shortcut(&mut ui, Modifiers::COMMAND, Key::Z);
+    assert_eq!(app(&ui).document(), &before);
+}
+
+#[test]
+fn the_open_button_asks_the_picker_and_shows_what_it_gave() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("my lamp.csv");
+    fs::write(&path, LAMP).expect("written");
+    let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
+    let mut ui = at_rest(window(App::new(), picker));
+    click(&mut ui, "Open");
+    control(&ui, Role::Button, "Open files…").click();
+    wait_until(&mut ui, "the file", |ui| !app(ui).document().own.is_empty());
+    assert_eq!(*asked.lock().expect("no panic"), [Ask::Open]);
+    assert_eq!(ui.state().preferences.recent, [path]);
+    assert!(!ui.state().is_busy());
+    // It stands among the recent files now.
+    ui.state_mut().app.apply(Command::Undo);
+    click(&mut ui, "Open");
+    control(&ui, Role::Button, "my lamp.csv").click();
+    wait_until(&mut ui, "the same again", |ui| {
+        app(ui).document().own.len() == 1
+    });
+}
+
+#[test]
+fn a_cancelled_dialog_changes_nothing() {
+    let (picker, asked) = picker(Picked::Cancelled);
+    let mut ui = at_rest(window(App::new(), picker));
+    let before = app(&ui).document().clone();
+    shortcut(&mut ui, Modifiers::COMMAND, Key::O);
+    wait_until(&mut ui, "an answer", |ui| !ui.state().is_busy());
+    assert_eq!(asked.lock().expect("no panic").len(), 1);
+    assert_eq!(app(&ui).document(), &before);
+}
+
+#[test]
+fn without_a_dialog_the_path_is_typed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("lamp.csv");
+    fs::write(&path, LAMP).expect("written");
+    let (picker, _) = picker(Picked::NoDialog);
+    let mut ui = at_rest(window(App::new(), picker));
+    click(&mut ui, "Open");
+    control(&ui, Role::Button, "Open files…").click();
+    wait_until(&mut ui, "the path field", |ui| {
+        ui.query_by_role_and_label(Role::TextInput, "Path of the file")
+            .is_some()
+    });
+    assert_eq!(app(&ui).message().map(|m| m.tone), Some(Tone::Problem));
+    assert_sound(&ui, "path field");
+    // The field has the keyboard already.
+    ui.event(egui::Event::Text(path.display().to_string()));
+    ui.run();
+    ui.key_press(Key::Enter);
+    wait_until(&mut ui, "the file", |ui| !app(ui).document().own.is_empty());
+    assert!(
+        ui.query_by_label("Path of the file").is_none(),
+        "the field is closed"
+    );
+}
+
+#[test]
+fn a_typed_path_that_leads_nowhere_is_told_and_escape_closes_the_field() {
+    let mut ui = fresh();
+    shortcut(&mut ui, Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::O);
+    ui.event(egui::Event::Text("no such file.csv".to_owned()));
+    ui.run();
+    click(&mut ui, "Open it");
+    wait_until(&mut ui, "a refusal", |ui| app(ui).message().is_some());
+    let message = &app(&ui).message().expect("a refusal").text;
+    assert!(message.contains("no such file.csv"), "{message}");
+    shortcut(&mut ui, Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::O);
+    assert!(
+        ui.query_by_role_and_label(Role::TextInput, "Path of the file")
+            .is_some()
+    );
+    press(&mut ui, Key::Escape);
+    assert!(
+        ui.query_by_role_and_label(Role::TextInput, "Path of the file")
+            .is_none()
+    );
+}
+
+#[test]
+fn everything_in_the_save_menu_is_written_where_the_picker_says() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("saved");
+    let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
+    let mut ui = at_rest(window(App::new(), picker));
+    for export in Export::ALL {
+        click(&mut ui, "Save");
+        control(&ui, Role::Button, export.title()).click();
+        ui.step();
+        wait_until(&mut ui, export.title(), |ui| {
+            !ui.state().is_busy() && path.is_file() && app(ui).message().is_some()
+        });
+        wait_until(&mut ui, "the word that it is saved", |ui| {
+            app(ui)
+                .messages()
+                .iter()
+                .filter(|m| m.text.starts_with("Saved"))
+                .count()
+                == asked.lock().expect("no panic").len()
+        });
+        let ask = asked.lock().expect("no panic").last().cloned();
+        let expected = Ask::Save {
+            suggested: export.suggested_name(app(&ui)),
+            extension: export.extension(),
+        };
+        assert_eq!(ask, Some(expected));
+        let text = fs::read_to_string(&path).expect("text");
+        let theme = spectral_explorer::app::plot_svg::Theme::Dark;
+        assert_eq!(text, export.text(app(&ui), theme).expect("a text"));
+        fs::remove_file(&path).expect("there");
+    }
+}
+
+#[test]
+fn the_error_curve_is_saved_as_a_picture_of_pixels_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("curve.png");
+    let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
+    let mut ui = at_rest(window(App::new(), picker));
+    click(&mut ui, "Save");
+    control(&ui, Role::Button, "Error against order (PNG)").click();
+    ui.step();
+    wait_until(&mut ui, "the word that it is saved", |ui| {
+        app(ui)
+            .message()
+            .is_some_and(|m| m.text.starts_with("Saved"))
+    });
+    let expected = Ask::Save {
+        suggested: "FL11-error-against-order.png".to_owned(),
+        extension: "png",
+    };
+    assert_eq!(asked.lock().expect("no panic").clone(), [expected]);
+    let bytes = fs::read(&path).expect("saved");
+    assert!(bytes.starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn a_saved_composite_can_be_opened_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fl11.json");
+    let (picker, _) = picker(Picked::NoDialog);
+    let mut ui = at_rest(window(App::new(), picker));
+    click(&mut ui, "Save");
+    control(&ui, Role::Button, Export::CompositeJson.title()).click();
+    wait_until(&mut ui, "the path field", |ui| {
+        ui.query_by_role_and_label(Role::TextInput, "Path of the file")
+            .is_some()
+    });
+    // A name is offered already; another one is typed over it.
+    shortcut(&mut ui, Modifiers::COMMAND, Key::A);
+    ui.event(egui::Event::Text(path.display().to_string()));
+    ui.run();
+    ui.key_press(Key::Enter);
+    wait_until(&mut ui, "the file", |_| path.is_file());
+    let reading = read_bytes("fl11.json", &fs::read(&path).expect("there")).expect("our own");
+    assert_eq!(reading.composites[0].composite, app(&ui).derived().model);
+}
+
+#[test]
+fn a_typed_path_replaces_a_file_only_by_the_button_that_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("kept.json");
+    fs::write(&path, "kept").expect("written");
+    let (picker, _) = picker(Picked::NoDialog);
+    let mut ui = at_rest(window(App::new(), picker));
+    click(&mut ui, "Save");
+    control(&ui, Role::Button, Export::CompositeJson.title()).click();
+    wait_until(&mut ui, "the path field", |ui| {
+        ui.query_by_role_and_label(Role::TextInput, "Path of the file")
+            .is_some()
+    });
+    shortcut(&mut ui, Modifiers::COMMAND, Key::A);
+    ui.event(egui::Event::Text(path.display().to_string()));
+    ui.run();
+    press(&mut ui, Key::Enter);
+    assert!(ui.query_by_label("Replace it").is_some(), "it asks");
+    wait_until(&mut ui, "rest", |ui| !ui.state().is_busy());
+    assert_eq!(fs::read_to_string(&path).expect("there"), "kept");
+    click(&mut ui, "Replace it");
+    wait_until(&mut ui, "the file", |_| {
+        fs::read_to_string(&path).is_ok_and(|text| text != "kept")
+    });
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_told_in_one_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("no such folder").join("x.csv");
+    let (picker, _) = picker(Picked::Paths(vec![path]));
+    let mut ui = at_rest(window(App::new(), picker));
+    shortcut(&mut ui, Modifiers::COMMAND, Key::S);
+    wait_until(&mut ui, "a refusal", |ui| {
+        app(ui).message().is_some_and(|m| m.tone == Tone::Problem)
+    });
+    let message = &app(&ui).message().expect("a refusal").text;
+    assert!(
+        message.contains("x.csv") && !message.contains('\n'),
+        "{message}"
+    );
+}
+
+// ---------------------------------------------------------------------------------------- looks
+
+#[test]
+fn theme_projector_and_zoom_change_by_button_and_by_key() {
+    let mut ui = fresh();
+    assert!(ui.ctx.global_style().visuals.dark_mode);
+    click(&mut ui, "Light");
+    assert!(!ui.state().preferences.dark && !ui.ctx.global_style().visuals.dark_mode);
+    shortcut(&mut ui, Modifiers::COMMAND, Key::D);
+    assert!(ui.state().preferences.dark && ui.ctx.global_style().visuals.dark_mode);
+    let size = |ui: &Ui| egui::TextStyle::Body.resolve(&ui.ctx.global_style()).size;
+    let before = size(&ui);
+    click(&mut ui, "Projector");
+    assert!(ui.state().preferences.projector && size(&ui) > 1.2 * before);
+    shortcut(&mut ui, Modifiers::COMMAND, Key::P);
+    assert_eq!(size(&ui), before);
+    click(&mut ui, "Larger");
+    assert_eq!(
+        (ui.state().preferences.zoom, ui.ctx.zoom_factor()),
+        (1.1, 1.1)
+    );
+    for _ in 0..20 {
+        shortcut(&mut ui, Modifiers::COMMAND, Key::Minus);
+    }
+    assert_eq!(ui.ctx.zoom_factor(), 0.8, "not smaller than that");
+    shortcut(&mut ui, Modifiers::COMMAND, Key::Num0);
+    assert_eq!(ui.ctx.zoom_factor(), 1.0);
+    assert!(!app(&ui).can_undo(), "looks are no part of undo");
+}
+
+#[test]
+fn the_list_of_shortcuts_opens_by_key_and_keeps_keys_to_itself() {
+    let mut ui = fresh();
+    press(&mut ui, Key::F1);
+    assert_written(&ui, "Order N plus one");
+    control(&ui, Role::Button, "Close");
+    press(&mut ui, Key::ArrowRight);
+    assert_eq!(settings(&ui).order, 7, "an open dialog has the keyboard");
+    press(&mut ui, Key::Escape);
+    assert!(ui.query_by_role_and_label(Role::Button, "Close").is_none());
+}
+
+/// Windows that show something out of the ordinary, by name.
+fn subjects() -> Vec<(&'static str, App)> {
+    let with = |spectrum: NamedSpectrum| {
+        let mut app = App::new();
+        app.apply(Command::Adopt(vec![spectrum]));
+        app
+    };
+    let mut reflectance = App::new();
+    reflectance.apply(light(&reflectance, "colorchecker_ohta/red"));
+    let mut infrared = with(heater());
+    let settings = infrared.document().settings;
+    infrared.apply(Command::Edit(Settings {
+        band: Band::new(780.0, 1100.0).expect("a range"),
+        ..settings
+    }));
+    let mut far = infrared.clone();
+    far.apply(Command::Edit(Settings {
+        band: Band::new(850.0, 1100.0).expect("a range"),
+        ..settings
+    }));
+    let mut overlaid = App::new();
+    for key in [
+        "cie_illuminants/CIE A",
+        "colorchecker_ohta/red",
+        "observers/V(lambda) photopic",
+    ] {
+        overlaid.apply(Command::ToggleOverlay(
+            overlaid.entry(key).expect("shipped"),
+        ));
+    }
+    overlaid.apply(Command::Patch(Some(2)));
+    let mut paper = App::new();
+    paper.apply(light(&paper, "paper/Mercury"));
+    let mut line = App::new();
+    line.apply(light(&line, "lamps_nist_traditional/LPS"));
+    vec![
+        ("FL11", App::new()),
+        ("reflectance", reflectance),
+        ("all zero", with(darkness())),
+        ("infrared 780-1100", infrared),
+        ("infrared 850-1100", far),
+        ("overlays and a product", overlaid),
+        ("one line, far out of sRGB", line),
+        ("the paper's lamp", paper),
+    ]
+}
+
+const CURVES: [CurveQuantity; 5] = [
+    CurveQuantity::Own,
+    CurveQuantity::Patches,
+    CurveQuantity::PatchesWorst,
+    CurveQuantity::Rms,
+    CurveQuantity::RmsBlurred,
+];
+
+#[test]
+fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
+    for (name, app) in subjects() {
+        let is_dark = app.derived().errors.is_none();
+        let mut ui = at_rest(window(app, no_files()));
+        let mut look = 0;
+        for (dark, projector) in [(true, false), (true, true), (false, false), (false, true)] {
+            for spikes_below in [false, true] {
+                let preferences = &mut ui.state_mut().preferences;
+                preferences.dark = dark;
+                preferences.projector = projector;
+                preferences.spikes_below = spikes_below;
+                preferences.curve = CURVES[look % CURVES.len()];
+                look += 1;
+                ui.run();
+                assert_sound(&ui, name);
+            }
+        }
+        for curve in CURVES {
+            ui.state_mut().preferences.curve = curve;
+            ui.run();
+            assert_sound(&ui, name);
+        }
+        for scale in Scale::ALL {
+            let view = ui.state().app.document().view;
+            apply(&mut ui, Command::Scale(scale));
+            apply(
+                &mut ui,
+                Command::View(View {
+                    log_axis: !view.log_axis && !is_dark,
+                    model: true,
+                    ..view
+                }),
+            );
+            assert_sound(&ui, name);
+        }
+        // Over the plot, for what hovering writes.
+        let middle = transform(&ui).frame().center();
+        for x in [-200.0, 0.0, 150.0] {
+            ui.hover_at(middle + vec2(x, 0.0));
+            ui.run();
+            assert_sound(&ui, name);
+        }
+    }
+}
+
+#[test]
+fn darkness_is_drawn_on_a_logarithmic_axis_too() {
+    let mut ui = at_rest(window(App::new(), no_files()));
+    apply(&mut ui, Command::Adopt(vec![darkness()]));
+    let view = app(&ui).document().view;
+    for model in [false, true] {
+        apply(
+            &mut ui,
+            Command::View(View {
+                log_axis: true,
+                model,
+                ..view
+            }),
+        );
+        let bounds = *transform(&ui).bounds();
+        let all = [bounds.min(), bounds.max()].concat();
+        assert!(all.iter().all(|b| b.is_finite()), "{all:?}");
+    }
+    assert_sound(&ui, "darkness");
+}
+
+#[test]
+fn a_spike_set_in_the_dark_is_listed_without_nan() {
+    let mut dark = App::new();
+    dark.apply(Command::Adopt(vec![darkness()]));
+    let mut ui = at_rest(window(dark, no_files()));
+    ui.state_mut().preferences.spikes_below = true;
+    let act = spectral_explorer::app::spike_hand::SpikeAct::Add {
+        at_nm: 500.0,
+        weight: 1.0,
+    };
+    ui.state_mut().app.act_on_spikes(act);
+    ui.run();
+    assert_sound(&ui, "a spike in the dark");
+}
+
+#[test]
+fn every_small_window_and_menu_is_drawn_with_names() {
+    for (dark, projector) in [(true, false), (false, true)] {
+        let mut ui = fresh();
+        ui.state_mut().preferences.dark = dark;
+        ui.state_mut().preferences.projector = projector;
+        ui.run();
+        press(&mut ui, Key::F1);
+        assert_written(&ui, "Undo");
+        assert_sound(&ui, "shortcuts");
+        press(&mut ui, Key::Escape);
+        shortcut(&mut ui, Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::O);
+        assert_sound(&ui, "path");
+        press(&mut ui, Key::Escape);
+        click(&mut ui, "Help");
+        click(&mut ui, "About and licences");
+        assert_named(&ui, "about");
+        // Every licence is read to its last letter by the fonts.
+        for licence in spectral_explorer::app::licences::all() {
+            click(&mut ui, licence.id);
+            assert_named(&ui, licence.id);
+        }
+        press(&mut ui, Key::Escape);
+        for menu in ["Open", "Save", "Help"] {
+            click(&mut ui, menu);
+            assert_sound(&ui, menu);
+            press(&mut ui, Key::Escape);
+        }
+        for combo in [
+            "Scale",
+            "Observer",
+            "Spike detector",
+            "What the curve shows",
+            "Patch set",
+            "Products by",
+        ] {
+            control(&ui, Role::ComboBox, combo).click();
+            ui.run();
+            assert_sound(&ui, combo);
+            press(&mut ui, Key::Escape);
+        }
+    }
+}
+
+#[test]
+fn every_name_in_the_library_can_be_written() {
+    let mut ui = fresh();
+    ui.state_mut().preferences.folded.clear();
+    // Tall enough to show every shelf at once: a glyph that no font has would panic.
+    let rows = ui.state().app.bundled().len() as f32;
+    ui.set_size(vec2(1280.0, 24.0 * rows + 400.0));
+    ui.run();
+    let last = ui.state().app.bundled().last().map(|e| e.name().to_owned());
+    control(&ui, Role::Button, &last.expect("a library"));
+    assert_sound(&ui, "the whole library");
+}
+
+#[test]
+fn small_and_large_windows_are_drawn() {
+    let mut ui = fresh();
+    for size in [
+        [900.0, 560.0],
+        [3840.0, 2160.0],
+        [400.0, 300.0],
+        [1280.0, 800.0],
+    ] {
+        ui.set_size(size.into());
+        ui.run();
+        ui.run();
+        assert_sound(&ui, "a window of another size");
+    }
+    // Nothing of the model panel is cut off at the usual size.
+    let screen = egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0));
+    for (role, name) in [
+        (Role::Slider, names::ORDER),
+        (Role::SpinButton, names::ORDER),
+        (Role::SpinButton, names::THRESHOLD),
+        (Role::SpinButton, "Range to"),
+        (Role::Button, "Larger"),
+        (Role::Button, "Help"),
+        (Role::ComboBox, "Products by"),
+    ] {
+        let rect = control(&ui, role, name).rect();
+        assert!(screen.contains_rect(rect), "{name} is at {rect:?}");
+    }
+}
+
+// ------------------------------------------------------------------------------------- workspace
+
+#[test]
+fn a_window_is_restored_as_it_was_left() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("workspace.json");
+    let saver = Saver::new(path.clone());
+    let first = Window::new(App::new(), Preferences::default(), no_files(), Some(saver));
+    let mut ui = at_rest(first);
+    drop_file(&mut ui, "lamp.csv", LAMP.as_bytes());
+    control(&ui, Role::Slider, names::ORDER).set_value_accesskit(11.0);
+    ui.run();
+    click(&mut ui, "Light");
+    // The workspace is kept a moment after the last change: two seconds of the program's time.
+    ui.run_steps((2.0 / FRAME) as usize);
+    let left = (app(&ui).document().clone(), ui.state().preferences.clone());
+    // The saver writes what it was given before it goes.
+    drop(ui.into_state());
+    let restored = workspace::load(&path).expect("readable").expect("kept");
+    let (app_again, preferences, _) = Window::restored(restored);
+    assert_eq!((app_again.document(), &preferences), (&left.0, &left.1));
+    let again = Window::new(app_again, preferences, no_files(), None);
+    let ui = at_rest(again);
+    assert_eq!(settings(&ui).order, 11);
+    assert_written(&ui, &numbers_words(app(&ui)));
+    assert!(!ui.ctx.global_style().visuals.dark_mode);
+}
+
+#[test]
+fn what_could_not_be_restored_is_said_in_the_window() {
+    let document = App::new().document().clone();
+    let text = workspace::to_json(&document, None)
+        .unwrap()
+        .replace("cie_fluorescent_1nm/FL11", "gone/FL11");
+    let restored = workspace::from_json(&text).expect("sound");
+    let (app_again, ..) = Window::restored(restored);
+    let ui = at_rest(window(app_again, no_files()));
+    assert_written(&ui, "gone/FL11");
+    assert_eq!(app(&ui).message().map(|m| m.tone), Some(Tone::Problem));
+}
+
+// -------------------------------------------------------------------------------------- pictures
+
+/// The window as it looks, without what changes from run to run.
+fn picture(name: &str, app: App, preferences: Preferences, size: [f32; 2]) {
+    let mut window = Window::new(app, preferences, no_files(), None);
+    window.quiet = true;
+    let mut ui: Ui = Harness::builder()
+        .with_size(size)
+        .with_step_dt(FRAME)
+        .with_max_steps(MOST_FRAMES)
+        .with_context_setup(theme::install_fonts)
+        .renderer(SoftRenderer::default())
+        .build_eframe(|_| Shown(window));
+    ui.run();
+    ui.run();
+    ui.snapshot(name);
+}
+
+#[test]
+fn the_window_looks_as_it_did_dark() {
+    picture("dark", App::new(), Preferences::default(), [1280.0, 800.0]);
+}
+
+#[test]
+fn the_window_looks_as_it_did_light() {
+    let preferences = Preferences {
+        dark: false,
+        ..Preferences::default()
+    };
+    picture("light", App::new(), preferences, [1280.0, 800.0]);
+}
+
+#[test]
+fn the_window_looks_as_it_did_on_a_large_screen() {
+    picture(
+        "large",
+        App::new(),
+        Preferences::default(),
+        [1920.0, 1080.0],
+    );
+}
+
+#[test]
+fn the_window_looks_as_it_did_on_a_projector() {
+    let preferences = Preferences {
+        projector: true,
+        ..Preferences::default()
+    };
+    picture("projector", App::new(), preferences, [1280.0, 800.0]);
+}
+
+#[test]
+fn the_window_looks_as_it_did_with_the_spike_table() {
+    let preferences = Preferences {
+        spikes_below: true,
+        ..Preferences::default()
+    };
+    picture("spikes", App::new(), preferences, [1280.0, 800.0]);
+}
+
+#[test]
+fn the_window_looks_as_it_did_with_a_reflectance() {
+    let mut app = App::new();
+    app.apply(light(&app, "cie_illuminants/CIE D65"));
+    app.apply(light(&app, "colorchecker_ohta/red"));
+    picture("reflectance", app, Preferences::default(), [1280.0, 800.0]);
+}
+
+#[test]
+fn several_refused_files_are_counted_and_none_is_forgotten() {
+    let mut ui = fresh();
+    for name in ["first.csv", "second.csv"] {
+        let file = FakeFile(PathBuf::from(name), b"no numbers here".to_vec());
+        ui.input_mut().dropped_files.push(Arc::new(file));
+    }
+    ui.run();
+    let message = app(&ui).message().expect("what came of them");
+    assert_eq!(message.text, "0 of 2 files read; 2 refused.");
+    for name in ["first.csv", "second.csv"] {
+        assert_written(&ui, &format!("{name}: –, refused: line 1: found"));
+    }
+}

@@ -1,0 +1,64 @@
+//! The page "Race" in the real window, driven without a display.
+
+use crate::driver::{Shown, Ui, assert_written, click, harness, no_files, words};
+use spectral_explorer::{
+    app::{
+        App,
+        pages::{FieldChoice, Page, PageMemory},
+        studies::Stage,
+        workspace::Preferences,
+    },
+    ui::Window,
+};
+
+fn race_of(field: FieldChoice) -> Ui {
+    let preferences = Preferences {
+        pages: PageMemory {
+            page: Page::Race,
+            field,
+            ..PageMemory::default()
+        },
+        ..Preferences::default()
+    };
+    let window = Window::new(App::new(), preferences, no_files(), None);
+    let mut ui = harness(Shown(window), [1920.0, 2600.0], 0.02, 40);
+    ui.step();
+    ui.state_mut().0.studies.finish();
+    ui.run();
+    ui
+}
+
+#[test]
+fn the_light_at_hand_races_and_another_count_shows_at_once() {
+    let mut ui = race_of(FieldChoice::ThisLight);
+    let name = ui.state().0.app.document().light.name().to_owned();
+    assert_written(&ui, &format!("{name}, 20 numbers each"));
+    assert_written(&ui, "Principal components");
+    assert!(!words(&ui).iter().any(|w| w.contains("larger collection")));
+    click(&mut ui, "31 numbers");
+    assert_eq!(ui.state().0.preferences.pages.race_numbers, 31);
+    assert_eq!(ui.state().0.studies.race.stage(), Stage::Done);
+    assert_written(&ui, &format!("{name}, 31 numbers each"));
+}
+
+#[test]
+fn a_whole_set_shows_both_halves_and_a_click_on_a_light_shows_it() {
+    let mut ui = race_of(FieldChoice::Fluorescent);
+    assert_written(&ui, "77 lights, 20 numbers each");
+    assert_written(&ui, "Fluorescent: the composite wins");
+    assert_written(
+        &ui,
+        "Fluorescent: the composite loses: principal components",
+    );
+    assert_written(&ui, "79 fluorescent");
+    click(&mut ui, "Show FL3 (3)");
+    assert_eq!(ui.state().0.app.document().light.name(), "FL3");
+    // The lights that race are the same: the result stands.
+    assert_eq!(ui.state().0.studies.race.stage(), Stage::Done);
+}
+
+#[test]
+fn without_lights_of_ones_own_the_page_says_so() {
+    let ui = race_of(FieldChoice::Own);
+    assert_written(&ui, "There are no lights of your own");
+}
