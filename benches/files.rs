@@ -16,7 +16,7 @@ use spectral_explorer::{
     app::{
         library::Library,
         memo::ByAddress,
-        picture::{BandWeights, Exposed, RasterAsk, Source, exposed},
+        picture::{BandWeights, Exposed, MOST_SIDE, RasterAsk, Source, exposed},
     },
     color::Observer,
     io::read_path,
@@ -112,6 +112,7 @@ fn true_colour(path: &Path) -> Exposed {
     let ask = RasterAsk {
         image: ByAddress(image),
         source: Source::TrueColour(Box::new(weights)),
+        most_side: MOST_SIDE,
     };
     let raster = ask.answer(&Progress::default()).expect("not cancelled");
     exposed(&raster, 0.0)

@@ -81,15 +81,15 @@ fn an_auction(criterion: &mut Criterion) {
     group.bench_function("the heaviest lines only, every order", |b| {
         b.iter(|| {
             let examined = Examined::of(&ask.about.subject(), 41).expect("the first light shines");
-            let prepared = examined.prepared(ask.terms.basis, &examined.shapes);
+            let projected = examined.projected(ask.terms.basis, &examined.shapes);
             let mut best = f64::INFINITY;
             for count in 0..=20 {
-                for lines in 0..=prepared.lines().min(count) {
+                for lines in 0..=projected.lines().min(count) {
                     let lines: Vec<usize> = (0..lines).collect();
                     let numbers = numbers_of_order(count - lines.len());
-                    let (model, _) = prepared.model(numbers, &lines, false);
-                    let smooth = prepared.smooth(&model);
-                    let found = examined.judge.patches(&smooth, &model.spikes);
+                    let (model, _) = projected.model(numbers, &lines, false);
+                    let smooth = projected.smooth(&model);
+                    let found = examined.reference.patches(&smooth, &model.spikes);
                     best = best.min(found.map_or(f64::INFINITY, |f| f.0));
                 }
             }
@@ -120,7 +120,7 @@ fn a_race(criterion: &mut Criterion) {
     group.finish();
     let mut group = criterion.benchmark_group("what a race is run on");
     group.sample_size(10);
-    group.bench_function("tables, training of the components, yardsticks", |b| {
+    group.bench_function("tables, training of the components, measures", |b| {
         b.iter(|| black_box(ask.course()));
     });
     group.finish();

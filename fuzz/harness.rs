@@ -11,8 +11,8 @@ use std::hint::black_box;
 use std::io::{Cursor, Write};
 use std::time::{Duration, Instant};
 
+use spectral_explorer::io::provenance::{Columns, Provenance};
 use spectral_explorer::io::units::WavelengthUnit;
-use spectral_explorer::io::write::{Columns, Provenance};
 use spectral_explorer::io::{
     Choices, Counted, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, number, read_bytes,
     read_bytes_as, read_path,

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! spectrum   what a spectrum is                 band sampled basis spikes composite product chain
+//! preset     the shipped spectra's file format, read once
 //! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches
 //! rivals     the other representations          samples bins legendre principal moments wavelet
 //! study      accuracy against numbers           error sweep auction race truth products
@@ -11,8 +12,8 @@
 //! cli        the same engine without a window   one command a file
 //! ```
 //!
-//! Imports point one way: `main -> {ui, cli} -> app -> study -> {rivals, color} -> spectrum`, and
-//! `io -> spectrum`. The feature `window`, on by default, builds `ui`. The composite model is that
+//! Imports point one way: `main -> {ui, cli} -> app -> study -> {rivals, color} -> {spectrum,
+//! preset}`, and `io -> spectrum`. The feature `window`, on by default, builds `ui`. The composite model is that
 //! of Sun, Fracchia and Drew, "A Composite Spectral Model and Its Applications" (2000); its
 //! misprints are corrected and each correction is tested.
 //!
@@ -23,6 +24,7 @@ pub mod app;
 pub mod cli;
 pub mod color;
 pub mod io;
+pub mod preset;
 pub mod rivals;
 pub mod spectrum;
 pub mod study;

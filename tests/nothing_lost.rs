@@ -14,7 +14,7 @@ use spectral_explorer::{
         workspace::{self, Preferences},
     },
     io::{atomic::save_atomically, read_bytes},
-    ui::saver::Saver,
+    ui::{saver::Saver, shell},
 };
 
 /// Where the child that is killed keeps its workspace.
@@ -211,4 +211,84 @@ fn a_damaged_workspace_is_kept_aside_under_a_name_that_is_told() {
         assert!(!path.exists(), "the next start begins anew");
         fs::remove_file(kept).expect("swept up");
     }
+}
+
+/// Things at a path that are no file, as far as this user may make them; each with what it is.
+#[cfg(unix)]
+fn no_files(folder: &Path) -> Vec<(PathBuf, std::fs::FileType)> {
+    let made = |program: &str, name: &str, rest: &[&str]| {
+        let path = folder.join(name);
+        let done = Process::new(program)
+            .arg(&path)
+            .args(rest)
+            .stderr(Stdio::null())
+            .status();
+        done.is_ok_and(|status| status.success()).then_some(path)
+    };
+    let link = folder.join("link.json");
+    std::os::unix::fs::symlink("/dev/null", &link).expect("a link");
+    fs::create_dir(folder.join("folder.json")).expect("a folder");
+    let device = made("mknod", "device.json", &["c", "1", "3"]);
+    if device.is_none() {
+        eprintln!("without a device: this user may not make one");
+    }
+    [
+        device,
+        made("mkfifo", "pipe.json", &[]),
+        Some(link),
+        Some(folder.join("folder.json")),
+    ]
+    .into_iter()
+    .flatten()
+    .map(|path| {
+        let kind = fs::symlink_metadata(&path).expect("made").file_type();
+        (path, kind)
+    })
+    .collect()
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_neither_renamed_nor_written_nor_waited_for() {
+    use std::sync::mpsc::channel;
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let all = no_files(folder.path());
+    assert!(all.len() >= 3, "{all:?}");
+    let names = || {
+        let mut names: Vec<_> = fs::read_dir(folder.path())
+            .expect("listed")
+            .map(|entry| entry.expect("listed").file_name())
+            .collect();
+        names.sort();
+        names
+    };
+    let before = names();
+    for (path, kind) in all {
+        // A pipe that is read before anybody writes waits for ever: on a thread of its own.
+        let (done, wait) = channel();
+        let at = path.clone();
+        std::thread::spawn(move || {
+            let restart = shell::restore(Some(&at));
+            let words: Vec<String> = restart
+                .app
+                .messages()
+                .iter()
+                .map(|message| message.text.clone())
+                .collect();
+            let loaded = workspace::load(&at).expect_err("no file");
+            let saved = workspace::save(&at, "{}").expect_err("no file");
+            done.send((restart.place.is_none(), words, loaded, saved))
+        });
+        let told = wait.recv_timeout(Duration::from_secs(60));
+        let (is_kept_nowhere, words, loaded, saved) = told.expect("nobody waits for a pipe");
+        assert!(is_kept_nowhere, "{path:?}");
+        assert_eq!(words.len(), 1, "{words:?}");
+        for words in [&words[0], &loaded, &saved] {
+            assert!(words.contains("nothing is kept"), "{words}");
+            assert!(!words.contains("damaged"), "{words}");
+        }
+        let now = fs::symlink_metadata(&path).expect("it is where it was");
+        assert_eq!(now.file_type(), kind, "{path:?}");
+    }
+    assert_eq!(names(), before, "nothing came, nothing went");
 }

@@ -27,6 +27,15 @@ pub const FIRST_PATCH_SET: &str = "colorchecker_ohta";
 /// The light shown at first: a triphosphor lamp whose lines no short series can follow.
 pub const FIRST_LIGHT: &str = "cie_fluorescent_1nm/FL11";
 
+/// The light of a fresh document among the shipped spectra.
+///
+/// # Panics
+/// Never in a sound build: there are shipped spectra, and the first light is one of them (a test).
+pub fn first_light(bundled: &[Arc<Entry>]) -> Arc<Entry> {
+    let first = bundled.iter().find(|entry| entry.key == FIRST_LIGHT);
+    first.unwrap_or(&bundled[0]).clone()
+}
+
 /// What the spectrum plot shows.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -108,7 +117,23 @@ pub const PAPER_WEIGHT_FACTOR: f64 = 300.0;
 /// Factors that may be asked for, nm.
 pub const WEIGHT_FACTORS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
 
+/// Most spectra laid over the subject: more curves hide one another and make every frame slow.
+pub const MOST_OVERLAYS: usize = 100;
+
 impl Document {
+    /// What is said of overlays beyond the most there may be.
+    pub fn overlays_left_out(count: usize) -> String {
+        let are = if count == 1 { "is" } else { "are" };
+        format!("{MOST_OVERLAYS} overlays are the most: {count} more {are} left out.")
+    }
+
+    /// Takes away the overlays beyond the most there may be, the newest first; tells how many.
+    pub fn bound_overlays(&mut self) -> usize {
+        let too_many = self.overlays.len().saturating_sub(MOST_OVERLAYS);
+        self.overlays.truncate(MOST_OVERLAYS);
+        too_many
+    }
+
     /// A fresh document about a light.
     pub fn about(light: Arc<Entry>) -> Self {
         Self {

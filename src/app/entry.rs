@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use super::library::{Body, Library, Preset};
+use super::library::Library;
 use crate::{
-    io::{
-        MakersResult,
-        preset::{PresetComposite, Shelf},
-    },
+    io::MakersResult,
+    preset::{self, Body, Preset, Shelf},
     spectrum::{
         Band, Composite, Kind, NamedSpectrum, Sampled, Series, Spike, composite::add_spikes,
     },
@@ -126,12 +124,12 @@ pub fn sampled_from_composite(composite: &Composite) -> Option<Sampled> {
 }
 
 /// The paper's lamps as composites, the visible weight factor applied.
-pub fn composite_from_preset(preset: &PresetComposite) -> Option<Composite> {
-    let [min_nm, max_nm] = preset.range_nm;
+pub fn composite_from_preset(printed: &preset::Composite) -> Option<Composite> {
+    let [min_nm, max_nm] = printed.range_nm;
     let band = Band::new(min_nm, max_nm).ok()?;
     Some(Composite {
-        smooth: Series::fourier(band, &preset.coefficients.a, &preset.coefficients.b)?,
-        spikes: preset
+        smooth: Series::fourier(band, &printed.a, &printed.b)?,
+        spikes: printed
             .spikes_in_unit_nm()
             .map(|(at_nm, weight)| Spike { at_nm, weight })
             .collect(),

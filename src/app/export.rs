@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use super::{
     cells::{line, number, words},
-    chart::{curve_chart, spectrum_chart},
+    chart::Theme,
+    charts::spectrum::{curve_chart, spectrum_chart},
     derived::PatchPair,
-    plot_svg::Theme,
     settings::Detector,
     state::App,
     workspace,
@@ -15,7 +15,8 @@ use crate::{
     io::{
         CompositeFile, Provenance, composite_json, composite_line,
         many::many,
-        write::{Column, Columns, encode, losses},
+        provenance::{Column, Columns},
+        write::{encode, losses},
     },
     spectrum::{NamedSpectrum, Sampled},
 };

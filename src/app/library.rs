@@ -1,40 +1,13 @@
 //! The shipped spectra, found by name.
 //!
-//! The files lie in `presets/` and are part of the program; each group says where its numbers come
-//! from and under which licence they stand.
+//! Each group says where its numbers come from and under which licence they stand.
 
 use std::{fmt, sync::LazyLock};
 
-use crate::io::preset::{LineList, PresetComposite, PresetError, PresetFile, Shelf, Terms};
-use crate::spectrum::{Kind, NamedSpectrum};
-
-/// The shipped files, in the order in which the library lists their groups.
-const FILES: [&str; 24] = [
-    include_str!("../../presets/cie_illuminants.json"),
-    include_str!("../../presets/cie_fluorescent_1nm.json"),
-    include_str!("../../presets/cie_fluorescent_5nm.json"),
-    include_str!("../../presets/cie_led_1nm.json"),
-    include_str!("../../presets/cie_led_5nm.json"),
-    include_str!("../../presets/cie_hp_5nm.json"),
-    include_str!("../../presets/lamps_nist_traditional.json"),
-    include_str!("../../presets/lamps_nist_philips.json"),
-    include_str!("../../presets/lamps_nist_led.json"),
-    include_str!("../../presets/lamps_rit.json"),
-    include_str!("../../presets/lamps_common.json"),
-    include_str!("../../presets/solar_astm_g173.json"),
-    include_str!("../../presets/paper.json"),
-    include_str!("../../presets/atomic_lines.json"),
-    include_str!("../../presets/colorchecker_ohta.json"),
-    include_str!("../../presets/cri_tcs.json"),
-    include_str!("../../presets/nist_cqs_vs.json"),
-    include_str!("../../presets/tm30_ces99_5nm.json"),
-    include_str!("../../presets/pmc_chart.json"),
-    include_str!("../../presets/aces_training_190.json"),
-    include_str!("../../presets/metals_refractiveindex.json"),
-    include_str!("../../presets/usgs_splib07.json"),
-    include_str!("../../presets/filters_glass_cc0.json"),
-    include_str!("../../presets/observers.json"),
-];
+use crate::{
+    preset::{Body, Group, LineList, Preset, PresetError, SHIPPED, Shelf},
+    spectrum::{Kind, NamedSpectrum},
+};
 
 /// Most names that an error offers instead of an unknown one.
 const MOST_SUGGESTIONS: usize = 3;
@@ -44,78 +17,6 @@ const MOST_SUGGESTIONS: usize = 3;
 pub struct Library {
     groups: Vec<Group>,
     lines: Vec<ElementLine>,
-}
-
-/// The spectra of one file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Group {
-    /// Short name, as in `group/name`.
-    pub id: String,
-    /// What the group is, in a line.
-    pub title: String,
-    /// Heading of most of its items; ask the item for its own.
-    pub shelf: Shelf,
-    /// Kind of most of its items; ask the item for its own.
-    pub kind: Kind,
-    /// Where the numbers come from.
-    pub source: String,
-    /// Terms of most of its items; ask the item for its own.
-    pub licence: Terms,
-    /// Whom to name.
-    pub attribution: String,
-    /// What was done to the source's numbers.
-    pub changes: String,
-    /// What to know before using the group; may be empty.
-    pub note: String,
-    /// Its items in the file's order.
-    pub items: Vec<Preset>,
-}
-
-/// One shipped item.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Preset {
-    /// Its group's [`Group::id`].
-    pub group: String,
-    /// Its name, unique in the group.
-    pub name: String,
-    /// What its values stand for.
-    pub kind: Kind,
-    /// Under which heading it is listed.
-    pub shelf: Shelf,
-    /// Unit of its values.
-    pub unit: String,
-    /// Where its numbers come from.
-    pub source: String,
-    /// Its terms.
-    pub licence: Terms,
-    /// What to know about it, a sentence or two each.
-    pub notes: Vec<String>,
-    /// Thickness for which a transmittance holds, mm.
-    pub thickness_mm: Option<f64>,
-    /// Refractive index n and extinction coefficient k at the table's wavelengths (metals).
-    pub optical: Option<OpticalConstants>,
-    /// The numbers.
-    pub body: Body,
-}
-
-/// What an item is made of.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Body {
-    /// A table.
-    Spectrum(NamedSpectrum),
-    /// A smooth part and spikes, as printed in the paper.
-    Composite(PresetComposite),
-    /// Spectral lines, which are not a spectrum.
-    Lines(LineList),
-}
-
-/// Complex refractive index n + ik, one value a wavelength of the item's table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OpticalConstants {
-    /// Refractive index.
-    pub n: Vec<f64>,
-    /// Extinction coefficient.
-    pub k: Vec<f64>,
 }
 
 /// A line that can name a spike.
@@ -188,7 +89,7 @@ impl fmt::Display for FindError {
 impl std::error::Error for FindError {}
 
 static BUNDLED: LazyLock<Library> = LazyLock::new(|| {
-    Library::from_files(&FILES).expect("the shipped files are read in a test of this module")
+    Library::from_files(&SHIPPED).expect("the shipped files are read in a test of this module")
 });
 
 impl Library {
@@ -347,99 +248,6 @@ impl Library {
     }
 }
 
-impl Group {
-    fn from_json(text: &str) -> Result<Self, PresetError> {
-        let file = PresetFile::from_json(text)?;
-        let items = file
-            .items
-            .iter()
-            .map(|item| {
-                let body = if let Some(composite) = item.composite() {
-                    Body::Composite(composite.clone())
-                } else if let Some(list) = item.line_list() {
-                    Body::Lines(list)
-                } else {
-                    Body::Spectrum(file.spectrum(item)?)
-                };
-                Ok(Preset {
-                    group: file.group.clone(),
-                    name: item.name.clone(),
-                    kind: file.kind_of(item),
-                    shelf: file.shelf_of(item),
-                    unit: item.unit.clone(),
-                    source: file.source_of(item).to_owned(),
-                    licence: file.licence_of(item).clone(),
-                    notes: file.notes_of(item),
-                    thickness_mm: item.thickness_mm,
-                    optical: item
-                        .n
-                        .clone()
-                        .zip(item.k.clone())
-                        .map(|(n, k)| OpticalConstants { n, k }),
-                    body,
-                })
-            })
-            .collect::<Result<_, PresetError>>()?;
-        let PresetFile {
-            format: _,
-            version: _,
-            group,
-            title,
-            kind,
-            shelf,
-            source,
-            licence,
-            attribution,
-            changes,
-            note,
-            items: _,
-        } = file;
-        Ok(Self {
-            id: group,
-            title,
-            shelf,
-            kind,
-            source,
-            licence,
-            attribution,
-            changes,
-            note,
-            items,
-        })
-    }
-}
-
-impl Preset {
-    /// The name that is never ambiguous: `group/name`.
-    pub fn id(&self) -> String {
-        format!("{}/{}", self.group, self.name)
-    }
-
-    /// The table, if it is one.
-    pub fn spectrum(&self) -> Option<&NamedSpectrum> {
-        match &self.body {
-            Body::Spectrum(spectrum) => Some(spectrum),
-            Body::Composite(_) | Body::Lines(_) => None,
-        }
-    }
-
-    /// The composite, if it is one.
-    pub fn composite(&self) -> Option<&PresetComposite> {
-        match &self.body {
-            Body::Composite(composite) => Some(composite),
-            Body::Spectrum(_) | Body::Lines(_) => None,
-        }
-    }
-
-    /// The list of lines, if it is one.
-    pub fn line_list(&self) -> Option<&LineList> {
-        match &self.body {
-            Body::Lines(list) => Some(list),
-            Body::Spectrum(_) | Body::Composite(_) => None,
-        }
-    }
-}
-
 fn element_lines(groups: &[Group]) -> Vec<ElementLine> {
     let lists = groups
         .iter()
@@ -475,33 +283,16 @@ fn closeness(asked: &str, name: &str) -> Option<usize> {
         let place = if whole_word { 0 } else { INSIDE_A_WORD };
         return Some(place + long.len() - short.len());
     }
-    let errors = typing_errors(asked, name);
+    let errors = strsim::levenshtein(asked, name);
     (errors <= asked.chars().count() / 3).then_some(errors * TYPING_ERROR)
-}
-
-/// Levenshtein distance: letters to insert, delete or replace.
-fn typing_errors(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, left) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, right) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(left != *right);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
 }
 
 #[cfg(test)]
 mod tests {
-    use std::{collections::BTreeMap, path::Path};
-
-    use serde_json::Value;
+    use std::collections::BTreeMap;
 
     use super::*;
+    use crate::preset::OpticalConstants;
 
     fn id_of(name: &str) -> String {
         match Library::bundled().find(name) {
@@ -548,17 +339,6 @@ mod tests {
             ("usgs_splib07", 18),
         ]);
         assert_eq!(counts, expected);
-    }
-
-    #[test]
-    fn shipped_files_are_written_back_byte_for_byte() {
-        for text in FILES {
-            let file = PresetFile::from_json(text).expect("a shipped file");
-            let written = file.to_json();
-            assert!(written == text, "{} differs when written back", file.group);
-            let again = PresetFile::from_json(&written).expect("our own output");
-            assert_eq!(again, file);
-        }
     }
 
     #[test]
@@ -617,18 +397,6 @@ mod tests {
             }
         }
         assert_eq!(seen, 7);
-    }
-
-    #[test]
-    fn no_shipped_text_tells_a_path_of_a_machine() {
-        for text in FILES {
-            let bad = [
-                "/home/", "/root/", "/tmp/", "/work/", "/usr/", "/mnt/", "C:\\", "file:",
-            ];
-            for word in bad {
-                assert!(!text.contains(word), "{word}: {}", &text[..120]);
-            }
-        }
     }
 
     #[test]
@@ -791,12 +559,12 @@ mod tests {
             preset.expect(name).composite().expect(name)
         };
         let c = lamp("Source C");
-        assert_eq!(c.coefficients.a, [199., -5., -8., -7., -2., -4.]);
-        assert_eq!(c.coefficients.b, [16., 5., -3., 1., -1.]);
+        assert_eq!(c.a, [199., -5., -8., -7., -2., -4.]);
+        assert_eq!(c.b, [16., 5., -3., 1., -1.]);
         assert!(c.spikes.is_empty());
         let hg = lamp("Mercury");
-        assert_eq!(hg.coefficients.a, [69., 2., 12., -6., 1., -1.]);
-        assert_eq!(hg.coefficients.b, [2., 14., 2., 5., 0.]);
+        assert_eq!(hg.a, [69., 2., 12., -6., 1., -1.]);
+        assert_eq!(hg.b, [2., 14., 2., 5., 0.]);
         let spikes: Vec<_> = hg.spikes.iter().map(|s| (s.at_nm, s.weight)).collect();
         let printed = [
             (404.7, 5.1),
@@ -810,11 +578,11 @@ mod tests {
         assert_eq!((hg.range_nm, hg.weight_factor), ([400.0, 700.0], 300.0));
         // The reading chosen: the lines carry 60 % of the lamp's power.
         let lines: f64 = hg.spikes_in_unit_nm().map(|(_, weight)| weight).sum();
-        let smooth = hg.coefficients.a[0] / 2.0 * 300.0;
+        let smooth = hg.a[0] / 2.0 * 300.0;
         let share = lines / (lines + smooth);
         assert!((share - 0.6).abs() < 0.01, "{share}");
         let na = lamp("Sodium");
-        assert!(na.coefficients.a.iter().all(|a| *a == 0.0));
+        assert!(na.a.iter().all(|a| *a == 0.0));
         assert_eq!((na.spikes[0].at_nm, na.spikes[0].weight), (589.0, 31.95));
     }
 
@@ -833,79 +601,5 @@ mod tests {
                 assert!((fresnel - r).abs() < 1e-5, "{}: {fresnel} {r}", preset.name);
             }
         }
-    }
-
-    /// Compares with the collection from which the files were made, where it is at hand.
-    #[test]
-    fn every_number_is_the_sources_bit_for_bit() {
-        let root = std::env::var("CARGO_MANIFEST_DIR")
-            .unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").to_owned());
-        let folder = Path::new(&root).join("../shared/data/presets_source");
-        if !folder.is_dir() {
-            println!("skipped: the source collection is not at hand");
-            return;
-        }
-        let numbers = |value: &Value| -> Vec<Option<u64>> {
-            let list = value.as_array().expect("a list");
-            list.iter().map(|v| v.as_f64().map(f64::to_bits)).collect()
-        };
-        let bits =
-            |list: &[f64]| -> Vec<Option<u64>> { list.iter().map(|v| Some(v.to_bits())).collect() };
-        let mut compared = 0;
-        for text in FILES {
-            let file = PresetFile::from_json(text).expect("a shipped file");
-            if file.group == "paper" {
-                continue;
-            }
-            let source = std::fs::read_to_string(folder.join(format!("{}.json", file.group)));
-            let source: Value = serde_json::from_str(&source.expect("the source file")).unwrap();
-            let items = source["items"].as_array().expect("items");
-            assert_eq!(items.len(), file.items.len(), "{}", file.group);
-            for (item, original) in file.items.iter().zip(items) {
-                let at = format!("{}/{}", file.group, item.name);
-                assert_eq!(original["name"], item.name.as_str());
-                assert_eq!(original["unit"], item.unit.as_str());
-                let values = match (&item.values, &item.strengths) {
-                    (Some(values), None) => bits(values),
-                    (None, Some(s)) => s.iter().map(|v| v.map(f64::to_bits)).collect(),
-                    _ => panic!("{at}: neither a table nor lines"),
-                };
-                assert_eq!(values, numbers(&original["values"]), "{at}");
-                let nm = item.wavelengths.as_ref().expect("wavelengths").nm();
-                let given = &original["wavelength_nm"];
-                if original["wavelength_form"] == "range" {
-                    let range: Vec<f64> = serde_json::from_value(given.clone()).unwrap();
-                    assert_eq!((nm[0], nm[nm.len() - 1]), (range[0], range[1]), "{at}");
-                    assert!(nm.windows(2).all(|w| w[1] - w[0] == range[2]), "{at}");
-                } else {
-                    assert_eq!(bits(&nm), numbers(given), "{at}");
-                }
-                for (key, ours) in [
-                    ("n", &item.n),
-                    ("k", &item.k),
-                    ("wavelength_vacuum_nm", &item.vacuum_nm),
-                ] {
-                    let ours = ours.as_deref().map(bits);
-                    assert_eq!(ours, original.get(key).map(numbers), "{at} {key}");
-                }
-                let labels: Option<Vec<String>> =
-                    serde_json::from_value(original["labels"].clone()).unwrap();
-                assert_eq!(labels, item.labels, "{at}");
-                let number = |key: &str| original[key].as_f64();
-                assert_eq!(item.threshold, number("threshold"), "{at}");
-                assert_eq!(item.thickness_mm, number("thickness_mm"), "{at}");
-                let filled = item.nan_filled_with_zero.map(f64::from);
-                assert_eq!(filled, number("nan_filled_with_zero"), "{at}");
-                let word = |key: &str| original[key].as_str();
-                assert_eq!(item.medium.as_deref(), word("medium"), "{at}");
-                assert_eq!(item.cie_interpolation.as_deref(), word("cie_interpolation"));
-                assert_eq!(item.cie_extrapolation.as_deref(), word("cie_extrapolation"));
-                if let Some(note) = word("note") {
-                    assert!(item.note.as_ref().is_some_and(|n| n.contains(note)), "{at}");
-                }
-                compared += values.len();
-            }
-        }
-        assert!(compared > 60_000, "{compared} values compared");
     }
 }

@@ -23,7 +23,6 @@ pub mod opened;
 pub mod pages;
 pub mod photons;
 pub mod picture;
-pub mod plot_svg;
 pub mod product_report;
 pub mod product_view;
 pub mod products;

@@ -114,7 +114,9 @@ pub fn project_at(path: &Path) -> Option<Loaded> {
 
 fn looks_like_project(bytes: &[u8]) -> bool {
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(512)]);
-    head.trim_start().starts_with('{') && head.contains(workspace::FORMAT)
+    // Some editors put a byte order mark before a text.
+    let text = head.trim_start_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
+    text.starts_with('{') && head.contains(workspace::FORMAT)
 }
 
 fn project(name: &str, text: &str, path: Option<PathBuf>) -> Loaded {

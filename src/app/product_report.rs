@@ -19,40 +19,17 @@ use crate::{
     color::{Xyz, srgb::Swatch},
     io::{
         many::{many, numbers},
-        write::one_line,
+        provenance::one_line,
     },
     spectrum::{Factor, Sampling, Spike},
     study::{
         Spread,
-        products::{Colours, Passage, Product, SetErrors, Step},
+        products::{Colours, Passage, SetErrors, Step},
     },
 };
 
 /// Shares above this are no shares of light: bright fluorescent surfaces stay below.
 const LARGEST_SHARE: f64 = 2.0;
-
-/// The state's light and model, ready to be multiplied as its settings say.
-pub fn product_of(app: &App) -> Product<'_> {
-    let (derived, settings) = (app.derived(), app.document().settings);
-    Product {
-        measured: &derived.measured,
-        model: &derived.model,
-        sampling: settings.sampling,
-        seen: &app.tables().viewing.weights,
-        width_nm: settings.max_width_nm,
-    }
-}
-
-/// A curve of shares on the model's grid; its dips are kept as spikes when the settings ask for
-/// dips.
-pub fn factor_of(app: &App, values: Vec<f64>) -> Factor {
-    let settings = app.document().settings;
-    if settings.dips && settings.spikes {
-        Factor::keeping_dips(settings.band, values, settings.spike_settings())
-    } else {
-        Factor::new(values)
-    }
-}
 
 /// A light through a chain, with what is told beside its figures.
 #[derive(Clone, Debug)]

@@ -18,6 +18,16 @@ pub const WIDTHS_NM: RangeInclusive<f64> = 1.0..=50.0;
 /// Slopes of the gradient detector, in percent of the maximum per nm.
 pub const GRADIENTS_PERCENT: RangeInclusive<f64> = 0.1..=50.0;
 
+/// What is said where another range is taken than the one that was asked for; `None` where it is
+/// the same.
+pub fn range_words(asked: [f64; 2], taken: Band) -> Option<String> {
+    let refused = Band::try_from(asked).err()?;
+    let [min_nm, max_nm] = <[f64; 2]>::from(taken);
+    Some(format!(
+        "The model's {refused}; {min_nm} to {max_nm} nm is taken."
+    ))
+}
+
 /// Which spike detector runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

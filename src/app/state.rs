@@ -1,5 +1,7 @@
 //! The program's state: one document, its history, and what is derived from it.
 
+mod messages;
+
 use std::{
     sync::Arc,
     time::{Duration, Instant},
@@ -9,7 +11,7 @@ use super::{
     absorption_names::names_of,
     command::Command,
     derived::{Derived, Question},
-    document::{Document, FIRST_LIGHT, Subject, WEIGHT_FACTORS},
+    document::{Document, FIRST_LIGHT, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
     library::Library,
@@ -26,27 +28,7 @@ use crate::{
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeEdits},
 };
 
-/// How weighty a message is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tone {
-    /// Something was done.
-    Info,
-    /// Something was refused or went wrong.
-    Problem,
-}
-
-/// A sentence for the status line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Message {
-    /// How weighty it is.
-    pub tone: Tone,
-    /// One line.
-    pub text: String,
-    /// The revision of the document that it was said about.
-    pub revision: u64,
-    /// Whether it is history once the document has changed.
-    pub is_passing: bool,
-}
+pub use messages::{Message, Tone};
 
 /// What the shared tables were made for.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,11 +76,7 @@ impl App {
     /// Never in a sound build: the first light is one of the bundled presets (a test).
     pub fn new() -> Self {
         let bundled = bundled_entries();
-        let first = bundled
-            .iter()
-            .find(|e| e.key == FIRST_LIGHT)
-            .unwrap_or(&bundled[0])
-            .clone();
+        let first = first_light(&bundled);
         Self::about(bundled, Document::about(first))
     }
 
@@ -199,24 +177,6 @@ impl App {
         self.revision
     }
 
-    /// The newest message.
-    pub fn message(&self) -> Option<&Message> {
-        self.messages.last()
-    }
-
-    /// The newest message, as long as it is about what is shown: what was told of a document that
-    /// has changed since is history. A problem stays until something else is said, unless it is
-    /// about what was opened.
-    pub fn current_message(&self) -> Option<&Message> {
-        self.message()
-            .filter(|m| !m.is_passing || m.revision == self.revision)
-    }
-
-    /// All messages, oldest first.
-    pub fn messages(&self) -> &[Message] {
-        &self.messages
-    }
-
     /// Whether there is something to undo.
     pub fn can_undo(&self) -> bool {
         self.history.can_undo()
@@ -225,30 +185,6 @@ impl App {
     /// Whether there is something to do again.
     pub fn can_redo(&self) -> bool {
         self.history.can_redo()
-    }
-
-    /// Says something in the status line: what was done is history with the next change, a
-    /// problem stays.
-    pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
-        self.push_message(tone, text.into(), tone == Tone::Info);
-    }
-
-    /// Says something about the document as it is now: an undo takes it away.
-    pub fn say_for_now(&mut self, tone: Tone, text: impl Into<String>) {
-        self.push_message(tone, text.into(), true);
-    }
-
-    fn push_message(&mut self, tone: Tone, text: String, is_passing: bool) {
-        const MOST: usize = 200;
-        if self.messages.len() == MOST {
-            self.messages.remove(0);
-        }
-        self.messages.push(Message {
-            tone,
-            text,
-            revision: self.revision,
-            is_passing,
-        });
     }
 
     /// The entry of that key, shipped or the user's own.
@@ -353,6 +289,10 @@ impl App {
             }
             Command::Remove { key } => self.remove(&key),
             Command::Replace(document) => self.document = *document,
+        }
+        let too_many = self.document.bound_overlays();
+        if too_many > 0 {
+            self.say(Tone::Problem, Document::overlays_left_out(too_many));
         }
         if self.document.is_same_as(&before) {
             return;

@@ -17,7 +17,7 @@ use super::{
 use crate::{
     io::{
         many::{many, numbers},
-        write::{Provenance, one_line},
+        provenance::{Provenance, one_line},
     },
     spectrum::{Kind, SpikeSettings},
     study::{

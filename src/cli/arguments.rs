@@ -6,10 +6,10 @@ use clap::{Args, Parser, Subcommand};
 
 use super::{
     options::{ModelOptions, PickOptions},
-    words,
+    words::{self, Form},
 };
 use crate::{
-    app::{pages::Page, plot_svg::Theme, products::Part},
+    app::{chart::Theme, pages::Page, products::Part},
     spectrum::Kind,
     study::Goal,
 };
@@ -296,13 +296,4 @@ pub struct Convert {
     /// The model, where one is written.
     #[command(flatten)]
     pub model: ModelOptions,
-}
-
-/// What `convert` writes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Wavelengths and values.
-    Spectrum,
-    /// The model: coefficients and spikes.
-    Composite,
 }

@@ -5,13 +5,13 @@
 use std::{io::Write, path::Path};
 
 use super::{
-    arguments::{Convert, Form},
+    arguments::Convert,
     inputs::Inputs,
     print,
     refusal::Refusal,
     subject,
     target::{Replaces, Target},
-    words,
+    words::{self, Form},
 };
 use crate::{
     app::{
@@ -27,8 +27,9 @@ use crate::{
         composite_json, composite_line,
         error::shown,
         many::many,
+        provenance::Columns,
         stream::is_stream,
-        write::{Columns, WRITABLE, losses},
+        write::{WRITABLE, losses},
         write_as,
     },
 };

@@ -5,11 +5,7 @@ use std::io::Write;
 use serde_json::{Value, json};
 
 use super::{arguments::List, print, refusal::Refusal};
-use crate::{
-    app::Entry,
-    app::library::{Library, Preset},
-    spectrum::Kind,
-};
+use crate::{app::Entry, app::library::Library, preset::Preset, spectrum::Kind};
 
 /// Carries the command out.
 ///

@@ -118,11 +118,9 @@ fn of_check(app: &App, chain: &[Link], found: Entry, json: bool) -> String {
 
 fn of_set(app: &App, group: &str, json: bool) -> String {
     let (names, values) = reflectances(group, app.document().settings.band);
-    let factors: Vec<Factor> = values
-        .into_iter()
-        .map(|values| product_report::factor_of(app, values))
-        .collect();
-    let errors = product_report::product_of(app).over(&factors);
+    let lit = ModelledLight::of(app);
+    let factors: Vec<Factor> = values.into_iter().map(|v| lit.factor(v)).collect();
+    let errors = lit.product().over(&factors);
     if json {
         let json = product_report::set_json(app, group, &names, &errors);
         format!("{json:#}\n")
@@ -184,43 +182,47 @@ fn factor(
         ..Wanted::default()
     };
     let found = inputs.find(name, &wanted).map_err(refused)?;
-    let entry = found.entry;
-    let named = shown(Path::new(name));
-    match kind.filter(|_| entry.shelf.is_none()) {
-        Some(told) => {
-            wanted.choices.kind = Some(told);
-            let as_told = inputs.find(name, &wanted).map_err(refused)?.entry;
-            let unit = &as_told.spectrum.unit;
-            if !is_a_share(unit) {
-                return Err(refused(format!(
-                    "{named}: found values in {}, expected shares of light (a light times a light \
-                     has no meaning)",
-                    quoted(unit)
-                )));
-            }
-            let states = entry.kind();
-            if !found.is_kind_open && states != told {
-                inputs.note(format!(
-                    "FACTOR: {named}: found {states} values, taken as {told} as --kind says"
-                ));
-            }
-            Ok(as_told)
+    let (named, is) = (shown(Path::new(name)), found.entry.kind());
+    let Some(told) = kind.filter(|_| found.entry.shelf.is_none()) else {
+        if !is.is_factor() {
+            return Err(refused(format!("{named}: {}", no_factor(&found.entry))));
         }
-        None if entry.kind().is_factor() => Ok(entry),
-        None => {
-            let remedy = match entry.shelf {
-                Some(_) => "",
-                None => " (say --kind if it is one)",
-            };
-            Err(refused(format!(
-                "{named}: found {}, expected a reflectance or a transmittance{remedy}",
-                match entry.kind() {
-                    Kind::Light => "a light".to_owned(),
-                    kind => format!("{kind} values"),
-                }
-            )))
+        if found.is_kind_open {
+            inputs.note(format!(
+                "FACTOR: {named}: found nothing that says what its values are, taken as {is}"
+            ));
         }
+        return Ok(found.entry);
+    };
+    wanted.choices.kind = Some(told);
+    let entry = inputs.find(name, &wanted).map_err(refused)?.entry;
+    let unit = &entry.spectrum.unit;
+    if !is_a_share(unit) {
+        return Err(refused(format!(
+            "{named}: found values in {}, expected shares of light (a light times a light has no \
+             meaning)",
+            quoted(unit)
+        )));
     }
+    if !found.is_kind_open && is != told {
+        inputs.note(format!(
+            "FACTOR: {named}: found {is} values, taken as {told} as --kind says"
+        ));
+    }
+    Ok(entry)
+}
+
+/// Why a spectrum multiplies no light, and what would.
+fn no_factor(entry: &Entry) -> String {
+    let found = match entry.kind() {
+        Kind::Light => "a light".to_owned(),
+        kind => format!("{kind} values"),
+    };
+    let remedy = match entry.shelf {
+        Some(_) => "",
+        None => " (say --kind if it is one)",
+    };
+    format!("found {found}, expected a reflectance or a transmittance{remedy}")
 }
 
 /// Whether a unit leaves room for shares: power has watts, lumens, photons or joules in it.

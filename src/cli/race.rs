@@ -19,7 +19,7 @@ use super::{
 use crate::{
     app::{
         App, Entry,
-        library::{Library, Preset},
+        library::Library,
         memo::ByAddress,
         open::Loaded,
         studies::{Class, Field, RaceAsk},
@@ -30,8 +30,9 @@ use crate::{
         error::{quoted, shown},
         many::many,
     },
+    preset::Preset,
     spectrum::Kind,
-    study::{Progress, judge::scaled_to_one},
+    study::{Progress, reference::scaled_to_one},
 };
 
 /// Carries the command out.

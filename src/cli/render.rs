@@ -14,11 +14,11 @@ use super::{
 use crate::{
     app::{
         App, Command,
+        chart::Theme,
         open::Loaded,
         opened::Opened,
         pages::{Page, PageMemory},
         picture::{ImageMemory, reload},
-        plot_svg::Theme,
         products::ProductsMemory,
         workspace::Preferences,
     },

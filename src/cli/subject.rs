@@ -35,7 +35,7 @@ pub fn app(
     app_of(input, pick, &pick.wanted(), model, inputs)
 }
 
-/// The same where the options leave open how the input's file is read.
+/// The same with more said about what is meant by the input.
 ///
 /// # Errors
 /// As [`app`].

@@ -8,11 +8,10 @@ use std::{
 
 use clap::builder::{OsStringValueParser, TypedValueParser};
 
-use super::arguments::Form;
 use crate::{
     app::{
+        chart::Theme,
         pages::{Page, SPENDABLE},
-        plot_svg::Theme,
         products::Part,
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
@@ -205,6 +204,15 @@ pub fn factor_kind(word: &str) -> Result<Kind, String> {
 /// `--kind` of a list.
 pub fn any_kind(word: &str) -> Result<Kind, String> {
     one_of(word, &Kind::ALL, Kind::word)
+}
+
+/// What `convert` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Wavelengths and values.
+    Spectrum,
+    /// The model: coefficients and spikes.
+    Composite,
 }
 
 /// `--as`.

@@ -15,7 +15,10 @@
 
 use std::f64::consts::TAU;
 
-use super::lab::Lab;
+use super::{
+    lab::{Lab, lab_from_xyz},
+    xyz::Xyz,
+};
 
 const COS_6: f64 = 0.994_521_895_368_273_3; // degrees, as all of these; a test compares with cos
 const SIN_6: f64 = 0.104_528_463_267_653_47;
@@ -135,6 +138,14 @@ fn rotation((cos, sin): Direction, chroma: f64) -> f64 {
     let offset = (turned - 275_f64.to_radians()) * (1.0 / 25_f64.to_radians());
     let turn = 60_f64.to_radians() * (-offset * offset).exp();
     -2.0 * chroma_share(chroma) * turn.sin()
+}
+
+/// CIEDE2000 of two colours against a white; `None` without light, and where it is no number.
+pub fn delta_e_of_xyz(first: Xyz, second: Xyz, white: Xyz) -> Option<f64> {
+    let is_light = white.y > 0.0 && white.is_finite() && first.is_finite() && second.is_finite();
+    let found =
+        is_light.then(|| delta_e_2000(lab_from_xyz(first, white), lab_from_xyz(second, white)));
+    found.filter(|found| found.is_finite())
 }
 
 #[cfg(test)]

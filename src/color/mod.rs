@@ -37,10 +37,13 @@ pub mod xyz;
 pub use adaptation::Adaptation;
 pub use cct::{Cct, NoCct, cct_from_uv_1960, cct_from_xyz};
 pub use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xy_from_xyz};
-pub use ciede2000::delta_e_2000;
+pub use ciede2000::{delta_e_2000, delta_e_of_xyz};
 pub use lab::{Lab, lab_from_xyz, xyz_from_lab};
 pub use observer::{ColourMatching, Observer};
 pub use patches::{PatchDifference, PatchMatrix, PatchSet};
 pub use srgb::{Mapping, Srgb, Swatch};
 pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over};
-pub use xyz::{Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance};
+pub use xyz::{
+    Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance, xyz_of_one, xyz_of_parts,
+    xyz_of_spikes,
+};

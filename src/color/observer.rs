@@ -6,7 +6,10 @@ use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
 
-use crate::spectrum::{Band, Outside, Sampled};
+use crate::{
+    preset::{Body, Group, OBSERVERS},
+    spectrum::{Band, Outside, Sampled},
+};
 
 /// A set of colour-matching functions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -192,60 +195,17 @@ pub fn weighting_names() -> impl Iterator<Item = &'static str> {
 }
 
 static WEIGHTINGS: LazyLock<Vec<(String, Sampled)>> = LazyLock::new(|| {
-    let file: ObserverFile = serde_json::from_str(include_str!("../../presets/observers.json"))
-        .expect("the bundled observer file is valid JSON of the preset form");
-    file.items
-        .into_iter()
-        .map(|item| {
-            let table = Sampled::new(item.wavelengths.list_nm(), item.values)
-                .expect("a bundled weighting table has rising wavelengths and finite values");
-            (item.name, table)
-        })
-        .collect()
+    let group = Group::from_json(OBSERVERS).expect("a shipped file, read in a test of the presets");
+    let weightings = group.items.into_iter().filter_map(|item| match item.body {
+        Body::Spectrum(table) => Some((item.name, table.samples)),
+        Body::Composite(_) | Body::Lines(_) => None,
+    });
+    weightings.collect()
 });
 
 /// A table that ships with the program; its absence is a broken build, which a test would show.
 fn bundled(name: &str) -> &'static Sampled {
     weighting(name).unwrap_or_else(|| panic!("the observer file has no table named {name:?}"))
-}
-
-/// The part of a preset file that a weighting table needs.
-#[derive(Deserialize)]
-struct ObserverFile {
-    items: Vec<ObserverItem>,
-}
-
-#[derive(Deserialize)]
-struct ObserverItem {
-    name: String,
-    wavelengths: Wavelengths,
-    values: Vec<f64>,
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Wavelengths {
-    Even {
-        first_nm: f64,
-        step_nm: f64,
-        count: usize,
-    },
-    List {
-        list_nm: Vec<f64>,
-    },
-}
-
-impl Wavelengths {
-    fn list_nm(self) -> Vec<f64> {
-        match self {
-            Self::Even {
-                first_nm,
-                step_nm,
-                count,
-            } => (0..count).map(|i| first_nm + i as f64 * step_nm).collect(),
-            Self::List { list_nm } => list_nm,
-        }
-    }
 }
 
 #[cfg(test)]

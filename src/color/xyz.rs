@@ -1,13 +1,13 @@
 //! Tristimulus values.
 //!
 //! Two ways lead to XYZ. Measured data go through CIE sums on whole nm, 360-830 (the
-//! "full" colour). Models go through [`xyz_from_integral`], which needs nothing but the ability
-//! to integrate against a weight, so that spikes are exact.
+//! "full" colour). Models are integrated against a weight, so that spikes are exact: on a band's
+//! grid by [`xyz_of_parts`], of anything that can be integrated by [`xyz_from_integral`].
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::observer::Observer;
-use crate::spectrum::{Outside, Sampled, band::dot};
+use crate::spectrum::{Band, Outside, Sampled, Spike, band::dot};
 
 /// First wavelength of the CIE sums, nm.
 pub const FIRST_NM: u32 = 360;
@@ -102,6 +102,33 @@ pub fn xyz_from_integral(
 ) -> Xyz {
     let table = observer.table();
     Xyz::from_array(std::array::from_fn(|k| integrate(&|nm| table.at(nm)[k])))
+}
+
+/// XYZ of a smooth part on a band's grid and spikes, each weighed where it stands; in value x nm
+/// (not normalised). `weights` are what counts for X, Y and Z on the grid: colour-matching
+/// functions, times a light for what it falls on.
+///
+/// # Panics
+/// When a slice does not have [`Band::points`] entries.
+pub fn xyz_of_parts(band: Band, smooth: &[f64], spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
+    let smooth = Xyz::from_array(weights.each_ref().map(|row| band.inner(smooth, row)));
+    smooth + xyz_of_spikes(band, spikes, weights)
+}
+
+/// XYZ of spikes alone, as [`xyz_of_parts`].
+pub fn xyz_of_spikes(band: Band, spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
+    Xyz::from_array(weights.each_ref().map(|row| {
+        let lines = spikes
+            .iter()
+            .map(|s| s.weight * band.interpolate(row, s.at_nm));
+        lines.sum()
+    }))
+}
+
+/// XYZ of what is 1 at every nm, as [`xyz_of_parts`]: a perfect reflector where the weights are a
+/// light's.
+pub fn xyz_of_one(band: Band, weights: &[Vec<f64>; 3]) -> Xyz {
+    Xyz::from_array(weights.each_ref().map(|row| band.integral(row)))
 }
 
 /// XYZ of a light from its values on whole nm 360-830: plain sums, not normalised.

@@ -3,12 +3,16 @@
 use super::draft::{Draft, Scale};
 use super::heading::Heading;
 use super::number::{self, Cell};
-use super::text::lines;
+use super::text::{kept_line, lines};
 use super::units::WavelengthUnit;
 use super::{Input, ReadError, Reading};
 
 /// Fewest points that alternating lines must hold to be taken for a spectrum.
 const FEWEST_POINTS: usize = 5;
+
+/// Longest text that is looked through for them, in bytes: thousands of times what a radiometer
+/// writes.
+const MOST_BYTES: usize = 16 << 20;
 
 /// A column of single numbers read as pairs.
 #[derive(Debug)]
@@ -42,7 +46,7 @@ fn longest_run(text: &str, decimal_comma: bool) -> Lone<'_> {
         }
         if let Cell::Number(value) = number::parse(content, decimal_comma) {
             run.numbers.push(value);
-            run.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+            run.lines.push(kept_line(line));
             continue;
         }
         let mut header = Vec::new();
@@ -73,6 +77,9 @@ pub fn lone_numbers(text: &str) -> Option<(usize, usize)> {
 
 /// Wavelengths and values by turns, if the text holds them.
 pub fn find(text: &str) -> Option<Pairs<'_>> {
+    if text.len() > MOST_BYTES {
+        return None;
+    }
     [false, true].into_iter().find_map(|decimal_comma| {
         let run = longest_run(text, decimal_comma);
         // An odd count has one number of a header in front (a count, a scan number).

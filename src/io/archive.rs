@@ -134,23 +134,3 @@ pub fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
     }
     zip.finish().expect("an archive").into_inner()
 }
-
-/// Reads an archive cut short and with bytes changed, many times over.
-#[cfg(test)]
-pub fn torment(name: &str, whole: &[u8]) {
-    let mut state = 5_u64;
-    for round in 0..400 {
-        let mut bytes = whole.to_vec();
-        for _ in 0..1 + round % 3 {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            let at = (state >> 33) as usize % bytes.len();
-            bytes[at] = (state >> 20) as u8;
-        }
-        if round % 4 == 0 {
-            bytes.truncate(round * whole.len() / 400);
-        }
-        let _ = super::read_bytes(name, &bytes);
-    }
-}

@@ -9,10 +9,7 @@ use std::fmt::Write;
 
 use crate::spectrum::{Kind, NamedSpectrum, Outside};
 
-use super::write::{Provenance, one_line, shortest};
-
-/// `ORIGINATOR` of a file written here begins so.
-pub const ORIGINATOR: &str = "Spectral Explorer";
+use super::provenance::{ORIGINATOR, Provenance, one_line, shortest};
 
 /// Most bands that Argyll's own tools read.
 const ARGYLL_BANDS: usize = 601;
@@ -23,8 +20,8 @@ const EVEN_NM: f64 = 1e-3;
 /// Steps that an uneven grid is resampled to, nm: the first that Argyll's bands suffice for.
 const STEPS_NM: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
 
-/// Shortest wavelength that a label can tell, nm.
-const SHORTEST_NM: f64 = 100.0;
+/// Wavelengths that a label can tell, nm: smaller and larger numbers in one mean something else.
+pub const LABELS_NM: std::ops::RangeInclusive<f64> = 100.0..=100_000.0;
 
 /// The grid that is written.
 struct Grid {
@@ -46,10 +43,17 @@ impl Grid {
 fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     let samples = &spectrum.samples;
     let (first, last, bands) = (samples.first_nm(), samples.last_nm(), samples.len());
-    if first < SHORTEST_NM {
+    let (least, most) = (*LABELS_NM.start(), *LABELS_NM.end());
+    if first < least {
         return Err(format!(
-            "found wavelengths from {} nm, expected at least {SHORTEST_NM} nm in Argyll .sp",
+            "found wavelengths from {} nm, expected at least {least} nm in Argyll .sp",
             shortest(first)
+        ));
+    }
+    if last > most {
+        return Err(format!(
+            "found wavelengths up to {} nm, expected at most {most} nm in Argyll .sp",
+            shortest(last)
         ));
     }
     let mut even = Grid {
@@ -308,5 +312,15 @@ mod tests {
         let refusal = |nm| write(&on(nm), &Provenance::default()).unwrap_err();
         assert!(refusal(vec![400.2, 400.4, 400.9]).contains("at least 3 whole nm"));
         assert!(refusal(vec![50.0, 60.0, 70.0]).contains("at least 100 nm"));
+        assert_eq!(
+            refusal(vec![3.8e8, 5.8e8, 7.8e8]),
+            "found wavelengths up to 780000000 nm, expected at most 100000 nm in Argyll .sp"
+        );
+    }
+
+    #[test]
+    fn the_longest_wavelengths_that_are_written_are_read_back() {
+        let longest = on((0..9).map(|i| 92_000.0 + 1000.0 * f64::from(i)).collect());
+        assert_eq!(back(&longest).samples, longest.samples);
     }
 }

@@ -1,6 +1,6 @@
 //! The unit of a table's wavelength axis: told by a title or the header, else guessed.
 
-use super::heading::Lines;
+use super::text::NumberedLines;
 use super::units::{
     WavelengthUnit, is_of_lengths, looks_like_metres, names_wavelength, unknown_unit,
 };
@@ -49,7 +49,7 @@ pub struct Axis<'a> {
 const PLAUSIBLE_NM: (f64, f64) = (100.0, 50_000.0);
 
 /// Units that lines of a header name for the wavelength axis, the nearest to the table first.
-pub fn units_of_header(lines: &Lines) -> Vec<WavelengthUnit> {
+pub fn units_of_header(lines: &NumberedLines) -> Vec<WavelengthUnit> {
     let is_about_axis = |line: &str| {
         names_wavelength(line)
             || holds_any(line, &["wvl", "wavelength", "wavenumber", "lambda"])

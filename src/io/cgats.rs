@@ -25,12 +25,12 @@ use std::collections::HashMap;
 
 use crate::spectrum::Kind;
 
-use super::argyll_write::ORIGINATOR;
+use super::argyll_write::LABELS_NM;
 use super::cgats_tables::{self, CgatsTable};
 use super::error::quoted;
 use super::kinds::{is_plain_name, kind_of_name, kind_of_words};
 use super::measured::Measured;
-use super::write::add_notes_of_a_line;
+use super::provenance::{ORIGINATOR, add_notes_of_a_line};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Argyll and CGATS text.
@@ -114,7 +114,7 @@ fn label(field: &str) -> Option<(f64, String)> {
         .strip_prefix("nm")
         .or(after.strip_prefix("NM"))
         .unwrap_or(after);
-    let plausible = (100.0..=100_000.0).contains(&nm) && before.len() <= 32 && after.len() <= 16;
+    let plausible = LABELS_NM.contains(&nm) && before.len() <= 32 && after.len() <= 16;
     plausible.then(|| (nm, format!("{before}|{after}")))
 }
 

@@ -6,7 +6,7 @@
 
 use super::error::quoted;
 use super::number::{self, Cell};
-use super::text::lines;
+use super::text::{kept_line, lines};
 use super::{Input, ReadError};
 
 /// Most keywords kept from one file.
@@ -104,7 +104,9 @@ fn cells<'a>(line: &'a str, fields: usize, out: &mut Vec<&'a str>) -> bool {
     for mark in ['\t', ';', ','] {
         if line.contains(mark) {
             out.clear();
-            out.extend(line.split(mark).map(|c| c.trim().trim_matches('"')));
+            // One cell more may be an empty one at the end; two more are too many.
+            let all = line.split(mark).map(|c| c.trim().trim_matches('"'));
+            out.extend(all.take(fields + 2));
             if out.len() == fields + 1 && out.last().is_some_and(|c| c.is_empty()) {
                 out.pop();
             }
@@ -291,13 +293,12 @@ fn take_row<'a>(
 ) -> Result<(), ReadError> {
     for column in &open.number_columns {
         let cell = row[*column];
-        let value = match number::parse(cell, open.decimal_comma) {
-            Cell::Number(v) | Cell::Percent(v) | Cell::Nanometres(v) => v,
-            Cell::Empty | Cell::Gap => f64::NAN,
-            Cell::Text => match number::parse(cell, !open.decimal_comma) {
-                Cell::Number(v) => {
+        let value = match number::parse(cell, open.decimal_comma).value() {
+            Some(value) => value,
+            None => match number::parse(cell, !open.decimal_comma) {
+                Cell::Number(value) => {
                     open.decimal_comma |= cell.contains(',');
-                    v
+                    value
                 }
                 _ => {
                     let expected = format!("a number for {}", open.fields[*column]);
@@ -308,6 +309,6 @@ fn take_row<'a>(
         open.numbers.push(value);
     }
     open.words.extend(open.word_columns.iter().map(|c| row[*c]));
-    open.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+    open.lines.push(kept_line(line));
     Ok(())
 }

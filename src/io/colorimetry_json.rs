@@ -5,9 +5,9 @@ use serde_json::Value;
 use crate::spectrum::Kind;
 
 use super::curve::MOST_SAMPLES;
-use super::foreign_json::{Found, add, numbers, word};
+use super::foreign_spectrum::{Found, add, numbers, word};
 use super::kinds;
-use super::write::shortest;
+use super::provenance::shortest;
 use super::{Input, ReadError, Reading};
 
 /// Adds one spectrum object to a reading.

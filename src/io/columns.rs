@@ -7,23 +7,22 @@
 //! guess a [`Guess`](super::Guess).
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use super::alternating;
 use super::csv::Own;
 use super::dialect::{Delimiter, Dialect, used};
-use super::draft::{Draft, Scale};
-use super::error::quoted;
+use super::draft::{Draft, Scale, check_room};
 use super::heading::Heading;
 use super::layout::{self, Layout};
-use super::pick::{self, NoTable, Table};
+use super::no_table;
+use super::pick::{self, Look, NoTable, Table};
 use super::roles::{self, Group};
 use super::rows::{AlongRow, read_rows};
 use super::samples;
-use super::table::{BadCell, MOST_COLUMNS, TooMuch};
-use super::text::lines;
 use super::titles::Titles;
 use super::{
-    Confidence, Format, Guess, Guessed, Input, ReadError, Reading, budget, csv, reading::TableFound,
+    Confidence, Format, Guess, Guessed, Input, ReadError, Reading, csv, reading::TableFound,
 };
 
 /// Plain columns of numbers.
@@ -34,12 +33,6 @@ pub const FORMAT: Format = Format {
     read,
 };
 
-/// Longest line that may be a row of a table, in bytes; a longer one is said to be too long.
-const LONGEST_ROW: usize = 1 << 20;
-
-/// What a refusal asks for.
-const A_TABLE: &str = "two or more columns of numbers: wavelengths and values";
-
 fn sniff(input: &Input) -> Confidence {
     match input.text() {
         Some(text) if csv::is_own(&text.text) => Confidence::Own,
@@ -49,33 +42,35 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_text()?.text;
+    let text = &*input.needs_long_text()?.text;
     let own = Own::of(text).filter(|_| input.choices.dialect.is_none());
-    let dialect = match &own {
-        Some(_) => csv::DIALECT,
-        None => (input.choices.dialect).unwrap_or_else(|| pick::dialect(text)),
+    let look = match (&own, input.choices.dialect) {
+        (Some(_), _) => Look::at_all(text, csv::DIALECT),
+        (None, Some(dialect)) => Look::at_all(text, dialect),
+        (None, None) => pick::look(text),
     };
+    let dialect = look.dialect;
     let found = match &own {
         Some(own) => pick::own_tables(own),
-        None => pick::tables(text, dialect),
+        None => look.tables(),
     };
     let mut tables = match found {
         Ok(tables) => tables,
         // A table with a word in it is a table: read in another way it would be nonsense.
-        Err(bad @ NoTable::Bad(_)) => return Err(refusal(input, text, bad)),
-        Err(no_table) => {
+        Err(bad @ NoTable::Bad(_)) => return Err(no_table::refusal(input, text, bad)),
+        Err(why) => {
             if let Some(pairs) = alternating::find(text) {
                 return alternating::read(input, &pairs);
             }
-            return Err(refusal(input, text, no_table));
+            return Err(no_table::refusal(input, text, why));
         }
     };
     let file = File {
         input,
-        text,
         dialect,
         own: own.as_ref(),
     };
+    check_room(input, tables.len())?;
     let left_out = without_false_tables(&file, &mut tables);
     let mut reading = Reading {
         notes: left_out,
@@ -125,7 +120,6 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 /// A file on its way through this reader.
 struct File<'a, 'i> {
     input: &'a Input<'i>,
-    text: &'a str,
     dialect: Dialect,
     /// Its parts where this program wrote it.
     own: Option<&'a Own<'a>>,
@@ -144,75 +138,6 @@ fn without_false_tables(file: &File, tables: &mut Vec<Table>) -> Vec<String> {
         false
     });
     left_out
-}
-
-/// The refusal for a word among numbers.
-pub fn bad_cell(input: &Input, bad: &BadCell) -> ReadError {
-    input
-        .error(
-            quoted(&bad.text),
-            format!("a number in column {}", bad.column + 1),
-        )
-        .at_line(bad.line)
-}
-
-fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
-    match why {
-        NoTable::TooMany(TooMuch::Cells { line }) => input
-            .error("more than 64 million numbers", "a smaller table")
-            .at_line(line),
-        NoTable::TooMany(TooMuch::Columns { line, found }) => input
-            .error(
-                format!("{found} columns"),
-                format!("at most {MOST_COLUMNS} columns"),
-            )
-            .at_line(line),
-        NoTable::Bad(bad) => bad_cell(input, &bad),
-        NoTable::NoWavelengths {
-            line,
-            step_back: None,
-        } => input
-            .error(
-                "numbers with no wavelengths among them",
-                "a column or row of wavelengths that rises or falls throughout",
-            )
-            .at_line(line),
-        NoTable::NoWavelengths {
-            step_back: Some((line, found, after)),
-            ..
-        } => input
-            .error(
-                format!("{found} after {after} in column 1"),
-                "wavelengths that rise or fall throughout",
-            )
-            .at_line(line),
-        NoTable::NoRows => match alternating::lone_numbers(text) {
-            Some((count, line)) => input
-                .error(
-                    format!("{count} lines of one number each"),
-                    "a wavelength beside each value",
-                )
-                .at_line(line),
-            None => {
-                let first = lines(text).find(|(_, l)| !l.trim().is_empty());
-                if let Some((line, long)) = first.filter(|(_, l)| l.len() > LONGEST_ROW) {
-                    return input
-                        .error(
-                            format!("a line of {}", budget::in_words(long.len())),
-                            format!("rows of at most {MOST_COLUMNS} columns"),
-                        )
-                        .at_line(line);
-                }
-                let (line, found) = first.map_or((1, String::new()), |(n, l)| (n, quoted(l)));
-                let found = if found.is_empty() {
-                    "blank lines".to_owned()
-                } else {
-                    format!("no table after {found}")
-                };
-                input.error(found, A_TABLE).at_line(line)
-            }
-        },
-    }
 }
 
 /// The refusal for tables whose every column or row has next to no values.
@@ -269,7 +194,7 @@ fn read_table(
                 from_row: *from_row,
                 says_nm: *says_nm,
             };
-            read_rows(file.input, file.text, file.dialect, table, &row, reading)?;
+            read_rows(file.input, file.dialect, table, &row, reading)?;
         }
     }
     if let Some(because) = doubt
@@ -308,7 +233,7 @@ fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Res
     }
     let bad = block.bad.iter().filter(|bad| counts[bad.column]);
     if let Some(bad) = bad.min_by_key(|bad| bad.line) {
-        return Err(bad_cell(file.input, bad));
+        return Err(bad.refusal(file.input));
     }
     if groups.iter().all(|group| group.values.is_empty()) {
         return Err(file
@@ -316,7 +241,7 @@ fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Res
             .error(
                 "wavelengths and no values (empty cells, words such as NaN and numbers of 1e30 \
                  and beyond count as missing)",
-                A_TABLE,
+                no_table::A_TABLE,
             )
             .at_line(block.lines[0] as usize));
     }
@@ -353,7 +278,7 @@ fn titles_short_of_cells(table: &Table, dialect: Dialect) -> Option<String> {
 struct Rows<'a> {
     axis: &'a [f64],
     group: &'a Group,
-    run: std::ops::Range<usize>,
+    run: Range<usize>,
     part: String,
     /// Spectra of the whole table, and of its groups before this one.
     columns: usize,
@@ -394,13 +319,7 @@ fn read_groups(
         };
         let mut of_samples = group.clone();
         let named = match groups {
-            [_] => samples::together(
-                &mut table.block,
-                file.text,
-                file.dialect,
-                group.axis,
-                &group.values,
-            ),
+            [_] => samples::together(&mut table.block, file.dialect, group.axis, &group.values),
             _ => None,
         };
         let axis = table.block.column(group.axis)[..rows].to_vec();
@@ -423,6 +342,12 @@ fn read_groups(
             None => layout::runs(&axis).into_iter().map(|r| (r, None)).unzip(),
         };
         let several = runs.len() > 1;
+        let spectra: usize = of_samples
+            .values
+            .iter()
+            .map(|column| with_values(table.block.column(*column), &runs))
+            .sum();
+        check_room(file.input, reading.spectra.len() + spectra)?;
         for (number, run) in runs.into_iter().enumerate() {
             let sample = names[number].as_deref();
             let rows = Rows {
@@ -463,6 +388,15 @@ fn rows_of(table: &Table, group: &Group) -> usize {
         .rev()
         .find(|row| columns().any(|column| !table.block.column(*column)[*row].is_nan()))
         .map_or(0, |row| row + 1)
+}
+
+/// How many of some runs of rows hold two values at least.
+fn with_values(column: &[f64], runs: &[Range<usize>]) -> usize {
+    let has_values = |run: &&Range<usize>| {
+        let values = column[Range::clone(run)].iter();
+        values.filter(|v| !v.is_nan()).nth(1).is_some()
+    };
+    runs.iter().filter(has_values).count()
 }
 
 fn read_columns(

@@ -16,7 +16,7 @@ use crate::spectrum::{Band, Basis, Composite, Kind, Spike};
 use super::composite_json::{checked, in_words};
 use super::error::quoted;
 use super::number::number;
-use super::write::shortest;
+use super::provenance::shortest;
 use super::{CompositeFile, Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
 /// First field of the line: the format and its version.

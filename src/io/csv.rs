@@ -7,9 +7,9 @@ use std::fmt::Write;
 
 use crate::spectrum::NamedSpectrum;
 
-use super::dialect::{Delimiter, Dialect};
+use super::dialect::{Delimiter, Dialect, MOST_COLUMNS};
+use super::provenance::{Columns, MEASURED, Provenance, one_line, shortest};
 use super::text::first_line;
-use super::write::{Columns, MEASURED, Provenance, one_line, shortest};
 
 /// Title of the column of wavelengths.
 const FIRST_TITLE: &str = "wavelength_nm";
@@ -61,6 +61,9 @@ impl<'a> Own<'a> {
             }
             let mut cells = Vec::new();
             DIALECT.split(line, &mut cells);
+            if cells.len() > MOST_COLUMNS {
+                return None;
+            }
             return Some(Self {
                 header,
                 titles: cells.into_iter().map(str::to_owned).collect(),
@@ -120,8 +123,8 @@ fn cell(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::provenance::Column;
     use crate::io::read_bytes;
-    use crate::io::write::Column;
     use crate::io::write::tests::awkward_spectrum;
     use crate::spectrum::Kind;
 

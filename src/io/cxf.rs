@@ -187,7 +187,6 @@ fn read_spectrum(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::archive::torment;
     use crate::io::read_bytes;
 
     const XML: &str = "<?xml version=\"1.0\"?>\n<cc:CxF xmlns:cc=\"http://colorexchangeformat.com/CxF3-core\">\n\
@@ -224,10 +223,5 @@ mod tests {
         assert!(said(&XML.replace("Spectrum", "Lab")).contains("a CxF file without spectra"));
         let crowded = format!("<CxF {}/>", "a='1' ".repeat(300));
         assert!(said(&crowded).contains("hundreds of attributes"));
-    }
-
-    #[test]
-    fn broken_files_never_panic() {
-        torment("a.cxf", XML.as_bytes());
     }
 }

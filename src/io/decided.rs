@@ -5,7 +5,7 @@
 //! and image was understood is written down for the person who looks.
 
 use super::reading::{AxisTold, Guess, Guessed, Reading, Told, Understood};
-use super::{Choices, Counted, Format, choices::OfOne, envi, meaning};
+use super::{Choices, Counted, choices::OfOne, meaning};
 use crate::spectrum::{Kind, NamedSpectrum, SpectralImage};
 
 /// What is said of a decision that a person took.
@@ -21,8 +21,9 @@ pub const MOST_UNDERSTOOD: usize = 64;
 /// How many pixels are looked at where the size of an image's values must tell their scale.
 const PIXELS_LOOKED_AT: usize = 400;
 
-/// Carries out what a person decided and writes down how everything was understood.
-pub fn settle(format: &Format, choices: &Choices, reading: &mut Reading) {
+/// Carries out what a person decided and writes down how everything was understood;
+/// `large_numbers` says that factors may be stored as whole numbers to 10,000.
+pub fn settle(large_numbers: bool, choices: &Choices, reading: &mut Reading) {
     if let Some(kind) = choices.kind {
         let models = reading.composites.iter_mut();
         models.for_each(|model| model.kind = kind);
@@ -30,7 +31,6 @@ pub fn settle(format: &Format, choices: &Choices, reading: &mut Reading) {
             reading.guesses.retain(|guess| guess.what != Guessed::Kind);
         }
     }
-    let large_numbers = format.name == envi::FORMAT.name;
     settle_images(choices, large_numbers, reading);
     // Tables wrote it down themselves, from the first spectrum on.
     if reading.understood.is_empty() {
@@ -245,7 +245,7 @@ fn decide(
         let values = values();
         let size = meaning::percent("", &[], false, &values);
         let mut counted = Counted::percent(size.percent);
-        if large_numbers && envi::meaning::largest(&values) > envi::meaning::MOST_PERCENT {
+        if large_numbers && meaning::largest(&values) > meaning::MOST_PERCENT {
             counted = Counted::TenThousandths;
         }
         *meant.scale = counted.scale().unwrap_or(1.0);

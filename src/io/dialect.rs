@@ -1,5 +1,8 @@
 //! How a text table separates its cells and marks its decimals.
 
+/// Most columns of one table: far more than any instrument writes.
+pub const MOST_COLUMNS: usize = 65_536;
+
 /// What stands between two cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
@@ -59,34 +62,68 @@ impl Dialect {
         format!("{cells}{decimals}")
     }
 
-    /// The cells of a line, trimmed; quotes around a cell are honoured and removed.
+    /// The cells of a line, trimmed; quotes around a cell are honoured and removed. One cell more
+    /// than [`MOST_COLUMNS`] at most: it tells that there are too many, and a line of nothing but
+    /// marks takes no more memory than that.
     pub fn split<'a>(self, line: &'a str, cells: &mut Vec<&'a str>) {
+        const MOST_CELLS: usize = MOST_COLUMNS + 1;
         cells.clear();
-        let mark = match self.delimiter {
-            Delimiter::Tab => '\t',
-            Delimiter::Semicolon => ';',
-            Delimiter::Comma => ',',
-            Delimiter::Space => {
-                cells.extend(line.split_ascii_whitespace());
-                return;
-            }
+        let Some(mark) = self.mark() else {
+            cells.extend(line.split_ascii_whitespace().take(MOST_CELLS));
+            return;
         };
         if !line.contains('"') {
-            cells.extend(line.split(mark).map(str::trim_ascii));
+            let all = line.split(char::from(mark)).map(str::trim_ascii);
+            cells.extend(all.take(MOST_CELLS));
             return;
         }
         let (mut start, mut in_quotes) = (0, false);
         for (at, byte) in line.bytes().enumerate() {
             match byte {
                 b'"' => in_quotes = !in_quotes,
-                b if b == mark as u8 && !in_quotes => {
+                b if b == mark && !in_quotes => {
                     cells.push(unquoted(&line[start..at]));
                     start = at + 1;
+                    if cells.len() == MOST_CELLS {
+                        return;
+                    }
                 }
                 _ => {}
             }
         }
         cells.push(unquoted(&line[start..]));
+    }
+
+    /// Whether a line may have more than one cell, at a glance.
+    pub fn parts(self, line: &str) -> bool {
+        let found = match self.mark() {
+            Some(mark) => memchr::memchr(mark, line.as_bytes()),
+            None => memchr::memchr3(b' ', b'\t', b'\x0c', line.as_bytes()),
+        };
+        found.is_some()
+    }
+
+    /// How many cells a line has, were there ever so many.
+    pub fn count(self, line: &str) -> usize {
+        let Some(mark) = self.mark() else {
+            return line.split_ascii_whitespace().count();
+        };
+        let mut in_quotes = false;
+        let marks = line.bytes().filter(|byte| {
+            in_quotes ^= *byte == b'"';
+            *byte == mark && !in_quotes
+        });
+        1 + marks.count()
+    }
+
+    /// What stands between two cells; `None` for blanks and TABs in any number.
+    fn mark(self) -> Option<u8> {
+        match self.delimiter {
+            Delimiter::Tab => Some(b'\t'),
+            Delimiter::Semicolon => Some(b';'),
+            Delimiter::Comma => Some(b','),
+            Delimiter::Space => None,
+        }
     }
 }
 
@@ -115,6 +152,22 @@ mod tests {
         Dialect::new(Delimiter::Comma, true).split("\"380,5\", \"0,25\" ,", &mut cells);
         assert_eq!(cells, ["380,5", "0,25", ""]);
         assert_eq!(used(&cells), 2);
+    }
+
+    #[test]
+    fn a_line_of_marks_has_one_cell_more_than_a_table_may_and_all_are_counted() {
+        for (marks, delimiter, count) in [
+            (",", Delimiter::Comma, 200_001),
+            ("\"\";", Delimiter::Semicolon, 200_001),
+            ("1 ", Delimiter::Space, 200_000),
+        ] {
+            let line = marks.repeat(200_000);
+            let dialect = Dialect::new(delimiter, false);
+            let mut cells = Vec::new();
+            dialect.split(&line, &mut cells);
+            assert_eq!(cells.len(), MOST_COLUMNS + 1);
+            assert_eq!(dialect.count(&line), count);
+        }
     }
 
     #[test]

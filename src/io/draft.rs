@@ -10,9 +10,9 @@ use super::decided::{BY_HAND, MOST_UNDERSTOOD};
 use super::heading::Heading;
 use super::kinds::{self, KindFound};
 use super::meaning::{self, PercentFound};
+use super::provenance::add_notes_of_a_line;
 use super::reading::{AxisTold, Told, Understood, provenance};
 use super::units::{WavelengthUnit, names_wavelength};
-use super::write::add_notes_of_a_line;
 use super::{Counted, Guess, Guessed, Input, ReadError, Reading, budget};
 
 /// What a table says about one spectrum.
@@ -115,6 +115,26 @@ const SENTINELS: [f64; 4] = [-9999.0, -999.0, -99.99, -9.999];
 const PER_OTHER_NOTE: &str = "the values are kept as written: where they are per unit of that axis \
      (per THz, per 1/cm, per eV) and not per nm, they are not rescaled";
 
+/// Most spectra of one file: more than any library has, and all that are read in a few seconds.
+const MOST_SPECTRA: usize = 100_000;
+
+/// Refuses more spectra than one file may hold, or than fit into the memory that it may take; best
+/// before they are made.
+///
+/// # Errors
+/// [`ReadError`] with their number.
+pub fn check_room(input: &Input, spectra: usize) -> Result<(), ReadError> {
+    if spectra > MOST_SPECTRA {
+        let expected = format!("at most {MOST_SPECTRA} in one file");
+        return Err(input.error(format!("{spectra} spectra"), expected));
+    }
+    if spectra.saturating_sub(1) * BYTES_BESIDE <= budget::of(input.bytes.len()) {
+        return Ok(());
+    }
+    let found = format!("{spectra} spectra of a few values each");
+    Err(input.error(found, budget::WORDS))
+}
+
 impl Draft<'_> {
     /// Decides what the file leaves open, notes it, and adds the spectrum to a reading.
     ///
@@ -122,12 +142,7 @@ impl Draft<'_> {
     /// [`ReadError`] when the numbers are no spectrum.
     pub fn finish(mut self, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
         let index = reading.spectra.len();
-        if index * BYTES_BESIDE > budget::of(input.bytes.len()) {
-            return Err(input.error(
-                format!("more than {index} spectra of a few values each"),
-                budget::WORDS,
-            ));
-        }
+        check_room(input, index + 1)?;
         let mut notes = Vec::new();
         // Told only once there is a spectrum that they are about.
         let mut guesses = Vec::new();

@@ -3,8 +3,6 @@
 use std::fmt;
 use std::path::Path;
 
-use super::input::name_of;
-
 /// Longest piece of a file that a message repeats, in characters.
 const LONGEST_QUOTE: usize = 48;
 
@@ -92,7 +90,7 @@ impl WriteError {
     pub fn new(file: &str, why: impl Into<String>) -> Self {
         Self {
             file: printable(file, LONGEST_NAME),
-            why: one_line(&why.into()),
+            why: printable_line(&why.into()),
         }
     }
 }
@@ -143,7 +141,7 @@ fn printable(text: &str, longest: usize) -> String {
 
 /// One part of a message: one line, and not for ever.
 fn part(text: &str) -> String {
-    let text = one_line(text);
+    let text = printable_line(text);
     match text.char_indices().nth(LONGEST_PART) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text,
@@ -160,7 +158,7 @@ pub fn kept(text: &str) -> &str {
 }
 
 /// Text of one line, anything unprintable as a blank.
-pub fn one_line(text: &str) -> String {
+pub fn printable_line(text: &str) -> String {
     text.chars()
         .map(|c| if is_printable(c) { c } else { ' ' })
         .collect()
@@ -173,12 +171,20 @@ fn is_printable(c: char) -> bool {
         && !matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fffd}')
 }
 
+/// The last part of a path, as messages show it.
+pub fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(
+        || path.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_refusal_names_file_line_found_and_expected_in_one_line() {
+    fn a_refusal_names_file_line_found_and_expected_in_printable_line() {
         let error = ReadError::new("lamp.csv", quoted("abc"), "a number in column 2").at_line(12);
         assert_eq!(
             error.to_string(),

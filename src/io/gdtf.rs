@@ -178,7 +178,7 @@ fn slots<'a>(root: Node<'a, '_>) -> HashMap<&'a str, &'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::archive::{torment, zipped};
+    use crate::io::archive::zipped;
     use crate::io::read_bytes;
 
     const XML: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
@@ -233,10 +233,5 @@ mod tests {
         assert!(bomb.len() < 1 << 20);
         let said = read_bytes("a.gdtf", &bomb).unwrap_err().to_string();
         assert!(said.contains("unfolds to far more than its size"), "{said}");
-    }
-
-    #[test]
-    fn broken_archives_never_panic() {
-        torment("a.gdtf", &fixture(XML));
     }
 }

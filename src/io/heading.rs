@@ -1,12 +1,10 @@
 //! What the lines above a table say about its spectra, worked out once for all of them: a table
 //! may have thousands of columns under hundreds of lines.
 
-use super::argyll_write::ORIGINATOR;
+use super::provenance::ORIGINATOR;
+use super::text::NumberedLines;
 use super::units::WavelengthUnit;
 use super::{axis, kinds, meaning};
-
-/// Lines above a table with their numbers.
-pub type Lines<'a> = [(usize, &'a str)];
 
 /// What a table's header says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,7 +29,7 @@ pub struct Heading<'a> {
 
 impl<'a> Heading<'a> {
     /// What lines above a table say.
-    pub fn of(lines: &Lines<'a>) -> Self {
+    pub fn of(lines: &NumberedLines<'a>) -> Self {
         if field(lines, "written by:").is_some_and(|program| program.starts_with(ORIGINATOR)) {
             return Self::own(lines);
         }
@@ -48,7 +46,7 @@ impl<'a> Heading<'a> {
     }
 
     /// What the lines of a file say that this program wrote: each key counts, and nothing else.
-    pub fn own(lines: &Lines<'a>) -> Self {
+    pub fn own(lines: &NumberedLines<'a>) -> Self {
         let unit = field(lines, "unit:").unwrap_or("");
         Self {
             is_own: true,
@@ -83,7 +81,7 @@ const MOST_SHARED: usize = 4 << 20;
 const LEAST_SHARED: usize = 60;
 
 /// What a header line says behind a word ("name:", "source:"); upper or lower case.
-pub fn field<'a>(lines: &Lines<'a>, word: &str) -> Option<&'a str> {
+pub fn field<'a>(lines: &NumberedLines<'a>, word: &str) -> Option<&'a str> {
     lines.iter().rev().find_map(|(_, line)| {
         let start = line.trim_start().get(..word.len())?;
         let value = line.trim_start()[word.len()..].trim();

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::choices::Choices;
 use super::error::ReadError;
+pub use super::error::name_of;
 use super::text::{self, Text};
 
 /// How much text a sniffer looks at, in bytes.
@@ -22,6 +23,8 @@ pub struct Input<'a> {
     /// What a person decided about it.
     pub choices: Choices,
     text: OnceCell<Option<Text<'a>>>,
+    /// Blanks in front of the text: every sniffer asks.
+    blanks: OnceCell<usize>,
     is_read_as_text: Cell<bool>,
 }
 
@@ -34,6 +37,7 @@ impl<'a> Input<'a> {
             path: None,
             choices: Choices::default(),
             text: OnceCell::new(),
+            blanks: OnceCell::new(),
             is_read_as_text: Cell::new(false),
         }
     }
@@ -65,15 +69,30 @@ impl<'a> Input<'a> {
     /// The first part of the text without blanks in front; empty for a binary file.
     pub fn head(&self) -> &str {
         let Some(text) = self.text() else { return "" };
-        let text = text.text.trim_start();
+        let blanks = || text.text.len() - text.text.trim_start().len();
+        let text = &text.text[*self.blanks.get_or_init(blanks)..];
         &text[..text.floor_char_boundary(HEAD_BYTES)]
     }
 
-    /// The text.
+    /// The text of an instrument's or a program's own format.
+    ///
+    /// # Errors
+    /// [`ReadError`] for a binary file, and one larger than such formats are.
+    pub fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
+        if self.bytes.len() > text::MOST_BYTES_OF_A_FORMAT {
+            return Err(self.error(
+                "more than 64 MiB",
+                "at most 64 MiB in an instrument's own format",
+            ));
+        }
+        self.needs_long_text()
+    }
+
+    /// The text of a table or of JSON, which may be as large as any file.
     ///
     /// # Errors
     /// [`ReadError`] for a binary file.
-    pub fn needs_text(&self) -> Result<&Text<'a>, ReadError> {
+    pub fn needs_long_text(&self) -> Result<&Text<'a>, ReadError> {
         self.is_read_as_text.set(true);
         self.text()
             .ok_or_else(|| self.error("binary data", "a text file"))
@@ -109,17 +128,20 @@ impl<'a> Input<'a> {
     }
 }
 
-/// The last part of a path, as messages show it.
-pub fn name_of(path: &Path) -> String {
-    path.file_name().map_or_else(
-        || path.display().to_string(),
-        |name| name.to_string_lossy().into_owned(),
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_text_larger_than_any_instrument_writes_is_refused_by_its_size() {
+        let mut bytes = b"##TITLE= a\n##JCAMP-DX= 4.24\n".to_vec();
+        bytes.resize(text::MOST_BYTES_OF_A_FORMAT + 1, b' ');
+        let said = crate::io::read_bytes("a.dx", &bytes).unwrap_err();
+        assert_eq!(
+            said.to_string(),
+            "a.dx: found more than 64 MiB, expected at most 64 MiB in an instrument's own format"
+        );
+    }
 
     #[test]
     fn what_is_odd_about_a_text_is_of_interest_where_it_was_read_as_one() {

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use crate::spectrum::Kind;
 
 use super::error::quoted;
-use super::foreign_json::{Found, add, numbers, word};
+use super::foreign_spectrum::{Found, add, numbers, word};
 use super::kinds;
 use super::{Input, ReadError, Reading};
 

@@ -9,10 +9,15 @@
 //! The separator (TAB, semicolon or comma) is the one that the points use; decimals may be marked
 //! by commas wherever the separator is another.
 
+use std::ops::Range;
+
 use super::dialect::{Delimiter, Dialect, used};
-use super::makers_results::MakersResult;
-use super::number::{self, Cell, label_nm};
-use super::text::lines;
+use super::error::quoted;
+use super::makers_results::{MakersResult, room_for};
+use super::measured::Measured;
+use super::number::{self, label_nm};
+use super::text::{kept_line, lines};
+use super::{Input, ReadError, Reading};
 
 /// Most settings kept; further ones are passed over.
 const MOST_SETTINGS: usize = 5000;
@@ -110,7 +115,7 @@ fn separator(line: &str) -> Option<(char, usize)> {
 fn split<'a>(line: &'a str, mark: char, cells: &mut Vec<&'a str>) {
     if line.matches('"').count() % 2 == 1 {
         cells.clear();
-        cells.extend(line.split(mark).map(str::trim));
+        cells.extend(line.split(mark).map(str::trim).take(MOST_COLUMNS + 1));
         return;
     }
     let delimiter = match mark {
@@ -169,6 +174,23 @@ impl<'a> KeyedLines<'a> {
         Ok(out)
     }
 
+    /// Splits the text of a meter's file.
+    ///
+    /// # Errors
+    /// [`ReadError`] for a point whose value is a word, and without two points: `none` says what
+    /// was found then and what was expected.
+    pub fn of_meter(input: &Input, text: &'a str, none: [&str; 2]) -> Result<Self, ReadError> {
+        let found = Self::of(text).map_err(|bad| {
+            input
+                .error(quoted(&bad.text), "a number behind the wavelength")
+                .at_line(bad.line)
+        })?;
+        if found.nm.len() < 2 {
+            return Err(input.error(none[0], none[1]));
+        }
+        Ok(found)
+    }
+
     fn setting(&mut self, line: usize, key: &'a str, mut values: Vec<&'a str>) {
         while values.last().is_some_and(|v| v.is_empty()) {
             values.pop();
@@ -189,20 +211,13 @@ impl<'a> KeyedLines<'a> {
             self.columns = used(cells).clamp(1, MOST_COLUMNS);
         }
         self.nm.push(nm);
-        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+        self.lines.push(kept_line(line));
         let before = self.values.len();
         for cell in cells.iter().take(self.columns) {
-            let value = match number::parse(unquoted(cell), comma) {
-                Cell::Number(v) | Cell::Percent(v) | Cell::Nanometres(v) => v,
-                Cell::Empty | Cell::Gap => f64::NAN,
-                Cell::Text => {
-                    return Err(BadValue {
-                        line,
-                        text: (*cell).to_owned(),
-                    });
-                }
-            };
-            self.values.push(value);
+            let text = || (*cell).to_owned();
+            let value = number::parse(unquoted(cell), comma).value();
+            self.values
+                .push(value.ok_or_else(|| BadValue { line, text: text() })?);
         }
         self.values.resize(before + self.columns, f64::NAN);
         Ok(())
@@ -258,6 +273,48 @@ impl<'a> KeyedLines<'a> {
             .copied()
             .filter(|v| !v.is_empty())
     }
+}
+
+/// The columns of a meter's file as spectra, its results beside them. `of` makes a spectrum of a
+/// column, of its values in `points` and of the results.
+///
+/// # Errors
+/// [`ReadError`] when a column's numbers are no spectrum, or no column has any.
+pub fn reading_of<'k>(
+    input: &Input,
+    found: &'k KeyedLines<'_>,
+    points: Range<usize>,
+    of: impl Fn(usize, Vec<f64>, &[MakersResult]) -> Measured<'k>,
+) -> Result<Reading, ReadError> {
+    let mut reading = Reading::default();
+    for column in 0..found.columns {
+        let values = found.column(column)[points.clone()].to_vec();
+        if found.columns > 1 && values.iter().filter(|v| v.is_finite()).count() < 2 {
+            continue;
+        }
+        let index = reading.spectra.len();
+        let results = found.results(Some(index), column, room_for(reading.results.len()));
+        let mut spectrum = of(column, values, &results);
+        spectrum.lines = &found.lines[points.clone()];
+        if found.decimal_comma {
+            spectrum.how.push("decimal comma".to_owned());
+        }
+        spectrum.finish(input, &mut reading)?;
+        reading.results.extend(results);
+    }
+    if reading.spectra.is_empty() {
+        return Err(input.error(
+            "wavelengths and no values",
+            "a value behind each wavelength",
+        ));
+    }
+    if !reading.results.is_empty() {
+        reading.notes.push(format!(
+            "{} results of the instrument kept beside the spectrum",
+            reading.results.len()
+        ));
+    }
+    Ok(reading)
 }
 
 /// The separator of the points, and whether their decimals are marked by commas.

@@ -5,7 +5,7 @@
 
 use crate::spectrum::Kind;
 
-use super::heading::Lines;
+use super::text::NumberedLines;
 use super::words::{holds, holds_any};
 
 /// A kind and what told it.
@@ -296,7 +296,7 @@ pub struct FromHeader {
 
 impl FromHeader {
     /// Looks through the lines, the nearest to the table first.
-    pub fn of(header: &Lines) -> Self {
+    pub fn of(header: &NumberedLines) -> Self {
         let lines = || header.iter().rev().map(|(_, line)| *line);
         let own = lines().find_map(|line| {
             let word = line.strip_prefix("kind:")?.trim();

@@ -264,15 +264,15 @@ fn are_apart(axis: &[f64], runs: &[Range<usize>]) -> bool {
 mod tests {
     use super::*;
     use crate::io::dialect::Delimiter;
-    use crate::io::table::scan;
+    use crate::io::scan::scan;
 
     fn layout(text: &str) -> Option<Layout> {
         let dialect = Dialect {
             delimiter: Delimiter::Comma,
             decimal_comma: false,
         };
-        let scan = scan(text, dialect).unwrap();
-        let block = &scan.blocks[0];
+        let blocks = scan(text, dialect).unwrap();
+        let block = &blocks[0];
         of(block, &Titles::of(block, dialect), dialect)
     }
 

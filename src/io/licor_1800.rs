@@ -16,7 +16,7 @@ use super::makers_results::{MakersResult, Quantity};
 use super::meaning::{PHOTON_NOTE, PHOTONS};
 use super::measured::Measured;
 use super::number::{self, Cell};
-use super::text::lines;
+use super::text::{kept_line, lines};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// LI-COR LI-1800 text.
@@ -80,13 +80,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             };
             let comma = second.contains(',') || first.contains(',');
             let cell = |word: &str| match number::parse(word, comma) {
-                Cell::Number(v) | Cell::Nanometres(v) => Ok(v),
-                Cell::Gap | Cell::Empty => Ok(f64::NAN),
-                Cell::Text | Cell::Percent(_) => Err(bad(word)),
+                Cell::Percent(_) => Err(bad(word)),
+                cell => cell.value().ok_or_else(|| bad(word)),
             };
             nm.push(cell(first)?);
             values.push(cell(second)?);
-            at.push(u32::try_from(line).unwrap_or(u32::MAX));
+            at.push(kept_line(line));
         }
     }
     let upper = remark.to_uppercase();

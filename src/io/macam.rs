@@ -37,7 +37,7 @@ fn sniff(input: &Input) -> Confidence {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let Some(pairs) = alternating::find(text) else {
-        let line = lines(text).count().min(4);
+        let line = lines(text).take(4).count();
         return Err(input
             .error(
                 "no wavelengths and values by turns behind Macam's header",

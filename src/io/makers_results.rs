@@ -262,16 +262,9 @@ impl MakersResult {
 }
 
 /// A number with commas between its thousands: `1,234`, `12,345,678.9`.
-fn in_thousands(text: &str) -> Option<f64> {
+fn with_commas(text: &str) -> Option<f64> {
     let (whole, _) = text.split_once('.').unwrap_or((text, ""));
-    let mut groups = whole.split(',');
-    let is_digits = |group: &str| group.bytes().all(|b| b.is_ascii_digit());
-    let first = groups.next()?;
-    let mut others = groups.clone();
-    let fits = (1..=3).contains(&first.len())
-        && is_digits(first)
-        && groups.next().is_some()
-        && others.all(|group| group.len() == 3 && is_digits(group));
+    let fits = whole.contains(',') && number::is_grouped(whole, ',');
     fits.then(|| number::number(&text.replace(',', ""), false))?
 }
 
@@ -283,7 +276,7 @@ fn number_and_unit(text: &str, decimal_comma: bool) -> Option<(f64, &str)> {
         Cell::Empty | Cell::Gap => return None,
         Cell::Text => {}
     }
-    if !decimal_comma && let Some(value) = in_thousands(text) {
+    if !decimal_comma && let Some(value) = with_commas(text) {
         return Some((value, ""));
     }
     let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+')))?;

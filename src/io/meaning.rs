@@ -3,8 +3,11 @@
 use crate::spectrum::Kind;
 
 use super::Counted;
-use super::heading::Lines;
 use super::kinds::{kind_of_words, states_values};
+use super::text::NumberedLines;
+
+/// Largest values that are per cent; of larger ones 10 000 is all of the light.
+pub const MOST_PERCENT: f64 = 160.0;
 
 /// Photons in the unit that plant scientists use.
 pub const PHOTONS: &str = "µmol m-2 s-1 nm-1";
@@ -61,7 +64,7 @@ pub struct PercentFound {
 /// Unstated, it is per cent when more than 1 % of the values exceed 1.5 and they are not just
 /// noise over fractions: the middle value exceeds 1.5 too, or lies far under the largest (a
 /// narrow filter is near 0 nearly everywhere).
-pub fn percent(title: &str, header: &Lines, signs: bool, values: &[f64]) -> PercentFound {
+pub fn percent(title: &str, header: &NumberedLines, signs: bool, values: &[f64]) -> PercentFound {
     percent_told(title, percent_of_header(header), signs, values)
 }
 
@@ -133,7 +136,7 @@ fn counts_ten_thousandths(title: &str) -> bool {
 }
 
 /// Whether a header says that values are per cent, or fractions; `None` where it does not.
-pub fn percent_of_header(header: &Lines) -> Option<bool> {
+pub fn percent_of_header(header: &NumberedLines) -> Option<bool> {
     header.iter().rev().find_map(|(_, line)| {
         let line = line.trim().to_lowercase();
         if !is_about_factors(&line) {
@@ -165,7 +168,7 @@ pub fn unit_of_title(title: &str) -> Option<&str> {
 }
 
 /// The unit of values that header lines give: in brackets, or behind "unit:".
-pub fn unit_of_header(header: &Lines) -> String {
+pub fn unit_of_header(header: &NumberedLines) -> String {
     for (_, line) in header.iter().rev() {
         // What this program's own files say, whatever it is.
         if let Some(own) = line.strip_prefix("unit: ") {
@@ -240,6 +243,17 @@ pub fn looks_like_unit(text: &str) -> bool {
     !text.is_empty()
         && text.len() <= 40
         && (text.contains(['/', '%', '²', '^']) || text.contains("-1") || WORDS.contains(&text))
+}
+
+/// The size that hardly a value exceeds.
+pub fn largest(values: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> = values
+        .iter()
+        .map(|v| v.abs())
+        .filter(|v| v.is_finite())
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

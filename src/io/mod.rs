@@ -36,6 +36,7 @@ pub mod draft;
 pub mod envi;
 pub mod error;
 pub mod foreign_json;
+pub mod foreign_spectrum;
 pub mod gdtf;
 pub mod guarded;
 pub mod heading;
@@ -52,19 +53,21 @@ pub mod makers_results;
 pub mod many;
 pub mod meaning;
 pub mod measured;
+pub mod no_table;
 pub mod number;
 pub mod perkin_elmer;
 pub mod pick;
 pub mod plain_json;
 pub mod plain_row;
-pub mod preset;
 pub mod procspec;
+pub mod provenance;
 pub mod raman;
 pub mod reading;
 pub mod refractive_yaml;
 pub mod roles;
 pub mod rows;
 pub mod samples;
+pub mod scan;
 pub mod sekonic;
 pub mod spd;
 pub mod spdx;
@@ -98,8 +101,9 @@ pub use dialect::Dialect;
 pub use error::{ReadError, WriteError};
 pub use input::Input;
 pub use makers_results::{MakersResult, Quantity};
+pub use provenance::Provenance;
 pub use reading::{CompositeFile, Guess, Guessed, Reading};
-pub use write::{Provenance, write_as};
+pub use write::write_as;
 
 /// How sure a format is that a file is its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -190,6 +194,9 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
     if about.is_dir() {
         return Err(ReadError::new(&name, "a folder", "a file"));
     }
+    if is_device(&file, &about) {
+        return Err(ReadError::new(&name, "a device", "a file"));
+    }
     if about.len() > text::MOST_BYTES {
         return Err(ReadError::new(&name, TOO_LARGE, AT_MOST));
     }
@@ -198,6 +205,20 @@ pub fn read_path_as(path: &Path, choices: &Choices) -> Result<Reading, ReadError
         .read_to_end(&mut bytes)
         .map_err(trouble)?;
     read(&Input::at(path, &bytes).deciding(choices))
+}
+
+/// Whether a file is a device, which may give bytes for ever; what is typed has an end.
+#[cfg(unix)]
+fn is_device(file: &std::fs::File, about: &std::fs::Metadata) -> bool {
+    use std::io::IsTerminal;
+    use std::os::unix::fs::FileTypeExt;
+    let kind = about.file_type();
+    kind.is_block_device() || kind.is_char_device() && !file.is_terminal()
+}
+
+#[cfg(not(unix))]
+fn is_device(_: &std::fs::File, _: &std::fs::Metadata) -> bool {
+    false
 }
 
 /// Reads a file that is in memory; `name` is what messages and spectra call it.
@@ -238,7 +259,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     };
     let mut reading = (format.read)(input)?;
     alike::settle(&mut reading);
-    decided::settle(format, &input.choices, &mut reading);
+    // Factors in ENVI files may be whole numbers to 10,000.
+    let large_numbers = format.name == envi::FORMAT.name;
+    decided::settle(large_numbers, &input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
     reading.tidy();
@@ -265,6 +288,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let refusal = read_path(folder.path()).unwrap_err().to_string();
         assert!(refusal.contains("expected a file"), "{refusal}");
+        let device = cfg!(unix).then(|| read_path(Path::new("/dev/zero")).unwrap_err());
+        let said = device.map(|refusal| refusal.to_string());
+        assert!(said.is_none_or(|said| said == "zero: found a device, expected a file"));
         let missing = read_path(&folder.path().join("none.csv")).unwrap_err();
         assert_eq!(
             missing.to_string(),

@@ -17,6 +17,25 @@ pub enum Cell {
     Text,
 }
 
+impl Cell {
+    /// The number, whatever stands behind it; NaN for a missing value, `None` for a word.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Self::Number(value) | Self::Percent(value) | Self::Nanometres(value) => Some(value),
+            Self::Empty | Self::Gap => Some(f64::NAN),
+            Self::Text => None,
+        }
+    }
+
+    /// The same where nothing may stand behind the number.
+    pub fn plain_value(self) -> Option<f64> {
+        match self {
+            Self::Percent(_) | Self::Nanometres(_) => None,
+            other => other.value(),
+        }
+    }
+}
+
 /// Numbers of this size and beyond stand for "not measured" (USGS writes -1.23e34), never for light.
 pub const ABSURD: f64 = 1e30;
 
@@ -67,11 +86,17 @@ pub fn is_measured(value: f64) -> bool {
     value.abs() < ABSURD
 }
 
+/// The longest cell that may be anything but words, in bytes.
+const LONGEST_CELL: usize = 256;
+
 /// The cells that are not plain numbers; rare in a table, so not in the hot path.
 fn slow(cell: &str, decimal_comma: bool) -> Cell {
     let cell = cell.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\'');
     if cell.is_empty() {
         return Cell::Empty;
+    }
+    if cell.len() > LONGEST_CELL {
+        return Cell::Text;
     }
     if let Some(value) = in_thousands(cell, decimal_comma) {
         return sized(value, Cell::Number);
@@ -86,11 +111,11 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
         return number(body.trim(), decimal_comma)
             .map_or(Cell::Text, |value| sized(value, Cell::Percent));
     }
+    if !cell.bytes().any(|byte| byte.is_ascii_digit()) {
+        return Cell::Text;
+    }
     // A typographic minus, and Fortran's double exponent.
-    if cell.len() <= 40
-        && cell.contains(['−', 'D', 'd'])
-        && cell.contains(|c: char| c.is_ascii_digit())
-    {
+    if cell.len() <= 40 && cell.contains(['−', 'D', 'd']) {
         let plain = cell.replace('−', "-").replace(['D', 'd'], "e");
         if let Some(value) = number(&plain, decimal_comma) {
             return sized(value, Cell::Number);
@@ -111,6 +136,9 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
     } else {
         ('.', ',')
     };
+    if cell.len() > 40 {
+        return None;
+    }
     let separator = cell
         .chars()
         .find(|c| [other, ' ', '\u{a0}', '\u{202f}', '\'', '’'].contains(c))?;
@@ -119,17 +147,24 @@ fn in_thousands(cell: &str, decimal_comma: bool) -> Option<f64> {
         None if ['\'', '’'].contains(&separator) => (cell, ""),
         None => return None,
     };
-    let bare = whole.trim_start_matches(['-', '+']);
-    let mut groups = bare.split(separator);
-    let is_digits = |group: &str| group.bytes().all(|b| b.is_ascii_digit());
-    let first = groups.next()?;
-    let fits = (1..=3).contains(&first.len())
-        && is_digits(first)
-        && groups.all(|group| group.len() == 3 && is_digits(group))
+    let fits = is_grouped(whole.trim_start_matches(['-', '+']), separator)
         && is_digits(decimals)
         && cell.len() <= 40;
     let plain: String = whole.chars().filter(|c| *c != separator).collect();
     fits.then(|| format!("{plain}.{decimals}0").parse().ok())?
+}
+
+fn is_digits(text: &str) -> bool {
+    text.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// Whether digits stand in groups of three, the first of which may be shorter.
+pub fn is_grouped(digits: &str, separator: char) -> bool {
+    let mut groups = digits.split(separator);
+    let first = groups.next().unwrap_or("");
+    (1..=3).contains(&first.len())
+        && is_digits(first)
+        && groups.all(|group| group.len() == 3 && is_digits(group))
 }
 
 /// A finite or overflowing decimal number and nothing else; `inf` and `nan` are words, not numbers.

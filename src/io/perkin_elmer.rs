@@ -15,8 +15,8 @@ use crate::spectrum::Kind;
 
 use super::error::quoted;
 use super::measured::Measured;
-use super::number::{self, Cell};
-use super::text::lines;
+use super::number;
+use super::text::{kept_line, lines};
 use super::units::WavelengthUnit;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
@@ -69,14 +69,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let (Some(x), Some(y), None) = (words.next(), words.next(), words.next()) else {
             return Err(bad(content));
         };
-        let cell = |word: &str| match number::parse(word, word.contains(',')) {
-            Cell::Number(v) => Ok(v),
-            Cell::Gap | Cell::Empty => Ok(f64::NAN),
-            _ => Err(bad(word)),
+        let cell = |word: &str| {
+            let cell = number::parse(word, word.contains(','));
+            cell.plain_value().ok_or_else(|| bad(word))
         };
         nm.push(cell(x)?);
         values.push(cell(y)?);
-        at.push(u32::try_from(line).unwrap_or(u32::MAX));
+        at.push(kept_line(line));
     }
     if nm.is_empty() {
         return Err(input.error(

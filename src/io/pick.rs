@@ -3,17 +3,19 @@
 use super::csv::{self, Own};
 use super::dialect::Dialect;
 use super::layout::{self, Layout};
-use super::table::{
-    BadCell, Block, Scan, TooMuch, carries_on, row_gone_wrong_above, scan, scan_behind,
-};
+use super::scan::{TooMuch, scan, scan_behind, scan_start};
+use super::table::{BadCell, Block, carries_on, row_gone_wrong_above};
+use super::text::first_line;
 use super::titles::Titles;
 use super::units::{WavelengthUnit, names_wavelength};
 
 /// How much text decides the dialect, in bytes: many times the longest header.
 const SAMPLE_BYTES: usize = 256 * 1024;
 
-/// How much is looked at when the first sample holds no table.
+/// How much is looked at when the first sample holds no table, in bytes and in lines. Where that
+/// holds none either, there is none: every dialect goes over all of it.
 const LONG_SAMPLE_BYTES: usize = 16 * 1024 * 1024;
+const LONG_SAMPLE_LINES: usize = 250_000;
 
 /// A block that holds much fewer rows than the longest may be part of a header or footer: it must
 /// say clearly that it holds wavelengths.
@@ -59,37 +61,106 @@ pub enum NoTable {
     NoRows,
 }
 
+/// What a look at the start of a text tells about the whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look<'a> {
+    /// How its table is written, if it has one.
+    pub dialect: Dialect,
+    /// The whole text.
+    pub text: &'a str,
+    /// The part of it that was looked at and holds no wavelengths; all of it where some were found.
+    pub seen: &'a str,
+}
+
+impl<'a> Look<'a> {
+    /// What is known of a text whose dialect is.
+    pub fn at_all(text: &'a str, dialect: Dialect) -> Self {
+        Self {
+            dialect,
+            text,
+            seen: text,
+        }
+    }
+
+    /// Whether more stands behind the part that was looked at.
+    pub fn is_part(&self) -> bool {
+        self.seen.len() < self.text.len()
+    }
+
+    /// All tables of the text. Where a look at its first part saw none, its rest is not gone over.
+    ///
+    /// # Errors
+    /// As [`tables`].
+    pub fn tables(&self) -> Result<Vec<Table<'a>>, NoTable> {
+        let found = tables(self.seen, self.dialect);
+        if found.is_ok() && self.is_part() {
+            return tables(self.text, self.dialect);
+        }
+        found
+    }
+}
+
 /// The dialect under which a text has most numbers in tables with wavelengths.
 ///
 /// Words among the numbers count against a dialect: `380,5 0,3` has two numbers and a word with
 /// commas between cells, and two numbers and no word with decimal commas and blanks.
-pub fn dialect(text: &str) -> Dialect {
-    for limit in [SAMPLE_BYTES, LONG_SAMPLE_BYTES] {
-        let sample = first_lines(text, limit);
-        let mut best = ((0, 0), Dialect::ALL[0]);
-        for dialect in Dialect::ALL {
-            let score = scan(sample, dialect).map_or((0, 0), |found| score(&found, dialect));
-            if score > best.0 {
-                best = (score, dialect);
-            }
-        }
-        if best.0.0 > 0 || sample.len() == text.len() {
-            return best.1;
-        }
+pub fn look(text: &str) -> Look<'_> {
+    let short = (SAMPLE_BYTES, usize::MAX);
+    let sample = first_lines(text, short);
+    let (found, dialect) = best_of(sample);
+    if found || sample.len() == text.len() {
+        return Look::at_all(text, dialect);
     }
-    Dialect::ALL[0]
+    let sample = start(text);
+    let (found, dialect) = best_of(sample);
+    Look {
+        dialect,
+        text,
+        seen: if found { text } else { sample },
+    }
 }
 
-fn first_lines(text: &str, limit: usize) -> &str {
-    let cut = text.floor_char_boundary(limit);
-    let end = text[cut..].find('\n').map_or(text.len(), |at| cut + at);
-    &text[..end]
+/// As much of a text as is looked at for a table, and for what to say where there is none.
+pub fn start(text: &str) -> &str {
+    first_lines(text, (LONG_SAMPLE_BYTES, LONG_SAMPLE_LINES))
+}
+
+/// Whether a text has a table with wavelengths under any dialect, and the best of them. Where there
+/// are no rows at all, the one under which they are too many says more than any other.
+fn best_of(sample: &str) -> (bool, Dialect) {
+    let mut best = ((0, 0), Dialect::ALL[0]);
+    let mut too_much = None;
+    for dialect in Dialect::ALL {
+        match scan_start(sample, dialect).map(|blocks| score(&blocks, dialect)) {
+            Ok(score) if score > best.0 => best = (score, dialect),
+            Ok(_) => {}
+            Err(_) => too_much = too_much.or(Some(dialect)),
+        }
+    }
+    match best {
+        ((0, 0), none) => (false, too_much.unwrap_or(none)),
+        ((with_wavelengths, _), dialect) => (with_wavelengths > 0, dialect),
+    }
+}
+
+/// The first lines of a text, up to the end of the one where so many bytes or lines are reached.
+fn first_lines(text: &str, (bytes, lines): (usize, usize)) -> &str {
+    let mut rest = text;
+    let mut count = 0;
+    while count < lines && text.len() - rest.len() <= bytes {
+        let Some((_, after)) = first_line(rest) else {
+            break;
+        };
+        rest = after;
+        count += 1;
+    }
+    &text[..text.len() - rest.len()]
 }
 
 /// Numbers in tables with wavelengths, then numbers in any table, less the words among them.
-fn score(found: &Scan, dialect: Dialect) -> (usize, usize) {
+fn score(blocks: &[Block], dialect: Dialect) -> (usize, usize) {
     let mut score = (0, 0);
-    for block in &found.blocks {
+    for block in blocks {
         // Words among numbers are worse than a column of names beside them.
         let (mut gained, mut lost) = (0, 0);
         for column in &block.columns {
@@ -110,21 +181,21 @@ fn score(found: &Scan, dialect: Dialect) -> (usize, usize) {
 /// # Errors
 /// [`NoTable`] when there is none, or one is broken by a word.
 pub fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
-    let found = scan(text, dialect).map_err(NoTable::TooMany)?;
-    let Some(longest) = found.blocks.iter().map(Block::rows).max() else {
+    let blocks = scan(text, dialect).map_err(NoTable::TooMany)?;
+    let Some(longest) = blocks.iter().map(Block::rows).max() else {
         return Err(NoTable::NoRows);
     };
-    let no_wavelengths = found
-        .blocks
-        .iter()
-        .find(|block| block.rows() == longest)
-        .map_or(NoTable::NoRows, |block| NoTable::NoWavelengths {
-            line: block.lines[0] as usize,
-            step_back: step_back(block),
-        });
+    let no_wavelengths =
+        blocks
+            .iter()
+            .find(|block| block.rows() == longest)
+            .map_or(NoTable::NoRows, |block| NoTable::NoWavelengths {
+                line: block.lines[0] as usize,
+                step_back: step_back(block),
+            });
     let mut tables: Vec<Table> = Vec::new();
     let (mut left_out, mut above) = (Vec::new(), Vec::new());
-    for (mut block, notes) in joined(found.blocks, dialect)? {
+    for (mut block, notes) in joined(blocks, dialect)? {
         if !above.is_empty() {
             let own = std::mem::replace(&mut block.header, std::mem::take(&mut above));
             block.header.extend(own);
@@ -206,7 +277,7 @@ pub fn lines_left_out(block: &Block) -> String {
 /// [`NoTable`] when its rows are none, or one is broken by a word.
 pub fn own_tables<'a>(own: &Own<'a>) -> Result<Vec<Table<'a>>, NoTable> {
     let found = scan_behind(own.rows, own.lines_before(), csv::DIALECT);
-    let blocks = joined(found.map_err(NoTable::TooMany)?.blocks, csv::DIALECT)?;
+    let blocks = joined(found.map_err(NoTable::TooMany)?, csv::DIALECT)?;
     if blocks.is_empty() {
         return Err(NoTable::NoRows);
     }
@@ -322,7 +393,7 @@ mod tests {
             let text: String = (0..5)
                 .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
                 .collect();
-            let found = dialect(&text);
+            let found = look(&text).dialect;
             assert_eq!(
                 (found.delimiter, found.decimal_comma),
                 (delimiter, comma),
@@ -334,18 +405,18 @@ mod tests {
     #[test]
     fn numbers_above_a_column_of_wavelengths_are_titles() {
         let text = "Wavelength,1,2,405\n380,1,2,3\n385,2,3,4\n390,3,4,5\n";
-        let tables = tables(text, dialect(text)).unwrap();
+        let tables = tables(text, look(text).dialect).unwrap();
         assert_eq!(tables[0].block.rows(), 3);
         assert_eq!(tables[0].titles.names, ["Wavelength", "1", "2", "405"]);
         let along = "wavelength,380,385,390,395,400\n101,1,2,3,4,5\n102,2,3,4,5,6\n";
-        let tables = super::tables(along, dialect(along)).unwrap();
+        let tables = super::tables(along, look(along).dialect).unwrap();
         assert!(matches!(tables[0].layout, Layout::Row { .. }));
     }
 
     #[test]
     fn a_page_head_inside_a_table_is_passed_over_and_said() {
         let text = "380 1\n385 2\n390 3\nPage two\n395 4\n400 5\n";
-        let tables = tables(text, dialect(text)).unwrap();
+        let tables = tables(text, look(text).dialect).unwrap();
         assert_eq!(tables.len(), 1);
         assert_eq!(tables[0].block.rows(), 5);
         assert_eq!(
@@ -368,7 +439,7 @@ mod tests {
                 };
                 text += if row == at { ",1.234.5\n" } else { "\n" };
             }
-            let found = tables(&text, dialect(&text));
+            let found = tables(&text, look(&text).dialect);
             let Err(NoTable::Bad(bad)) = found else {
                 panic!("row {at}: {found:?}");
             };
@@ -384,7 +455,7 @@ mod tests {
         for nm in 290..330 {
             text += &format!("{nm} 0.5 0.25\n");
         }
-        let tables = tables(&text, dialect(&text)).unwrap();
+        let tables = tables(&text, look(&text).dialect).unwrap();
         assert!(
             tables[0]
                 .block
@@ -397,7 +468,7 @@ mod tests {
     #[test]
     fn a_word_where_a_number_should_be_is_an_error_with_its_line() {
         let text = "380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n";
-        let Err(NoTable::Bad(bad)) = tables(text, dialect(text)) else {
+        let Err(NoTable::Bad(bad)) = tables(text, look(text).dialect) else {
             panic!("an error expected");
         };
         assert_eq!((bad.line, bad.column, bad.text.as_str()), (4, 1, "abc"));

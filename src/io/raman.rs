@@ -22,7 +22,8 @@ use super::measured::Measured;
 use super::pick;
 use super::reading::{AxisTold, Told};
 use super::roles::value_columns;
-use super::table::{Block, scan};
+use super::scan::scan;
+use super::table::Block;
 use super::text::lines;
 use super::titles::Titles;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
@@ -277,7 +278,7 @@ struct Shifts<'a> {
 }
 
 /// The tables of shifts of a text, and notes on what is left out.
-fn tables(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
+fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
     let (mut found, mut notes) = (Vec::new(), Vec::new());
     for table in pick::tables(text, dialect).unwrap_or_default() {
         if table.is_short {
@@ -294,7 +295,7 @@ fn tables(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
     }
     if found.is_empty() {
         // Shifts from zero or below are no wavelengths to the finder of tables.
-        let blocks = scan(text, dialect).map_or(Vec::new(), |scan| scan.blocks);
+        let blocks = scan(text, dialect).unwrap_or_default();
         let longest = blocks.into_iter().filter(leads).max_by_key(Block::rows);
         found.extend(longest.map(|block| {
             let titles = Titles::of(&block, dialect);
@@ -327,7 +328,7 @@ fn name_of(input: &Input, text: &str) -> String {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_text()?.text;
+    let text = &*input.needs_long_text()?.text;
     let head = input.head();
     if wire_titles(head).is_some_and(|titles| titles.len() > 2) {
         return Err(input.error(
@@ -344,8 +345,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             NEEDS_LASER,
         ));
     };
-    let dialect = pick::dialect(text);
-    let (tables, notes) = tables(text, dialect);
+    let look = pick::look(text);
+    let dialect = look.dialect;
+    let (mut tables, mut notes) = tables_of(look.seen, dialect);
+    if look.is_part() && !tables.is_empty() {
+        (tables, notes) = tables_of(text, dialect);
+    }
     if tables.is_empty() {
         // Plain columns know better what is wrong; what they make of shifts is not shown.
         let refusal = (columns::FORMAT.read)(input).err();
@@ -393,7 +398,7 @@ fn add(
     let (values, _) = value_columns(block, &table.titles, axis);
     let is_used = |column| column == axis || values.contains(&column);
     if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
-        return Err(columns::bad_cell(input, bad));
+        return Err(bad.refusal(input));
     }
     let stem = name_of(input, input.head());
     for column in &values {

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use super::{Counted, Dialect, units::WavelengthUnit};
 use crate::spectrum::{Composite, Kind, NamedSpectrum, SpectralImage};
 
-use super::error::one_line;
+use super::error::printable_line;
 use super::makers_results::MakersResult;
 
 /// What a reader had to guess and a person may flip.
@@ -238,7 +238,7 @@ impl Reading {
         for name in names {
             tidy(name);
             if name.is_empty() {
-                *name = one_line(file);
+                *name = printable_line(file);
             }
         }
         texts.into_iter().for_each(tidy);
@@ -271,7 +271,7 @@ fn tidy_notes(notes: &mut Vec<String>) {
 }
 
 fn tidy(text: &mut String) {
-    let line = one_line(text);
+    let line = printable_line(text);
     let line = line.trim();
     if line != text.as_str() {
         *text = line.to_owned();

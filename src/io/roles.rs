@@ -300,15 +300,15 @@ pub fn is_processed(title: &str) -> bool {
 mod tests {
     use super::*;
     use crate::io::dialect::{Delimiter, Dialect};
-    use crate::io::table::scan;
+    use crate::io::scan::scan;
 
     fn values(text: &str) -> (Vec<usize>, Vec<String>) {
         let dialect = Dialect {
             delimiter: Delimiter::Semicolon,
             decimal_comma: false,
         };
-        let scan = scan(text, dialect).unwrap();
-        let block = &scan.blocks[0];
+        let blocks = scan(text, dialect).unwrap();
+        let block = &blocks[0];
         value_columns(block, &Titles::of(block, dialect), 0)
     }
 
@@ -353,9 +353,9 @@ mod tests {
             delimiter: Delimiter::Semicolon,
             decimal_comma: false,
         };
-        let scan = scan(text, dialect).unwrap();
-        let titles = Titles::of(&scan.blocks[0], dialect);
-        assert_eq!(value_columns(&scan.blocks[0], &titles, 1).0, [2]);
+        let blocks = scan(text, dialect).unwrap();
+        let titles = Titles::of(&blocks[0], dialect);
+        assert_eq!(value_columns(&blocks[0], &titles, 1).0, [2]);
         assert_eq!(values("Unit;nm\n300;1\n301;2\n").0, [1]);
     }
 
@@ -366,8 +366,8 @@ mod tests {
             delimiter: Delimiter::Semicolon,
             decimal_comma: false,
         };
-        let scan = scan(text, dialect).unwrap();
-        let (columns, notes) = value_columns(&scan.blocks[0], &Titles::default(), 1);
+        let blocks = scan(text, dialect).unwrap();
+        let (columns, notes) = value_columns(&blocks[0], &Titles::default(), 1);
         assert_eq!(columns, [2]);
         assert!(notes[0].contains("one number throughout"), "{notes:?}");
     }
@@ -406,8 +406,8 @@ mod tests {
             delimiter: Delimiter::Semicolon,
             decimal_comma: false,
         };
-        let scan = scan(text, dialect).unwrap();
-        let block = &scan.blocks[0];
+        let blocks = scan(text, dialect).unwrap();
+        let block = &blocks[0];
         let (groups, _) = groups(block, &Titles::of(block, dialect), 0);
         groups.into_iter().map(|g| (g.axis, g.values)).collect()
     }

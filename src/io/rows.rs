@@ -1,13 +1,11 @@
 //! Tables with their wavelengths along a row: one spectrum in each further row.
 
-use super::columns::bad_cell;
 use super::dialect::Dialect;
-use super::draft::{Draft, Scale};
+use super::draft::{Draft, Scale, check_room};
 use super::heading::Heading;
 use super::kinds::{kind_of_title, kind_of_words};
 use super::number::number;
 use super::pick::Table;
-use super::text::lines;
 use super::units::names_wavelength;
 use super::{Input, ReadError, Reading};
 
@@ -29,24 +27,32 @@ pub struct AlongRow<'a> {
 /// [`ReadError`] for a word among the numbers, or numbers that are no spectrum.
 pub fn read_rows(
     input: &Input,
-    text: &str,
     dialect: Dialect,
     table: &Table,
     along: &AlongRow,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     let block = &table.block;
-    let labels = row_labels(text, dialect, block.lines.as_slice(), along.first);
     let heading = Heading::of(&block.header).shared_by(block.rows());
     let kind_title = titles_before(table, along.first);
     let columns = along.first..along.first + along.axis.len();
     if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
-        return Err(bad_cell(input, bad));
+        return Err(bad.refusal(input));
     }
+    let has_values = |row: &usize| {
+        let values = block.values[columns.clone()].iter().map(|c| c[*row]);
+        values.filter(|v| !v.is_nan()).nth(1).is_some()
+    };
+    let spectra = (along.from_row..block.rows()).filter(has_values).count();
+    check_room(input, reading.spectra.len() + spectra)?;
     let scale = Scale::new(along.axis);
     let corner = corner(table, dialect, along);
-    for row in along.from_row..block.rows() {
-        let words = labels.get(row).map_or(&[][..], Vec::as_slice);
+    let mut cells = Vec::new();
+    for (row, content) in block.row_texts().enumerate().skip(along.from_row) {
+        dialect.split(content.trim_matches(' '), &mut cells);
+        let before = cells.iter().take(along.first).copied();
+        let words: Vec<&str> = before.filter(|cell| !cell.is_empty()).collect();
+        let words = words.as_slice();
         let name = name_of(words)
             .unwrap_or_else(|| format!("{}, row {}", input.stem(), row + 1 - along.from_row));
         let name = match name.parse::<f64>() {
@@ -133,28 +139,6 @@ fn titles_before(table: &Table, first: usize) -> String {
         .map(|c| table.titles.whole(c))
         .collect::<Vec<_>>()
         .join(" ")
-}
-
-/// The words before the values in each row.
-fn row_labels<'a>(
-    text: &'a str,
-    dialect: Dialect,
-    rows: &[u32],
-    first: usize,
-) -> Vec<Vec<&'a str>> {
-    let mut labels = Vec::with_capacity(rows.len());
-    let mut cells = Vec::new();
-    let mut wanted = rows.iter().copied().peekable();
-    for (line, content) in lines(text) {
-        let Some(next) = wanted.peek() else { break };
-        if line as u64 == u64::from(*next) {
-            wanted.next();
-            dialect.split(content.trim_matches(' '), &mut cells);
-            let words = cells.iter().take(first).copied();
-            labels.push(words.filter(|c| !c.is_empty()).collect());
-        }
-    }
-    labels
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ use std::ops::Range;
 
 use super::dialect::Dialect;
 use super::table::Block;
-use super::text::lines;
 
 /// Fewest rows of a sample that a number tells from others: values may be whole numbers too.
 const FEWEST_ROWS: usize = 5;
@@ -26,7 +25,6 @@ pub struct Sample {
 /// the columns taken for `values` one at least stays what it is.
 pub fn together(
     block: &mut Block,
-    text: &str,
     dialect: Dialect,
     axis: usize,
     values: &[usize],
@@ -46,7 +44,7 @@ pub fn together(
         *column != axis && leaves_some && is_counted(block.column(*column))
     };
     columns.extend((0..block.width.min(MOST_COUNTED)).filter(counted));
-    let cells = cells_of(block, text, dialect, &columns);
+    let cells = cells_of(block, dialect, &columns);
     let told = columns.iter().zip(&cells).enumerate();
     let (column, found) = told.into_iter().find_map(|(at, (column, cells))| {
         let fewest = if at < words { 2 } else { FEWEST_ROWS };
@@ -101,26 +99,16 @@ fn runs_through(mut wavelengths: impl Iterator<Item = f64>) -> bool {
 }
 
 /// The cells of some columns in each row, a list a column.
-fn cells_of<'a>(
-    block: &Block,
-    text: &'a str,
-    dialect: Dialect,
-    columns: &[usize],
-) -> Vec<Vec<&'a str>> {
+fn cells_of<'a>(block: &Block<'a>, dialect: Dialect, columns: &[usize]) -> Vec<Vec<&'a str>> {
     if columns.is_empty() {
         return Vec::new();
     }
     let mut found = vec![Vec::with_capacity(block.rows()); columns.len()];
     let mut cells = Vec::new();
-    let mut wanted = block.lines.iter().copied().peekable();
-    for (line, content) in lines(text) {
-        let Some(next) = wanted.peek() else { break };
-        if line as u64 == u64::from(*next) {
-            wanted.next();
-            dialect.split(content.trim_matches(' '), &mut cells);
-            for (column, found) in columns.iter().zip(&mut found) {
-                found.push(cells.get(*column).map_or("", |cell| cell.trim()));
-            }
+    for content in block.row_texts() {
+        dialect.split(content.trim_matches(' '), &mut cells);
+        for (column, found) in columns.iter().zip(&mut found) {
+            found.push(cells.get(*column).map_or("", |cell| cell.trim()));
         }
     }
     found

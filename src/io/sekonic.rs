@@ -14,9 +14,7 @@
 
 use std::ops::Range;
 
-use super::error::quoted;
-use super::keyed_lines::{KeyedLines, is_point};
-use super::makers_results::room_for;
+use super::keyed_lines::{KeyedLines, is_point, reading_of};
 use super::measured::Measured;
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -76,17 +74,11 @@ fn step(nm: &[f64]) -> f64 {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let found = KeyedLines::of(text).map_err(|bad| {
-        input
-            .error(quoted(&bad.text), "a number behind the wavelength")
-            .at_line(bad.line)
-    })?;
-    if found.nm.len() < 2 {
-        return Err(input.error(
-            "a Sekonic summary (CCT, CRI, filters) without a spectrum",
-            "lines such as \"Spectral Data 380[nm],0.000012\": export with spectral data",
-        ));
-    }
+    let none = [
+        "a Sekonic summary (CCT, CRI, filters) without a spectrum",
+        "lines such as \"Spectral Data 380[nm],0.000012\": export with spectral data",
+    ];
+    let found = KeyedLines::of_meter(input, text, none)?;
     let all = blocks(&found.nm);
     // The finest step; of equally fine ones the first.
     let finest = all
@@ -104,18 +96,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .get("Measuring Mode")
         .is_some_and(|mode| mode.to_lowercase().contains("flash"));
     let unit = if flash { "W s m-2 nm-1" } else { "W m-2 nm-1" };
-    let mut reading = Reading::default();
-    for column in 0..found.columns {
-        let values = found.column(column)[finest.clone()].to_vec();
-        if found.columns > 1 && values.iter().filter(|v| v.is_finite()).count() < 2 {
-            continue;
-        }
-        let name = found
-            .get_of("Title", column)
-            .map_or_else(|| input.stem().to_owned(), str::to_owned);
-        let index = reading.spectra.len();
+    reading_of(input, &found, finest.clone(), |column, values, _| {
+        let name = found.get_of("Title", column).unwrap_or(input.stem());
         let mut spectrum = Measured::light(name, nm, values, unit);
-        spectrum.lines = &found.lines[finest.clone()];
         for block in all.iter().filter(|b| *b != finest).take(5) {
             spectrum.notes.push(format!(
                 "a block of {} points every {:.4} nm, lines {} to {}, stands beside it and was left out",
@@ -128,31 +111,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         if all.len() > 1 {
             spectrum.how.push("the finest block".to_owned());
         }
-        if found.decimal_comma {
-            spectrum.how.push("decimal comma".to_owned());
-        }
         spectrum
             .notes
             .push(format!("{unit} is the meter's unit; the file states none"));
-        spectrum.finish(input, &mut reading)?;
-        let room = room_for(reading.results.len());
-        reading
-            .results
-            .extend(found.results(Some(index), column, room));
-    }
-    if reading.spectra.is_empty() {
-        return Err(input.error(
-            "wavelengths and no values",
-            "a value behind each wavelength",
-        ));
-    }
-    if !reading.results.is_empty() {
-        reading.notes.push(format!(
-            "{} results of the instrument kept beside the spectrum",
-            reading.results.len()
-        ));
-    }
-    Ok(reading)
+        spectrum
+    })
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ use super::draft::{Draft, Scale};
 use super::error::quoted;
 use super::heading::Heading;
 use super::number;
-use super::text::lines;
-use super::write::{Provenance, shortest};
+use super::provenance::{Provenance, shortest};
+use super::text::{kept_line, lines};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// pbrt and Mitsuba pairs.
@@ -69,7 +69,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             pair(body).map_err(|(found, expected)| input.error(found, expected).at_line(line))?;
         nm.push(wavelength);
         values.push(value);
-        at.push(u32::try_from(line).unwrap_or(u32::MAX));
+        at.push(kept_line(line));
     }
     let heading = Heading::of(&comments);
     let name = heading.name.unwrap_or(input.stem());

@@ -8,14 +8,14 @@ use roxmltree::Node;
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
-use super::argyll_write::ORIGINATOR;
 use super::curve;
 use super::error::{kept, quoted};
 use super::kinds;
 use super::meaning;
 use super::number;
+use super::provenance::ORIGINATOR;
+use super::provenance::add_notes_of_a_line;
 use super::reading::provenance as provenance_line;
-use super::write::add_notes_of_a_line;
 use super::xml;
 use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
+use super::provenance::{Provenance, shortest};
 use super::spdx::QUANTITIES;
-use super::write::{Provenance, shortest};
 
 /// The TM-27 word for a spectrum.
 fn quantity_of(spectrum: &NamedSpectrum) -> &'static str {

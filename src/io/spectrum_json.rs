@@ -14,8 +14,8 @@ use crate::spectrum::{Kind, NamedSpectrum};
 
 use super::curve;
 use super::error::quoted;
+use super::provenance::Provenance;
 use super::reading::provenance as provenance_line;
-use super::write::Provenance;
 use super::{Confidence, Format, Input, ReadError, Reading, budget};
 
 /// The word in `format`.
@@ -104,7 +104,7 @@ pub fn json_error(input: &Input, error: &serde_json::Error) -> ReadError {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_text()?.text;
+    let text = &*input.needs_long_text()?.text;
     let file: File = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
     let File {
         format,

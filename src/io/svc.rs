@@ -16,8 +16,8 @@ use crate::spectrum::Kind;
 
 use super::error::quoted;
 use super::measured::Measured;
-use super::number::{self, Cell};
-use super::text::lines;
+use super::number;
+use super::text::{kept_line, lines};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Spectra Vista text.
@@ -70,13 +70,9 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .filter(|c| !c.is_empty());
         let mut count = 0;
         for (column, cell) in cells.enumerate().take(5) {
-            let value = match number::parse(cell, cell.contains(',')) {
-                Cell::Number(v) | Cell::Percent(v) | Cell::Nanometres(v) => v,
-                Cell::Gap | Cell::Empty => f64::NAN,
-                Cell::Text => {
-                    let expected = format!("a number in column {}", column + 1);
-                    return Err(input.error(quoted(cell), expected).at_line(line));
-                }
+            let Some(value) = number::parse(cell, cell.contains(',')).value() else {
+                let expected = format!("a number in column {}", column + 1);
+                return Err(input.error(quoted(cell), expected).at_line(line));
             };
             if let Some(column) = columns.get_mut(column) {
                 column.push(value);
@@ -94,7 +90,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 )
                 .at_line(line));
         }
-        at.push(u32::try_from(line).unwrap_or(u32::MAX));
+        at.push(kept_line(line));
     }
     if at.is_empty() {
         return Err(input.error(

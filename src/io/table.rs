@@ -1,28 +1,13 @@
-//! Finds the blocks of numbers in a text, whatever stands around them.
-//!
-//! A row is a line of at least two numbers (or gaps) with no more words than numbers. A block is
-//! a run of rows; blank lines and comments do not end it. Lines that are no rows, and runs of a
-//! single row, are the header of the block that follows. The scan goes once over the text and
-//! keeps one number a cell, so its time and memory grow with the file's length only. Once a block
-//! has shown its width, rows that are nothing but plain numbers take a short way
-//! ([`plain_row`]); every other line is looked at cell by cell.
+//! Blocks of numbers in a text, as [`scan`](super::scan) finds them.
 
 use super::dialect::{Dialect, used};
+use super::error::quoted;
 use super::number::{self, Cell};
-use super::plain_row::PlainRow;
-use super::text::first_line;
-
-/// Most cells of numbers that one file may hold; 64 million take 512 MiB of memory.
-pub const MOST_CELLS: usize = 64_000_000;
-
-/// Most columns of one table: far more than any instrument writes.
-pub const MOST_COLUMNS: usize = 65_536;
+use super::text::{first_line, kept_line, lines};
+use super::{Input, ReadError};
 
 /// Rows after which a block has shown its width.
-const SETTLED: usize = 3;
-
-/// Most header lines kept before a block: the first hundred and the last hundred are enough.
-const HEADER_LINES: usize = 200;
+pub const SETTLED: usize = 3;
 
 /// What one column of a block holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,6 +20,8 @@ pub struct Column {
     pub percents: usize,
     /// Numbers with "nm" behind them.
     pub nanometres: usize,
+    /// Whether a word below a number is in the block's list already.
+    has_bad: bool,
 }
 
 /// A word that stands where the column otherwise holds numbers.
@@ -48,6 +35,14 @@ pub struct BadCell {
     pub text: String,
     /// Whether its line is a row beyond doubt: its first number carries the column on.
     pub certain: bool,
+}
+
+impl BadCell {
+    /// The refusal for a word among numbers.
+    pub fn refusal(&self, input: &Input) -> ReadError {
+        let expected = format!("a number in column {}", self.column + 1);
+        input.error(quoted(&self.text), expected).at_line(self.line)
+    }
 }
 
 /// A run of rows and the lines before it.
@@ -68,13 +63,17 @@ pub struct Block<'a> {
     /// The line that ended the block, if it looked like a row gone wrong.
     pub ended_by: Option<BadCell>,
     /// Text of the first row, which returns to the header when the block stays a single row.
-    first_row: &'a str,
+    pub first_row: &'a str,
+    /// The text from the first row on, and that row's line.
+    from: (usize, &'a str),
     /// Plain rows that the columns have not counted yet.
     uncounted: usize,
 }
 
 impl<'a> Block<'a> {
-    fn new(header: Vec<(usize, &'a str)>, width: usize, first_row: &'a str) -> Self {
+    /// A block without rows, of as many cells in a row; `from` is its first line, and the text from
+    /// that line on.
+    pub fn new(header: Vec<(usize, &'a str)>, width: usize, from: (usize, &'a str)) -> Self {
         Self {
             header,
             width,
@@ -83,9 +82,19 @@ impl<'a> Block<'a> {
             columns: vec![Column::default(); width],
             bad: Vec::new(),
             ended_by: None,
-            first_row,
+            first_row: first_line(from.1).map_or("", |(row, _)| row.trim_ascii()),
+            from,
             uncounted: 0,
         }
+    }
+
+    /// Memory that the block takes besides its numbers, its titles and layout to come included:
+    /// many blocks of a few rows take far more than their text.
+    pub fn bytes_beside(&self) -> usize {
+        const OF_A_BLOCK: usize = 1024;
+        const OF_A_COLUMN: usize = 256;
+        let lines = self.header.capacity() * size_of::<(usize, &str)>();
+        OF_A_BLOCK + OF_A_COLUMN * self.width + lines
     }
 
     /// The cells of the first row.
@@ -93,6 +102,16 @@ impl<'a> Block<'a> {
         let mut cells = Vec::new();
         dialect.split(self.first_row, &mut cells);
         cells
+    }
+
+    /// The lines of the rows as they stand in the text, while the rows stand in its order.
+    pub fn row_texts(&self) -> impl Iterator<Item = &'a str> {
+        let (before, text) = (self.from.0 - 1, self.from.1);
+        let mut all = lines(text);
+        self.lines.iter().map_while(move |line| {
+            let found = all.find(|(number, _)| before + number == *line as usize);
+            found.map(|(_, content)| content)
+        })
     }
 
     /// Makes the first row the last line of the header: it turned out to hold titles.
@@ -146,21 +165,29 @@ impl<'a> Block<'a> {
 
     /// Whether a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
     /// where the block has shown its width.
-    fn takes(&self, used: usize, all: usize) -> bool {
+    pub fn takes(&self, used: usize, all: usize) -> bool {
         used == self.width || used < self.width && (all == self.width || self.rows() >= SETTLED)
     }
 
     /// Makes room for `rows` more.
-    fn reserve(&mut self, rows: usize) {
+    pub fn reserve(&mut self, rows: usize) {
         self.lines.reserve(rows);
         for column in &mut self.values {
             column.reserve(rows);
         }
     }
 
+    /// Gives back the room for rows that did not come.
+    pub fn shrink(&mut self) {
+        if self.lines.capacity() > 2 * self.rows() {
+            self.lines.shrink_to_fit();
+            self.values.iter_mut().for_each(Vec::shrink_to_fit);
+        }
+    }
+
     /// A row of `width` plain numbers.
-    fn push_plain(&mut self, line: usize, row: &[f64]) {
-        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+    pub fn push_plain(&mut self, line: usize, row: &[f64]) {
+        self.lines.push(kept_line(line));
         self.uncounted += 1;
         for (column, value) in self.values.iter_mut().zip(row) {
             column.push(*value);
@@ -168,15 +195,16 @@ impl<'a> Block<'a> {
     }
 
     /// Brings the columns' counts up to date after plain rows.
-    fn count(&mut self) {
+    pub fn count(&mut self) {
         let rows = std::mem::take(&mut self.uncounted);
         for column in &mut self.columns {
             column.numbers += rows;
         }
     }
 
-    fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
-        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+    /// A row of cells, and what each holds.
+    pub fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
+        self.lines.push(kept_line(line));
         let columns = self.columns.iter_mut().zip(&mut self.values);
         for (column, (stats, values)) in columns.enumerate() {
             let kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
@@ -193,7 +221,8 @@ impl<'a> Block<'a> {
                 Cell::Empty | Cell::Gap => f64::NAN,
                 Cell::Text => {
                     stats.texts += 1;
-                    if stats.numbers > 0 && !self.bad.iter().any(|b| b.column == column) {
+                    if stats.numbers > 0 && !stats.has_bad {
+                        stats.has_bad = true;
                         self.bad.push(BadCell {
                             line,
                             column,
@@ -210,161 +239,16 @@ impl<'a> Block<'a> {
     }
 }
 
-/// More than the program keeps, found at a line of the file (from 1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TooMuch {
-    /// More cells than [`MOST_CELLS`].
-    Cells { line: usize },
-    /// More columns than [`MOST_COLUMNS`].
-    Columns { line: usize, found: usize },
-}
-
-/// What the lines after the last block were, and the blocks.
-#[derive(Clone, Debug)]
-pub struct Scan<'a> {
-    /// Blocks of at least two rows, in file order.
-    pub blocks: Vec<Block<'a>>,
-    /// Lines after the last block.
-    pub footer: Vec<(usize, &'a str)>,
-}
-
-/// All blocks of at least two rows in a text.
-///
-/// # Errors
-/// [`TooMuch`] when the text holds more numbers than the program keeps.
-pub fn scan(text: &str, dialect: Dialect) -> Result<Scan<'_>, TooMuch> {
-    scan_behind(text, 0, dialect)
-}
-
-/// As [`scan`], for what stands in a file behind a number of lines.
-///
-/// # Errors
-/// As [`scan`].
-pub fn scan_behind(text: &str, lines: usize, dialect: Dialect) -> Result<Scan<'_>, TooMuch> {
-    let mut blocks = Vec::new();
-    let mut header: Vec<(usize, &str)> = Vec::new();
-    let mut block: Option<Block> = None;
-    let (mut cells, mut kinds) = (Vec::new(), Vec::new());
-    let (mut held, mut line) = (0, lines);
-    let mut rest = text;
-    let mut plain = PlainRow::new(dialect);
-    loop {
-        if let Some(open) = &mut block
-            && open.rows() >= SETTLED
-        {
-            let mut is_first = true;
-            while let Some((row, past)) = plain.read(rest, open.width) {
-                if held + open.width > MOST_CELLS {
-                    return Err(TooMuch::Cells { line: line + 1 });
-                }
-                if std::mem::take(&mut is_first) {
-                    // Lines are about as long as the first of them: no array grows twice.
-                    open.reserve((rest.len() / past + 1).min(MOST_CELLS / open.width));
-                }
-                line += 1;
-                held += open.width;
-                open.push_plain(line, row);
-                rest = &rest[past..];
-            }
-            open.count();
-        }
-        let Some((raw, after)) = first_line(rest) else {
-            break;
-        };
-        rest = after;
-        line += 1;
-        let content = raw.trim_ascii();
-        if content.is_empty() {
-            continue;
-        }
-        if let Some(comment) = comment(content) {
-            push_header(&mut header, line, comment);
-            continue;
-        }
-        dialect.split(content_with_tabs(raw), &mut cells);
-        if cells.len() > MOST_COLUMNS {
-            let found = cells.len();
-            return Err(TooMuch::Columns { line, found });
-        }
-        kinds.clear();
-        kinds.extend(
-            cells
-                .iter()
-                .map(|cell| number::parse(cell, dialect.decimal_comma)),
-        );
-        let is_row = looks_like_row(&kinds);
-        let used = used(&cells);
-        if let Some(open) = &mut block {
-            if is_row && open.takes(used, cells.len()) {
-                held += open.width;
-                open.push(line, &cells, &kinds);
-            } else {
-                open.ended_by = row_gone_wrong(open, line, &cells, &kinds);
-                close(block.take(), &mut blocks, &mut header);
-            }
-        }
-        if block.is_none() {
-            if is_row {
-                let mut open = Block::new(std::mem::take(&mut header), cells.len(), content);
-                held += open.width;
-                open.push(line, &cells, &kinds);
-                block = Some(open);
-            } else {
-                push_header(&mut header, line, content);
-            }
-        }
-        if held > MOST_CELLS {
-            return Err(TooMuch::Cells { line });
-        }
-    }
-    close(block, &mut blocks, &mut header);
-    Ok(Scan {
-        blocks,
-        footer: header,
-    })
-}
-
-/// Blanks at the ends go, TABs stay: an empty first or last cell counts.
-fn content_with_tabs(raw: &str) -> &str {
-    raw.trim_matches(' ')
-}
-
-/// The words of a comment line, or `None` when the line is none. A semicolon, and a per cent
-/// sign, may also begin a row whose first cell is empty.
-fn comment(content: &str) -> Option<&str> {
-    let body = ["#", "//", "%", ";"]
-        .iter()
-        .find_map(|mark| content.strip_prefix(mark))?;
-    let starts_row =
-        content.starts_with(';') && body.trim_start().starts_with(|c: char| c.is_ascii_digit());
-    (!starts_row).then(|| body.trim_start_matches(['#', '/', '%', ';']).trim_ascii())
-}
-
-fn looks_like_row(kinds: &[Cell]) -> bool {
-    let (mut numbers, mut gaps, mut texts) = (0, 0, 0);
-    let mut first_gap_or_empty = 0;
-    for kind in kinds {
-        match kind {
-            Cell::Number(_) | Cell::Percent(_) | Cell::Nanometres(_) => numbers += 1,
-            Cell::Gap => gaps += 1,
-            Cell::Empty => first_gap_or_empty += 1,
-            Cell::Text => texts += 1,
-        }
-    }
-    // A wavelength with nothing but empty cells behind it is a row with every value missing.
-    let lone = numbers == 1
-        && texts == 0
-        && first_gap_or_empty > 0
-        && kinds.len() > 1
-        && matches!(kinds[0], Cell::Number(_));
-    texts <= numbers && (numbers + gaps >= 2 && numbers >= 1 || lone)
-}
-
 /// A line of the block's width with numbers and words, where only numbers stood.
 ///
 /// Either its first number carries the first column on, or a word with digits in it stands there
 /// ("38x") and the block may tell by what follows.
-fn row_gone_wrong(block: &Block, line: usize, cells: &[&str], kinds: &[Cell]) -> Option<BadCell> {
+pub fn row_gone_wrong(
+    block: &Block,
+    line: usize,
+    cells: &[&str],
+    kinds: &[Cell],
+) -> Option<BadCell> {
     if used(cells) != block.width || block.rows() < 2 {
         return None;
     }
@@ -424,145 +308,4 @@ pub fn row_gone_wrong_above(block: &Block, dialect: Dialect) -> Option<BadCell> 
         text: cells[column].to_owned(),
         certain: true,
     })
-}
-
-fn close<'a>(
-    block: Option<Block<'a>>,
-    blocks: &mut Vec<Block<'a>>,
-    header: &mut Vec<(usize, &'a str)>,
-) {
-    let Some(block) = block else { return };
-    if block.rows() >= 2 {
-        blocks.push(block);
-        return;
-    }
-    // A single row is a header line ("Index,13,14,15"): put it back where it stood.
-    let after = std::mem::take(header);
-    *header = block.header;
-    push_header(header, block.lines[0] as usize, block.first_row);
-    header.extend(after);
-    // Else it would grow with every single row, and each line that it loses cost all of it.
-    if header.len() > HEADER_LINES {
-        let over = header.len() - HEADER_LINES;
-        header.drain(HEADER_LINES / 2..HEADER_LINES / 2 + over);
-    }
-}
-
-fn push_header<'a>(header: &mut Vec<(usize, &'a str)>, line: usize, content: &'a str) {
-    if header.len() >= HEADER_LINES {
-        header.remove(HEADER_LINES / 2);
-    }
-    header.push((line, content));
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::io::dialect::Delimiter;
-
-    const COMMA: Dialect = Dialect {
-        delimiter: Delimiter::Comma,
-        decimal_comma: false,
-    };
-
-    fn blocks(text: &str) -> Vec<Block<'_>> {
-        scan(text, COMMA).map(|s| s.blocks).unwrap_or_default()
-    }
-
-    #[test]
-    fn words_around_a_block_are_its_header() {
-        let found = blocks("Lamp A\n# note\nIndex,13,14\nnm,a,b\n380,1,2\n\n385,3,4\n");
-        assert_eq!(found.len(), 1);
-        assert_eq!(found[0].values, [[380.0, 385.0], [1.0, 3.0], [2.0, 4.0]]);
-        assert_eq!(found[0].lines, [5, 7]);
-        assert_eq!(
-            found[0].header,
-            [
-                (1, "Lamp A"),
-                (2, "note"),
-                (3, "Index,13,14"),
-                (4, "nm,a,b")
-            ]
-        );
-    }
-
-    #[test]
-    fn words_between_blocks_divide_them() {
-        let found = blocks("380,1\n385,2\nSecond\n380,3\n385,4\n");
-        assert_eq!(found.len(), 2);
-        assert_eq!(found[1].header, [(3, "Second")]);
-    }
-
-    #[test]
-    fn a_gap_is_kept_as_a_gap_and_a_word_is_remembered() {
-        let found = blocks("380,1,NaN\n385,,2\n390,3,4\n395,abc,5\n400,6,\n");
-        assert_eq!(found.len(), 1);
-        assert_eq!(found[0].rows(), 5);
-        assert_eq!(found[0].columns[1].numbers, 3);
-        assert_eq!(
-            found[0].bad,
-            [BadCell {
-                line: 4,
-                column: 1,
-                text: "abc".to_owned(),
-                certain: true,
-            }]
-        );
-    }
-
-    #[test]
-    fn a_remark_that_only_some_rows_have_does_not_break_the_table() {
-        let found = blocks("380,1,\n381,2,peak\n382,3,\n383,4,\n");
-        assert_eq!((found.len(), found[0].rows()), (1, 4));
-        let found = blocks("0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n");
-        assert_eq!((found.len(), found[0].rows()), (1, 4));
-    }
-
-    #[test]
-    fn plain_rows_and_others_stand_in_one_block_in_their_order() {
-        let found =
-            blocks("380,1\n385,2\n390,3\n395,4\n400,NaN\n\n405, 6 \r\n410,\"7\"\n# c\n415,8");
-        assert_eq!(found.len(), 1);
-        let values = &found[0].values;
-        assert_eq!(
-            values[0],
-            [380.0, 385.0, 390.0, 395.0, 400.0, 405.0, 410.0, 415.0]
-        );
-        assert_eq!(values[1][..4], [1.0, 2.0, 3.0, 4.0]);
-        assert!(values[1][4].is_nan());
-        assert_eq!(values[1][5..], [6.0, 7.0, 8.0]);
-        assert_eq!(found[0].lines, [1, 2, 3, 4, 5, 7, 8, 10]);
-        assert_eq!(
-            (found[0].columns[0].numbers, found[0].columns[1].numbers),
-            (8, 7)
-        );
-    }
-
-    #[test]
-    fn a_million_columns_are_too_many() {
-        let row = "1,".repeat(1_000_000);
-        let text = format!("{row}\n{row}\n");
-        let found = scan(&text, COMMA).map(|s| s.blocks.len());
-        assert!(
-            matches!(found, Err(TooMuch::Columns { line: 1, .. })),
-            "{found:?}"
-        );
-    }
-
-    #[test]
-    fn single_rows_among_comments_do_not_lengthen_the_header() {
-        let text: String = (0..20)
-            .map(|i| "1,2\n1,2,3\n".repeat(i % 2) + &"# c\n".repeat(150))
-            .collect();
-        let text = text + "380,1\n385,2\n";
-        let found = blocks(&text);
-        assert_eq!(found.len(), 1);
-        assert_eq!(found[0].header.len(), HEADER_LINES);
-    }
-
-    #[test]
-    fn a_row_gone_wrong_is_remembered_where_it_ends_a_block() {
-        let found = blocks("380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n");
-        assert_eq!(found[0].ended_by.as_ref().map(|b| b.line), Some(4));
-    }
 }

@@ -7,8 +7,15 @@ use encoding_rs::{Encoding, WINDOWS_1252};
 /// Most bytes of one text file that the program opens: 512 MiB.
 pub const MOST_BYTES: u64 = 512 * 1024 * 1024;
 
+/// Most bytes of a text that only one instrument's or program's format tells how to read, 64 MiB:
+/// far more than any of them writes.
+pub const MOST_BYTES_OF_A_FORMAT: usize = 64 * 1024 * 1024;
+
 /// How much of a file decides whether it is text.
 const PROBE_BYTES: usize = 64 * 1024;
+
+/// Lines of a text with their numbers in the file.
+pub type NumberedLines<'a> = [(usize, &'a str)];
 
 /// A file's text.
 #[derive(Clone, Debug)]
@@ -84,6 +91,11 @@ pub fn decode(bytes: &[u8]) -> Text<'_> {
     }
 }
 
+/// A line's number as it is kept with every point, in half the memory.
+pub fn kept_line(line: usize) -> u32 {
+    u32::try_from(line).unwrap_or(u32::MAX)
+}
+
 /// Lines with their numbers from 1, whatever ends them: LF, CR LF or CR alone.
 pub fn lines(text: &str) -> Lines<'_> {
     Lines {
@@ -99,6 +111,13 @@ pub struct Lines<'a> {
     number: usize,
 }
 
+impl<'a> Lines<'a> {
+    /// The text that is left.
+    pub fn rest(&self) -> &'a str {
+        self.rest
+    }
+}
+
 impl<'a> Iterator for Lines<'a> {
     type Item = (usize, &'a str);
 
@@ -112,10 +131,11 @@ impl<'a> Iterator for Lines<'a> {
 
 /// The first line without its end, and the text behind it; `None` at the end of the text.
 pub fn first_line(text: &str) -> Option<(&str, &str)> {
-    if text.is_empty() {
-        return None;
-    }
-    let Some(end) = text.bytes().position(|b| b == b'\n' || b == b'\r') else {
+    // Most short lines are empty ones.
+    let Some(end) = (match text.bytes().next()? {
+        b'\n' | b'\r' => Some(0),
+        _ => memchr::memchr2(b'\n', b'\r', text.as_bytes()),
+    }) else {
         return Some((text, ""));
     };
     let past = end

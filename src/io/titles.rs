@@ -166,15 +166,15 @@ fn with_label(mut cells: Vec<String>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::table::scan;
+    use crate::io::scan::scan;
 
     fn titles(text: &str, delimiter: Delimiter) -> Titles {
         let dialect = Dialect {
             delimiter,
             decimal_comma: false,
         };
-        let scan = scan(text, dialect).unwrap();
-        Titles::of(&scan.blocks[0], dialect)
+        let blocks = scan(text, dialect).unwrap();
+        Titles::of(&blocks[0], dialect)
     }
 
     #[test]

@@ -12,7 +12,7 @@
 use super::error::quoted;
 use super::measured::Measured;
 use super::number::{self, Cell};
-use super::text::lines;
+use super::text::{kept_line, lines};
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// TUV reports.
@@ -74,13 +74,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
         let mut row = Vec::new();
         for word in std::iter::once(first).chain(words).take(22) {
-            match number::parse(word, false) {
-                Cell::Number(v) => row.push(v),
-                Cell::Gap | Cell::Empty => row.push(f64::NAN),
-                _ => {
-                    return Err(input.error(quoted(word), "a number").at_line(line));
-                }
-            }
+            let value = number::parse(word, false).plain_value();
+            row.push(value.ok_or_else(|| input.error(quoted(word), "a number").at_line(line))?);
         }
         if columns.is_empty() {
             columns = vec![Vec::new(); row.len().saturating_sub(2)];
@@ -97,7 +92,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         for (column, value) in columns.iter_mut().zip(&row[2..]) {
             column.push(*value);
         }
-        at.push(u32::try_from(line).unwrap_or(u32::MAX));
+        at.push(kept_line(line));
     }
     if nm.is_empty() {
         return Err(input.error(

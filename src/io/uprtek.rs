@@ -13,9 +13,8 @@
 
 use std::ops::RangeInclusive;
 
-use super::error::quoted;
-use super::keyed_lines::{KeyedLines, is_point};
-use super::makers_results::{MakersResult, Quantity, room_for};
+use super::keyed_lines::{KeyedLines, is_point, reading_of};
+use super::makers_results::{MakersResult, Quantity};
 use super::meaning::{PHOTON_NOTE, PHOTONS};
 use super::measured::Measured;
 use super::text::lines;
@@ -77,64 +76,36 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 /// [`ReadError`] for a file without points, or with a word for a value.
 pub fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
-    let found = KeyedLines::of(text).map_err(|bad| {
-        input
-            .error(quoted(&bad.text), "a number behind the wavelength")
-            .at_line(bad.line)
-    })?;
-    if found.nm.len() < 2 {
-        return Err(input.error(
-            format!("{makers} results and no spectrum"),
-            "lines such as \"380nm\", TAB and a value",
-        ));
-    }
-    let mut reading = Reading::default();
-    for column in 0..found.columns {
-        let values = found.column(column);
-        if found.columns > 1 && values.iter().filter(|v| v.is_finite()).count() < 2 {
-            continue;
-        }
-        let index = reading.spectra.len();
-        let results = found.results(Some(index), column, room_for(reading.results.len()));
-        let unit = unit(&found.nm, &values, &results, makers);
-        let name = ["memo", "title", "name"]
-            .iter()
-            .find_map(|key| found.get_of(key, column))
-            .map_or_else(
-                || match found.columns {
-                    1 => input.stem().to_owned(),
-                    _ => format!("{}, {}", input.stem(), column + 1),
-                },
-                str::to_owned,
-            );
-        let mut spectrum = Measured::light(name, &found.nm, values, unit.unit);
-        spectrum.lines = &found.lines;
-        spectrum.notes.push(unit.because);
-        if unit.unit == PHOTONS {
-            spectrum.notes.push(PHOTON_NOTE.to_owned());
-        }
-        if found.decimal_comma {
-            spectrum.how.push("decimal comma".to_owned());
-        }
-        if let Some(model) = found.get("model name") {
-            spectrum.notes.push(format!("measured with a {model}"));
-        }
-        spectrum.finish(input, &mut reading)?;
-        reading.results.extend(results);
-    }
-    if reading.spectra.is_empty() {
-        return Err(input.error(
-            "wavelengths and no values",
-            "a value behind each wavelength",
-        ));
-    }
-    if !reading.results.is_empty() {
-        reading.notes.push(format!(
-            "{} results of the instrument kept beside the spectrum",
-            reading.results.len()
-        ));
-    }
-    Ok(reading)
+    let none = format!("{makers} results and no spectrum");
+    let none = [&*none, "lines such as \"380nm\", TAB and a value"];
+    let found = KeyedLines::of_meter(input, text, none)?;
+    reading_of(
+        input,
+        &found,
+        0..found.nm.len(),
+        |column, values, results| {
+            let unit = unit(&found.nm, &values, results, makers);
+            let name = ["memo", "title", "name"]
+                .iter()
+                .find_map(|key| found.get_of(key, column))
+                .map_or_else(
+                    || match found.columns {
+                        1 => input.stem().to_owned(),
+                        _ => format!("{}, {}", input.stem(), column + 1),
+                    },
+                    str::to_owned,
+                );
+            let mut spectrum = Measured::light(name, &found.nm, values, unit.unit);
+            spectrum.notes.push(unit.because);
+            if unit.unit == PHOTONS {
+                spectrum.notes.push(PHOTON_NOTE.to_owned());
+            }
+            if let Some(model) = found.get("model name") {
+                spectrum.notes.push(format!("measured with a {model}"));
+            }
+            spectrum
+        },
+    )
 }
 
 /// A unit and what told it.

@@ -17,7 +17,7 @@ use crate::spectrum::Kind;
 use super::error::quoted;
 use super::measured::Measured;
 use super::number::{self, Cell};
-use super::text::{self, lines};
+use super::text::{self, kept_line, lines};
 use super::units::WavelengthUnit;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
@@ -73,14 +73,10 @@ fn list<'a>(name: &str, text: &'a str) -> Result<List<'a>, ReadError> {
             out.title = content;
             continue;
         }
-        out.numbers.push(match number::parse(content, false) {
-            Cell::Number(v) => v,
-            Cell::Gap => f64::NAN,
-            _ => {
-                return Err(ReadError::new(name, quoted(content), "one number").at_line(line));
-            }
-        });
-        out.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
+        let value = number::parse(content, false).plain_value();
+        let bad = || ReadError::new(name, quoted(content), "one number").at_line(line);
+        out.numbers.push(value.ok_or_else(bad)?);
+        out.lines.push(kept_line(line));
     }
     Ok(out)
 }

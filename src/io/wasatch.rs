@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use crate::spectrum::Kind;
 
-use super::foreign_json::{numbers, word};
+use super::foreign_spectrum::{numbers, word};
 use super::measured::Measured;
 use super::spectrum_json::any_json;
 use super::{Confidence, Format, Input, ReadError, Reading};

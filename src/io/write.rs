@@ -1,4 +1,4 @@
-//! Writing spectra: which formats there are, what every export says, and numbers.
+//! Writing spectra: which formats there are.
 
 use std::path::Path;
 
@@ -7,179 +7,8 @@ use crate::spectrum::NamedSpectrum;
 use super::atomic::save_atomically;
 use super::error::WriteError;
 use super::input::name_of;
+use super::provenance::{Columns, Provenance, one_line};
 use super::{argyll_write, csv, spd, spdx_write, spectrum_json};
-
-/// What every export says about itself.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Provenance {
-    /// Program and version ("spectral-explorer 1.0.0").
-    pub program: String,
-    /// Where the numbers come from; the spectrum's own source where empty.
-    pub source: String,
-    /// The scale in force in words ("as measured", "peak 1", "100 lx").
-    pub scale_words: String,
-    /// Settings of the model in words; empty where no model is written.
-    pub settings: String,
-}
-
-impl Provenance {
-    /// Keys and values about a spectrum, in the order written; empty ones left out, and no value
-    /// holds a line end.
-    pub fn of(&self, spectrum: &NamedSpectrum) -> Vec<(&'static str, String)> {
-        let Self {
-            program,
-            source: _,
-            scale_words,
-            settings,
-        } = self;
-        let notes = notes_in_a_line(&spectrum.notes);
-        [
-            ("name", spectrum.name.as_str()),
-            ("kind", spectrum.kind.word()),
-            ("unit", &spectrum.unit),
-            ("source", self.source_of(spectrum)),
-            ("scale", scale_words),
-            ("settings", settings),
-            ("notes", &notes),
-            ("written by", program),
-        ]
-        .into_iter()
-        .map(|(key, value)| (key, one_line(value)))
-        .filter(|(_, value)| !value.is_empty())
-        .collect()
-    }
-
-    /// The source to state for a spectrum.
-    pub fn source_of<'a>(&'a self, spectrum: &'a NamedSpectrum) -> &'a str {
-        if self.source.is_empty() {
-            &spectrum.source
-        } else {
-            &self.source
-        }
-    }
-}
-
-/// What stands between the notes on a spectrum in one line.
-const BETWEEN_NOTES: &str = " | ";
-
-/// Most bytes of notes in an export.
-const MOST_NOTES: usize = 2000;
-
-/// How a spectrum was read and what is odd about it, in one line. A note that another one begins
-/// with is left out: files that were written and read again and again would else grow.
-fn notes_in_a_line(notes: &[String]) -> String {
-    let is_told = |at: usize| {
-        let mut others = notes.iter().enumerate();
-        others.any(|(other, note)| {
-            other != at
-                && note.starts_with(&notes[at])
-                && (other < at || note.len() > notes[at].len())
-        })
-    };
-    let mut line = String::new();
-    for at in (0..notes.len().min(100)).filter(|at| !is_told(*at)) {
-        let note = one_line(&notes[at]);
-        if note.is_empty() || line.len() + note.len() > MOST_NOTES {
-            continue;
-        }
-        if !line.is_empty() {
-            line.push_str(BETWEEN_NOTES);
-        }
-        line.push_str(&note);
-    }
-    line
-}
-
-/// Adds the notes that [`Provenance::of`] wrote in one line, but what the first note says already:
-/// how the file before this one was read is most often how this one is.
-pub fn add_notes_of_a_line(notes: &mut Vec<String>, line: &str) {
-    let told = |note: &&str| !notes.first().is_some_and(|first| first.starts_with(note));
-    let written = line.split(BETWEEN_NOTES).map(str::trim);
-    let new: Vec<String> = written.filter(told).map(str::to_owned).collect();
-    notes.extend(new);
-}
-
-/// Title of the column of measured samples.
-pub const MEASURED: &str = "measured";
-
-/// A named column of an export. NaN is written as an empty cell.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    /// Title above the column.
-    pub title: String,
-    /// One value each wavelength.
-    pub values: Vec<f64>,
-}
-
-/// What is written as CSV: columns on one grid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Columns {
-    /// Wavelengths, nm.
-    pub nm: Vec<f64>,
-    /// The columns, each as long as `nm`.
-    pub columns: Vec<Column>,
-}
-
-impl Columns {
-    /// All spectra of a kind and unit, a column each under its name, on every wavelength that one
-    /// of them has; where another has none its cell is empty.
-    ///
-    /// # Errors
-    /// One line when there is none, or their kinds or units differ: the file states one.
-    pub fn together(spectra: &[NamedSpectrum]) -> Result<Self, String> {
-        let Some(first) = spectra.first() else {
-            return Err("found no spectrum, expected at least one".to_owned());
-        };
-        let same = |s: &NamedSpectrum| (s.kind, &s.unit) == (first.kind, &first.unit);
-        if let Some(other) = spectra.iter().find(|s| !same(s)) {
-            let words = |s: &NamedSpectrum| match s.unit.as_str() {
-                "" => format!("{} ({})", one_line(&s.name), s.kind),
-                unit => format!("{} ({}, {unit})", one_line(&s.name), s.kind),
-            };
-            return Err(format!(
-                "found {} beside {}, expected one kind and unit in a file; name one with --spectrum",
-                words(first),
-                words(other)
-            ));
-        }
-        let mut nm: Vec<f64> = first.samples.nm().to_vec();
-        for spectrum in &spectra[1..] {
-            // A file's spectra share their wavelengths as a rule.
-            if spectrum.samples.nm() != &nm[..] {
-                nm.extend(spectrum.samples.nm());
-                nm.sort_by(f64::total_cmp);
-                nm.dedup();
-            }
-        }
-        let column = |spectrum: &NamedSpectrum| {
-            let samples = &spectrum.samples;
-            let mut own = samples.nm().iter().zip(samples.values()).peekable();
-            let values = nm.iter().map(|at| match own.next_if(|(nm, _)| *nm == at) {
-                Some((_, value)) => *value,
-                None => f64::NAN,
-            });
-            Column {
-                title: title_of(&spectrum.name),
-                values: values.collect(),
-            }
-        };
-        Ok(Self {
-            columns: spectra.iter().map(column).collect(),
-            nm,
-        })
-    }
-
-    /// The measured samples of a spectrum alone.
-    pub fn measured(spectrum: &NamedSpectrum) -> Self {
-        Self {
-            nm: spectrum.samples.nm().to_vec(),
-            columns: vec![Column {
-                title: MEASURED.to_owned(),
-                values: spectrum.samples.values().to_vec(),
-            }],
-        }
-    }
-}
 
 /// Extensions that [`write_as`] knows, with the format's name for file dialogues.
 pub const WRITABLE: [(&str, &str); 5] = [
@@ -251,38 +80,10 @@ pub fn write_as(
     save_atomically(path, text.as_bytes())
 }
 
-/// The shortest decimals that read back to the same bits: `0.1`, `380`, `5e-324`, `-0`.
-pub fn shortest(value: f64) -> String {
-    let mut text = format!("{value:?}");
-    if text.ends_with(".0") {
-        text.truncate(text.len() - 2);
-    }
-    text
-}
-
-/// A spectrum's name as a column's title: a bare number would be taken for data.
-fn title_of(name: &str) -> String {
-    let name = one_line(name);
-    if name.is_empty() || name.replace(',', ".").parse::<f64>().is_ok() {
-        format!("spectrum {name}").trim_end().to_owned()
-    } else {
-        name
-    }
-}
-
-/// Text without line ends and other control characters.
-pub fn one_line(text: &str) -> String {
-    let text: String = text
-        .chars()
-        .map(|c| if c.is_control() { ' ' } else { c })
-        .collect();
-    text.trim().to_owned()
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::io::{read_bytes, read_path};
+    use crate::io::read_path;
     use crate::spectrum::{Kind, Sampled};
 
     /// A spectrum with numbers and a name that are hard to write.
@@ -422,16 +223,5 @@ pub(crate) mod tests {
             error.unwrap_err().to_string(),
             "a.xyz: found extension .xyz, expected one of .csv, .json, .sp, .spd, .spdx"
         );
-    }
-
-    #[test]
-    fn shortest_numbers_are_exact() {
-        for value in [0.1, 380.0, -0.0, 5e-324, f64::MAX, 1e21, 123_456_789.125] {
-            let back: f64 = shortest(value).parse().unwrap();
-            assert_eq!(back.to_bits(), value.to_bits());
-        }
-        assert_eq!(shortest(380.0), "380");
-        let text = read_bytes("a.csv", b"380,1\n381,2\n").unwrap();
-        assert_eq!(text.spectra.len(), 1);
     }
 }

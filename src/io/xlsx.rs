@@ -281,7 +281,7 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
 
 #[cfg(test)]
 mod tests {
-    use crate::io::archive::{torment, zipped};
+    use crate::io::archive::zipped;
     use crate::io::read_bytes;
     use crate::spectrum::Kind;
 
@@ -369,9 +369,8 @@ mod tests {
     }
 
     #[test]
-    fn bombs_and_broken_workbooks_are_refused() {
+    fn bombs_are_refused() {
         let said = read_bytes("a.xlsx", &workbook(&" ".repeat(64 << 20))).unwrap_err();
         assert!(said.to_string().contains("unfolds to far more"), "{said}");
-        torment("a.xlsx", &workbook(&rows()));
     }
 }

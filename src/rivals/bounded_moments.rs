@@ -20,7 +20,7 @@ use nalgebra::Complex;
 
 use super::{
     levinson::{Predictor, predictor},
-    moments::PhaseTable,
+    phases::PhaseTable,
 };
 
 /// What is worked out once from the moments of a bounded even signal.

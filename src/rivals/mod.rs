@@ -17,21 +17,22 @@ mod bins;
 mod bounded_moments;
 #[cfg(test)]
 mod example_spectra;
+mod fit_tables;
 mod legendre;
 mod levinson;
 mod moments;
+mod phases;
 mod principal;
 mod samples;
 mod wavelet;
-mod workshop;
 
 pub use bins::Bins;
+pub use fit_tables::FitTables;
 pub use legendre::Legendre;
 pub use moments::Moments;
 pub use principal::{Principal, PrincipalBasis};
 pub use samples::Samples;
 pub use wavelet::Wavelet;
-pub use workshop::Workshop;
 
 use crate::spectrum::{Band, Kind};
 
@@ -63,32 +64,54 @@ impl Family {
         Self::Wavelet,
     ];
 
-    /// The word used in files and on the command line.
-    pub fn word(self) -> &'static str {
+    /// What it is called and what it is.
+    pub fn about(self) -> About {
         match self {
-            Self::Samples => "samples",
-            Self::Bins => "bins",
-            Self::Legendre => "legendre",
-            Self::Principal => "principal",
-            Self::Moments => "moments",
-            Self::Wavelet => "wavelet",
-        }
-    }
-
-    /// The family of that word.
-    pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|family| family.word() == word)
-    }
-
-    /// The name that people read.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Samples => "Point samples, linear",
-            Self::Bins => "Box bins",
-            Self::Legendre => "Legendre polynomial",
-            Self::Principal => "Principal components",
-            Self::Moments => "Maximum-entropy moments",
-            Self::Wavelet => "Wavelet, largest coefficients",
+            Self::Samples => About {
+                word: "samples",
+                title: "Point samples, linear",
+                short: "Samples",
+                in_a_sentence: "point samples",
+                meaning: "Equally spaced values with straight lines between them.",
+            },
+            Self::Bins => About {
+                word: "bins",
+                title: "Box bins",
+                short: "Bins",
+                in_a_sentence: "box bins",
+                meaning: "Averages over equal boxes.",
+            },
+            Self::Legendre => About {
+                word: "legendre",
+                title: "Legendre polynomial",
+                short: "Legendre",
+                in_a_sentence: "the Legendre polynomial",
+                meaning: "A polynomial, least squares.",
+            },
+            Self::Principal => About {
+                word: "principal",
+                title: "Principal components",
+                short: "Principal",
+                in_a_sentence: "principal components",
+                meaning: "Components of the shipped lights, trained without the light at hand and \
+                          its likes. Its tables are not counted among its numbers.",
+            },
+            Self::Moments => About {
+                word: "moments",
+                title: "Maximum-entropy moments",
+                short: "Moments",
+                in_a_sentence: "maximum-entropy moments",
+                meaning: "Trigonometric moments, read by maximum entropy; never negative. \
+                          Reflectances are bounded by 1.",
+            },
+            Self::Wavelet => About {
+                word: "wavelet",
+                title: "Wavelet, largest coefficients",
+                short: "Wavelet",
+                in_a_sentence: "wavelets",
+                meaning: "The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
+                          place and value.",
+            },
         }
     }
 
@@ -114,6 +137,21 @@ impl Family {
             Self::Wavelet => 2,
         }
     }
+}
+
+/// The names of a family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct About {
+    /// The word used in files.
+    pub word: &'static str,
+    /// The name that people read.
+    pub title: &'static str,
+    /// The same in a few letters.
+    pub short: &'static str,
+    /// The same in the middle of a sentence.
+    pub in_a_sentence: &'static str,
+    /// What it is, a sentence or two.
+    pub meaning: &'static str,
 }
 
 /// What the values of a spectrum cannot exceed; only the moments use it.
@@ -294,19 +332,35 @@ mod tests {
     }
 
     fn every_rival(band: Band, values: &[f64], numbers: usize, bounds: Bounds) -> Vec<Rival> {
-        let (workshop, basis) = (Workshop::new(band, numbers), trained(band));
+        let (tables, basis) = (FitTables::new(band, numbers), trained(band));
         Family::ALL
             .into_iter()
-            .map(|family| workshop.fit(family, values, numbers, bounds, &basis))
+            .map(|family| tables.fit(family, values, numbers, bounds, &basis))
             .collect()
     }
 
     #[test]
-    fn a_family_is_found_by_its_word() {
-        for family in Family::ALL {
-            assert_eq!(Family::from_word(family.word()), Some(family));
+    fn every_family_has_names_of_its_own_and_its_place() {
+        for (place, family) in Family::ALL.into_iter().enumerate() {
+            assert_eq!(family as usize, place);
+            let names = |f: Family| {
+                let about = f.about();
+                [
+                    about.word,
+                    about.title,
+                    about.short,
+                    about.in_a_sentence,
+                    about.meaning,
+                ]
+            };
+            for other in Family::ALL.into_iter().filter(|other| *other != family) {
+                let pairs = names(family).into_iter().zip(names(other));
+                assert!(
+                    pairs.into_iter().all(|(a, b)| a != b),
+                    "{family:?}, {other:?}"
+                );
+            }
         }
-        assert_eq!(Family::from_word("fourier"), None);
     }
 
     #[test]
@@ -345,32 +399,32 @@ mod tests {
     #[test]
     fn fewer_numbers_are_a_prefix_of_more_exactly_where_a_family_says_so() {
         let band = Band::VISIBLE;
-        let (workshop, basis) = (Workshop::new(band, 31), trained(band));
+        let (tables, basis) = (FitTables::new(band, 31), trained(band));
         let values = fluorescent(band);
         for family in Family::ALL {
-            let fit = |numbers| workshop.fit(family, &values, numbers, Bounds::Light, &basis);
+            let fit = |numbers| tables.fit(family, &values, numbers, Bounds::Light, &basis);
             let most = fit(31).stored();
             let prefix = (2..31).all(|numbers| {
                 let fewer = fit(numbers).stored();
                 most[..fewer.len()] == fewer
             });
-            assert_eq!(prefix, family.is_prefix(), "{}", family.word());
+            assert_eq!(prefix, family.is_prefix(), "{}", family.about().word);
         }
     }
 
     #[test]
     fn a_family_needs_a_table_exactly_when_another_table_changes_what_is_stored() {
         let band = Band::VISIBLE;
-        let workshop = Workshop::new(band, 11);
+        let tables = FitTables::new(band, 11);
         let other = Arc::new(PrincipalBasis::train(band, &[leaf(band)], 11));
         let values = fluorescent(band);
         for family in Family::ALL {
             let stored = |basis| {
-                let rival = workshop.fit(family, &values, 11, Bounds::Light, basis);
+                let rival = tables.fit(family, &values, 11, Bounds::Light, basis);
                 rival.stored()
             };
             let differs = stored(&trained(band)) != stored(&other);
-            assert_eq!(differs, family.needs_table(), "{}", family.word());
+            assert_eq!(differs, family.needs_table(), "{}", family.about().word);
         }
     }
 
@@ -456,7 +510,7 @@ mod tests {
     #[test]
     fn nothing_finite_makes_a_number_that_is_not_finite() {
         let band = Band::new(400.0, 421.0).unwrap();
-        let (workshop, basis) = (Workshop::new(band, 40), trained(band));
+        let (tables, basis) = (FitTables::new(band, 40), trained(band));
         let patterns: [fn(usize) -> f64; 5] = [
             |_| 1.0,
             |_| -1.0,
@@ -472,7 +526,7 @@ mod tests {
             for family in Family::ALL {
                 for bounds in [Bounds::Light, Bounds::Reflectance] {
                     for numbers in [0, 1, 2, 3, 8, 21, 22, 44, 1000] {
-                        let rival = workshop.fit(family, &values, numbers, bounds, &basis);
+                        let rival = tables.fit(family, &values, numbers, bounds, &basis);
                         let finite = |values: Vec<f64>| values.iter().all(|v| v.is_finite());
                         let all = finite(rival.stored())
                             && finite(rival.on_band())

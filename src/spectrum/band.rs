@@ -106,6 +106,20 @@ impl Band {
         })
     }
 
+    /// The allowed range nearest to one that was asked for, its beginning kept where it can be;
+    /// `None` when an end is not a number.
+    pub fn nearest([one_nm, other_nm]: [f64; 2]) -> Option<Self> {
+        if !(one_nm.is_finite() && other_nm.is_finite()) {
+            return None;
+        }
+        let (shortest, most) = (f64::from(SHORTEST_NM), f64::from(MOST_STEPS));
+        let longest = f64::from(LONGEST_NM);
+        let min_nm = one_nm.min(other_nm).round().clamp(0.0, longest - shortest);
+        let max_nm = one_nm.max(other_nm).round();
+        let max_nm = max_nm.clamp(min_nm + shortest, (min_nm + most).min(longest));
+        Self::new(min_nm, max_nm).ok()
+    }
+
     /// First wavelength, nm.
     pub fn min_nm(self) -> f64 {
         f64::from(self.min_nm)
@@ -203,4 +217,30 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
         }
     }
     rest + sums.iter().sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_range_is_one_that_is_allowed_and_an_allowed_one_is_itself() {
+        for (asked, nearest) in [
+            ([380.0, 780.0], [380.0, 780.0]),
+            ([380.4, 780.5], [380.0, 781.0]),
+            ([780.0, 380.0], [380.0, 780.0]),
+            ([0.0, 1e9], [0.0, 20_000.0]),
+            ([-5.0, 400.0], [0.0, 400.0]),
+            ([400.0, 410.0], [400.0, 420.0]),
+            ([1e300, 1e301], [99_980.0, 100_000.0]),
+            ([-1e300, 1e300], [0.0, 20_000.0]),
+        ] {
+            let band = Band::nearest(asked).expect("numbers");
+            assert_eq!(<[f64; 2]>::from(band), nearest, "asked for {asked:?}");
+        }
+        for nothing in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(Band::nearest([nothing, 780.0]), None);
+            assert_eq!(Band::nearest([380.0, nothing]), None);
+        }
+    }
 }

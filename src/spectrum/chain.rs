@@ -21,120 +21,13 @@ use super::{
     band::{Band, dot},
     basis::{Basis, Series},
     composite::{Composite, GAUSSIAN_AREA, Spike},
+    factor::{Dip, Factor},
     product::{chain_points, convolve, folded_shares, weigh_spikes},
     resampled::{SampleGrid, Sampling},
-    spikes::{SpikeSettings, detect_shapes},
 };
 
 /// A line of the light this close to a factor's dip meets it, nm.
 pub const SAME_PLACE_NM: f64 = 0.5;
-
-/// Transmittance of another thickness of the same glass (Beer-Lambert): `T^(d/d0)`.
-///
-/// `values` are internal transmittances of the thickness `d0`; what noise put below 0 is 0. A
-/// negative or absent ratio is no glass at all.
-pub fn glass(values: &[f64], thickness_ratio: f64) -> Vec<f64> {
-    let ratio = thickness_ratio.max(0.0);
-    // A value above 1 (noise, a wrong unit) may not grow beyond all numbers.
-    let through = |value: &f64| value.max(0.0).powf(ratio).min(f64::MAX);
-    values.iter().map(through).collect()
-}
-
-/// Reflectance of `count` bounces off the same surface: `R^count`.
-pub fn bounces(values: &[f64], count: u32) -> Vec<f64> {
-    let count = i32::try_from(count).unwrap_or(i32::MAX);
-    let off = |value: &f64| value.powi(count).clamp(-f64::MAX, f64::MAX);
-    values.iter().map(off).collect()
-}
-
-/// An absorption line of a filter or surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dip {
-    /// Centroid, nm.
-    pub at_nm: f64,
-    /// What is missing, as a share x nm; negative.
-    pub weight: f64,
-    /// Share of what would pass without it that is missing at its deepest, 0-1.
-    pub depth: f64,
-}
-
-/// What light passes or bounces off: shares on the 1 nm grid of a band.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Factor {
-    values: Vec<f64>,
-    /// What series are fitted to; the values themselves unless dips are kept.
-    background: Option<Vec<f64>>,
-    dips: Vec<Dip>,
-}
-
-impl Factor {
-    /// A factor with its dips, if it has any, as part of the curve.
-    pub fn new(values: Vec<f64>) -> Self {
-        Self {
-            values,
-            background: None,
-            dips: Vec::new(),
-        }
-    }
-
-    /// A factor whose absorption lines are kept as spikes, found as `settings` say.
-    ///
-    /// The exact product on the 1 nm grid has them in the measured curve and needs no spikes.
-    ///
-    /// # Panics
-    /// When `values` does not have [`Band::points`] entries.
-    pub fn keeping_dips(band: Band, values: Vec<f64>, settings: SpikeSettings) -> Self {
-        assert_eq!(values.len(), band.points(), "one value per grid point");
-        let settings = SpikeSettings {
-            dips: true,
-            ..settings
-        };
-        let (_, shapes) = detect_shapes(band, &values, settings);
-        let mut background = values.clone();
-        let mut dips = Vec::new();
-        for shape in shapes.iter().filter(|shape| shape.spike.weight < 0.0) {
-            let window = shape.first..shape.first + shape.residue.len();
-            for (v, r) in background[window.clone()].iter_mut().zip(&shape.residue) {
-                *v -= r;
-            }
-            let share = |(whole, missing): (&f64, &f64)| {
-                let share = -missing / whole;
-                if share.is_finite() { share } else { 0.0 }
-            };
-            let depth = background[window]
-                .iter()
-                .zip(&shape.residue)
-                .map(share)
-                .fold(0.0, f64::max);
-            dips.push(Dip {
-                at_nm: shape.spike.at_nm,
-                weight: shape.spike.weight,
-                depth: depth.min(1.0),
-            });
-        }
-        dips.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
-        Self {
-            background: (!dips.is_empty()).then_some(background),
-            values,
-            dips,
-        }
-    }
-
-    /// The measured shares on the grid.
-    pub fn values(&self) -> &[f64] {
-        &self.values
-    }
-
-    /// The measured shares without the dips that are kept.
-    pub fn background(&self) -> &[f64] {
-        self.background.as_deref().unwrap_or(&self.values)
-    }
-
-    /// The dips that are kept, by rising wavelength.
-    pub fn dips(&self) -> &[Dip] {
-        &self.dips
-    }
-}
 
 /// A line of the light that stood on a dip of a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -249,7 +142,7 @@ impl ChainTables {
         );
         let points = self.band.points();
         assert!(
-            factors.iter().all(|f| f.values.len() == points),
+            factors.iter().all(|f| f.values().len() == points),
             "one value per grid point"
         );
         match self.sampling {
@@ -267,8 +160,8 @@ impl ChainTables {
         let mut spikes = light.spikes.clone();
         let mut stages = Vec::with_capacity(factors.len());
         for factor in factors {
-            multiply_by(&mut smooth, &factor.values);
-            spikes = weigh_spikes(&spikes, |nm| self.band.interpolate(&factor.values, nm));
+            multiply_by(&mut smooth, factor.values());
+            spikes = weigh_spikes(&spikes, |nm| self.band.interpolate(factor.values(), nm));
             stages.push(Stage {
                 smooth: smooth.clone(),
                 unfolded: smooth.clone(),
@@ -298,7 +191,7 @@ impl ChainTables {
         let mut spikes = light.spikes.clone();
         let mut stages = Vec::with_capacity(factors.len());
         for ((factor, short), folded_share) in factors.iter().zip(&series).zip(folded) {
-            let multiplied = spikes.len() + factor.dips.len();
+            let multiplied = spikes.len() + factor.dips().len();
             let (weighed, met) = through_dips(&spikes, &product, factor, short);
             spikes = weighed;
             if self.points > 0 {
@@ -374,7 +267,7 @@ fn through_dips(
     for spike in &mut behind {
         let distance = |dip: &&Dip| (dip.at_nm - spike.at_nm).abs();
         let nearest = factor
-            .dips
+            .dips()
             .iter()
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .filter(|dip| distance(dip) <= SAME_PLACE_NM);
@@ -392,7 +285,7 @@ fn through_dips(
             depth: dip.depth,
         });
     }
-    for dip in &factor.dips {
+    for dip in factor.dips() {
         let weight = before.at(dip.at_nm) * dip.weight;
         // The second pane of the same glass deepens the line of the first.
         match behind.iter_mut().find(|spike| spike.at_nm == dip.at_nm) {
@@ -464,7 +357,11 @@ fn functions_on_grid(band: Band, basis: Basis, count: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::BasisTable;
+    use crate::spectrum::{
+        BasisTable,
+        factor::{bounces, glass},
+        spikes::SpikeSettings,
+    };
 
     const BAND: Band = Band::VISIBLE;
 

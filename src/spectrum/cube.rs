@@ -7,10 +7,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
-use super::region::Region;
-use super::sampled::Sampled;
+use super::{rect::Rect, sampled::Sampled};
 
 /// Numbers of this size and beyond stand for "not measured" (-1.23e34 in many libraries).
 const ABSURD: f64 = 1e30;
@@ -133,56 +130,6 @@ pub struct Layout {
     pub stored_bands: usize,
     /// The number that stands for "not measured".
     pub missing: Option<f64>,
-}
-
-/// A rectangle of pixels: its upper left corner and its size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Rect {
-    /// First column, from 0.
-    pub x: usize,
-    /// First row, from 0.
-    pub y: usize,
-    /// Columns.
-    pub width: usize,
-    /// Rows.
-    pub height: usize,
-}
-
-impl Rect {
-    /// One pixel.
-    pub fn pixel(x: usize, y: usize) -> Self {
-        Self {
-            x,
-            y,
-            width: 1,
-            height: 1,
-        }
-    }
-
-    /// The rectangle with two pixels in opposite corners.
-    pub fn between([ax, ay]: [usize; 2], [bx, by]: [usize; 2]) -> Self {
-        Self {
-            x: ax.min(bx),
-            y: ay.min(by),
-            width: ax.abs_diff(bx).saturating_add(1),
-            height: ay.abs_diff(by).saturating_add(1),
-        }
-    }
-
-    /// How many pixels it has.
-    pub fn pixels(self) -> usize {
-        self.width.saturating_mul(self.height)
-    }
-
-    /// Whether it has pixels and all of them are in another rectangle.
-    pub fn is_inside(self, other: Self) -> bool {
-        let fits = |at: usize, size: usize, from: usize, room: usize| {
-            let end = at.checked_add(size);
-            size > 0 && at >= from && end.is_some_and(|end| end <= from.saturating_add(room))
-        };
-        fits(self.x, self.width, other.x, other.width)
-            && fits(self.y, self.height, other.y, other.height)
-    }
 }
 
 /// An image whose every pixel is a spectrum on the same wavelengths.
@@ -340,13 +287,6 @@ impl Cube {
         self.sampled(&self.values_at(x, y))
     }
 
-    /// The mean spectrum of a region, cut to the image; each band over the pixels that were
-    /// measured in it. `None` where that leaves fewer than two bands.
-    pub fn mean_of(&self, region: Rect) -> Option<Sampled> {
-        let about = Region::of(self, region, || true)?;
-        self.sampled(&about.mean)
-    }
-
     /// A piece of one row of one band, as the file has it, from column `x` on: as many numbers as
     /// `into` has places; NaN where one is missing or outside the image. Many numbers at once are
     /// read far faster than one by one.
@@ -412,7 +352,7 @@ impl Cube {
         plane
     }
 
-    fn sampled(&self, values: &[f64]) -> Option<Sampled> {
+    pub(super) fn sampled(&self, values: &[f64]) -> Option<Sampled> {
         let points = self.nm.iter().zip(values).filter(|(_, v)| v.is_finite());
         let (nm, values) = points.unzip();
         Sampled::new(nm, values).ok()

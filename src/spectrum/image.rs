@@ -1,9 +1,9 @@
 //! A spectral image with what a person needs to know about it.
 
-use super::cube::{Cube, Rect};
 use super::kind::Kind;
 use super::named::NamedSpectrum;
 use super::sampled::Sampled;
+use super::{cube::Cube, rect::Rect};
 
 /// An image whose pixels are spectra, with its meaning and provenance.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,8 +5,6 @@
 //! few samples, so a low quantile of the differences is taken. The noise of a spectrometer differs
 //! along the spectrum (its sensitivity is divided out), so each place asks its own surroundings.
 
-use std::cell::OnceCell;
-
 /// Share of the second differences that are smaller than the one looked at: more than half of
 /// the samples may belong to lines before it notices.
 const QUANTILE: f64 = 0.3;
@@ -41,12 +39,11 @@ const FAR_ABOVE: f64 = 3.0;
 /// The noise of values on an even grid.
 #[derive(Clone, Debug)]
 pub struct Noise {
-    /// Second differences of samples that share no noise.
-    differences: Differences,
-    /// Those of neighbours, where they may share some.
-    beside: Option<Differences>,
-    /// The noise of the values as a whole.
-    overall: OnceCell<f64>,
+    /// Second differences of samples that share no noise, without sign; 0 where there is nothing
+    /// but rounding.
+    differences: Vec<f64>,
+    /// Those of neighbours, where they may share some; else empty.
+    beside: Vec<f64>,
 }
 
 impl Noise {
@@ -58,26 +55,22 @@ impl Noise {
         let samples = neighbours.iter().filter(|d| **d > 0.0).count();
         let step = neighbours.len() as f64 / samples as f64;
         let (differences, beside) = if samples < LEAST_SAMPLES {
-            (Vec::new(), None)
+            (Vec::new(), Vec::new())
         } else if step < COARSE_STEP {
-            (
-                second_differences(values, APART, rounding),
-                Some(neighbours),
-            )
+            (second_differences(values, APART, rounding), neighbours)
         } else {
-            (of_coarse(neighbours, step), None)
+            (of_coarse(neighbours, step), Vec::new())
         };
         Self {
-            differences: Differences::new(differences),
-            beside: beside.map(Differences::new),
-            overall: OnceCell::new(),
+            differences,
+            beside,
         }
     }
 
     /// Whether a height at a place (an index of the values) is at least `times` the standard
     /// deviation of the noise there. Where no noise can be told every height is.
     pub fn is_below(&self, at: usize, height: f64, times: f64) -> bool {
-        let all = self.differences.values.len();
+        let all = self.differences.len();
         if all < LEAST_SAMPLES {
             return true;
         }
@@ -85,50 +78,28 @@ impl Noise {
             at.saturating_sub(REACH).min(all - LEAST_SAMPLES),
             (at + REACH).min(all),
         );
-        // A look at sums will do where lines tower over the noise.
-        let most = self.differences.most(from, to);
-        if height >= times * most.max(self.differences.most(0, all)) {
-            return true;
-        }
-        let overall = *self.overall.get_or_init(|| self.between(0, all));
-        height >= times * self.between(from, to).max(LEAST_SHARE * overall)
+        let height = height / times;
+        self.is_at_most(from, to, height) && self.is_at_most(0, all, height / LEAST_SHARE)
     }
 
-    fn between(&self, from: usize, to: usize) -> f64 {
-        let noise = noise_of(&self.differences.values[from..to]).unwrap_or(0.0);
-        let beside = self.beside.as_ref();
-        let beside = beside.and_then(|beside| noise_of(&beside.values[from..to]));
-        beside.map_or(noise, |beside| noise.min(beside / LEAST_BESIDE))
+    fn is_at_most(&self, from: usize, to: usize, noise: f64) -> bool {
+        is_noise_at_most(&self.differences[from..to], noise).unwrap_or(true)
+            || self
+                .beside
+                .get(from..to)
+                .and_then(|beside| is_noise_at_most(beside, LEAST_BESIDE * noise))
+                .unwrap_or(false)
     }
 }
 
-/// Second differences without sign; 0 where there is nothing but rounding.
-#[derive(Clone, Debug)]
-struct Differences {
-    values: Vec<f64>,
-    /// Sum of those before each and of all, and how many of them are known.
-    before: Vec<(f64, u32)>,
-}
-
-impl Differences {
-    fn new(values: Vec<f64>) -> Self {
-        let mut before = Vec::with_capacity(values.len() + 1);
-        let mut last = (0.0, 0);
-        before.push(last);
-        before.extend(values.iter().map(|d| {
-            last = (last.0 + d, last.1 + u32::from(*d > 0.0));
-            last
-        }));
-        Self { values, before }
-    }
-
-    /// More noise than this there is not: less than 1 - q of some numbers exceed their mean over
-    /// 1 - q.
-    fn most(&self, from: usize, to: usize) -> f64 {
-        let (first, last) = (self.before[from], self.before[to]);
-        let mean = (last.0 - first.0) / f64::from((last.1 - first.1).max(1));
-        mean / ((1.0 - QUANTILE) * NORMAL_AT_QUANTILE * SECOND_DIFFERENCE)
-    }
+/// Whether the noise by some second differences is no more than that: then more of them than the
+/// quantile's share are as small as it would be. `None` where there are too few.
+fn is_noise_at_most(differences: &[f64], noise: f64) -> Option<bool> {
+    let limit = noise * NORMAL_AT_QUANTILE * SECOND_DIFFERENCE;
+    let known = differences.iter().filter(|d| **d > 0.0).count();
+    let small = differences.iter().filter(|d| **d <= limit).count();
+    let small = small - (differences.len() - known);
+    (known >= LEAST_SAMPLES).then_some(small > (QUANTILE * known as f64) as usize)
 }
 
 /// The differences of a table with `step` grid points from sample to sample; none where lines

@@ -1,6 +1,6 @@
 //! What the pixels of a rectangle have in common: mean, spread and extremes of every band.
 
-use super::cube::{Cube, Rect};
+use super::{cube::Cube, rect::Rect, sampled::Sampled};
 
 /// Every band of a region, in the file's own numbers; NaN where a band was measured nowhere in it.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +64,15 @@ impl Region {
             most: bands.iter().map(|b| b.or_nan(b.most)).collect(),
             measured: bands.iter().map(|b| b.count).collect(),
         })
+    }
+}
+
+impl Cube {
+    /// The mean spectrum of a region, cut to the image; each band over the pixels that were
+    /// measured in it. `None` where that leaves fewer than two bands.
+    pub fn mean_of(&self, region: Rect) -> Option<Sampled> {
+        let about = Region::of(self, region, || true)?;
+        self.sampled(&about.mean)
     }
 }
 

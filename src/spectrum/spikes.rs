@@ -210,10 +210,19 @@ fn detect_telling(
     };
     let for_lines = if settings.dips { beside_dips } else { settings };
     let noise = Noise::of(values);
-    take_lines(band, &mut parts, for_lines, wishes, (1.0, &noise), tell);
+    take_lines(
+        band,
+        &mut parts,
+        for_lines,
+        wishes,
+        (1.0, Some(&noise)),
+        tell,
+    );
     if settings.dips {
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
-        take_lines(band, &mut parts, settings, wishes, (-1.0, &noise), tell);
+        // Fraunhofer's lines stand so dense that they look like noise, and who asks for dips knows
+        // where to look.
+        take_lines(band, &mut parts, settings, wishes, (-1.0, None), tell);
         parts.smooth.iter_mut().for_each(|v| *v = -*v);
     }
     parts
@@ -222,14 +231,14 @@ fn detect_telling(
     parts
 }
 
-/// Takes lines that stand up out of `parts.smooth` and above the noise; `sign` is what their
+/// Takes lines that stand up out of `parts.smooth` and above the noise, if any; `sign` is what their
 /// weights are multiplied by (the caller turns the spectrum over for dips).
 fn take_lines(
     band: Band,
     parts: &mut Decomposition,
     settings: SpikeSettings,
     wishes: Wishes<'_>,
-    (sign, noise): (f64, &Noise),
+    (sign, noise): (f64, Option<&Noise>),
     tell: &mut dyn FnMut(&Line, f64),
 ) {
     let width = settings.max_width_nm;
@@ -239,7 +248,9 @@ fn take_lines(
     for _ in 0..PASSES {
         let mut peaks = candidates(&parts.smooth[start..end], least_height, width);
         peaks.iter_mut().for_each(|peak| peak.at += start);
-        peaks.retain(|peak| noise.is_below(peak.at, peak.prominence, ABOVE_NOISE));
+        if let Some(noise) = noise {
+            peaks.retain(|peak| noise.is_below(peak.at, peak.prominence, ABOVE_NOISE));
+        }
         let groups = group(&parts.smooth, &peaks, width);
         let borders = borders(&parts.smooth, &groups, (start, end - 1));
         let mut found_one = false;

@@ -15,9 +15,9 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    judge::{Judge, Verdict},
-    prepared::Prepared,
     progress::Progress,
+    projected_spectrum::ProjectedSpectrum,
+    reference::{Reference, Verdict},
     sweep::{Examined, Subject},
 };
 use crate::spectrum::{Basis, Composite, Spike, basis::numbers_of_order};
@@ -125,15 +125,19 @@ impl Goal {
     }
 
     /// The errors that the goal needs of a model, in the order of [`Goal::PLAIN`].
-    fn errors(self, judge: &Judge, smooth: &[f64], spikes: &[Spike]) -> [Option<f64>; 4] {
+    fn errors(self, reference: &Reference, smooth: &[f64], spikes: &[Spike]) -> [Option<f64>; 4] {
         let wanted = |weight: f64, error: &dyn Fn() -> Option<f64>| {
             if weight > 0.0 { error() } else { None }
         };
         [
-            wanted(self.own, &|| judge.own(smooth, spikes)),
-            wanted(self.patches, &|| judge.patches(smooth, spikes).map(|p| p.0)),
-            wanted(self.spectrum, &|| judge.relative_rms_10nm(smooth, spikes)),
-            wanted(self.filters, &|| judge.filters(smooth, spikes)),
+            wanted(self.own, &|| reference.own(smooth, spikes)),
+            wanted(self.patches, &|| {
+                reference.patches(smooth, spikes).map(|p| p.0)
+            }),
+            wanted(self.spectrum, &|| {
+                reference.relative_rms_10nm(smooth, spikes)
+            }),
+            wanted(self.filters, &|| reference.filters(smooth, spikes)),
         ]
     }
 }
@@ -246,8 +250,8 @@ pub fn hold(subject: &Subject, terms: Terms, progress: &Progress) -> Option<Auct
 
 /// [`hold`] on a subject that was examined already.
 pub fn hold_on(examined: &Examined, terms: Terms, progress: &Progress) -> Option<Auction> {
-    let prepared = examined.prepared(terms.basis, &examined.shapes);
-    let mut room = Room::new(&examined.judge, &prepared, terms)?;
+    let projected = examined.projected(terms.basis, &examined.shapes);
+    let mut room = Room::new(&examined.reference, &projected, terms)?;
     let highest = room.most_purchases();
     progress.expect(highest + 1);
     for count in 0..=highest {
@@ -301,8 +305,8 @@ impl Choice {
 
 /// The saleroom: every model bid so far, by the number of purchases it takes.
 struct Room<'a> {
-    judge: &'a Judge,
-    prepared: &'a Prepared,
+    reference: &'a Reference,
+    projected: &'a ProjectedSpectrum,
     terms: Terms,
     /// The errors at order 0, which a mixed goal divides by.
     at_start: [Option<f64>; 4],
@@ -311,11 +315,15 @@ struct Room<'a> {
 }
 
 impl<'a> Room<'a> {
-    fn new(judge: &'a Judge, prepared: &'a Prepared, terms: Terms) -> Option<Self> {
-        let band = judge.yardsticks().band();
+    fn new(
+        reference: &'a Reference,
+        projected: &'a ProjectedSpectrum,
+        terms: Terms,
+    ) -> Option<Self> {
+        let band = reference.measures().band();
         let mut room = Self {
-            judge,
-            prepared,
+            reference,
+            projected,
             terms,
             at_start: [None; 4],
             bids: Vec::new(),
@@ -325,7 +333,7 @@ impl<'a> Room<'a> {
             order: 0,
             lines: Vec::new(),
         });
-        room.at_start = terms.goal.errors(judge, &smooth, &model.spikes);
+        room.at_start = terms.goal.errors(reference, &smooth, &model.spikes);
         // A goal none of whose parts can be measured (patches of a reflectance) is no goal.
         room.at_start.iter().any(Option::is_some).then_some(room)
     }
@@ -338,15 +346,18 @@ impl<'a> Room<'a> {
     fn model(&self, choice: &Choice) -> (Composite, Vec<f64>) {
         let numbers = numbers_of_order(choice.order);
         let (model, _) = self
-            .prepared
+            .projected
             .model(numbers, &choice.lines, self.terms.colour_exact);
-        let smooth = self.prepared.smooth(&model);
+        let smooth = self.projected.smooth(&model);
         (model, smooth)
     }
 
     fn error(&self, choice: &Choice) -> f64 {
         let (model, smooth) = self.model(choice);
-        let errors = self.terms.goal.errors(self.judge, &smooth, &model.spikes);
+        let errors = self
+            .terms
+            .goal
+            .errors(self.reference, &smooth, &model.spikes);
         self.mixed(errors)
     }
 
@@ -388,7 +399,7 @@ impl<'a> Room<'a> {
 
     /// The plain models of a price: none, one, two ... of the heaviest lines.
     fn bid_plain(&mut self, count: usize) {
-        for lines in 0..=count.min(self.prepared.lines()) {
+        for lines in 0..=count.min(self.projected.lines()) {
             self.bid(Choice {
                 order: count - lines,
                 lines: (0..lines).collect(),
@@ -398,7 +409,7 @@ impl<'a> Room<'a> {
 
     /// Every single purchase after the best models of a price, and every pair after the best one.
     fn follow(&mut self, count: usize) {
-        let lines = self.prepared.lines().min(SINGLY);
+        let lines = self.projected.lines().min(SINGLY);
         for (place, choice) in self.best_of(count, FOLLOWED).into_iter().enumerate() {
             for next in choice.next(lines) {
                 if place == 0 {
@@ -434,7 +445,7 @@ impl<'a> Room<'a> {
         let bids = &self.bids[count];
         let is_plain = |choice: &Choice| {
             let lines = choice.lines.len();
-            (lines == 0 || lines == self.prepared.lines())
+            (lines == 0 || lines == self.projected.lines())
                 && choice.lines.iter().copied().eq(0..lines)
         };
         let bar = bids
@@ -492,10 +503,10 @@ impl<'a> Room<'a> {
                 .collect()
         };
         Auction {
-            with: plain(self.prepared.lines()),
+            with: plain(self.projected.lines()),
             without: plain(0),
-            lines: (0..self.prepared.lines())
-                .map(|i| self.prepared.spike(i))
+            lines: (0..self.projected.lines())
+                .map(|i| self.projected.spike(i))
                 .collect(),
             steps,
             ended: if spent {
@@ -511,7 +522,7 @@ impl<'a> Room<'a> {
             let orders = (b.order + 1..=a.order).map(Purchase::Order);
             let lines = a.lines.iter().filter(|line| !b.lines.contains(line));
             lines
-                .map(|line| Purchase::Spike(self.prepared.spike(*line)))
+                .map(|line| Purchase::Spike(self.projected.spike(*line)))
                 .chain(orders)
                 .collect()
         };
@@ -523,7 +534,7 @@ impl<'a> Room<'a> {
             error,
             order: now.order,
             lines: now.lines.clone(),
-            verdict: self.judge.verdict(&smooth, &model.spikes),
+            verdict: self.reference.verdict(&smooth, &model.spikes),
         }
     }
 }

@@ -3,12 +3,12 @@
 pub mod auction;
 pub mod error;
 pub mod harmonics;
-pub mod judge;
-pub mod prepared;
 pub mod products;
 pub mod progress;
+pub mod projected_spectrum;
 pub mod race;
 pub mod race_reference;
+pub mod reference;
 pub mod sweep;
 pub mod training;
 pub mod truth;
@@ -16,9 +16,9 @@ pub mod way;
 
 pub use auction::{Auction, Goal};
 pub use error::Spread;
-pub use judge::{Judge, Measure, Verdict, Yardsticks};
-pub use prepared::{Kit, Prepared};
 pub use progress::Progress;
+pub use projected_spectrum::{FitBasis, ProjectedSpectrum};
 pub use race::Race;
+pub use reference::{Measure, Measures, Reference, Verdict};
 pub use sweep::Sweep;
 pub use way::Way;

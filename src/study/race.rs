@@ -19,9 +19,9 @@ use std::{
 
 use super::{
     error::Spread,
-    judge::{Judge, Measure, Verdict, Yardsticks, scaled_to_one},
-    prepared::{Kit, Prepared},
     progress::Progress,
+    projected_spectrum::{FitBasis, ProjectedSpectrum},
+    reference::{Measure, Measures, Reference, Verdict, scaled_to_one},
     training::Training,
     way::Way,
 };
@@ -30,7 +30,7 @@ use crate::{
         Lab,
         patches::{PatchSet, difference},
     },
-    rivals::{Bounds, Family, PrincipalBasis, Rival, Workshop},
+    rivals::{Bounds, Family, FitTables, PrincipalBasis, Rival},
     spectrum::{Basis, Series, Spike, SpikeSettings, product::chain, spikes::detect_shapes},
 };
 
@@ -59,7 +59,7 @@ impl Racer {
     pub fn word(self) -> &'static str {
         match self {
             Self::Composite(way) => way.word(),
-            Self::Rival(family) => family.word(),
+            Self::Rival(family) => family.about().word,
             Self::Chosen => "chosen",
         }
     }
@@ -68,7 +68,7 @@ impl Racer {
     pub fn title(self) -> &'static str {
         match self {
             Self::Composite(way) => way.title(),
-            Self::Rival(family) => family.title(),
+            Self::Rival(family) => family.about().title,
             Self::Chosen => "Best composite, chosen per light",
         }
     }
@@ -104,8 +104,8 @@ pub struct Lamp {
 /// Everything that a race is run on, all on one band.
 #[derive(Clone, Debug)]
 pub struct Course {
-    /// Yardsticks with the patches that choose.
-    pub yardsticks: Arc<Yardsticks>,
+    /// Measures with the patches that choose.
+    pub measures: Arc<Measures>,
     /// The patches' reflectances.
     pub patches: Vec<Vec<f64>>,
     /// Reflectances that judge without having taken part in a choice.
@@ -278,18 +278,18 @@ impl Race {
 
 /// A light ready to race.
 struct Runner {
-    judge: Judge,
+    reference: Reference,
     check: Vec<Lab>,
     name: String,
     /// In the order of [`Basis::ALL`].
-    prepared: [Prepared; 2],
+    projected: [ProjectedSpectrum; 2],
 }
 
 /// What all tasks share.
 struct Stable<'a> {
     course: &'a Course,
-    kits: [Kit; 2],
-    workshop: Workshop,
+    bases: [FitBasis; 2],
+    fit_tables: FitTables,
     check: PatchSet,
     runners: Vec<Runner>,
     names: Vec<String>,
@@ -385,10 +385,10 @@ impl<'a> Stable<'a> {
         lamps: &[Lamp],
         progress: &Progress,
     ) -> Option<(Self, Vec<(String, String)>)> {
-        let yardsticks = &course.yardsticks;
-        let (band, observer) = (yardsticks.band(), yardsticks.patches.observer());
+        let measures = &course.measures;
+        let (band, observer) = (measures.band(), measures.patches.observer());
         let most = course.budgets.iter().copied().max()?.max(3);
-        let kits = Basis::ALL.map(|basis| Kit::new(band, basis, most, &yardsticks.seen));
+        let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, most, &measures.seen));
         let names: Vec<String> = (0..course.check.len()).map(|i| i.to_string()).collect();
         let check = PatchSet::new(&course.check, names.clone(), band, observer);
         let (mut runners, mut shining) = (Vec::new(), Vec::new());
@@ -400,15 +400,15 @@ impl<'a> Stable<'a> {
             let Some(values) = scaled_to_one(&lamp.values) else {
                 continue;
             };
-            let judge = Judge::of_light(yardsticks, &values);
+            let reference = Reference::of_light(measures, &values);
             let (_, shapes) = detect_shapes(band, &values, course.spikes);
             runners.push(Runner {
-                check: judge.labs_of(&check, &values, &[]),
+                check: reference.labs_of(&check, &values, &[]),
                 name: lamp.name.clone(),
-                prepared: std::array::from_fn(|i| {
-                    Prepared::new(&kits[i], &values, &shapes, &yardsticks.seen)
+                projected: std::array::from_fn(|i| {
+                    ProjectedSpectrum::new(&bases[i], &values, &shapes, &measures.seen)
                 }),
-                judge,
+                reference,
             });
             shining.push((lamp.name.clone(), lamp.class.clone()));
         }
@@ -416,9 +416,9 @@ impl<'a> Stable<'a> {
             return None;
         }
         let stable = Self {
-            workshop: Workshop::new(band, most),
+            fit_tables: FitTables::new(band, most),
             course,
-            kits,
+            bases,
             check,
             runners,
             names,
@@ -431,8 +431,8 @@ impl<'a> Stable<'a> {
         if racer == Racer::Chosen {
             return Vec::new();
         }
-        let yardsticks = &self.course.yardsticks;
-        let (band, observer) = (yardsticks.band(), yardsticks.patches.observer());
+        let measures = &self.course.measures;
+        let (band, observer) = (measures.band(), measures.patches.observer());
         let set = |reflectances: &[Vec<f64>], names: &[String]| {
             let likenesses: Vec<Vec<f64>> = reflectances
                 .iter()
@@ -440,7 +440,7 @@ impl<'a> Stable<'a> {
                 .collect();
             PatchSet::new(&likenesses, names.to_vec(), band, observer)
         };
-        let patches = set(&self.course.patches, yardsticks.patches.names());
+        let patches = set(&self.course.patches, measures.patches.names());
         let check = set(&self.course.check, &self.names);
         self.runners
             .iter()
@@ -450,8 +450,8 @@ impl<'a> Stable<'a> {
                     spikes,
                     numbers,
                 } = self.light(runner, racer, numbers);
-                let labs = runner.judge.labs_of(&check, &smooth, &spikes);
-                let verdict = runner.judge.verdict_through(&smooth, &spikes, &patches);
+                let labs = runner.reference.labs_of(&check, &smooth, &spikes);
+                let verdict = runner.reference.verdict_through(&smooth, &spikes, &patches);
                 Run {
                     numbers,
                     spikes: spikes.len(),
@@ -468,17 +468,17 @@ impl<'a> Stable<'a> {
     fn light(&self, runner: &Runner, racer: Racer, numbers: usize) -> Likeness {
         match racer {
             Racer::Composite(way) => {
-                let prepared = &runner.prepared[place(way.basis)];
+                let projected = &runner.projected[place(way.basis)];
                 let lines = if way.spikes {
-                    best_count(runner, prepared, numbers, way.colour_exact)
+                    best_count(runner, projected, numbers, way.colour_exact)
                 } else {
                     0
                 };
                 let lines: Vec<usize> = (0..lines).collect();
                 let smooth_numbers = numbers - 2 * lines.len();
-                let (model, _) = prepared.model(smooth_numbers, &lines, way.colour_exact);
+                let (model, _) = projected.model(smooth_numbers, &lines, way.colour_exact);
                 Likeness {
-                    smooth: prepared.smooth(&model),
+                    smooth: projected.smooth(&model),
                     numbers: model.numbers(),
                     spikes: model.spikes,
                 }
@@ -492,7 +492,7 @@ impl<'a> Stable<'a> {
                 }
             }
             Racer::Chosen => Likeness {
-                smooth: runner.judge.measured().to_vec(),
+                smooth: runner.reference.measured().to_vec(),
                 spikes: Vec::new(),
                 numbers: 0,
             },
@@ -500,34 +500,34 @@ impl<'a> Stable<'a> {
     }
 
     fn rival(&self, family: Family, runner: &Runner, numbers: usize) -> Rival {
-        let values = runner.judge.measured();
+        let values = runner.reference.measured();
         let lights = &self.course.lights;
         let basis = match family {
             Family::Principal => lights.basis_for(&runner.name, values, numbers),
             _ => &self.course.reflectances,
         };
-        self.workshop
+        self.fit_tables
             .fit(family, values, numbers, Bounds::Light, basis)
     }
 
     fn rival_reflectance(&self, family: Family, values: &[f64], numbers: usize) -> Rival {
         let bounds = Bounds::Reflectance;
-        self.workshop
+        self.fit_tables
             .fit(family, values, numbers, bounds, &self.course.reflectances)
     }
 
     /// A reflectance as a series; colour-exact under the equal-energy light.
     fn reflectance_series(&self, way: Way, values: &[f64], numbers: usize) -> Series {
-        let kit = &self.kits[place(way.basis)];
-        let prepared = Prepared::new(kit, values, &[], &self.course.yardsticks.seen);
-        prepared.model(numbers, &[], way.colour_exact).0.smooth
+        let fit_basis = &self.bases[place(way.basis)];
+        let projected = ProjectedSpectrum::new(fit_basis, values, &[], &self.course.measures.seen);
+        projected.model(numbers, &[], way.colour_exact).0.smooth
     }
 
     fn reflectance_values(&self, racer: Racer, values: &[f64], numbers: usize) -> Vec<f64> {
         match racer {
             Racer::Composite(way) => {
                 let series = self.reflectance_series(way, values, numbers);
-                let table = &self.kits[place(way.basis)].table;
+                let table = &self.bases[place(way.basis)].table;
                 table.evaluate(&series.coefficients)
             }
             Racer::Rival(family) => self.rival_reflectance(family, values, numbers).on_band(),
@@ -537,7 +537,7 @@ impl<'a> Stable<'a> {
 
     /// The light with most lines.
     fn most_lines(&self) -> &Runner {
-        let lines = |runner: &&Runner| runner.prepared[0].lines();
+        let lines = |runner: &&Runner| runner.projected[0].lines();
         // The first of equals.
         self.runners
             .iter()
@@ -549,19 +549,19 @@ impl<'a> Stable<'a> {
     /// Times one product and one evaluation of that light and the first patch.
     fn cost(&self, racer: Racer, numbers: usize) -> Option<Cost> {
         let runner = self.most_lines();
-        let flat = vec![0.5; runner.judge.measured().len()];
+        let flat = vec![0.5; runner.reference.measured().len()];
         let reflectance = self.course.patches.first().unwrap_or(&flat);
         match racer {
             Racer::Chosen => None,
             Racer::Composite(way) => {
-                let prepared = &runner.prepared[place(way.basis)];
+                let projected = &runner.projected[place(way.basis)];
                 let lines: Vec<usize> = if way.spikes {
-                    (0..best_count(runner, prepared, numbers, way.colour_exact)).collect()
+                    (0..best_count(runner, projected, numbers, way.colour_exact)).collect()
                 } else {
                     Vec::new()
                 };
                 let smooth_numbers = numbers - 2 * lines.len();
-                let (model, _) = prepared.model(smooth_numbers, &lines, way.colour_exact);
+                let (model, _) = projected.model(smooth_numbers, &lines, way.colour_exact);
                 let factor = [self.reflectance_series(way, reflectance, numbers)];
                 let points = 2 * numbers;
                 let product = || {
@@ -602,13 +602,18 @@ fn place(basis: Basis) -> usize {
 }
 
 /// How many of the heaviest lines are spikes: the count with the least 10 nm-blurred error.
-fn best_count(runner: &Runner, prepared: &Prepared, numbers: usize, colour_exact: bool) -> usize {
-    let most = prepared.lines().min(numbers.saturating_sub(3) / 2);
+fn best_count(
+    runner: &Runner,
+    projected: &ProjectedSpectrum,
+    numbers: usize,
+    colour_exact: bool,
+) -> usize {
+    let most = projected.lines().min(numbers.saturating_sub(3) / 2);
     let error = |count: usize| {
         let lines: Vec<usize> = (0..count).collect();
-        let (model, _) = prepared.model(numbers - 2 * count, &lines, colour_exact);
-        let smooth = prepared.smooth(&model);
-        let error = runner.judge.relative_rms_10nm(&smooth, &model.spikes);
+        let (model, _) = projected.model(numbers - 2 * count, &lines, colour_exact);
+        let smooth = projected.smooth(&model);
+        let error = runner.reference.relative_rms_10nm(&smooth, &model.spikes);
         error.unwrap_or(f64::INFINITY)
     };
     (0..=most)

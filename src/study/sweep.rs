@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::{
     error::{height, times},
-    judge::{Judge, Measure, Verdict, Yardsticks, scaled_to_one},
-    prepared::{Kit, Prepared},
     progress::Progress,
+    projected_spectrum::{FitBasis, ProjectedSpectrum},
+    reference::{Measure, Measures, Reference, Verdict, scaled_to_one},
     way::Way,
 };
 use crate::spectrum::{
@@ -15,11 +15,11 @@ use crate::spectrum::{
     spikes::{LineShape, detect_shapes},
 };
 
-/// The subject of a study on the band of its yardsticks.
+/// The subject of a study on the band of its measures.
 #[derive(Clone, Debug)]
 pub struct Subject {
     /// What it is judged by.
-    pub yardsticks: Arc<Yardsticks>,
+    pub measures: Arc<Measures>,
     /// The spectrum on the band's grid.
     pub values: Vec<f64>,
     /// The light on the grid when the subject is a reflectance; `None` when it is a light.
@@ -31,51 +31,63 @@ pub struct Subject {
 /// A subject scaled, judged and taken apart: what all studies of it begin with.
 #[derive(Clone, Debug)]
 pub struct Examined {
-    /// The judge of the scaled spectrum.
-    pub judge: Judge,
+    /// The reference of the scaled spectrum.
+    pub reference: Reference,
     /// What each line takes out, heaviest first; the same scale.
     pub shapes: Vec<LineShape>,
-    /// Kits of both bases, in the order of [`Basis::ALL`].
-    pub kits: [Kit; 2],
+    /// Both bases with their colours, in the order of [`Basis::ALL`].
+    pub bases: [FitBasis; 2],
 }
 
 impl Examined {
     /// Looks at a subject with up to `numbers` smooth numbers; `None` for an all-zero spectrum.
     pub fn of(subject: &Subject, numbers: usize) -> Option<Self> {
-        let yardsticks = &subject.yardsticks;
-        let band = yardsticks.band();
+        let measures = &subject.measures;
+        let band = measures.band();
         let unit = height(&subject.values)?;
         let values = times(&subject.values, unit);
-        let judge = match &subject.under {
-            None => Judge::of_light(yardsticks, &values),
+        let reference = match &subject.under {
+            None => Reference::of_light(measures, &values),
             Some(light) => {
                 let light = scaled_to_one(light).unwrap_or_else(|| light.clone());
-                Judge::of_factor(yardsticks, &values, &light, unit)
+                Reference::of_factor(measures, &values, &light, unit)
             }
         };
         let (_, shapes) = detect_shapes(band, &values, subject.spikes);
-        let kits = Basis::ALL.map(|basis| Kit::new(band, basis, numbers, judge.seen()));
+        let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, numbers, reference.seen()));
         Some(Self {
-            judge,
+            reference,
             shapes,
-            kits,
+            bases,
         })
     }
 
-    /// The kit of a basis.
-    pub fn kit(&self, basis: Basis) -> &Kit {
-        &self.kits[Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)]
+    /// Functions of a basis and their colours.
+    pub fn fit_basis(&self, basis: Basis) -> &FitBasis {
+        &self.bases[Basis::ALL.iter().position(|b| *b == basis).unwrap_or(0)]
     }
 
     /// The spectrum in terms of a basis, with these lines.
-    pub fn prepared(&self, basis: Basis, shapes: &[LineShape]) -> Prepared {
-        let kit = self.kit(basis);
-        Prepared::new(kit, self.judge.measured(), shapes, self.judge.seen())
+    pub fn projected(&self, basis: Basis, shapes: &[LineShape]) -> ProjectedSpectrum {
+        let fit_basis = self.fit_basis(basis);
+        ProjectedSpectrum::new(
+            fit_basis,
+            self.reference.measured(),
+            shapes,
+            self.reference.seen(),
+        )
     }
 
-    fn verdict(&self, prepared: &Prepared, order: usize, lines: &[usize], exact: bool) -> Verdict {
-        let (model, _) = prepared.model(numbers_of_order(order), lines, exact);
-        self.judge.verdict(&prepared.smooth(&model), &model.spikes)
+    fn verdict(
+        &self,
+        projected: &ProjectedSpectrum,
+        order: usize,
+        lines: &[usize],
+        exact: bool,
+    ) -> Verdict {
+        let (model, _) = projected.model(numbers_of_order(order), lines, exact);
+        self.reference
+            .verdict(&projected.smooth(&model), &model.spikes)
     }
 }
 
@@ -145,7 +157,7 @@ impl Sweep {
         colour_exact: bool,
         progress: &Progress,
     ) -> Option<Self> {
-        let band = subject.yardsticks.band();
+        let band = subject.measures.band();
         let highest_order = highest_order.min(Basis::highest_order(band));
         progress.expect(Way::ALL.len() + MAP_THRESHOLDS);
         let examined = Examined::of(subject, numbers_of_order(highest_order))?;
@@ -156,7 +168,7 @@ impl Sweep {
             } else {
                 &[]
             };
-            let prepared = examined.prepared(way.basis, shapes);
+            let projected = examined.projected(way.basis, shapes);
             let lines: Vec<usize> = (0..shapes.len()).collect();
             for order in 0..=highest_order {
                 if progress.is_cancelled() {
@@ -167,7 +179,7 @@ impl Sweep {
                     order,
                     spikes: lines.len(),
                     numbers: numbers_of_order(order) + 2 * lines.len(),
-                    verdict: examined.verdict(&prepared, order, &lines, way.colour_exact),
+                    verdict: examined.verdict(&projected, order, &lines, way.colour_exact),
                 });
             }
             progress.step();
@@ -236,8 +248,8 @@ fn threshold_map(
             ..subject.spikes
         };
         let (_, shapes) = detect_shapes(
-            subject.yardsticks.band(),
-            examined.judge.measured(),
+            subject.measures.band(),
+            examined.reference.measured(),
             settings,
         );
         spikes.push(shapes.len());
@@ -246,13 +258,13 @@ fn threshold_map(
             let row = verdicts.len() - (highest_order + 1);
             verdicts.extend_from_within(row..);
         } else {
-            let prepared = examined.prepared(basis, &shapes);
+            let projected = examined.projected(basis, &shapes);
             let lines: Vec<usize> = (0..shapes.len()).collect();
             for order in 0..=highest_order {
                 if progress.is_cancelled() {
                     return None;
                 }
-                verdicts.push(examined.verdict(&prepared, order, &lines, colour_exact));
+                verdicts.push(examined.verdict(&projected, order, &lines, colour_exact));
             }
         }
         before = Some(shapes);

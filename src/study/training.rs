@@ -146,7 +146,7 @@ fn fold_of(band: Band, members: &[Member], name: &str, unit: &[f64]) -> Option<u
 }
 
 fn normalised(band: Band, values: &[f64]) -> Option<Vec<f64>> {
-    let scaled = super::judge::scaled_to_one(values)?;
+    let scaled = super::reference::scaled_to_one(values)?;
     let norm = band.inner(&scaled, &scaled).sqrt();
     (norm > 0.0).then(|| scaled.iter().map(|v| v / norm).collect())
 }

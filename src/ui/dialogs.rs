@@ -37,6 +37,9 @@ pub enum Outcome {
     SavePath(PathBuf),
 }
 
+/// What a small window leaves free of the large one: its own edges, its title and its buttons.
+const AROUND: egui::Vec2 = egui::vec2(40.0, 110.0);
+
 /// Draws the open dialog.
 pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
     let title = match dialog {
@@ -47,7 +50,8 @@ pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
     };
     let mut outcome = Outcome::Open;
     let modal = egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
-        ui.set_max_width(620.0);
+        let room = context.content_rect().size() - AROUND;
+        ui.set_max_width(room.x.min(620.0));
         ui.heading(title);
         ui.add_space(4.0);
         match dialog {
@@ -61,8 +65,16 @@ pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
             Dialog::SavePath(text) => {
                 path_field(ui, text, ("Save", true), &mut outcome, Outcome::SavePath)
             }
-            Dialog::Shortcuts => shortcuts(ui),
-            Dialog::About(reading) => about(ui, reading),
+            Dialog::Shortcuts => {
+                egui::ScrollArea::both()
+                    .max_height(room.y)
+                    .show(ui, shortcuts);
+            }
+            Dialog::About(reading) => {
+                egui::ScrollArea::vertical()
+                    .max_height(room.y)
+                    .show(ui, |ui| about(ui, reading));
+            }
         }
         if matches!(dialog, Dialog::Shortcuts | Dialog::About(_)) {
             ui.add_space(6.0);
@@ -86,7 +98,7 @@ fn path_field(
 ) {
     let label = ui.label("Path of the file");
     let field = ui
-        .add(egui::TextEdit::singleline(text).desired_width(480.0))
+        .add(egui::TextEdit::singleline(text).desired_width(480.0_f32.min(ui.available_width())))
         .labelled_by(label.id);
     // Elsewhere the system asks before a file is lost; here a button that says so is pressed.
     let is_there = writes && Path::new(text.trim()).is_file();

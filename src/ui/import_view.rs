@@ -15,11 +15,11 @@ use super::{
 };
 use crate::app::{
     App,
+    chart::{self, Chart},
     charts::import::curves,
     import::{About, Again, Answer, Flip, Head, Import, Question},
     memo::{ByAddress, Memo},
     opened::Opened,
-    plot_svg::{self, Chart},
 };
 use crate::spectrum::SpectralImage;
 
@@ -45,7 +45,7 @@ pub struct ImportView {
     /// A file that is being read to be looked at.
     pub again: Option<Again>,
     /// The chart and what it was made of.
-    chart: Memo<(ByAddress<Opened>, plot_svg::Theme), Chart>,
+    chart: Memo<(ByAddress<Opened>, chart::Theme), Chart>,
     /// Tells the windows of different files apart: each comes up in its place.
     turn: u64,
 }
@@ -93,7 +93,7 @@ impl ImportView {
         context: &Context,
         app: &App,
         theme: Theme,
-        file_theme: plot_svg::Theme,
+        file_theme: chart::Theme,
         within: Rect,
         keys_are_free: bool,
     ) -> Vec<Wish> {
@@ -195,7 +195,7 @@ fn body(
 }
 
 /// The curves of a file; of images a few of their pixels.
-fn curves_of(opened: &Opened, theme: plot_svg::Theme) -> Chart {
+fn curves_of(opened: &Opened, theme: chart::Theme) -> Chart {
     if opened.images.is_empty() {
         return curves(&opened.file, &opened.spectra, theme);
     }

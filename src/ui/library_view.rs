@@ -18,7 +18,7 @@ use crate::{
         Adaptation, Observer, Swatch, Xyz,
         xyz::{xyz_from_light, xyz_from_reflectance},
     },
-    io::preset::Shelf,
+    preset::Shelf,
     spectrum::{Kind, Outside},
 };
 

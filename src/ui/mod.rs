@@ -3,13 +3,13 @@
 //! A view reads [`App`](crate::app::App) and pushes [`Command`](crate::app::Command)s; the window
 //! applies them before it draws what depends on them, so every frame shows its own input.
 
-pub mod axes;
 pub mod batch_view;
 pub mod chart_view;
 pub mod colour_view;
 pub mod curve_view;
 pub mod dialogs;
 pub mod files;
+pub mod fit;
 pub mod import_view;
 pub mod keys;
 pub mod kit;

@@ -1,5 +1,7 @@
 //! The model's knobs.
 
+use std::cell::RefCell;
+
 use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
@@ -9,10 +11,13 @@ use crate::{
     app::{
         App, Command, Settings, Subject,
         document::WEIGHT_FACTORS,
-        settings::{Detector, GRADIENTS_PERCENT, ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
+        settings::{
+            Detector, GRADIENTS_PERCENT, ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM, range_words,
+        },
         ticks,
     },
     color::Observer,
+    io::error::quoted,
     spectrum::{
         Band, Basis, Sampling,
         band::{LONGEST_NM, MOST_STEPS, SHORTEST_NM},
@@ -40,12 +45,13 @@ pub mod names {
     pub const DIPS: &str = "Dips too";
 }
 
-/// Draws the knobs; what changed is pushed as one command.
-pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+/// Draws the knobs; what changed is pushed as one command. Gives what is to be said about it.
+pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) -> Option<String> {
     section(ui, "Model");
     subject_switch(ui, app, commands);
     let before = app.document().settings;
     let mut settings = before;
+    let mut said = None;
     basis_row(ui, &mut settings);
     egui::Grid::new("model knobs")
         .num_columns(2)
@@ -53,7 +59,7 @@ pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             order_row(ui, &mut settings);
             spike_rows(ui, &mut settings);
-            range_row(ui, app, &mut settings);
+            said = range_row(ui, app, &mut settings);
             observer_row(ui, &mut settings);
             products_row(ui, &mut settings);
             weight_factor_row(ui, app, commands);
@@ -61,6 +67,7 @@ pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     if settings != before {
         commands.push(Command::Edit(settings));
     }
+    said
 }
 
 fn subject_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
@@ -226,27 +233,36 @@ fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     ui.end_row();
 }
 
-fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) {
+/// Gives what is to be said: another range is taken than the one asked for.
+fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) -> Option<String> {
+    let mut said = None;
     let label = ui.label("Range");
     ui.horizontal(|ui| {
-        let (mut min, mut max) = (settings.band.min_nm(), settings.band.max_nm());
+        let ends = <[f64; 2]>::from(settings.band);
         let (shortest, most) = (f64::from(SHORTEST_NM), f64::from(MOST_STEPS));
+        let [mut min, mut max] = ends;
+        let typed = [RefCell::default(), RefCell::default()];
         let low_range = (max - most).max(0.0)..=max - shortest;
         let low = ui
-            .add(edge(&mut min).range(low_range))
+            .add(edge(&mut min, &typed[0]).range(low_range))
             .labelled_by(label.id)
             .on_hover_text("First wavelength of the model, whole nm.");
         named(&low, egui::Role::SpinButton, "Range from");
         ui.label("to");
         let high_range = min + shortest..=(min + most).min(f64::from(LONGEST_NM));
         let high = ui
-            .add(edge(&mut max).range(high_range))
+            .add(edge(&mut max, &typed[1]).range(high_range))
             .on_hover_text("Last wavelength of the model, whole nm; at least 20 nm more.");
         named(&high, egui::Role::SpinButton, "Range to");
         if (low.changed() || high.changed())
             && let Ok(band) = Band::new(min.round(), max.round())
         {
             settings.band = band;
+        }
+        for (end, typed) in typed.into_iter().enumerate() {
+            if let Some(text) = typed.into_inner() {
+                said = typed_words(&text, ends, end, settings.band);
+            }
         }
         if settings.band != Band::VISIBLE
             && ui
@@ -256,20 +272,42 @@ fn range_row(ui: &mut Ui, app: &App, settings: &mut Settings) {
         {
             settings.band = Band::VISIBLE;
         }
-        if let Some(table) = table_beyond(app, settings.band)
+        if let Some((table, band)) = table_beyond(app, settings.band)
             && ui
                 .small_button("table's")
                 .on_hover_text(format!(
                     "The range of the spectrum's own table, {} to {} nm.",
-                    table.min_nm(),
-                    table.max_nm()
+                    table[0], table[1]
                 ))
                 .clicked()
         {
-            settings.band = table;
+            settings.band = band;
+            said = range_words(table, band);
         }
     });
     ui.end_row();
+    said
+}
+
+/// What is said of a text that was typed as one end of a range.
+fn typed_words(text: &str, ends: [f64; 2], end: usize, taken: Band) -> Option<String> {
+    let Some(nm) = wavelength(text) else {
+        let [min_nm, max_nm] = <[f64; 2]>::from(taken);
+        return Some(format!(
+            "The model's range: expected whole nm, found {}; {min_nm} to {max_nm} nm stays.",
+            quoted(text)
+        ));
+    };
+    let mut asked = ends;
+    asked[end] = nm;
+    range_words(asked, taken)
+}
+
+/// A typed number, blanks and the unit aside; `None` for what is none.
+fn wavelength(text: &str) -> Option<f64> {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let text = text.trim_end_matches("nm").replace('−', "-");
+    text.parse().ok().filter(|nm: &f64| nm.is_finite())
 }
 
 fn observer_row(ui: &mut Ui, settings: &mut Settings) {
@@ -289,23 +327,31 @@ fn observer_row(ui: &mut Ui, settings: &mut Settings) {
     ui.end_row();
 }
 
-/// The range of the subject's table, when hardly any of it lies in the range of the model.
-fn table_beyond(app: &App, band: Band) -> Option<Band> {
+/// The ends of the subject's table and the range nearest to them, when hardly any of the table
+/// lies in the range of the model.
+fn table_beyond(app: &App, band: Band) -> Option<([f64; 2], Band)> {
     let samples = &app.document().subject_entry().spectrum.samples;
     let (first, last) = (samples.first_nm(), samples.last_nm());
     let common = last.min(band.max_nm()) - first.max(band.min_nm());
-    if common > 0.25 * (last - first) {
+    let table = [first.ceil(), last.floor()];
+    if common > 0.25 * (last - first) || table[1] - table[0] < f64::from(SHORTEST_NM) {
         return None;
     }
-    Band::new(first.ceil(), last.floor()).ok()
+    Some((table, Band::nearest(table)?)).filter(|(_, nearest)| *nearest != band)
 }
 
-/// A wavelength to drag or type, whole nm.
-fn edge(nm: &mut f64) -> egui::DragValue<'_> {
+/// A wavelength to drag or type, whole nm. What is half typed is no wavelength yet; what was typed
+/// is left in `typed`.
+fn edge<'a>(nm: &'a mut f64, typed: &'a RefCell<Option<String>>) -> egui::DragValue<'a> {
     egui::DragValue::new(nm)
         .speed(1.0)
         .fixed_decimals(0)
         .suffix(" nm")
+        .update_while_editing(false)
+        .custom_parser(|text| {
+            *typed.borrow_mut() = Some(text.to_owned());
+            wavelength(text)
+        })
 }
 
 fn products_row(ui: &mut Ui, settings: &mut Settings) {

@@ -12,8 +12,7 @@ use super::{
 };
 use crate::app::{
     App, Command, Entry,
-    state::Tone,
-    workspace::{self, Preferences, StoredImage},
+    workspace::{self, Place, Preferences, StoredImage},
 };
 
 /// Why there is no window.
@@ -57,24 +56,35 @@ const FIRST_SIZE: [f32; 2] = [1280.0, 800.0];
 /// The smallest window that still makes sense, points.
 const LEAST_SIZE: [f32; 2] = [1100.0, 600.0];
 
-/// A file that a save left unfinished this long ago is nobody's any more.
-const LEFT_OVER: std::time::Duration = std::time::Duration::from_secs(3600);
+/// Program and preferences as they were left, or as they are at a first start.
+#[derive(Debug)]
+pub struct Restart {
+    /// The program.
+    pub app: App,
+    /// How the window looks.
+    pub preferences: Preferences,
+    /// Images that are to be read again.
+    pub images: Vec<StoredImage>,
+    /// Where this window keeps its workspace; `None` where nothing is kept. No other window writes
+    /// there for as long as this lives.
+    pub place: Option<Place>,
+}
 
-/// Program and preferences as they were left, or as they are at a first start, and the images
-/// that are to be read again.
-pub fn restore(path: Option<&std::path::Path>) -> (App, Preferences, Vec<StoredImage>) {
-    let fresh = || (App::new(), Preferences::default(), Vec::new());
-    if let Some(path) = path {
-        workspace::sweep_leftovers(path, LEFT_OVER);
+/// What a window over the workspace at a path starts with.
+pub fn restore(path: Option<&std::path::Path>) -> Restart {
+    let begun = path.map(workspace::begin).unwrap_or_default();
+    let (mut app, preferences, images) = match begun.restored {
+        Some(restored) => Window::restored(restored),
+        None => (App::new(), Preferences::default(), Vec::new()),
+    };
+    for (tone, words) in begun.words {
+        app.say(tone, words);
     }
-    match path.map(workspace::load) {
-        Some(Ok(Some(restored))) => Window::restored(restored),
-        Some(Ok(None)) | None => fresh(),
-        Some(Err(why)) => {
-            let (mut app, preferences, images) = fresh();
-            app.say(Tone::Problem, why);
-            (app, preferences, images)
-        }
+    Restart {
+        app,
+        preferences,
+        images,
+        place: begun.place,
     }
 }
 
@@ -102,16 +112,24 @@ pub fn run(start: Start) -> Result<(), NoWindow> {
                 .unwrap_or_default();
             let is_missing_library = text.contains("xkbcommon") || text.contains("Library");
             Err(if is_missing_library {
-                NoWindow::NoDisplay(format!("a display library is missing: {}", one_line(&text)))
+                NoWindow::NoDisplay(format!(
+                    "a display library is missing: {}",
+                    first_line(&text)
+                ))
             } else {
-                NoWindow::Failed(one_line(&text))
+                NoWindow::Failed(first_line(&text))
             })
         }
     }
 }
 
 fn open(start: Start) -> eframe::Result {
-    let (app, preferences, images) = restore(start.workspace.as_deref());
+    let Restart {
+        app,
+        preferences,
+        images,
+        place,
+    } = restore(start.workspace.as_deref());
     let size = preferences.window.unwrap_or(FIRST_SIZE);
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
@@ -131,7 +149,7 @@ fn open(start: Start) -> eframe::Result {
         Box::new(move |creation| {
             // Fonts take effect in the next frame: before the first one they are never missed.
             theme::install_fonts(&creation.egui_ctx);
-            let saver = start.workspace.clone().map(Saver::new);
+            let saver = place.as_ref().map(|p| Saver::new(p.path().to_owned()));
             let mut window = Window::new(app, preferences, system_picker(), saver);
             // What is named first is shown: it comes last, as on the command line.
             for entry in start.presets.into_iter().rev() {
@@ -144,6 +162,7 @@ fn open(start: Start) -> eframe::Result {
                 frames_left: start.frames,
                 started: start.started,
                 first_shown: false,
+                _place: place,
             }))
         }),
     )
@@ -154,6 +173,8 @@ struct Shell {
     frames_left: Option<u32>,
     started: Option<Instant>,
     first_shown: bool,
+    /// Let go of after the window has written its last: fields are dropped in their order.
+    _place: Option<Place>,
 }
 
 impl eframe::App for Shell {
@@ -195,10 +216,10 @@ impl eframe::App for Shell {
 /// The last part of a chain of error messages: what went wrong, without paths of a build machine.
 fn last_part(error: &dyn std::fmt::Display) -> String {
     let text = error.to_string();
-    one_line(text.rsplit(": ").next().unwrap_or_default())
+    first_line(text.rsplit(": ").next().unwrap_or_default())
 }
 
-fn one_line(text: &str) -> String {
+fn first_line(text: &str) -> String {
     let line = text.lines().next().unwrap_or_default().trim();
     line.chars().take(160).collect()
 }

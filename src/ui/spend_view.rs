@@ -16,7 +16,7 @@ use crate::{
                 MEANINGS, MEASURES, NAMES, error_words, goal_error, goal_within, goal_words,
                 model_words,
             },
-            tradeoff::{judge, lack, verdict_now},
+            tradeoff::{lack, reference, verdict_now},
         },
         pages::PageMemory,
         state::Tone,
@@ -190,9 +190,9 @@ fn words(app: &App, ask: &AuctionAsk, auction: &Auction, command: &Command) -> S
     let (goal, last) = (ask.terms.goal, auction.last());
     let mut after = app.clone();
     after.apply(command.clone());
-    let judge = judge(&ask.about);
+    let reference = reference(&ask.about);
     let error = |app: &App| {
-        let verdict = verdict_now(app, judge.as_ref()?)?;
+        let verdict = verdict_now(app, reference.as_ref()?)?;
         let error = goal_error(goal, &verdict, &auction.steps[0].verdict)?;
         Some(error_words(goal, error))
     };

@@ -11,8 +11,9 @@ use std::{
 use serde_json::Value;
 use spectral_explorer::{
     app::{
-        self, App, Settings, open,
-        plot_svg::Theme,
+        self, App, Settings,
+        chart::Theme,
+        open,
         workspace::{self, Preferences},
     },
     cli::{self, Input, Outcome, Pictures},

@@ -2,9 +2,12 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/full.rs"]
+mod full;
 
 mod cli;
 mod cli_files;
 mod cli_studies;
 mod commands;
 mod no_window;
+mod workspace;

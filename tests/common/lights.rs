@@ -3,7 +3,7 @@
 use spectral_explorer::{
     app::library::Library,
     color::blackbody,
-    io::preset::Shelf,
+    preset::Shelf,
     spectrum::{Kind, NamedSpectrum, Sampled},
 };
 

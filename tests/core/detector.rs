@@ -17,7 +17,7 @@ use spectral_explorer::{
         spike_hand::SpikeAct,
     },
     color::blackbody,
-    io::preset::Shelf,
+    preset::Shelf,
     spectrum::{
         Band, Kind, NamedSpectrum, Outside, Sampled,
         composite::GAUSSIAN_AREA,

@@ -3,24 +3,35 @@
 
 use crate::root::root;
 use std::{
-    collections::BTreeSet,
+    collections::{BTreeMap, BTreeSet},
     fs,
     path::{Path, PathBuf},
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 8] = [
+const ROOMS: [(&str, &[&str]); 9] = [
     ("spectrum", &[]),
-    ("color", &["spectrum"]),
+    ("preset", &["spectrum"]),
+    ("color", &["preset", "spectrum"]),
     ("rivals", &["spectrum"]),
     ("study", &["rivals", "color", "spectrum"]),
     ("io", &["spectrum"]),
-    ("app", &["study", "rivals", "color", "spectrum", "io"]),
+    (
+        "app",
+        &["study", "rivals", "color", "preset", "spectrum", "io"],
+    ),
     (
         "cli",
-        &["app", "study", "rivals", "color", "spectrum", "io"],
+        &[
+            "app", "study", "rivals", "color", "preset", "spectrum", "io",
+        ],
     ),
-    ("ui", &["app", "study", "rivals", "color", "spectrum", "io"]),
+    (
+        "ui",
+        &[
+            "app", "study", "rivals", "color", "preset", "spectrum", "io",
+        ],
+    ),
 ];
 
 /// What only the window and the start of the program may name.
@@ -53,6 +64,10 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 struct Source {
     place: Vec<String>,
     code: String,
+    /// The same without what is compiled for tests only.
+    untested: String,
+    /// How many lines that is, comments among them.
+    lines: usize,
 }
 
 impl Source {
@@ -74,7 +89,10 @@ fn sources() -> Vec<Source> {
         .map(|path| {
             let text = fs::read_to_string(&path).expect("a source file is UTF-8");
             let below = path.strip_prefix(&src).expect("found below src");
+            let untested = without_tests(&text);
             Source {
+                untested: code_of(&untested),
+                lines: untested.lines().count(),
                 place: below
                     .iter()
                     .map(|part| part.to_string_lossy().into_owned())
@@ -85,6 +103,24 @@ fn sources() -> Vec<Source> {
         .collect();
     assert!(sources.len() > 50, "found only {} files", sources.len());
     sources
+}
+
+/// Rust as it is formatted here, without the items that are compiled for tests only.
+fn without_tests(text: &str) -> String {
+    let mut kept = String::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        if line == "#[cfg(test)]" {
+            // An item ends with its bracket at the margin, or in its one line.
+            lines.find(|line| {
+                line.starts_with('}') || !line.starts_with(' ') && line.ends_with(';')
+            });
+        } else {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+    }
+    kept
 }
 
 /// Rust without comments and without what stands inside string and character literals.
@@ -211,6 +247,285 @@ fn rooms_used(source: &Source) -> BTreeSet<String> {
     used
 }
 
+/// The module that a file is: `["ui", "window"]`, the folder's for a `mod.rs`.
+fn module_of(place: &[String]) -> Vec<String> {
+    let (file, folders) = place.split_last().expect("a file has a name");
+    let name = file.trim_end_matches(".rs");
+    let own = (name != "mod").then(|| name.to_owned());
+    folders.iter().cloned().chain(own).collect()
+}
+
+/// Words and marks of some code: `::`, or one letter each.
+fn tokens(code: &str) -> Vec<&str> {
+    let mut tokens = Vec::new();
+    let mut rest = code.trim_start();
+    while let Some(letter) = rest.chars().next() {
+        let end = if is_word(Some(letter)) {
+            let end = rest.find(|c: char| !is_word(Some(c)));
+            end.unwrap_or(rest.len())
+        } else if rest.starts_with("::") {
+            2
+        } else {
+            letter.len_utf8()
+        };
+        tokens.push(&rest[..end]);
+        rest = rest[end..].trim_start();
+    }
+    tokens
+}
+
+/// Every path of two words and more, trees of `use` spread out: `a::{b, c::d}` is `a::b` and
+/// `a::c::d`.
+fn paths(code: &str) -> Vec<Vec<&str>> {
+    let tokens = tokens(code);
+    let (mut paths, mut at) = (Vec::new(), 0);
+    while at < tokens.len() {
+        if is_word(tokens[at].chars().next()) && tokens.get(at + 1) == Some(&"::") {
+            at = spread(&tokens, at, &[], &mut paths);
+        } else {
+            at += 1;
+        }
+    }
+    paths
+}
+
+/// Adds the paths that begin at a word, behind those already gone through; says where they end.
+fn spread<'c>(
+    tokens: &[&'c str],
+    mut at: usize,
+    before: &[&'c str],
+    paths: &mut Vec<Vec<&'c str>>,
+) -> usize {
+    let mut path = before.to_vec();
+    loop {
+        match tokens.get(at) {
+            Some(&"{") => {
+                at += 1;
+                while at < tokens.len() && tokens[at] != "}" {
+                    at = match tokens[at] {
+                        "," => at + 1,
+                        _ => spread(tokens, at, &path, paths),
+                    };
+                }
+                return at + 1;
+            }
+            Some(word) => path.push(word),
+            None => return at,
+        }
+        if tokens.get(at + 1) != Some(&"::") {
+            break;
+        }
+        at += 2;
+    }
+    paths.push(path);
+    // `name as other`, of which the first counts.
+    let renamed = tokens.get(at + 1) == Some(&"as");
+    at + if renamed { 3 } else { 1 }
+}
+
+/// Modules by their paths, each with the names that it offers of the modules in it.
+type Modules = BTreeMap<Vec<String>, BTreeMap<String, Vec<String>>>;
+
+/// As far as there are files for it, the module that words lead to, and the next word.
+fn walked<'w>(
+    mut place: Vec<String>,
+    words: &[&'w str],
+    modules: &Modules,
+) -> (Vec<String>, Option<&'w str>) {
+    for word in words {
+        place.push((*word).to_owned());
+        if !modules.contains_key(&place) {
+            place.pop();
+            return (place, Some(word));
+        }
+    }
+    (place, None)
+}
+
+/// The module that a path leads to from another; a name that a folder's module offers of a file
+/// leads to the file.
+fn led_to(path: &[&str], from: &[String], modules: &Modules) -> Option<Vec<String>> {
+    let ups = path.iter().take_while(|word| **word == "super").count();
+    let (start, words) = match path[0] {
+        "crate" => (&[][..], &path[1..]),
+        "self" => (from, &path[1..]),
+        "super" => (&from[..from.len().checked_sub(ups)?], &path[ups..]),
+        _ => return None,
+    };
+    let (place, name) = walked(start.to_vec(), words, modules);
+    let offered = name.and_then(|name| modules.get(&place)?.get(name).cloned());
+    Some(offered.unwrap_or(place))
+}
+
+/// The names that a module offers of those in it: `pub use x::{X, Y}`.
+fn offered(module: &[String], code: &str, modules: &Modules) -> BTreeMap<String, Vec<String>> {
+    let mut names = BTreeMap::new();
+    for statement in code.split(';') {
+        let Some((before, used)) = statement.rsplit_once("use ") else {
+            continue;
+        };
+        if !before.trim_end().ends_with("pub") && !before.trim_end().ends_with(')') {
+            continue;
+        }
+        for path in paths(used) {
+            let words = path.strip_prefix(&["self"]).unwrap_or(&path);
+            let (place, name) = walked(module.to_vec(), words, modules);
+            if let Some(name) = name.filter(|_| place != module) {
+                names.insert(name.to_owned(), place);
+            }
+        }
+    }
+    names
+}
+
+/// Files that need each other round a circle, each circle as its files in order; a folder's own
+/// module, which lists what the folder offers, takes part in none with what lies in the folder.
+fn circles(sources: &[Source]) -> BTreeSet<Vec<String>> {
+    let files: BTreeMap<Vec<String>, &Source> = sources
+        .iter()
+        .filter(|s| s.room().is_some() && s.place.last().is_some_and(|f| f != "tests.rs"))
+        .map(|source| (module_of(&source.place), source))
+        .collect();
+    let mut modules: Modules = files.keys().map(|m| (m.clone(), BTreeMap::new())).collect();
+    let names: Vec<_> = files
+        .iter()
+        .map(|(module, file)| offered(module, &file.untested, &modules))
+        .collect();
+    for (of, names) in modules.values_mut().zip(names) {
+        *of = names;
+    }
+    let needs = |module: &Vec<String>| -> Vec<Vec<String>> {
+        paths(&files[module].untested)
+            .iter()
+            .filter_map(|path| led_to(path, module, &modules))
+            .filter(|other| modules.contains_key(other) && other[0] == module[0])
+            .filter(|other| !other.starts_with(module) && !module.starts_with(other))
+            .collect()
+    };
+    let needed: BTreeMap<&Vec<String>, Vec<Vec<String>>> =
+        files.keys().map(|m| (m, needs(m))).collect();
+    let reached = |from: &Vec<String>| -> BTreeSet<Vec<String>> {
+        let (mut reached, mut next) = (BTreeSet::new(), needed[from].clone());
+        while let Some(module) = next.pop() {
+            if reached.insert(module.clone()) {
+                next.extend(needed[&module].iter().cloned());
+            }
+        }
+        reached
+    };
+    let reach: BTreeMap<&Vec<String>, BTreeSet<Vec<String>>> =
+        files.keys().map(|m| (m, reached(m))).collect();
+    let in_circle = |m: &&Vec<String>| reach[*m].contains(*m);
+    files
+        .keys()
+        .filter(in_circle)
+        .map(|m| {
+            let back = |other: &&Vec<String>| reach[*other].contains(m);
+            let circle = reach[m].iter().filter(back);
+            circle.map(|member| files[member].name()).collect()
+        })
+        .collect()
+}
+
+/// Circles that are still there. The list may only become shorter.
+const CIRCLES: [&[&str]; 3] = [
+    &["src/app/open/batch.rs", "src/app/open/summary.rs"],
+    &[
+        "src/app/studies/paper/rows.rs",
+        "src/app/studies/paper/table.rs",
+    ],
+    &["src/ui/picture.rs", "src/ui/window/mod.rs"],
+];
+
+#[test]
+fn no_files_of_a_room_need_each_other_in_a_circle() {
+    let known: BTreeSet<Vec<String>> = CIRCLES
+        .iter()
+        .map(|circle| circle.iter().map(|file| (*file).to_owned()).collect())
+        .collect();
+    let found = circles(&sources());
+    for circle in &found {
+        assert!(known.contains(circle), "a circle: {}", circle.join(", "));
+    }
+    for circle in &known {
+        assert!(
+            found.contains(circle),
+            "no circle any more, take it from the list: {}",
+            circle.join(", ")
+        );
+    }
+}
+
+#[test]
+fn the_search_for_circles_finds_one() {
+    let source = |place: &[&str], code: &str| Source {
+        place: place.iter().map(|part| (*part).to_owned()).collect(),
+        code: String::new(),
+        untested: code_of(&without_tests(code)),
+        lines: 0,
+    };
+    let files = [
+        source(&["color", "mod.rs"], "mod a; mod b; pub use a::{A, B};"),
+        source(&["color", "a.rs"], "use super::{b::{C as D, E}, Hub};"),
+        source(&["color", "b.rs"], "fn f() { crate::color::c::G::new() }"),
+        source(&["color", "c.rs"], "use super::super::color::A;"),
+        source(
+            &["color", "d.rs"],
+            "use super::a::A;\n#[cfg(test)]\nmod tests {\n    use super::super::e::E;\n}\n",
+        ),
+        source(&["color", "e.rs"], "use super::d::D;"),
+        source(&["study", "f.rs"], "use crate::color::a::A;"),
+    ];
+    let circle = ["a", "b", "c"].map(|file| format!("src/color/{file}.rs"));
+    assert_eq!(circles(&files), BTreeSet::from([circle.to_vec()]));
+}
+
+/// Most lines of a file without its tests.
+const MOST_LINES: usize = 450;
+
+/// Tables of words and figures, which may be as long as they are.
+const TABLES: [&str; 0] = [];
+
+/// Files that are longer still. The list may only become shorter.
+const LONG: [&str; 16] = [
+    "src/app/charts/coefficients.rs",
+    "src/app/charts/tradeoff.rs",
+    "src/app/import.rs",
+    "src/app/product_report.rs",
+    "src/app/state.rs",
+    "src/app/study_report.rs",
+    "src/io/cgats.rs",
+    "src/io/columns.rs",
+    "src/io/plain_json.rs",
+    "src/spectrum/spikes.rs",
+    "src/study/auction.rs",
+    "src/study/race.rs",
+    "src/ui/import_view.rs",
+    "src/ui/library_view.rs",
+    "src/ui/painter.rs",
+    "src/ui/window/filing.rs",
+];
+
+#[test]
+fn no_file_is_longer_than_450_lines_without_its_tests() {
+    for source in sources() {
+        let name = source.name();
+        if TABLES.contains(&&*name) || name.ends_with("/tests.rs") {
+            continue;
+        }
+        let (is_long, is_known) = (source.lines > MOST_LINES, LONG.contains(&&*name));
+        assert!(is_known || !is_long, "{name}: {} lines", source.lines);
+        assert!(
+            is_long || !is_known,
+            "{name}: {} lines, take it from the list",
+            source.lines
+        );
+    }
+    for name in TABLES.iter().chain(&LONG) {
+        assert!(root().join(name).is_file(), "{name} is gone");
+    }
+}
+
 #[test]
 fn every_room_of_the_house_is_on_the_plan() {
     let found: BTreeSet<String> = sources()
@@ -309,6 +624,8 @@ fn the_reader_of_this_test_sees_what_it_should() {
     let source = Source {
         place: vec!["color".to_owned(), "x.rs".to_owned()],
         code,
+        untested: String::new(),
+        lines: 0,
     };
     assert_eq!(
         rooms_used(&source).into_iter().collect::<Vec<_>>(),

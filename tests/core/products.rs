@@ -14,7 +14,7 @@ use approx::assert_relative_eq;
 use spectral_explorer::{
     app::{App, Command, Settings, library::Library},
     color::{Observer, Xyz, delta_e_2000, lab_from_xyz, xyz_from_integral},
-    io::preset::Shelf,
+    preset::Shelf,
     spectrum::{
         Band, Basis, BasisTable, Composite, InnerProducts, SampleGrid, Sampling, Series, Spike,
         product::{self, convolve},

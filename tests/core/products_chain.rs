@@ -9,10 +9,10 @@ use crate::{
 use spectral_explorer::{
     app::library::Library,
     color::Observer,
-    io::preset::Shelf,
+    preset::Shelf,
     spectrum::{
         Band, Basis, BasisTable, ChainTables, Composite, Factor, Sampling, Series, SpikeSettings,
-        chain::{bounces, glass},
+        factor::{bounces, glass},
         product::{chain_points, convolve, folded_share},
         spikes::detect,
     },

@@ -5,11 +5,11 @@ use std::sync::{Arc, LazyLock};
 use spectral_explorer::{
     app::{
         Document, Entry,
+        chart::{Marks, Theme},
         charts::race::{SMALLEST_ERROR, error_chart, table_chart},
         library::Library,
         memo::ByAddress,
         pages::RACE_BUDGETS,
-        plot_svg::{Marks, Theme},
         studies::{Field, RaceAsk},
     },
     rivals::{Family, PrincipalBasis},

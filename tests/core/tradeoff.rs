@@ -13,7 +13,7 @@ use spectral_explorer::{
     color::{Observer, patches::PatchSet},
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeSettings},
     study::{
-        Goal, Measure, Progress, Sweep, Way, Yardsticks,
+        Goal, Measure, Measures, Progress, Sweep, Way,
         auction::{Auction, Ended, Purchase, Terms, hold},
         sweep::{Subject, unseen},
     },
@@ -21,8 +21,8 @@ use spectral_explorer::{
 
 const BAND: Band = Band::VISIBLE;
 
-/// The yardsticks with the 24 patches of the ColorChecker.
-fn yardsticks(band: Band) -> Arc<Yardsticks> {
+/// The measures with the 24 patches of the ColorChecker.
+fn measures(band: Band) -> Arc<Measures> {
     let group = Library::bundled()
         .group("colorchecker_ohta")
         .expect("the ColorChecker is shipped");
@@ -33,12 +33,12 @@ fn yardsticks(band: Band) -> Arc<Yardsticks> {
         .map(|s| (s.name.clone(), values(s, band)))
         .unzip();
     let set = PatchSet::new(&reflectances, names, band, Observer::Cie1931);
-    Arc::new(Yardsticks::new(set))
+    Arc::new(Measures::new(set))
 }
 
 fn subject(values: Vec<f64>) -> Subject {
     Subject {
-        yardsticks: yardsticks(BAND),
+        measures: measures(BAND),
         values,
         under: None,
         spikes: SpikeSettings::default(),
@@ -350,7 +350,7 @@ fn check(auction: &Auction, terms: Terms, place: &str) {
 
 #[test]
 fn on_every_lamp_the_auction_is_never_worse_than_with_or_without_spikes() {
-    let shared = yardsticks(BAND);
+    let shared = measures(BAND);
     let lamps = lamps();
     assert!(lamps.len() > 130);
     std::thread::scope(|scope| {
@@ -360,7 +360,7 @@ fn on_every_lamp_the_auction_is_never_worse_than_with_or_without_spikes() {
             scope.spawn(move || {
                 for (i, lamp) in half.iter().enumerate() {
                     let subject = Subject {
-                        yardsticks: shared.clone(),
+                        measures: shared.clone(),
                         values: values(lamp, BAND),
                         under: None,
                         spikes: SpikeSettings::default(),

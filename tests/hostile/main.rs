@@ -10,6 +10,7 @@ mod found;
 mod harness;
 mod large;
 mod mutate;
+mod refusals;
 #[path = "../common/root.rs"]
 mod root;
 mod seeds;
@@ -112,7 +113,7 @@ fn seeds_are_written_for_the_fuzzer() {
         }
         words.extend(seeds.words);
     }
-    let words: String = words.into_iter().map(|word| entry(word)).collect();
+    let words: String = words.into_iter().map(entry).collect();
     fs::write(root().join("fuzz/corpus/readers.dict"), words).expect("a dictionary");
 }
 

@@ -8,7 +8,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crate::driver::{Shown, Ui, app, harness, no_files, words};
+use crate::driver::{Shown, Ui, app, assert_written, harness, no_files, words};
 use crate::root::root;
 use eframe::egui;
 use egui::{Key, Pos2, Role, vec2};
@@ -20,7 +20,9 @@ use spectral_explorer::{
         memo::ByAddress,
         open::{self, Loaded},
         pages::Page,
-        picture::{self, BandWeights, ImageMemory, RasterAsk, Show, Source, exposed, step_of},
+        picture::{
+            self, BandWeights, ImageMemory, MOST_SIDE, RasterAsk, Show, Source, exposed, step_of,
+        },
         state::Tone,
         workspace::{self, Preferences, StoredImage},
     },
@@ -82,6 +84,7 @@ fn raster(image: &Arc<SpectralImage>, source: Source) -> picture::Raster {
     let ask = RasterAsk {
         image: ByAddress(image.clone()),
         source,
+        most_side: MOST_SIDE,
     };
     ask.answer(&Progress::default()).expect("not cancelled")
 }
@@ -168,10 +171,13 @@ fn at_exposure_0_hardly_a_pixel_is_cut_and_a_stop_doubles_the_light() {
 
 #[test]
 fn a_large_image_is_drawn_as_means_of_blocks_and_long_ones_fit_a_texture() {
-    assert_eq!(step_of(512, 512), 1);
-    assert_eq!(step_of(1024, 1024), 1);
-    assert_eq!(step_of(1025, 1024), 2);
-    assert_eq!(step_of(10_000, 3), 5);
+    assert_eq!(step_of(512, 512, MOST_SIDE), 1);
+    assert_eq!(step_of(1024, 1024, MOST_SIDE), 1);
+    assert_eq!(step_of(1025, 1024, MOST_SIDE), 2);
+    assert_eq!(step_of(10_000, 3, MOST_SIDE), 5);
+    // A driver that takes less gets less, and none more than that.
+    assert_eq!(step_of(10_000, 3, 1024), 10);
+    assert_eq!(step_of(10_000, 3, 16_384), 5);
     let image = image(Kind::Other, [2051, 2], uneven);
     let drawn = raster(&image, Source::Bands(vec![3]));
     assert_eq!((drawn.step, drawn.width, drawn.height), (2, 1026, 1));
@@ -566,6 +572,18 @@ fn a_missing_image_is_looked_for_at_every_start_until_it_is_forgotten() {
     drop(ui.into_state());
     let kept = workspace::load(&path).expect("readable").expect("kept");
     assert_eq!(kept.images, []);
+}
+
+#[test]
+fn a_picture_is_reduced_to_the_largest_texture_of_the_driver() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let long = write_cube(folder.path(), "long", [1500, 2], 7, "bil");
+    let mut ui = fresh([1280.0, 800.0]);
+    ui.input_mut().max_texture_side = Some(1024);
+    ui.step();
+    // A texture beyond it is a panic.
+    open_file(&mut ui, &long);
+    assert_written(&ui, "Reduced: each drawn pixel is the mean of 2 x 2");
 }
 
 #[test]

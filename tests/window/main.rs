@@ -2,6 +2,8 @@
 
 #[path = "../common/window.rs"]
 mod driver;
+#[path = "../common/full.rs"]
+mod full;
 #[path = "../common/root.rs"]
 mod root;
 #[path = "../common/soft_renderer.rs"]
@@ -9,8 +11,10 @@ mod soft_renderer;
 
 mod batch;
 mod chart_view;
+mod ends;
 mod image_page;
 mod import;
+mod narrow;
 mod pages_paper;
 mod pages_tradeoff;
 mod products_chain_page;

@@ -14,18 +14,18 @@ use egui_kittest::{Node, kittest::NodeT as _};
 use spectral_explorer::{
     app::{
         App, Command, Settings,
+        chart::Theme,
         charts::{
             auction::{AuctionChart, goal_within},
             tradeoff::{self, Tradeoff, front, lack, needs, take, take_cell},
         },
         pages::{Page, PageMemory, WaysShown},
-        plot_svg::Theme,
         studies::{self, AuctionAsk, SweepAsk},
         workspace::Preferences,
     },
     spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeEdits},
     study::{
-        Goal, Judge, Measure, Progress, Verdict,
+        Goal, Measure, Progress, Reference, Verdict,
         auction::{Ended, Purchase},
     },
     ui::Window,
@@ -169,8 +169,8 @@ fn many_lines() -> App {
 /// Every figure of the model in force.
 fn verdict_now(app: &App) -> Verdict {
     let ask = SweepAsk::of(app.document());
-    let judge: Judge = tradeoff::judge(&ask.about).expect("a light that shines");
-    tradeoff::verdict_now(app, &judge).expect("a model of it")
+    let reference: Reference = tradeoff::reference(&ask.about).expect("a light that shines");
+    tradeoff::verdict_now(app, &reference).expect("a model of it")
 }
 
 /// Figures agree but for the order of sums: 1e-9 of an error, and what ΔE00 makes of rounding.

@@ -9,6 +9,7 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command,
+        chart::{Chart, Theme},
         charts::products::{
             bounces::Bounced,
             narrow::{Behind, Filter, WAYS, of},
@@ -16,7 +17,6 @@ use spectral_explorer::{
         },
         open::resolve,
         pages::{Page, PageMemory},
-        plot_svg::{Chart, Theme},
         products::{Part, Products, ProductsMemory},
         workspace::Preferences,
     },

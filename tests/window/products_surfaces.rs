@@ -11,6 +11,7 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Settings,
+        chart::{Chart, Theme},
         charts::products::{
             same_surface::same_surface_chart,
             two_lights::{made_chart, two_lights_chart},
@@ -18,7 +19,6 @@ use spectral_explorer::{
         memo::ByAddress,
         open::resolve,
         pages::Page,
-        plot_svg::{Chart, Theme},
         products::{
             Part, Products,
             same_surface::{SameSurfaceSheet, example, take_as_outgoing},

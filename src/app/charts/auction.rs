@@ -5,8 +5,8 @@ use crate::{
     app::{
         App,
         chart::Inks,
+        chart::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
         line_names::{ElementLine, LineName, name_spikes},
-        plot_svg::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
         studies::AuctionAsk,
     },
     io::many::numbers,

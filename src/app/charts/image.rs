@@ -2,9 +2,9 @@
 
 use crate::app::{
     chart::Inks,
+    chart::{Chart, Dash, Marks, Series, Theme},
     derived::Derived,
     picture::{RegionSpectrum, Spread},
-    plot_svg::{Chart, Dash, Marks, Series, Theme},
 };
 
 /// The chart of a chosen spectrum, as measured, in the image's unit.

@@ -5,8 +5,8 @@ use crate::{
     app::{
         App, Command, Settings,
         chart::Inks,
+        chart::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
         pages::WaysShown,
-        plot_svg::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
         settings::Detector,
         studies::{About, SweepAsk},
         ticks::short,
@@ -14,9 +14,9 @@ use crate::{
     io::many::numbers,
     spectrum::{Basis, SpikeEdits},
     study::{
-        Judge, Measure, Sweep, Verdict, Way,
+        Measure, Reference, Sweep, Verdict, Way,
         error::{height, spikes_times, times},
-        judge::filter_centres,
+        reference::filter_centres,
         sweep::{Examined, SweepPoint},
     },
 };
@@ -74,7 +74,7 @@ pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
     let (document, derived) = (app.document(), app.derived());
     let is_light = document.is_about_light();
     if derived.errors.is_none() {
-        return Some("The spectrum is zero over the whole range.");
+        return Some(derived.why_no_errors());
     }
     if !measure.is_colour() {
         return None;
@@ -109,18 +109,18 @@ pub fn measure_within(app: &App, chosen: Measure) -> Measure {
         .unwrap_or(chosen)
 }
 
-/// The judge of a study's subject; `None` for an all-zero one.
-pub fn judge(about: &About) -> Option<Judge> {
-    Examined::of(&about.subject(), 1).map(|examined| examined.judge)
+/// The reference of a study's subject; `None` for an all-zero one.
+pub fn reference(about: &About) -> Option<Reference> {
+    Examined::of(&about.subject(), 1).map(|examined| examined.reference)
 }
 
 /// Every figure of the document's present model, hand edits and all.
-pub fn verdict_now(app: &App, judge: &Judge) -> Option<Verdict> {
+pub fn verdict_now(app: &App, reference: &Reference) -> Option<Verdict> {
     let derived = app.derived();
     let unit = height(&derived.measured)?;
-    // A range that was just changed has another grid than the judge.
-    (judge.measured().len() == derived.smooth.len()).then(|| {
-        judge.verdict(
+    // A range that was just changed has another grid than the reference.
+    (reference.measured().len() == derived.smooth.len()).then(|| {
+        reference.verdict(
             &times(&derived.smooth, unit),
             &spikes_times(&derived.model.spikes, unit),
         )

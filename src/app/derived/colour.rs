@@ -2,7 +2,7 @@
 
 use super::{
     Question,
-    fitted::{Fitted, integral, is_positive, spikes_xyz},
+    fitted::{Fitted, is_positive},
 };
 use crate::{
     app::tables::Tables,
@@ -13,6 +13,7 @@ use crate::{
         ciede2000::delta_e_2000,
         lab::lab_from_xyz,
         srgb::Swatch,
+        xyz_of_parts, xyz_of_spikes,
     },
 };
 
@@ -59,9 +60,9 @@ impl Fitted {
         let band = tables.band();
         let weights_1931 = &tables.viewing.weights_1931;
         let is_light = question.is_light;
-        let exact_1931 = integral(band, question.measured, weights_1931);
+        let exact_1931 = xyz_of_parts(band, question.measured, &[], weights_1931);
         let model_1931 = Xyz::from_array(tables.colour_1931.of(coefficients))
-            + spikes_xyz(band, &self.spikes, weights_1931);
+            + xyz_of_spikes(band, &self.spikes, weights_1931);
         let missing_luminance = if question.full_luminance > 0.0 {
             let seen = band.inner(
                 question.light,

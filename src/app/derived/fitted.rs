@@ -3,7 +3,7 @@
 use super::Question;
 use crate::{
     app::{settings::Detector, tables::Tables},
-    color::Xyz,
+    color::{Xyz, xyz_of_one, xyz_of_parts, xyz_of_spikes},
     spectrum::{
         Band, Decomposed, Exactness, Spike,
         basis::numbers_of_order,
@@ -39,13 +39,13 @@ impl Fitted {
         let spikes = parts.plain_spikes();
         let projected = tables.basis.project(&parts.smooth, tables.basis.numbers());
         let weights = &tables.viewing.weights;
-        let exact_xyz = integral(band, question.measured, weights);
-        let spikes_xyz = spikes_xyz(band, &spikes, weights);
+        let exact_xyz = xyz_of_parts(band, question.measured, &[], weights);
+        let spikes_xyz = xyz_of_spikes(band, &spikes, weights);
         let white = if question.is_light {
             exact_xyz
         } else {
             // The weights are the light's already: a perfect reflector is their own integral.
-            Xyz::from_array(std::array::from_fn(|k| band.integral(&weights[k])))
+            xyz_of_one(band, weights)
         };
         Self {
             smooth_target: (exact_xyz - spikes_xyz).to_array(),
@@ -107,21 +107,6 @@ fn take_apart(question: Question<'_>, band: Band) -> Decomposed {
             },
         ),
     }
-}
-
-/// Integrals of values on the grid times three weights.
-pub(super) fn integral(band: Band, values: &[f64], weights: &[Vec<f64>; 3]) -> Xyz {
-    Xyz::from_array(std::array::from_fn(|k| band.inner(values, &weights[k])))
-}
-
-/// What spikes weigh of three weights on the grid, where they stand.
-pub(super) fn spikes_xyz(band: Band, spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
-    Xyz::from_array(std::array::from_fn(|k| {
-        spikes
-            .iter()
-            .map(|s| s.weight * band.interpolate(&weights[k], s.at_nm))
-            .sum()
-    }))
 }
 
 /// Whether a number is finite and above zero.

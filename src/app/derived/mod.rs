@@ -131,6 +131,16 @@ impl Derived {
         derived
     }
 
+    /// What is said where there are no errors: what was measured is zero, or so small that it cannot
+    /// be brought to a height of 1.
+    pub fn why_no_errors(&self) -> &'static str {
+        if self.measured.iter().all(|value| *value == 0.0) {
+            "The spectrum is zero over the whole range."
+        } else {
+            "The spectrum's values are too small to compute with: none reaches 1e-308."
+        }
+    }
+
     /// Numbers that the model takes.
     pub fn numbers(&self) -> usize {
         self.model.numbers()
@@ -163,7 +173,7 @@ impl Derived {
         if is_beside {
             warnings.push(nothing_measured(self.band, question.table_nm));
         } else if self.errors.is_none() {
-            warnings.push("The spectrum is zero over the whole range.".to_owned());
+            warnings.push(self.why_no_errors().to_owned());
         } else if self.colour.exact.is_some() && self.colour.model.is_none() {
             warnings.push(
                 "The model's X, Y, Z are not all positive: it has no colour to compare.".to_owned(),

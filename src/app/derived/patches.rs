@@ -2,7 +2,7 @@
 
 use super::{
     Question,
-    fitted::{Fitted, is_positive, spikes_xyz},
+    fitted::{Fitted, is_positive},
 };
 use crate::{
     app::tables::Tables,
@@ -11,6 +11,7 @@ use crate::{
         ciede2000::delta_e_2000,
         patches::{difference, labs_into},
         srgb::Swatch,
+        xyz_of_parts, xyz_of_spikes,
     },
     spectrum::{SampleGrid, Sampling, Series, Spike, product::convolve},
 };
@@ -184,7 +185,7 @@ impl Fitted {
                 ..*spike
             })
             .collect();
-        let lines = spikes_xyz(reflectance.band, &weighed, &tables.viewing.weights);
+        let lines = xyz_of_spikes(reflectance.band, &weighed, &tables.viewing.weights);
         for (x, l) in xyz.iter_mut().zip(lines.to_array()) {
             *x += l;
         }
@@ -252,5 +253,5 @@ fn function_xyz(tables: &Tables, k: usize) -> [f64; 3] {
         .grid()
         .map(|nm| tables.basis.basis().function(k, band, nm))
         .collect();
-    super::fitted::integral(band, &function, &tables.viewing.weights).to_array()
+    xyz_of_parts(band, &function, &[], &tables.viewing.weights).to_array()
 }

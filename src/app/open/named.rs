@@ -8,17 +8,14 @@ use std::{
 
 use super::{Loaded, load_named};
 use crate::{
-    app::{
-        entry::Entry,
-        library::{Body, Library},
-        opened::Opened,
-    },
+    app::{entry::Entry, library::Library, opened::Opened},
     io::{
         Choices, MakersResult,
         error::{quoted, shown},
         stream::is_stream,
         unopened,
     },
+    preset::Body,
     spectrum::{Kind, NamedSpectrum, Rect},
 };
 

@@ -11,7 +11,7 @@ pub mod reload;
 pub use band_weights::BandWeights;
 pub use exposure::{Exposed, NOT_MEASURED, exposed, seen_in};
 pub use memory::{BAND_NM, ImageMemory, STOPS, Show, Spread};
-pub use raster::{Raster, RasterAsk, Source, step_of};
+pub use raster::{MOST_SIDE, Raster, RasterAsk, Source, step_of};
 pub use region_spectrum::{RegionAsk, RegionSpectrum, named};
 
 use std::sync::Arc;

@@ -14,8 +14,8 @@ use crate::{
 /// Most pixels that are drawn.
 const MOST_PIXELS: usize = 1 << 20;
 
-/// Longest side that is drawn: every graphics driver takes a texture of it.
-const MOST_SIDE: usize = 2048;
+/// Longest side that is drawn: nearly every graphics driver takes a texture of it.
+pub const MOST_SIDE: usize = 2048;
 
 /// Share of the pixels that are no brighter than full brightness.
 const FULL: f64 = 0.99;
@@ -42,6 +42,8 @@ pub struct RasterAsk {
     pub image: ByAddress<SpectralImage>,
     /// What its numbers become.
     pub source: Source,
+    /// Longest side that the graphics driver takes; [`MOST_SIDE`] where it takes more.
+    pub most_side: usize,
 }
 
 /// A picture before its exposure.
@@ -62,13 +64,15 @@ pub struct Raster {
     pub full: [f64; 3],
 }
 
-/// By how much an image is reduced, across and down, to be drawn.
-pub fn step_of(width: usize, height: usize) -> usize {
+/// By how much an image is reduced, across and down, to be drawn with sides of at most
+/// `most_side`.
+pub fn step_of(width: usize, height: usize, most_side: usize) -> usize {
+    let most_side = most_side.clamp(1, MOST_SIDE);
     let fits = |step: usize| {
         let (across, down) = (width.div_ceil(step), height.div_ceil(step));
-        across <= MOST_SIDE && down <= MOST_SIDE && across * down <= MOST_PIXELS
+        across <= most_side && down <= most_side && across * down <= MOST_PIXELS
     };
-    let mut step = (width.max(height).div_ceil(MOST_SIDE)).max(1);
+    let mut step = (width.max(height).div_ceil(most_side)).max(1);
     while !fits(step) {
         step += 1;
     }
@@ -79,7 +83,7 @@ impl RasterAsk {
     /// The picture; `None` when it was cancelled.
     pub fn answer(&self, progress: &Progress) -> Option<Raster> {
         let cube = &self.image.0.cube;
-        let step = step_of(cube.width(), cube.height());
+        let step = step_of(cube.width(), cube.height(), self.most_side);
         let (width, height) = (cube.width().div_ceil(step), cube.height().div_ceil(step));
         progress.expect(height);
         let rows = Rows::new(self, step);

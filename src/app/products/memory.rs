@@ -137,6 +137,16 @@ pub struct ResamplingMemory {
 }
 
 impl ResamplingMemory {
+    /// Shows or hides a way's curve.
+    pub fn show(&mut self, way: Sampling, shown: bool) {
+        self.hidden.retain(|one| *one != way);
+        if !shown {
+            self.hidden.push(way);
+        }
+        // In the order that they are kept in.
+        *self = std::mem::take(self).clamped();
+    }
+
     fn clamped(mut self) -> Self {
         self.hidden = Sampling::ALL
             .into_iter()

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::{entry::Entry, library::Library};
 use crate::spectrum::{
     Band,
-    chain::{bounces, glass},
+    factor::{bounces, glass},
 };
 
 pub use known_lines::KnownLines;
@@ -43,11 +43,21 @@ pub struct Link {
 
 /// What is kept of a link beside its entry.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Times {
     /// As [`Link::thickness`].
     pub thickness: f64,
     /// As [`Link::bounces`].
     pub bounces: u32,
+}
+
+impl Default for Times {
+    fn default() -> Self {
+        Self {
+            thickness: 1.0,
+            bounces: 1,
+        }
+    }
 }
 
 impl Link {

@@ -18,7 +18,7 @@ use crate::{
         studies::{RankAsk, surfaces::Ranked},
         ticks::short,
     },
-    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, chain::bounces},
+    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, factor::bounces},
     study::products::{Checker, Compared, Sameness, measured_check, same_surface::SAME_RESIDUAL},
 };
 

@@ -6,7 +6,7 @@ use crate::{
     app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
     color::{Observer, patches::PatchSet},
     spectrum::{Band, SpikeSettings},
-    study::{Yardsticks, sweep::Subject},
+    study::{Measures, sweep::Subject},
 };
 
 /// The subject of a study and what it is judged by.
@@ -40,10 +40,10 @@ impl About {
         }
     }
 
-    /// The subject on the grid with its yardsticks.
+    /// The subject on the grid with its measures.
     pub fn subject(&self) -> Subject {
         Subject {
-            yardsticks: yardsticks(&self.patch_set, self.band, self.observer),
+            measures: measures(&self.patch_set, self.band, self.observer),
             values: self.subject.0.on_band(self.band),
             under: self.under.as_ref().map(|light| light.0.on_band(self.band)),
             spikes: self.spikes,
@@ -63,9 +63,9 @@ pub fn reflectances(group: &str, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
         .unzip()
 }
 
-/// Yardsticks with a shipped group as the patches.
-pub fn yardsticks(group: &str, band: Band, observer: Observer) -> Arc<Yardsticks> {
+/// Measures with a shipped group as the patches.
+pub fn measures(group: &str, band: Band, observer: Observer) -> Arc<Measures> {
     let (names, reflectances) = reflectances(group, band);
     let patches = PatchSet::new(&reflectances, names, band, observer);
-    Arc::new(Yardsticks::new(patches))
+    Arc::new(Measures::new(patches))
 }

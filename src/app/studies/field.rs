@@ -2,21 +2,16 @@
 
 use std::sync::Arc;
 
-use super::about::{reflectances, yardsticks};
+use super::about::{measures, reflectances};
 use crate::{
-    app::{
-        document::Document,
-        entry::Entry,
-        library::{Library, Preset},
-        memo::ByAddress,
-    },
+    app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
     color::Observer,
-    io::preset::Shelf,
+    preset::{Preset, Shelf},
     rivals::PrincipalBasis,
     spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
     study::{
-        judge::scaled_to_one,
         race::{Course, Lamp},
+        reference::scaled_to_one,
         training::{Teacher, Training},
     },
 };
@@ -116,7 +111,7 @@ impl RaceAsk {
             })
             .collect();
         Course {
-            yardsticks: yardsticks(&self.patch_set, band, self.observer),
+            measures: measures(&self.patch_set, band, self.observer),
             lights: Arc::new(Training::new(band, &lights, most)),
             reflectances: Arc::new(taught_reflectances(
                 band,

@@ -35,7 +35,7 @@ use crate::{
 /// What a sweep is about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepAsk {
-    /// The spectrum and its yardsticks.
+    /// The spectrum and its measures.
     pub about: About,
     /// Basis of the threshold map.
     pub basis: Basis,
@@ -72,7 +72,7 @@ impl SweepAsk {
 /// What an auction is about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AuctionAsk {
-    /// The spectrum and its yardsticks.
+    /// The spectrum and its measures.
     pub about: About,
     /// Basis, fit, goal and budget.
     pub terms: Terms,

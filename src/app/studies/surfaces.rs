@@ -5,12 +5,9 @@ use std::sync::Arc;
 
 use super::Job;
 use crate::{
-    app::{
-        Entry,
-        library::{Group, Library},
-        memo::ByAddress,
-    },
-    color::{Adaptation, Observer, Swatch, Xyz},
+    app::{Entry, library::Library, memo::ByAddress},
+    color::{Adaptation, Observer, Swatch, xyz_of_parts},
+    preset::Group,
     spectrum::{Band, Composite, Kind},
     study::{
         Progress,
@@ -176,8 +173,7 @@ impl RankAsk {
         let checker = Checker::new(light, outgoing);
         let [light, outgoing] = [0, 1].map(|i| self.measured[i].0.on_band(band));
         let seen = self.observer.table().on_band(band);
-        let weigh =
-            |values: &[f64]| Xyz::from_array(std::array::from_fn(|k| band.inner(values, &seen[k])));
+        let weigh = |values: &[f64]| xyz_of_parts(band, values, &[], &seen);
         let white = weigh(&light);
         let mut ranked = Vec::with_capacity(surfaces.len());
         for surface in surfaces {

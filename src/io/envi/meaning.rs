@@ -6,7 +6,7 @@ use super::super::axis::{self, Axis, AxisUnit};
 use super::super::decided::BY_HAND;
 use super::super::error::quoted;
 use super::super::kinds;
-use super::super::meaning::is_plain_size;
+use super::super::meaning::{MOST_PERCENT, is_plain_size, largest};
 use super::super::reading::Told;
 use super::super::units::WavelengthUnit;
 use super::super::{Counted, Guess, Guessed, ReadError};
@@ -163,9 +163,6 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
     }
 }
 
-/// Largest values that are per cent; of larger ones 10 000 is all of the light.
-pub const MOST_PERCENT: f64 = 160.0;
-
 /// Scale factors that make sense; others are passed over.
 const SENSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 
@@ -277,17 +274,6 @@ pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values
         guesses,
         notes,
     })
-}
-
-/// The size that hardly a value exceeds.
-pub fn largest(values: &[f64]) -> f64 {
-    let mut sizes: Vec<f64> = values
-        .iter()
-        .map(|v| v.abs())
-        .filter(|v| v.is_finite())
-        .collect();
-    sizes.sort_by(f64::total_cmp);
-    sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0)
 }
 
 /// The factor in a title such as `reflectance [*10000]` or `reflectance (%)`.

@@ -187,34 +187,6 @@ fn a_cube_of_half_a_thousand_pixels_square_opens_at_once() {
     assert!(took.as_millis() < 1000, "{took:?}");
 }
 
-#[test]
-fn broken_headers_and_data_never_panic() {
-    let (library, cube) = (LIBRARY.as_bytes(), cube_header("bil"));
-    for (header, data) in [(library, library_data()), (cube.as_bytes(), cube_data())] {
-        let folder = folder(&[("a.sli", &data)]);
-        let path = folder.path().join("a.hdr");
-        let mut state = 1_u64;
-        for round in 0..400 {
-            let mut bytes = header.to_vec();
-            if round % 2 == 0 {
-                bytes.truncate(round * header.len() / 400);
-            }
-            for _ in 0..round % 4 {
-                state = state
-                    .wrapping_mul(6_364_136_223_846_793_005)
-                    .wrapping_add(1);
-                if !bytes.is_empty() {
-                    let at = (state >> 33) as usize % bytes.len();
-                    bytes[at] = (state >> 20) as u8;
-                }
-            }
-            fs::write(&path, &bytes).expect("a file");
-            let _ = read_path(&path);
-            let _ = read_path(&folder.path().join("a.sli"));
-        }
-    }
-}
-
 /// A library of three channels in single precision.
 fn small_library(more: &str, values: &[f32]) -> Reading {
     let header = format!(

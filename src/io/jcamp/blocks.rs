@@ -21,16 +21,24 @@ pub struct Block<'a> {
 }
 
 /// A record with numbers.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Data<'a> {
     /// The line of its label.
     pub line: usize,
     /// What stands behind the label: `(X++(Y..Y))`.
     pub form: &'a str,
-    /// The rows of numbers with their lines, comments removed.
-    pub rows: Vec<(usize, &'a str)>,
+    /// The lines behind it, up to the next label.
+    text: &'a str,
     /// Whether they are pairs.
     pub is_pairs: bool,
+}
+
+impl<'a> Data<'a> {
+    /// The rows of numbers with their lines, comments removed.
+    pub fn rows(&self) -> impl Iterator<Item = (usize, &'a str)> {
+        let rows = lines(self.text).map(|(line, row)| (self.line + line, without_comment(row)));
+        rows.filter(|(_, row)| !row.is_empty())
+    }
 }
 
 /// A label and the text behind its equals sign: `## DATA TYPE = x` is `DATATYPE` and `x`.
@@ -57,19 +65,29 @@ fn without_comment(line: &str) -> &str {
 /// [`ReadError`] when there are far too many records or blocks.
 pub fn of<'a>(input: &Input, text: &'a str) -> Result<Vec<Block<'a>>, ReadError> {
     let mut blocks: Vec<Block> = Vec::new();
+    // Whether the last block's data go on to here.
     let mut in_data = false;
     let mut records = 0_usize;
     // A record takes about 200 bytes of book-keeping.
     let most_records = budget::of(text.len()) / 400;
-    for (line, row) in lines(text) {
+    let mut rows = lines(text);
+    loop {
+        let before = rows.rest();
+        let Some((line, row)) = rows.next() else {
+            break;
+        };
         if let Some((label, value)) = label_of(row) {
+            if let Some(data) = blocks.last_mut().and_then(|block| block.data.as_mut())
+                && std::mem::take(&mut in_data)
+            {
+                data.text = &data.text[..data.text.len() - before.len()];
+            }
             records += 1;
             if records > most_records || blocks.len() > MOST_BLOCKS {
                 return Err(input
                     .error("too many records or blocks", "at most 10000 blocks")
                     .at_line(line));
             }
-            in_data = false;
             if label.is_empty() {
                 continue;
             }
@@ -89,18 +107,11 @@ pub fn of<'a>(input: &Input, text: &'a str) -> Result<Vec<Block<'a>>, ReadError>
                 block.data = Some(Data {
                     line,
                     form: value,
-                    rows: Vec::new(),
+                    text: rows.rest(),
                     is_pairs: !value.contains("++"),
                 });
             }
             block.records.entry(label).or_insert((line, value));
-        } else if in_data
-            && let Some(data) = blocks.last_mut().and_then(|block| block.data.as_mut())
-        {
-            let row = without_comment(row);
-            if !row.is_empty() {
-                data.rows.push((line, row));
-            }
         }
     }
     Ok(blocks)
@@ -154,7 +165,7 @@ impl<'a> Block<'a> {
     ///
     /// # Errors
     /// [`ReadError`] when there is none, or one of a form that is no spectrum.
-    pub fn data(&self, input: &Input) -> Result<Data<'a>, ReadError> {
+    pub fn data(&self, input: &Input) -> Result<&Data<'a>, ReadError> {
         if let Some((line, _)) = self.records.get("NTUPLES") {
             let found = "NTUPLES (several variables)";
             return Err(input
@@ -167,7 +178,7 @@ impl<'a> Block<'a> {
                 .error(found, "a curve in ##XYDATA= or ##XYPOINTS=")
                 .at_line(*line));
         }
-        self.data.clone().ok_or_else(|| {
+        self.data.as_ref().ok_or_else(|| {
             input
                 .error("a block without data", "##XYDATA= or ##XYPOINTS=")
                 .at_line(self.line)
@@ -189,7 +200,7 @@ impl<'a> Block<'a> {
         if texts().any(is_comma) {
             return true;
         }
-        let Some((_, row)) = data.rows.first() else {
+        let Some((_, row)) = data.rows().next() else {
             return false;
         };
         let cells: Vec<&str> = row

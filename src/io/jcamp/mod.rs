@@ -127,12 +127,12 @@ fn read_block(
             )
             .at_line(block.line_of("XUNITS")));
     }
-    let decimal_comma = block.has_decimal_comma(&data);
+    let decimal_comma = block.has_decimal_comma(data);
     let mut notes = Vec::new();
     let points = if data.is_pairs {
-        pairs::read(input, block, &data, decimal_comma, most_points, &mut notes)
+        pairs::read(input, block, data, decimal_comma, most_points, &mut notes)
     } else {
-        packed::read(input, block, &data, decimal_comma, most_points, &mut notes)
+        packed::read(input, block, data, decimal_comma, most_points, &mut notes)
     }?;
     let (axis, values) = points;
     let count = axis.len();

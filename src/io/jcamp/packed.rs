@@ -54,17 +54,17 @@ pub fn read(
     };
     // Whether the line before ended in differences, so that a check follows.
     let mut check_follows = false;
-    for (line, row) in &data.rows {
+    for (line, row) in data.rows() {
         check_follows = unpacked
-            .line(row, *line, check_follows, decimal_comma)
+            .line(row, line, check_follows, decimal_comma)
             .map_err(|trouble| match trouble {
-                Trouble::TooMany => too_many(input, *line),
+                Trouble::TooMany => too_many(input, line),
                 Trouble::At(at) => input
                     .error(
                         quoted(row.get(at..).unwrap_or(row)),
                         "an abscissa and ordinates, plain or packed",
                     )
-                    .at_line(*line),
+                    .at_line(line),
             })?;
     }
     let Unpacked {

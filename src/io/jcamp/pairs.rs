@@ -33,7 +33,7 @@ pub fn read(
     let is_gap = |c: char| c.is_whitespace() || c == ';' || (c == ',' && !decimal_comma);
     // A pair may be broken over two lines.
     let mut abscissa = None;
-    for (line, row) in &data.rows {
+    for (line, row) in data.rows() {
         let cells = row
             .split(is_gap)
             .flat_map(|cell| parted_by_comma(cell, decimal_comma));
@@ -41,13 +41,13 @@ pub fn read(
             let value = match cell {
                 "?" => f64::NAN,
                 _ => number::number(cell, decimal_comma)
-                    .ok_or_else(|| input.error(quoted(cell), "pairs of numbers").at_line(*line))?,
+                    .ok_or_else(|| input.error(quoted(cell), "pairs of numbers").at_line(line))?,
             };
             match abscissa.take() {
                 None => abscissa = Some(value),
                 Some(x) => {
                     if axis.len() >= most_points {
-                        return Err(too_many(input, *line));
+                        return Err(too_many(input, line));
                     }
                     axis.push(x * x_factor);
                     values.push(value * y_factor);

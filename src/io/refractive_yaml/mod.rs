@@ -36,8 +36,8 @@ const MOST_COEFFICIENTS: usize = 100;
 
 fn sniff(input: &Input) -> Confidence {
     let is_ours = |text: &str| {
-        let has_data = text.lines().any(|line| line.trim_end() == "DATA:");
-        has_data && (text.contains("type: tabulated") || text.contains("type: formula"))
+        (text.contains("type: tabulated") || text.contains("type: formula"))
+            && text.lines().any(|line| line.trim_end() == "DATA:")
     };
     match input.text() {
         Some(_) if is_ours(input.head()) => Confidence::Certain,
@@ -362,7 +362,6 @@ fn plain(html: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::archive::torment;
     use crate::io::read_bytes;
 
     const YAML: &str = "REFERENCES: |\n    A. Author.\n    <i>Metals</i> (1972)\nCOMMENTS: |\n    Warm\n\
@@ -476,7 +475,7 @@ mod tests {
     }
 
     #[test]
-    fn bombs_and_broken_files_are_refused() {
+    fn bombs_are_refused() {
         let mut bomb = "a: &a [x,x,x,x,x,x,x,x,x]\n".to_owned();
         for (one, other) in "abcdefgh".chars().zip("bcdefghi".chars()) {
             bomb +=
@@ -484,6 +483,5 @@ mod tests {
         }
         bomb += "DATA:\n  - type: tabulated n\n    data: *i\n";
         assert!(read_bytes("a.yml", bomb.as_bytes()).is_err());
-        torment("a.yml", YAML.as_bytes());
     }
 }

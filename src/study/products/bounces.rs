@@ -3,8 +3,11 @@
 //! Both sides are brightened so that the exact product has half the light's Y: after eight
 //! bounces off an ordinary surface hardly any light is left, and no difference of colour either.
 
-use super::{Colours, Product, difference, xyz};
-use crate::spectrum::{ChainTables, Factor, Sampling, product::chain_points};
+use super::{Colours, Product};
+use crate::{
+    color::{delta_e_of_xyz, xyz_of_parts},
+    spectrum::{ChainTables, Factor, Sampling, product::chain_points},
+};
 
 /// Most bounces that are followed.
 pub const MOST_BOUNCES: usize = 16;
@@ -70,16 +73,16 @@ fn one_way(product: Product<'_>, surface: &Factor) -> BounceErrors {
         for (v, f) in exact.iter_mut().zip(surface.values()) {
             *v *= f;
         }
-        let truth = xyz(band, &exact, &[], product.seen);
-        let model = xyz(band, &stage.smooth, &stage.spikes, product.seen);
-        let unfolded = xyz(band, &stage.unfolded, &stage.spikes, product.seen);
+        let truth = xyz_of_parts(band, &exact, &[], product.seen);
+        let model = xyz_of_parts(band, &stage.smooth, &stage.spikes, product.seen);
+        let unfolded = xyz_of_parts(band, &stage.unfolded, &stage.spikes, product.seen);
         let has_light = truth.y > 0.0;
         let bright = Colours::brightened(truth, model, white, BRIGHT * white.y, f64::MAX);
         errors.total.push(bright.delta_e_2000.filter(|_| has_light));
         let gain = BRIGHT * white.y / truth.y;
         errors
             .added
-            .push(difference(unfolded * gain, model * gain, white).filter(|_| has_light));
+            .push(delta_e_of_xyz(unfolded * gain, model * gain, white).filter(|_| has_light));
     }
     errors
 }

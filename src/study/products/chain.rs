@@ -1,8 +1,8 @@
 //! A light through a chain of factors: exact beside model at every stage.
 
-use super::{Colours, difference, multiplied, ratio, xyz};
+use super::{Colours, multiplied, ratio};
 use crate::{
-    color::Xyz,
+    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{
         Band, ChainTables, Composite, Factor, Sampling, Spike,
         chain::{Met, below_zero},
@@ -151,7 +151,7 @@ impl Product<'_> {
 
     /// XYZ of the exact light.
     pub fn white(&self) -> Xyz {
-        xyz(self.band(), self.measured, &[], self.seen)
+        xyz_of_parts(self.band(), self.measured, &[], self.seen)
     }
 
     /// Sends the light through factors, one after the other.
@@ -175,7 +175,7 @@ impl Product<'_> {
     fn light(&self) -> Colours {
         let white = self.white();
         let smooth = self.model.smooth.on_band();
-        let own = xyz(self.band(), &smooth, &self.model.spikes, self.seen);
+        let own = xyz_of_parts(self.band(), &smooth, &self.model.spikes, self.seen);
         Colours::of(white, own, white)
     }
 
@@ -186,9 +186,9 @@ impl Product<'_> {
         let stages = tables.pass(self.model, factors);
         let steps = stages.into_iter().zip(factors).map(|(stage, factor)| {
             exact = multiplied(&exact, factor.values());
-            let model = xyz(band, &stage.smooth, &stage.spikes, self.seen);
-            let colours = Colours::of(xyz(band, &exact, &[], self.seen), model, white);
-            let unfolded = xyz(band, &stage.unfolded, &stage.spikes, self.seen);
+            let model = xyz_of_parts(band, &stage.smooth, &stage.spikes, self.seen);
+            let colours = Colours::of(xyz_of_parts(band, &exact, &[], self.seen), model, white);
+            let unfolded = xyz_of_parts(band, &stage.unfolded, &stage.spikes, self.seen);
             let is_line = |nm: f64| {
                 let mut lines = self.model.spikes.iter().filter(|s| s.weight > 0.0);
                 lines.any(|s| s.at_nm == nm)
@@ -199,7 +199,7 @@ impl Product<'_> {
             let step = Step {
                 exact: exact.clone(),
                 colours,
-                added: difference(unfolded, model, white),
+                added: delta_e_of_xyz(unfolded, model, white),
                 transmission: [
                     ratio(colours.exact.y, before.exact.y),
                     ratio(colours.model.y, before.model.y),

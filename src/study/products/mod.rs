@@ -34,10 +34,7 @@ pub use two_lights::{
     two_lights, two_modelled_lights,
 };
 
-use crate::{
-    color::{Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz},
-    spectrum::{Band, Spike},
-};
+use crate::color::{Xyz, delta_e_of_xyz};
 
 /// One light as it is and as the model has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +55,7 @@ impl Colours {
         Self {
             exact,
             model,
-            delta_e_2000: difference(exact, model, white),
+            delta_e_2000: delta_e_of_xyz(exact, model, white),
             luminance_error: ratio(model.y, exact.y).map(|share| share - 1.0),
         }
     }
@@ -69,33 +66,15 @@ impl Colours {
         let gain = (y / exact.y.max(0.0)).min(most);
         let gain = if gain.is_finite() { gain } else { 1.0 };
         Self {
-            delta_e_2000: difference(exact * gain, model * gain, white),
+            delta_e_2000: delta_e_of_xyz(exact * gain, model * gain, white),
             ..Self::of(exact, model, white)
         }
     }
 }
 
-/// CIEDE2000 of two colours against a white; `None` without light.
-fn difference(first: Xyz, second: Xyz, white: Xyz) -> Option<f64> {
-    let is_light = white.y > 0.0 && white.is_finite() && first.is_finite() && second.is_finite();
-    let found =
-        is_light.then(|| delta_e_2000(lab_from_xyz(first, white), lab_from_xyz(second, white)));
-    found.filter(|found| found.is_finite())
-}
-
 /// A ratio to something that must be positive.
 fn ratio(part: f64, whole: f64) -> Option<f64> {
     Some(part / whole).filter(|share| whole > 0.0 && share.is_finite())
-}
-
-/// What values on the grid and spikes weigh of three weights, in value x nm.
-fn xyz(band: Band, smooth: &[f64], spikes: &[Spike], seen: &[Vec<f64>; 3]) -> Xyz {
-    Xyz::from_array(std::array::from_fn(|k| {
-        let lines = spikes
-            .iter()
-            .map(|s| s.weight * band.interpolate(&seen[k], s.at_nm));
-        band.inner(smooth, &seen[k]) + lines.sum::<f64>()
-    }))
 }
 
 /// Two curves on the same grid, multiplied.

@@ -7,9 +7,9 @@
 
 use std::ops::Range;
 
-use super::{Colours, xyz};
+use super::Colours;
 use crate::{
-    color::Xyz,
+    color::{Xyz, xyz_of_parts},
     rivals::{Representation, Samples},
     spectrum::{Band, BasisTable, Composite, InnerProducts, Spike, band::dot},
 };
@@ -83,7 +83,7 @@ impl Narrow {
         };
         Self {
             band,
-            white: xyz(band, measured, &[], seen),
+            white: xyz_of_parts(band, measured, &[], seen),
             seen: seen.clone(),
             exact: weighed(measured),
             ways: [

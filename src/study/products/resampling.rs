@@ -1,7 +1,8 @@
 //! One product formed in every way, and the factor at the light's spikes by Eq. 17.
 
-use super::{Product, Step, difference, multiplied, xyz};
+use super::{Product, Step, multiplied};
 use crate::{
+    color::{delta_e_of_xyz, xyz_of_parts},
     spectrum::{BasisTable, Factor, Sampling, Series, Spike},
     study::truth::{SpikeReading, eq_17},
 };
@@ -98,7 +99,7 @@ pub fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) ->
                 ..reading.spike
             })
             .collect();
-        xyz(band, &smooth, &spikes, seen)
+        xyz_of_parts(band, &smooth, &spikes, seen)
     };
     let exact = colour(&|_, reading| reading.measured);
     let readers: [fn(&SpikeReading) -> f64; 3] = [|r| r.series, |r| r.linear, |r| r.printed];
@@ -112,7 +113,7 @@ pub fn spike_costs(product: Product<'_>, factor: &Factor, table: &BasisTable) ->
                     reading.measured
                 }
             };
-            difference(exact, colour(&value), white)
+            delta_e_of_xyz(exact, colour(&value), white)
         })
     };
     let readings = found.readings.iter().enumerate();

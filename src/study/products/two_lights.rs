@@ -1,8 +1,8 @@
 //! The same surfaces under two lights: colour shifts, metameric pairs, metameric blacks.
 
-use super::{multiplied, xyz};
+use super::multiplied;
 use crate::{
-    color::{Lab, Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz},
+    color::{Lab, Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz, xyz_of_parts},
     spectrum::{Band, Basis, Composite, Spike, product::weigh_spikes},
     study::Progress,
 };
@@ -91,13 +91,13 @@ fn under(
     lights: [&[f64]; 2],
     seen: &[Vec<f64>; 3],
 ) -> Option<TwoLights> {
-    let whites = lights.map(|light| xyz(band, light, &[], seen));
+    let whites = lights.map(|light| xyz_of_parts(band, light, &[], seen));
     let scaled = [whites[0].with_y(100.0)?, whites[1].with_y(100.0)?];
     let patches = surfaces.iter().map(|surface| {
         let colours = [0, 1].map(|i| {
             let (curve, spikes) = lamps[i];
             let lines = weigh_spikes(spikes, |nm| band.interpolate(surface, nm));
-            let raw = xyz(band, &multiplied(curve, surface), &lines, seen);
+            let raw = xyz_of_parts(band, &multiplied(curve, surface), &lines, seen);
             raw * (100.0 / whites[i].y)
         });
         let labs = [0, 1].map(|i| lab_from_xyz(colours[i], scaled[i]));

@@ -1,8 +1,8 @@
 //! Eq. 17: the factor at a spike, by a straight line between two points.
 
-use super::{STATED_LINE_NM, difference, xyz};
+use super::STATED_LINE_NM;
 use crate::{
-    color::Xyz,
+    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{
         Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike, basis::numbers_of_order,
     },
@@ -100,13 +100,13 @@ pub fn eq_17(
                 ..reading.spike
             })
             .collect();
-        xyz(band, &smooth, &spikes, weights)
+        xyz_of_parts(band, &smooth, &spikes, weights)
     };
     let exact = weighed_by(|reading| reading.series);
     Eq17 {
         grid,
-        linear_cost: difference(exact, weighed_by(|reading| reading.linear), white),
-        printed_cost: difference(exact, weighed_by(|reading| reading.printed), white),
+        linear_cost: delta_e_of_xyz(exact, weighed_by(|reading| reading.linear), white),
+        printed_cost: delta_e_of_xyz(exact, weighed_by(|reading| reading.printed), white),
         straight_line: straight_line(band, series.order(), STATED_LINE_NM.figure),
         readings,
     }

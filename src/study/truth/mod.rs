@@ -30,10 +30,7 @@ pub use samples::{
 };
 pub use table_2::{Deviation, Table2, table_2};
 
-use crate::{
-    color::{Xyz, delta_e_2000, gaussian_cmf::NEGLIGIBLE_SHARE, lab_from_xyz},
-    spectrum::{Band, Spike},
-};
+use crate::color::gaussian_cmf::NEGLIGIBLE_SHARE;
 
 /// A figure that the paper states, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,21 +94,4 @@ pub fn stated_multiplications(order: usize) -> Stated {
         figure: (2 * order + 2) as f64,
         place: "Eq. 16",
     }
-}
-
-/// What values on the grid and spikes weigh of three weights, in value x nm.
-fn xyz(band: Band, smooth: &[f64], spikes: &[Spike], weights: &[Vec<f64>; 3]) -> Xyz {
-    Xyz::from_array(std::array::from_fn(|k| {
-        let lines = spikes
-            .iter()
-            .map(|s| s.weight * band.interpolate(&weights[k], s.at_nm));
-        band.inner(smooth, &weights[k]) + lines.sum::<f64>()
-    }))
-}
-
-/// CIEDE2000 of two colours against a white; `None` without light.
-fn difference(first: Xyz, second: Xyz, white: Xyz) -> Option<f64> {
-    let is_light = white.y > 0.0 && white.is_finite();
-    let found = delta_e_2000(lab_from_xyz(first, white), lab_from_xyz(second, white));
-    Some(found).filter(|found| is_light && found.is_finite())
 }

@@ -1,8 +1,8 @@
 //! Eq. 16: a product takes 2N + 2 multiplications.
 
-use super::{difference, eq_17::cut, xyz};
+use super::eq_17::cut;
 use crate::{
-    color::Xyz,
+    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::product::{folded_share, resampled},
     spectrum::{Basis, BasisTable, Composite, Sampling, Series},
     study::error::height,
@@ -48,7 +48,7 @@ pub fn resampling(
     let factor = cut(factor, table, light);
     let product = |sampling| {
         let Composite { smooth, spikes } = resampled(light, &factor, sampling);
-        xyz(band, &smooth.on_band(), &spikes, weights)
+        xyz_of_parts(band, &smooth.on_band(), &spikes, weights)
     };
     let exact = product(Sampling::Exact);
     let numbers = light.smooth.coefficients.len();
@@ -64,7 +64,7 @@ pub fn resampling(
                     points,
                     // An empty sum is minus zero.
                     folded_share: 0.0 + folded_share(&light_unit, &factor_unit, points),
-                    delta_e_2000: difference(exact, product(*sampling), white),
+                    delta_e_2000: delta_e_of_xyz(exact, product(*sampling), white),
                 })
             })
             .collect(),

@@ -1,8 +1,8 @@
 //! Some 400 samples against about 20 numbers.
 
-use super::{MOST_SPIKES, TOTAL_NUMBERS, difference, xyz};
+use super::{MOST_SPIKES, TOTAL_NUMBERS};
 use crate::{
-    color::Xyz,
+    color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{BasisTable, Spike, spikes::LineShape},
     study::error::{Blur, spectrum_errors},
 };
@@ -192,10 +192,10 @@ impl Question<'_> {
     fn errors(self, smooth: &[f64], spikes: &[Spike]) -> Option<Errors> {
         let band = self.table.band();
         let errors = spectrum_errors(self.blur, self.measured, smooth, spikes)?;
-        let exact = xyz(band, self.measured, &[], self.weights);
-        let found = xyz(band, smooth, spikes, self.weights);
+        let exact = xyz_of_parts(band, self.measured, &[], self.weights);
+        let found = xyz_of_parts(band, smooth, spikes, self.weights);
         Some(Errors {
-            own: difference(exact, found, self.white),
+            own: delta_e_of_xyz(exact, found, self.white),
             relative_rms: errors.relative_rms,
             relative_rms_10nm: errors.relative_rms_10nm,
         })

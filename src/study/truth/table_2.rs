@@ -1,8 +1,9 @@
 //! Table 2: the colour-matching functions as four Gaussian bells.
 
-use super::{difference, xyz};
 use crate::{
-    color::{ColourMatching, Observer, Xyz, gaussian_cmf, uv_1976_from_xyz},
+    color::{
+        ColourMatching, Observer, Xyz, delta_e_of_xyz, gaussian_cmf, uv_1976_from_xyz, xyz_of_parts,
+    },
     spectrum::Band,
 };
 
@@ -52,15 +53,15 @@ pub fn table_2(band: Band, observer: Observer, light: &[f64]) -> Table2 {
             row.push(value);
         }
     }
-    let by_table = xyz(band, light, &[], &table.on_band(band));
-    let by_fit = xyz(band, light, &[], &fit);
+    let by_table = xyz_of_parts(band, light, &[], &table.on_band(band));
+    let by_fit = xyz_of_parts(band, light, &[], &fit);
     let uv = uv_1976_from_xyz(by_table).zip(uv_1976_from_xyz(by_fit));
     Table2 {
         worst: std::array::from_fn(|k| worst_deviation(band, table, k)),
         by_table,
         by_fit,
         delta_uv: uv.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])),
-        delta_e_2000: difference(by_table, by_fit, by_table),
+        delta_e_2000: delta_e_of_xyz(by_table, by_fit, by_table),
     }
 }
 

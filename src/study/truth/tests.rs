@@ -3,10 +3,10 @@ use super::{
     *,
 };
 use crate::{
-    color::Observer,
+    color::{Observer, Xyz, xyz_of_parts},
     spectrum::basis::numbers_of_order,
     spectrum::spikes::LineShape,
-    spectrum::{Basis, BasisTable, Composite, SampleGrid, Series},
+    spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike},
     study::error::{BLUR_NM, Blur, times},
     study::harmonics::{self, Harmonics},
 };
@@ -18,7 +18,7 @@ fn weights(band: Band) -> [Vec<f64>; 3] {
 }
 
 fn white(band: Band, light: &[f64]) -> Xyz {
-    xyz(band, light, &[], &weights(band))
+    xyz_of_parts(band, light, &[], &weights(band))
 }
 
 /// A smooth light that a series of 12 numbers holds exactly.
@@ -271,7 +271,7 @@ fn a_flat_factor_reads_the_same_in_every_way_and_costs_nothing() {
         };
         let half = vec![0.5; BAND.points()];
         let weights = weights(BAND);
-        let white = xyz(BAND, &light.smooth.on_band(), &light.spikes, &weights);
+        let white = xyz_of_parts(BAND, &light.smooth.on_band(), &light.spikes, &weights);
         let read = eq_17(&light, &half, &table, &weights, white);
         assert_eq!(read.grid.points, 5);
         for r in &read.readings {

@@ -8,7 +8,7 @@ use egui::{DragValue, Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
-        App, Command,
+        App, Command, chart,
         charts::{
             auction::{
                 AuctionChart, MEANINGS, MEASURES, NAMES, ended_words, error_words, gain_words,
@@ -18,11 +18,10 @@ use crate::{
         },
         memo::{ByAddress, Memo},
         pages::SPENDABLE,
-        plot_svg,
         studies::{About, AuctionAsk, Stage, take},
     },
     io::many::numbers,
-    study::{Auction, Goal, Judge, Way},
+    study::{Auction, Goal, Reference, Way},
     ui::kit::{Column, Row, named, table},
 };
 
@@ -56,8 +55,8 @@ struct Sheet {
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct AuctionView {
-    sheet: Memo<(ByAddress<Auction>, plot_svg::Theme), Sheet>,
-    judge: Memo<About, Option<Judge>>,
+    sheet: Memo<(ByAddress<Auction>, chart::Theme), Sheet>,
+    reference: Memo<About, Option<Reference>>,
 }
 
 impl AuctionView {
@@ -88,8 +87,8 @@ impl AuctionView {
         });
         let fresh = *key == ask;
         if fresh && sheet.marked != Some(app.revision()) {
-            let judge = self.judge.get(key.about.clone(), tradeoff::judge);
-            sheet.mark(app, judge.as_ref());
+            let reference = self.reference.get(key.about.clone(), tradeoff::reference);
+            sheet.mark(app, reference.as_ref());
         }
         if stage == Stage::Done {
             ending(ui, context, sheet, fresh);
@@ -99,7 +98,7 @@ impl AuctionView {
 }
 
 impl Sheet {
-    fn of(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: plot_svg::Theme) -> Self {
+    fn of(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: chart::Theme) -> Self {
         let names = names(&ask, &auction, app.element_lines());
         let goal = ask.terms.goal;
         let rows = (0..auction.steps.len())
@@ -118,9 +117,9 @@ impl Sheet {
     }
 
     /// Marks the present model in chart and table.
-    fn mark(&mut self, app: &App, judge: Option<&Judge>) {
+    fn mark(&mut self, app: &App, reference: Option<&Reference>) {
         self.marked = Some(app.revision());
-        let now = judge.and_then(|judge| tradeoff::verdict_now(app, judge));
+        let now = reference.and_then(|reference| tradeoff::verdict_now(app, reference));
         self.chart.mark(app, &self.ask, &self.auction, now.as_ref());
         let numbers = app.derived().numbers();
         let mut steps = self.auction.steps.iter();

@@ -9,9 +9,9 @@ use super::PageContext;
 use crate::{
     app::{
         Command, Settings,
+        chart::{self, Chart},
         charts::coefficients::{CoefficientCharts, Sight},
         memo::Memo,
-        plot_svg::{self, Chart},
         studies::paper::{CHANNELS, figure, harmonics_of, off_percent, percent, three},
         tables::CURVE_ORDER,
     },
@@ -41,7 +41,7 @@ pub mod names {
 #[derive(Default)]
 pub struct CoefficientsView {
     harmonics: Memo<u64, Harmonics>,
-    charts: Memo<(u64, Sight, plot_svg::Theme), CoefficientCharts>,
+    charts: Memo<(u64, Sight, chart::Theme), CoefficientCharts>,
     /// The order whose bar is under the pointer.
     pointed: Option<usize>,
     /// When the next order comes, while playing: the program's time in s.

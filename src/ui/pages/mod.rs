@@ -18,8 +18,8 @@ use super::{
 };
 use crate::app::{
     App, Command,
+    chart::{self, Chart},
     pages::{Page, PageMemory},
-    plot_svg::{self, Chart},
     studies::{Job, Stage, Studies},
 };
 
@@ -58,12 +58,8 @@ impl PageContext<'_> {
     }
 
     /// The theme of charts.
-    pub fn chart_theme(&self) -> plot_svg::Theme {
-        if self.theme.dark {
-            plot_svg::Theme::Dark
-        } else {
-            plot_svg::Theme::Light
-        }
+    pub fn chart_theme(&self) -> chart::Theme {
+        self.theme.of_charts()
     }
 }
 

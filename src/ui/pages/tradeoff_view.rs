@@ -9,17 +9,17 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         Command,
+        chart::{self, Chart},
         charts::tradeoff::{
             self, Tradeoff, all_figures, figure, lack, limits, mark_threshold, measure_within,
             needs, take, take_cell, threshold_chart, unit, way_name,
         },
         memo::{ByAddress, Memo},
         pages::WaysShown,
-        plot_svg::{self, Chart},
         studies::{About, Stage, SweepAsk},
     },
     io::many::numbers,
-    study::{Judge, Measure, Sweep, Verdict, sweep::SweepPoint},
+    study::{Measure, Reference, Sweep, Verdict, sweep::SweepPoint},
     ui::{
         chart_view::Hit,
         kit::{Column, Row, line, table},
@@ -48,8 +48,8 @@ struct Sheet {
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct TradeoffView {
-    sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown, plot_svg::Theme), Sheet>,
-    judge: Memo<About, Option<Judge>>,
+    sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown, chart::Theme), Sheet>,
+    reference: Memo<About, Option<Reference>>,
     now: Memo<u64, Option<Verdict>>,
 }
 
@@ -85,10 +85,10 @@ impl TradeoffView {
         // A model of another spectrum is none for this one.
         let fresh = key == ask;
         let revision = app.revision();
-        let judge = self.judge.get(ask.about.clone(), tradeoff::judge);
+        let reference = self.reference.get(ask.about.clone(), tradeoff::reference);
         let now = self.now.get(revision, |_| {
-            let judge = judge.as_ref()?;
-            tradeoff::verdict_now(app, judge)
+            let reference = reference.as_ref()?;
+            tradeoff::verdict_now(app, reference)
         });
         let of = (
             ByAddress(sweep.clone()),
@@ -186,7 +186,7 @@ impl Sheet {
         ask: &SweepAsk,
         sweep: Arc<Sweep>,
         measure: Measure,
-        (shown, theme): (&WaysShown, plot_svg::Theme),
+        (shown, theme): (&WaysShown, chart::Theme),
     ) -> Self {
         let tradeoff = Tradeoff::of(ask, &sweep, measure, shown, theme);
         let sentences =

@@ -6,9 +6,9 @@ use egui::{Grid, RichText, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::truth::{neglected_chart, samples_chart, table_2_chart},
         memo::Memo,
-        plot_svg::{self, Chart},
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
         ticks::short,
     },
@@ -39,7 +39,7 @@ pub const COPY: &str = "Copy as CSV";
 #[derive(Default)]
 pub struct TruthView {
     measured: Memo<u64, (Claims, Vec<Row>)>,
-    charts: Memo<(u64, plot_svg::Theme), Charts>,
+    charts: Memo<(u64, chart::Theme), Charts>,
 }
 
 /// The charts of the cards.

@@ -8,6 +8,7 @@ use super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::Dialog,
         files::Ask,
+        fit::Front,
         keys::{self, Act},
         picture,
         theme::waker,
@@ -17,7 +18,7 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    App, Command, Settings, chart::curve_chart, export::Export, plot_svg, state::Tone,
+    App, Command, Settings, chart, charts::spectrum::curve_chart, export::Export, state::Tone,
     workspace::ZOOMS,
 };
 
@@ -78,6 +79,7 @@ impl Window {
             Act::Projector => self.preferences.projector = !self.preferences.projector,
             Act::Search => {
                 self.preferences.no_library = false;
+                self.front = Front::Library;
                 self.library.wants_search = true;
             }
             Act::ZoomIn => self.zoom(self.preferences.zoom + 0.1),
@@ -121,7 +123,7 @@ impl Window {
             }
             Wish::SaveWindowPng => self.save(Saving::WindowPng, context),
             Wish::Copy(export) => {
-                let theme = plot_svg::Theme::Light;
+                let theme = chart::Theme::Light;
                 match export.text(&self.app, theme) {
                     Ok(text) => {
                         context.copy_text(text.trim_end().to_owned());

@@ -21,6 +21,7 @@ use crate::{
     app::{
         Command,
         already_open::Known,
+        charts::spectrum::spectrum_chart,
         export::{self, Export},
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
@@ -412,7 +413,10 @@ impl Window {
         self.writing.push(std::thread::spawn(move || {
             let bytes = match &saving {
                 Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
-                Saving::PlotPng => Ok(picture::plot_png(&app, theme, [1200, 760])),
+                Saving::PlotPng => {
+                    let chart = spectrum_chart(&app, theme);
+                    Ok(picture::chart_png(&chart, [1200, 760]))
+                }
                 Saving::WindowPng => Ok(picture::window_png(
                     &app,
                     &preferences,

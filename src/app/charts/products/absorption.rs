@@ -5,9 +5,10 @@ use std::fmt::Write as _;
 use crate::{
     app::{
         cells::{line, number, words},
-        chart::{Inks, provenance},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Series, Theme},
+        charts::spectrum::provenance,
         export,
-        plot_svg::{Chart, Dash, Marks, Rgb, Series, Theme},
         product_report::Told,
         products::ModelledLight,
         settings::{Detector, Settings},

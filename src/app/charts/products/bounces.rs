@@ -5,8 +5,9 @@ use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Scale, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Scale, Series, Theme},
+        charts::spectrum::provenance,
         products::ModelledLight,
     },
     study::products::{BounceErrors, bounce_errors, bounces::MOST_BOUNCES},

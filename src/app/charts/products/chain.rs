@@ -3,8 +3,9 @@
 use super::{curve, over};
 use crate::{
     app::{
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Marks, Rgb, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Marks, Rgb, Series, Theme},
+        charts::spectrum::provenance,
         product_report::Told,
         products::ModelledLight,
         state::App,

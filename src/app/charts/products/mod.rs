@@ -9,7 +9,7 @@ pub mod same_surface;
 pub mod two_lights;
 
 use crate::{
-    app::plot_svg::{Chart, Theme},
+    app::chart::{Chart, Theme},
     spectrum::Band,
 };
 

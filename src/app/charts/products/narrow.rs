@@ -3,18 +3,20 @@
 
 use std::sync::Arc;
 
-use super::{curve, resampling::thin};
+use super::{chain::strip, curve, resampling::thin};
 use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
+        charts::spectrum::provenance,
         products::ModelledLight,
         ticks::extent,
     },
-    color::{Adaptation, Srgb, Swatch, srgb_from_wavelength_over},
-    io::{many::numbers, preset::Shelf},
+    color::{Adaptation, Swatch},
+    io::many::numbers,
+    preset::Shelf,
     spectrum::{Band, Kind},
     study::products::{Colours, Narrow, NarrowPoint},
 };
@@ -385,17 +387,4 @@ pub fn is_filter(entry: &Entry) -> bool {
 
 fn derived_unit(app: &App) -> &str {
     &app.document().light.spectrum.unit
-}
-
-/// The visible colours along the axis.
-fn strip(band: Band, theme: Theme) -> Option<Vec<[u8; 3]>> {
-    let ground = match theme {
-        Theme::Dark => Srgb([27, 27, 27]),
-        Theme::Light => Srgb([255, 255, 255]),
-    };
-    (band.min_nm() < 830.0 && band.max_nm() > 360.0).then(|| {
-        band.grid()
-            .map(|nm| srgb_from_wavelength_over(nm, ground).0)
-            .collect()
-    })
 }

@@ -5,8 +5,9 @@ use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
+        charts::spectrum::provenance,
         products::ModelledLight,
         ticks::extent,
     },

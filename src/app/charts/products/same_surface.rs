@@ -3,8 +3,9 @@
 use super::{curve, over};
 use crate::{
     app::{
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Panel, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Panel, Series, Theme},
+        charts::spectrum::provenance,
         products::same_surface::SameSurfaceSheet,
         state::App,
     },

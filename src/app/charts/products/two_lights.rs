@@ -5,8 +5,9 @@ use std::sync::Arc;
 use super::{curve, over};
 use crate::{
     app::{
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Series, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Series, Theme},
+        charts::spectrum::provenance,
         products::two_lights::{Made, NoMetamer, TwoLightsSheet, swatches},
         state::App,
         studies::{

@@ -138,12 +138,7 @@ fn capitalised(word: &str) -> String {
 /// A rival in the middle of a sentence.
 fn rival_words(racer: Racer) -> &'static str {
     match racer {
-        Racer::Rival(Family::Samples) => "point samples",
-        Racer::Rival(Family::Bins) => "box bins",
-        Racer::Rival(Family::Legendre) => "the Legendre polynomial",
-        Racer::Rival(Family::Principal) => "principal components",
-        Racer::Rival(Family::Moments) => "maximum-entropy moments",
-        Racer::Rival(Family::Wavelet) => "wavelets",
+        Racer::Rival(family) => family.about().in_a_sentence,
         other => other.title(),
     }
 }

@@ -12,11 +12,10 @@ pub use winners::{Lamp, Winners, Won};
 use crate::{
     app::{
         chart::Inks,
-        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
         studies::RaceAsk,
         study_report::{field_words, race_notes, row_numbers, wins},
     },
-    rivals::Family,
     spectrum::Basis,
     study::{Measure, Race, Spread, race::Racer},
 };
@@ -37,12 +36,7 @@ pub fn short_name(racer: Racer) -> &'static str {
             (Basis::Cosine, false, true) => "Cosine ex",
             (Basis::Cosine, true, true) => "Cosine ex +s",
         },
-        Racer::Rival(Family::Samples) => "Samples",
-        Racer::Rival(Family::Bins) => "Bins",
-        Racer::Rival(Family::Legendre) => "Legendre",
-        Racer::Rival(Family::Principal) => "Principal",
-        Racer::Rival(Family::Moments) => "Moments",
-        Racer::Rival(Family::Wavelet) => "Wavelet",
+        Racer::Rival(family) => family.about().short,
         Racer::Chosen => "Chosen",
     }
 }
@@ -67,14 +61,18 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
                 (true, true) => Shape::Diamond,
             },
         ),
-        Racer::Rival(family) => match family {
-            Family::Samples => (inks.overlays[2], Dash::Dotted, Shape::Cross),
-            Family::Bins => (inks.overlays[2], Dash::Dotted, Shape::Square),
-            Family::Legendre => (inks.overlays[0], Dash::Dotted, Shape::Triangle),
-            Family::Principal => (inks.residual, Dash::Dotted, Shape::Diamond),
-            Family::Moments => (inks.product, Dash::Dotted, Shape::Triangle),
-            Family::Wavelet => (inks.overlays[3], Dash::Dotted, Shape::Ring),
-        },
+        Racer::Rival(family) => {
+            let by_place = [
+                (inks.overlays[2], Shape::Cross),
+                (inks.overlays[2], Shape::Square),
+                (inks.overlays[0], Shape::Triangle),
+                (inks.residual, Shape::Diamond),
+                (inks.product, Shape::Triangle),
+                (inks.overlays[3], Shape::Ring),
+            ];
+            let (ink, shape) = by_place[family as usize % by_place.len()];
+            (ink, Dash::Dotted, shape)
+        }
         Racer::Chosen => (inks.measured, Dash::Solid, Shape::Cross),
     }
 }

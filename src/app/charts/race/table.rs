@@ -1,12 +1,9 @@
 //! The paper's Table 1 with numbers: one line a representation, the least of each column marked.
 
 use super::figure;
-use crate::{
-    rivals::Family,
-    study::{
-        Measure, Race, Spread,
-        race::{Racer, Row},
-    },
+use crate::study::{
+    Measure, Race, Spread,
+    race::{Racer, Row},
 };
 
 /// What a measure means, for tooltips.
@@ -157,24 +154,7 @@ pub fn about(racer: Racer) -> String {
             };
             format!("{spikes}{exact}")
         }
-        Racer::Rival(family) => match family {
-            Family::Samples => "Equally spaced values with straight lines between them.",
-            Family::Bins => "Averages over equal boxes.",
-            Family::Legendre => "A polynomial, least squares.",
-            Family::Principal => {
-                "Components of the shipped lights, trained without the light at hand and its \
-                     likes. Its tables are not counted among its numbers."
-            }
-            Family::Moments => {
-                "Trigonometric moments, read by maximum entropy; never negative. Reflectances \
-                     are bounded by 1."
-            }
-            Family::Wavelet => {
-                "The largest coefficients of a CDF 9/7 transform; each costs two numbers, \
-                     place and value."
-            }
-        }
-        .to_owned(),
+        Racer::Rival(family) => family.about().meaning.to_owned(),
         Racer::Chosen => "For each light the composite that is best on the patches: one of the \
                           eight above again, so it wins nothing of its own."
             .to_owned(),

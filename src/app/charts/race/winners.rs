@@ -6,10 +6,11 @@ use super::{figure, shown_factor, spread_of};
 use crate::{
     app::{
         Entry,
-        library::{Library, Preset},
+        library::Library,
         studies::{Class, Field, RaceAsk},
         study_report::sets,
     },
+    preset::Preset,
     spectrum::Kind,
     study::{Measure, Race, race::Racer},
 };

@@ -15,7 +15,7 @@ pub use table::{
 
 use crate::{
     app::{state::App, tables::Viewing},
-    color::{Observer, Xyz, xy_from_xyz},
+    color::{Observer, Xyz, xy_from_xyz, xyz_of_one, xyz_of_parts},
     spectrum::{
         Band, Basis, Composite, Sampling, Series, basis::numbers_of_order, spikes::detect_shapes,
     },
@@ -174,14 +174,12 @@ impl Eq7 {
 /// XYZ of the exact light by the weights in force: the white.
 fn white(app: &App) -> Xyz {
     let (derived, weights) = (app.derived(), &app.tables().viewing.weights);
-    Xyz::from_array(std::array::from_fn(|k| {
-        if app.document().is_about_light() {
-            derived.band.inner(&derived.measured, &weights[k])
-        } else {
-            // The weights are the light's already: a perfect reflector is their own integral.
-            derived.band.integral(&weights[k])
-        }
-    }))
+    if app.document().is_about_light() {
+        xyz_of_parts(derived.band, &derived.measured, &[], weights)
+    } else {
+        // The weights are the light's already: a perfect reflector is their own integral.
+        xyz_of_one(derived.band, weights)
+    }
 }
 
 /// A light and a factor to multiply.
@@ -199,7 +197,7 @@ impl Product {
         let (band, observer) = (derived.band, document.settings.observer);
         let weights = Viewing::of_light(band, observer).weights;
         let values = document.light.on_band(band);
-        let white = Xyz::from_array(std::array::from_fn(|k| band.inner(&values, &weights[k])));
+        let white = xyz_of_parts(band, &values, &[], &weights);
         let (name, light, factor) = if document.is_about_light() {
             let (name, factor) = patch_of(app)?;
             (name, derived.model.clone(), factor)

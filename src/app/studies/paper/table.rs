@@ -13,7 +13,7 @@ use crate::{
         state::App,
         ticks::short,
     },
-    io::write::one_line,
+    io::provenance::one_line,
     spectrum::Band,
 };
 

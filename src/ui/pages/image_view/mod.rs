@@ -1,6 +1,7 @@
 //! The page "Image": a spectral image as a picture, from which a pixel or a region's mean becomes
 //! a spectrum.
 
+mod asks;
 mod canvas;
 mod controls;
 mod figures;
@@ -14,14 +15,13 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         Command, Entry,
+        chart::{self, Chart},
         charts::image::region_chart,
         memo::{ByAddress, Memo},
         opened::ImageEntry,
         picture::{
-            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Show, Source,
-            Spread, exposed, named, shown,
+            BandWeights, Exposed, Raster, RegionSpectrum, Show, Spread, exposed, named, shown,
         },
-        plot_svg::{self, Chart},
         studies::Stage,
     },
     color::Observer,
@@ -70,7 +70,7 @@ pub struct ImageView {
     canvas: Canvas,
     weights: Memo<WeightsOf, Option<Box<BandWeights>>>,
     drawn: Option<Drawn>,
-    chart: Memo<(ByAddress<RegionSpectrum>, Spread, plot_svg::Theme), Chart>,
+    chart: Memo<(ByAddress<RegionSpectrum>, Spread, chart::Theme), Chart>,
     pointed: Option<[usize; 2]>,
     /// The spectrum that was taken last: its image's key, its pixels, its name.
     taken: Option<(String, Rect, String)>,
@@ -102,8 +102,9 @@ impl ImageView {
         }
         controls::looks(ui, context, &entry);
         let shown = self.shown(context, entry);
-        let raster = ask_raster(context, &shown);
-        let region = ask_region(context, &shown);
+        let side = ui.input(|i| i.max_texture_side);
+        let raster = asks::raster(context, &shown, side);
+        let region = asks::region(context, &shown);
         let region = region.as_ref();
         self.draw(ui, context, &shown, raster);
 
@@ -348,37 +349,6 @@ impl Shown {
         self.entry.image.name_of(region.rect) == region.spectrum.name
             && self.entry.image.source == region.spectrum.source
     }
-}
-
-fn ask_raster(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Raster>> {
-    let source = match &shown.weights {
-        Some(weights) if shown.bands.is_empty() => Source::TrueColour(weights.clone()),
-        _ => Source::Bands(shown.bands.clone()),
-    };
-    let ask = RasterAsk {
-        image: ByAddress(shown.entry.image.clone()),
-        source,
-    };
-    let job = &mut context.studies.raster;
-    job.ask_by(&ask, context.wake, RasterAsk::answer);
-    // The picture of another image is none of this one.
-    let (key, raster) = job.answer()?;
-    (key.image == ask.image).then(|| raster.clone())
-}
-
-fn ask_region(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<RegionSpectrum>> {
-    let document = context.app.document();
-    let ask = RegionAsk {
-        image: ByAddress(shown.entry.image.clone()),
-        rect: shown.rect,
-        settings: document.settings,
-        light: ByAddress(document.light.clone()),
-    };
-    let job = &mut context.studies.region;
-    job.ask_by(&ask, context.wake, RegionAsk::answer);
-    let (key, region) = job.answer()?;
-    let impossible = job.stage() == Stage::Impossible;
-    (key.image == ask.image && !impossible).then(|| region.clone())
 }
 
 /// How the picture is drawn and what of it is not shown as it is.

@@ -7,10 +7,9 @@ use egui::{DragValue, Label, RichText, Ui, vec2};
 
 use crate::{
     app::{
-        App, Command, Entry, Settings,
+        App, Command, Entry, Settings, chart,
         charts::products::absorption::{AbsorptionSheet, DipRow, looks},
         memo::Memo,
-        plot_svg,
         settings::{Detector, THRESHOLDS_PERCENT, WIDTHS_NM},
         ticks::short,
     },
@@ -82,7 +81,7 @@ const EXAMPLES: [Example; 4] = [
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct AbsorptionView {
-    found: Memo<(u64, plot_svg::Theme), (AbsorptionSheet, Vec<Row>)>,
+    found: Memo<(u64, chart::Theme), (AbsorptionSheet, Vec<Row>)>,
 }
 
 impl AbsorptionView {

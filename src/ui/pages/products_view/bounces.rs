@@ -6,12 +6,12 @@ use egui::{Ui, vec2};
 use super::{surface_chooser, take_way};
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::products::{
             bounces::{Bounced, TOLD, UNSEEN, errors},
             resampling::{way_meaning, way_name},
         },
         memo::{ByAddress, Memo},
-        plot_svg::{self, Chart},
         products::{ModelledLight, memory::BouncesMemory},
         studies::{Stage, paper::delta_e},
     },
@@ -34,7 +34,7 @@ pub mod names {
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct BouncesView {
-    chart: Memo<(ByAddress<Bounced>, BouncesMemory, plot_svg::Theme), Chart>,
+    chart: Memo<(ByAddress<Bounced>, BouncesMemory, chart::Theme), Chart>,
 }
 
 impl BouncesView {

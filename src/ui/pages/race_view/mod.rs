@@ -12,10 +12,10 @@ use egui::{Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
+        chart::{self, Chart, Marks},
         charts::race::{Larger, RaceTable, Winners, error_chart, looks, meaning, table_chart},
         memo::{ByAddress, Memo},
         pages::{FieldChoice, RACE_BUDGETS},
-        plot_svg::{self, Chart, Marks},
         studies::{RaceAsk, Stage},
     },
     spectrum::Kind,
@@ -47,7 +47,7 @@ type Key = (
     Option<String>,
     usize,
     Measure,
-    plot_svg::Theme,
+    chart::Theme,
 );
 
 /// What is made once for a result and a choice.

@@ -10,9 +10,9 @@ use super::change;
 use crate::{
     app::{
         Command,
+        chart::{self, Chart},
         charts::products::chain::{ChainSheet, Place},
         memo::Memo,
-        plot_svg::{self, Chart},
         product_report::{spikes_csv, stages_csv},
         products::{KnownLines, Link, MOST_LINKS},
         ticks::short,
@@ -45,7 +45,7 @@ const TABLE_SHARE: f32 = 0.34;
 #[derive(Default)]
 pub struct ChainView {
     sheet: Memo<u64, ChainSheet>,
-    chart: Memo<(u64, Place, plot_svg::Theme), Chart>,
+    chart: Memo<(u64, Place, chart::Theme), Chart>,
     /// The stage that the pointer holds.
     held: Option<usize>,
 }

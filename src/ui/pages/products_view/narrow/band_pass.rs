@@ -6,7 +6,7 @@ use egui::{CursorIcon, Ui, Vec2, pos2, vec2};
 use super::names;
 use crate::{
     app::{
-        plot_svg::Chart,
+        chart::Chart,
         products::memory::{NarrowMemory, PASS_WIDTHS_NM},
     },
     spectrum::Band,

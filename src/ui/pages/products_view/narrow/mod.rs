@@ -10,9 +10,9 @@ use egui::{DragValue, RichText, Sense, Slider, Ui, Vec2, vec2};
 use crate::{
     app::{
         App, Entry,
+        chart::{self, Chart},
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
         memo::Memo,
-        plot_svg::{self, Chart},
         products::memory::{NarrowMemory, PASS_WIDTHS_NM},
         studies::paper::{delta_e, figure, percent},
     },
@@ -46,7 +46,7 @@ pub mod names {
 pub struct NarrowView {
     behind: Memo<u64, (Behind, Vec<FilterRow>)>,
     curve: Memo<(u64, f64), Vec<NarrowPoint>>,
-    shown: Memo<(u64, NarrowMemory, plot_svg::Theme), (Figures, [Chart; 2])>,
+    shown: Memo<(u64, NarrowMemory, chart::Theme), (Figures, [Chart; 2])>,
     grip: Option<band_pass::Grip>,
 }
 

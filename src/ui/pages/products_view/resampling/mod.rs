@@ -10,9 +10,9 @@ use egui::{Rect, RichText, Ui, vec2};
 use super::{surface_chooser, take_way};
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         memo::Memo,
-        plot_svg::{self, Chart},
         studies::{
             Stage, TimingAsk,
             paper::{delta_e, figure},
@@ -43,7 +43,7 @@ pub mod names {
 #[derive(Default)]
 pub struct ResamplingView {
     bench: Memo<u64, Bench>,
-    chart: Memo<(u64, Vec<Sampling>, plot_svg::Theme), Chart>,
+    chart: Memo<(u64, Vec<Sampling>, chart::Theme), Chart>,
     /// How often the times were asked for.
     turn: u32,
 }
@@ -127,7 +127,7 @@ fn times(context: &mut PageContext<'_>, bench: &Bench, turn: u32) -> Option<Arc<
 
 /// Which ways have curves.
 fn shown_ways(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let hidden = &mut context.memory.products.resampling.hidden;
+    let memory = &mut context.memory.products.resampling;
     ui.horizontal_wrapped(|ui| {
         ui.label("Show");
         for way in Sampling::ALL {
@@ -135,16 +135,13 @@ fn shown_ways(ui: &mut Ui, context: &mut PageContext<'_>) {
             if way == Sampling::Exact {
                 continue;
             }
-            let mut shown = !hidden.contains(&way);
+            let mut shown = !memory.hidden.contains(&way);
             if ui
                 .checkbox(&mut shown, way_name(way))
                 .on_hover_text(way_meaning(way))
                 .changed()
             {
-                hidden.retain(|one| *one != way);
-                if !shown {
-                    hidden.push(way);
-                }
+                memory.show(way, shown);
             }
         }
     });

@@ -10,10 +10,10 @@ use egui::{Button, RichText, TextStyle, Ui, vec2};
 use super::change;
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::products::same_surface::same_surface_chart,
         entry::Entry,
         memo::{ByAddress, Memo},
-        plot_svg::{self, Chart},
         products::same_surface::{SameSurfaceSheet, example, take_as_outgoing},
         studies::{RankAsk, surfaces::Ranked},
         ticks::short,
@@ -47,7 +47,7 @@ pub mod names {
 #[derive(Default)]
 pub struct SameSurfaceView {
     sheet: Memo<u64, Option<SameSurfaceSheet>>,
-    charts: Memo<(u64, plot_svg::Theme), [Option<Chart>; 2]>,
+    charts: Memo<(u64, chart::Theme), [Option<Chart>; 2]>,
     ranking: Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
     /// The surface of the example; `None` for S2.
     example: Option<Arc<Entry>>,

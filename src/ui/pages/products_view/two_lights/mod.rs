@@ -10,9 +10,9 @@ use super::change;
 use crate::{
     app::{
         Command, View,
+        chart::{self, Chart},
         charts::products::two_lights::{Found, MadeShown, two_lights_chart},
         memo::{ByAddress, Memo},
-        plot_svg::{self, Chart},
         products::two_lights::{NoMetamer, TwoLightsSheet, swatches},
         studies::{PairsAsk, surfaces::Pairs},
     },
@@ -44,9 +44,9 @@ pub mod names {
 #[derive(Default)]
 pub struct TwoLightsView {
     sheet: Memo<u64, Option<TwoLightsSheet>>,
-    shown: Memo<(u64, plot_svg::Theme), Shown>,
-    made: Memo<(u64, plot_svg::Theme, usize, i32), Result<MadeShown, NoMetamer>>,
-    found: Memo<(ByAddress<Pairs>, Adaptation, plot_svg::Theme, usize), Found>,
+    shown: Memo<(u64, chart::Theme), Shown>,
+    made: Memo<(u64, chart::Theme, usize, i32), Result<MadeShown, NoMetamer>>,
+    found: Memo<(ByAddress<Pairs>, Adaptation, chart::Theme, usize), Found>,
     rows: Memo<ByAddress<Pairs>, Vec<Row>>,
 }
 

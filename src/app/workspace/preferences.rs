@@ -1,0 +1,102 @@
+//! How the window looks, kept beside the document.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::app::{pages::PageMemory, stored_path};
+
+/// How the window looks; not part of undo.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Preferences {
+    /// Dark surroundings.
+    pub dark: bool,
+    /// Zoom of the whole window, 0.8-2.5.
+    pub zoom: f32,
+    /// Large type and thick lines.
+    pub projector: bool,
+    /// Files opened last, newest first.
+    #[serde(with = "stored_path::list")]
+    pub recent: Vec<PathBuf>,
+    /// Inner size of the window in points, if it was ever shown.
+    pub window: Option<[f32; 2]>,
+    /// What the error-against-order curve shows.
+    pub curve: CurveQuantity,
+    /// The shelves that are folded in the library.
+    pub folded: Vec<String>,
+    /// The library is folded away.
+    pub no_library: bool,
+    /// The bottom panel shows the spikes instead of the patches.
+    pub spikes_below: bool,
+    /// What the pages remember.
+    pub pages: PageMemory,
+}
+
+impl Default for Preferences {
+    fn default() -> Self {
+        Self {
+            dark: true,
+            zoom: 1.0,
+            projector: false,
+            recent: Vec::new(),
+            window: None,
+            curve: CurveQuantity::default(),
+            folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
+            no_library: false,
+            spikes_below: false,
+            pages: PageMemory::default(),
+        }
+    }
+}
+
+/// Shelves of the library that start folded: there are hundreds of reflectances.
+pub const FOLDED_AT_FIRST: [&str; 3] = ["Reflectances", "Filters and glasses", "Observers"];
+
+/// Smallest and largest zoom.
+pub const ZOOMS: [f32; 2] = [0.8, 2.5];
+
+impl Preferences {
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(mut self) -> Self {
+        self.zoom = if self.zoom.is_finite() {
+            self.zoom.clamp(ZOOMS[0], ZOOMS[1])
+        } else {
+            1.0
+        };
+        self.window = self
+            .window
+            .filter(|size| size.iter().all(|s| (200.0..=20_000.0).contains(s)));
+        self.recent.truncate(MOST_RECENT);
+        self.pages = self.pages.clamped();
+        self
+    }
+
+    /// Puts a file on top of the recent ones.
+    pub fn remember_file(&mut self, path: &Path) {
+        self.recent.retain(|p| p != path);
+        self.recent.insert(0, path.to_owned());
+        self.recent.truncate(MOST_RECENT);
+    }
+}
+
+/// Recent files kept.
+const MOST_RECENT: usize = 12;
+
+/// What the error-against-order curve shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CurveQuantity {
+    /// CIEDE2000 of the light itself.
+    Own,
+    /// Mean CIEDE2000 of the patches.
+    #[default]
+    Patches,
+    /// Largest CIEDE2000 of the patches.
+    PatchesWorst,
+    /// Relative RMS at 1 nm.
+    Rms,
+    /// Relative RMS behind a 10 nm blur.
+    RmsBlurred,
+}

@@ -1,0 +1,276 @@
+//! What is written: the document by names, the user's own spectra with all their numbers, and the
+//! window's preferences.
+
+use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
+
+use serde::{Deserialize, Serialize};
+
+use super::{FORMAT, Preferences, VERSION};
+use crate::{
+    app::{
+        document::{Document, PAPER_WEIGHT_FACTOR, Subject, View},
+        entry::Entry,
+        products::{Link, Products, Times},
+        scale::Scale,
+        settings::Settings,
+        stored_path,
+    },
+    io::{Choices, MakersResult},
+    spectrum::{Kind, NamedSpectrum, Sampled, SpikeEdits},
+};
+
+/// A spectrum of the user's own with all its numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct OwnSpectrum {
+    key: String,
+    pub name: String,
+    kind: Kind,
+    unit: String,
+    scale: f64,
+    pub nm: Vec<f64>,
+    pub values: Vec<f64>,
+    notes: Vec<String>,
+    source: String,
+    #[serde(default)]
+    makers: Vec<MakersResult>,
+}
+
+/// An image by the file that it is read from again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StoredImage {
+    /// Its key.
+    pub key: String,
+    /// The file.
+    #[serde(with = "stored_path")]
+    pub path: PathBuf,
+    /// Which of the file's images, from 0.
+    pub index: usize,
+    /// What a person decided about the file.
+    #[serde(default)]
+    pub choices: Choices,
+}
+
+/// What is written: the document by names, and the window's preferences.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stored {
+    format: String,
+    version: u32,
+    program: String,
+    pub light: String,
+    #[serde(default)]
+    pub factor: Option<String>,
+    #[serde(default)]
+    pub subject: Subject,
+    #[serde(default)]
+    pub overlays: Vec<String>,
+    #[serde(default)]
+    own: Vec<OwnSpectrum>,
+    #[serde(default)]
+    pub images: Vec<StoredImage>,
+    #[serde(default)]
+    pub next_own: u64,
+    #[serde(default)]
+    pub settings: Settings,
+    #[serde(default)]
+    pub edits: BTreeMap<String, SpikeEdits>,
+    pub patch_set: String,
+    #[serde(default)]
+    pub patch: Option<usize>,
+    #[serde(default)]
+    pub scale: Scale,
+    #[serde(default = "paper_weight_factor")]
+    pub weight_factor: f64,
+    #[serde(default)]
+    pub view: View,
+    #[serde(default)]
+    pub products: Option<StoredProducts>,
+    #[serde(default)]
+    pub preferences: Option<Preferences>,
+}
+
+/// What the page `Products` multiplies, by names.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StoredProducts {
+    pub chain: Vec<(String, Times)>,
+    other_light: Option<String>,
+    surface: Option<String>,
+    outgoing: Option<String>,
+}
+
+impl Stored {
+    /// A document and the window's preferences, `waiting` beside the images that are there.
+    pub fn of(
+        document: &Document,
+        preferences: Option<&Preferences>,
+        waiting: &[StoredImage],
+    ) -> Self {
+        let Document {
+            light,
+            factor,
+            subject,
+            overlays,
+            own,
+            images,
+            next_own,
+            settings,
+            edits,
+            patch_set,
+            patch,
+            scale,
+            weight_factor,
+            view,
+            products,
+        } = document;
+        Self {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            light: light.key.clone(),
+            factor: factor.as_ref().map(|f| f.key.clone()),
+            subject: *subject,
+            overlays: overlays.iter().map(|o| o.key.clone()).collect(),
+            own: own.iter().map(|entry| OwnSpectrum::of(entry)).collect(),
+            images: images
+                .iter()
+                .filter_map(|image| {
+                    Some(StoredImage {
+                        key: image.key.clone(),
+                        path: image.path.clone()?,
+                        index: image.index,
+                        choices: image.choices.clone(),
+                    })
+                })
+                .chain(waiting.iter().cloned())
+                .collect(),
+            next_own: *next_own,
+            settings: *settings,
+            edits: edits.clone(),
+            patch_set: patch_set.clone(),
+            patch: *patch,
+            scale: *scale,
+            weight_factor: *weight_factor,
+            view: *view,
+            products: Some(StoredProducts::of(products)),
+            // A window that is folded away has no size, and so on: what is written can be read.
+            preferences: preferences.cloned().map(Preferences::clamped),
+        }
+    }
+}
+
+impl StoredProducts {
+    /// The keys of what it holds.
+    pub fn of(products: &Products) -> Self {
+        let Products {
+            chain,
+            other_light,
+            surface,
+            outgoing,
+        } = products;
+        let key = |entry: &Option<Arc<Entry>>| entry.as_ref().map(|e| e.key.clone());
+        let link = |link: &Link| {
+            let Link {
+                entry,
+                thickness,
+                bounces,
+            } = link;
+            let times = Times {
+                thickness: *thickness,
+                bounces: *bounces,
+            };
+            (entry.key.clone(), times)
+        };
+        Self {
+            chain: chain.iter().map(link).collect(),
+            other_light: key(other_light),
+            surface: key(surface),
+            outgoing: key(outgoing),
+        }
+    }
+
+    /// What it holds, as far as it is found.
+    pub fn found(self, mut find: impl FnMut(&str) -> Option<Arc<Entry>>) -> Products {
+        let links = self.chain.into_iter().filter_map(|(key, times)| {
+            Some(Link {
+                entry: find(&key)?,
+                thickness: times.thickness,
+                bounces: times.bounces,
+            })
+        });
+        Products {
+            chain: links.collect(),
+            other_light: self.other_light.as_deref().and_then(&mut find),
+            surface: self.surface.as_deref().and_then(&mut find),
+            outgoing: self.outgoing.as_deref().and_then(&mut find),
+        }
+    }
+}
+
+fn paper_weight_factor() -> f64 {
+    PAPER_WEIGHT_FACTOR
+}
+
+impl OwnSpectrum {
+    /// What stands where a file tells nothing else.
+    pub fn unnamed(name: &str) -> Self {
+        Self {
+            key: String::new(),
+            name: name.to_owned(),
+            kind: Kind::Other,
+            unit: String::new(),
+            scale: 1.0,
+            nm: Vec::new(),
+            values: Vec::new(),
+            notes: Vec::new(),
+            source: String::new(),
+            makers: Vec::new(),
+        }
+    }
+
+    fn of(entry: &Entry) -> Self {
+        let NamedSpectrum {
+            name,
+            kind,
+            unit,
+            scale,
+            samples,
+            notes,
+            source,
+        } = &entry.spectrum;
+        let makers = entry.makers.clone();
+        Self {
+            key: entry.key.clone(),
+            name: name.clone(),
+            kind: *kind,
+            unit: unit.clone(),
+            scale: *scale,
+            nm: samples.nm().to_vec(),
+            values: samples.values().to_vec(),
+            notes: notes.clone(),
+            source: source.clone(),
+            makers,
+        }
+    }
+
+    /// The spectrum as the document holds it.
+    ///
+    /// # Errors
+    /// Why its numbers are no spectrum.
+    pub fn into_entry(self) -> Result<Entry, String> {
+        let samples = Sampled::new(self.nm, self.values).map_err(|e| e.to_string())?;
+        Ok(Entry {
+            key: self.key,
+            shelf: None,
+            spectrum: NamedSpectrum {
+                name: self.name,
+                kind: self.kind,
+                unit: self.unit,
+                scale: self.scale,
+                samples,
+                notes: self.notes,
+                source: self.source,
+            },
+            licence: String::new(),
+            makers: self.makers,
+        })
+    }
+}

@@ -1,0 +1,55 @@
+use std::fmt;
+
+/// Why a text is not a preset file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PresetError {
+    /// Line in the file, counted from 1, where it is known.
+    pub line: Option<usize>,
+    /// What stands there.
+    pub found: String,
+    /// What should.
+    pub expected: String,
+}
+
+impl fmt::Display for PresetError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("preset file")?;
+        if let Some(line) = self.line {
+            write!(f, ", line {line}")?;
+        }
+        write!(f, ": expected {}, found {}", self.expected, self.found)
+    }
+}
+
+impl std::error::Error for PresetError {}
+
+impl PresetError {
+    pub(super) fn of_item(
+        item: &str,
+        expected: impl Into<String>,
+        found: impl fmt::Display,
+    ) -> Self {
+        Self {
+            line: None,
+            found: format!("item \"{item}\": {found}"),
+            expected: expected.into(),
+        }
+    }
+
+    pub(super) fn of_json(error: &serde_json::Error) -> Self {
+        let line = Some(error.line()).filter(|line| *line > 0);
+        // The parser's sentence ends in "at line L column C" and mostly holds "X, expected Y".
+        let text = error.to_string();
+        let text = text
+            .rsplit_once(" at line ")
+            .map_or(&*text, |(head, _)| head);
+        let (found, expected) = text
+            .split_once(", expected ")
+            .unwrap_or((text, "a preset file"));
+        Self {
+            line,
+            found: found.to_owned(),
+            expected: expected.to_owned(),
+        }
+    }
+}

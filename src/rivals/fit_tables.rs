@@ -1,0 +1,94 @@
+//! What the fits of one band share, worked out once.
+
+use std::sync::Arc;
+
+use super::{
+    Bins, Bounds, Family, Legendre, Moments, Principal, PrincipalBasis, Rival, Samples, Wavelet,
+    legendre::PolynomialTable, phases::PhaseTable, wavelet::WaveletTable,
+};
+use crate::spectrum::Band;
+
+/// The tables of one band: polynomials, phases, wavelet norms. Cheap to share, never changed.
+#[derive(Clone, Debug)]
+pub struct FitTables {
+    band: Band,
+    polynomials: Arc<PolynomialTable>,
+    phases: Arc<PhaseTable>,
+    wavelets: Arc<WaveletTable>,
+}
+
+impl FitTables {
+    /// Tables for fits of up to `most` numbers; cut to what the band's grid carries.
+    ///
+    /// Takes memory for `4 most` values a grid point.
+    pub fn new(band: Band, most: usize) -> Self {
+        Self {
+            band,
+            polynomials: Arc::new(PolynomialTable::new(band, most)),
+            phases: Arc::new(PhaseTable::new(band, most)),
+            wavelets: Arc::new(WaveletTable::new(band)),
+        }
+    }
+
+    /// The band whose grid the values stand on.
+    pub fn band(&self) -> Band {
+        self.band
+    }
+
+    /// Fits values on the band's 1 nm grid (in the spectrum's own unit) with `numbers` numbers.
+    ///
+    /// A count that a family cannot have is brought to the nearest it can: at least
+    /// [`Family::least_numbers`], at most the grid's points (a wavelet: all its coefficients),
+    /// for polynomial and moments at most the tables' own, for principal components at most
+    /// the rows of `basis`, which no other family looks at. An odd count leaves a wavelet one
+    /// unused. [`Rival::numbers`] tells what was taken.
+    ///
+    /// # Panics
+    /// When `values` does not have [`Band::points`] entries.
+    pub fn fit(
+        &self,
+        family: Family,
+        values: &[f64],
+        numbers: usize,
+        bounds: Bounds,
+        basis: &Arc<PrincipalBasis>,
+    ) -> Rival {
+        assert_eq!(values.len(), self.band.points(), "one value per grid point");
+        if (family, bounds) == (Family::Moments, Bounds::Reflectance) {
+            // A reflectance's own unit matters: it is bounded by 1.
+            return Rival::Moments(Moments::fit(&self.phases, values, numbers, bounds));
+        }
+        let height = height(values);
+        let unit: Vec<f64> = values.iter().map(|v| v / height).collect();
+        match family {
+            Family::Samples => {
+                Rival::Samples(Samples::fit(self.band, &unit, numbers).times(height))
+            }
+            Family::Bins => Rival::Bins(Bins::fit(self.band, &unit, numbers).times(height)),
+            Family::Legendre => {
+                Rival::Legendre(Legendre::fit(&self.polynomials, &unit, numbers).times(height))
+            }
+            Family::Principal => {
+                Rival::Principal(Principal::fit(self.band, basis, &unit, numbers).times(height))
+            }
+            Family::Moments => {
+                Rival::Moments(Moments::fit(&self.phases, &unit, numbers, bounds).times(height))
+            }
+            Family::Wavelet => {
+                Rival::Wavelet(Wavelet::fit(&self.wavelets, &unit, numbers).times(height))
+            }
+        }
+    }
+}
+
+/// The power of two next to the largest absolute value, 1 for an all-zero spectrum. Values as
+/// shares of it cannot overflow or vanish when squared, and a power of two costs no rounding.
+fn height(values: &[f64]) -> f64 {
+    let top = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let power = top.log2().floor().exp2();
+    if power.is_finite() && power > 0.0 {
+        power
+    } else {
+        1.0
+    }
+}

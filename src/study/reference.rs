@@ -1,0 +1,535 @@
+//! What every model of one spectrum is measured by: its own colour, the patches, narrow filters
+//! and the spectrum itself.
+//!
+//! **Behind narrow filters**: Gaussian band-passes of 10 nm full width centred at 420, 430 ... 670
+//! nm, the filter exact, both sides scaled so that the exact product has Y = 50 (by at most 50),
+//! mean CIEDE2000. The white of every difference is the exact light.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::error::{BLUR_NM, Blur, height};
+use crate::{
+    color::{
+        Lab, Observer, Xyz,
+        ciede2000::delta_e_2000,
+        lab::lab_from_xyz,
+        patches::{PatchSet, difference, labs_into},
+        xyz_of_one, xyz_of_parts,
+    },
+    spectrum::{Band, Spike, composite::add_spikes},
+};
+
+/// Full width of the narrow filters at half their maximum, nm.
+pub const FILTER_NM: f64 = 10.0;
+
+/// Y that the exact light behind a narrow filter is brought to.
+const FILTER_Y: f64 = 50.0;
+
+/// Most that light behind a narrow filter is brightened by, against Y = 100 for the light.
+const MOST_GAIN: f64 = 50.0;
+
+/// Centres of the narrow filters, nm.
+pub fn filter_centres() -> impl Iterator<Item = f64> {
+    (42..=67).map(|tens| f64::from(10 * tens))
+}
+
+/// What is shared by all spectra that are judged on one band for one observer.
+#[derive(Clone, Debug)]
+pub struct Measures {
+    /// The 10 nm blur.
+    pub blur: Blur,
+    /// The patches, exact.
+    pub patches: PatchSet,
+    /// The narrow filters.
+    filters: PatchSet,
+    /// Colour-matching functions on the grid.
+    pub seen: [Vec<f64>; 3],
+}
+
+impl Measures {
+    /// Measures with these patches (exact, on the band's grid).
+    pub fn new(patches: PatchSet) -> Self {
+        let (band, observer): (Band, Observer) = (patches.band(), patches.observer());
+        let narrow = |centre_nm: f64| -> Vec<f64> {
+            let bell = |nm: f64| {
+                let x = (nm - centre_nm) / FILTER_NM;
+                (-4.0 * std::f64::consts::LN_2 * x * x).exp()
+            };
+            band.grid().map(bell).collect()
+        };
+        let inside = || filter_centres().filter(|nm| band.contains(*nm));
+        let filters: Vec<Vec<f64>> = inside().map(narrow).collect();
+        let names = inside().map(|nm| format!("{nm} nm")).collect();
+        Self {
+            blur: Blur::new(band, BLUR_NM),
+            filters: PatchSet::new(&filters, names, band, observer),
+            seen: observer.table().on_band(band),
+            patches,
+        }
+    }
+
+    /// The band of all of them.
+    pub fn band(&self) -> Band {
+        self.patches.band()
+    }
+}
+
+/// What one model is off by; a figure that does not exist is `None`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Verdict {
+    /// CIEDE2000 of the spectrum's own colour.
+    pub own: Option<f64>,
+    /// Mean CIEDE2000 of the patches.
+    pub patches_mean: Option<f64>,
+    /// Largest CIEDE2000 of the patches.
+    pub patches_worst: Option<f64>,
+    /// Mean CIEDE2000 behind narrow filters.
+    pub filters: Option<f64>,
+    /// Relative RMS on the 1 nm grid.
+    pub relative_rms: Option<f64>,
+    /// Relative RMS behind a 10 nm blur.
+    pub relative_rms_10nm: Option<f64>,
+    /// Lowest value of the smooth part over the largest measured one.
+    pub lowest: Option<f64>,
+}
+
+/// One figure of a [`Verdict`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measure {
+    /// CIEDE2000 of the spectrum's own colour.
+    Own,
+    /// Mean CIEDE2000 of the patches.
+    #[default]
+    Patches,
+    /// Largest CIEDE2000 of the patches.
+    PatchesWorst,
+    /// Mean CIEDE2000 behind narrow filters.
+    Filters,
+    /// Relative RMS at 1 nm.
+    Rms,
+    /// Relative RMS behind a 10 nm blur.
+    RmsBlurred,
+}
+
+impl Measure {
+    /// Every measure, in the order of menus.
+    pub const ALL: [Self; 6] = [
+        Self::Patches,
+        Self::PatchesWorst,
+        Self::Own,
+        Self::Filters,
+        Self::RmsBlurred,
+        Self::Rms,
+    ];
+
+    /// The figure of a verdict.
+    pub fn of(self, verdict: &Verdict) -> Option<f64> {
+        match self {
+            Self::Own => verdict.own,
+            Self::Patches => verdict.patches_mean,
+            Self::PatchesWorst => verdict.patches_worst,
+            Self::Filters => verdict.filters,
+            Self::Rms => verdict.relative_rms,
+            Self::RmsBlurred => verdict.relative_rms_10nm,
+        }
+    }
+
+    /// In words for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Own => "own colour",
+            Self::Patches => "patches, mean",
+            Self::PatchesWorst => "worst patch",
+            Self::Filters => "behind narrow filters",
+            Self::Rms => "rms at 1 nm",
+            Self::RmsBlurred => "rms behind 10 nm",
+        }
+    }
+
+    /// Whether it counts CIEDE2000; otherwise it is a share of the spectrum.
+    pub fn is_colour(self) -> bool {
+        !matches!(self, Self::Rms | Self::RmsBlurred)
+    }
+}
+
+/// Values over their largest, so that no square overflows or vanishes; `None` when all are zero.
+pub fn scaled_to_one(values: &[f64]) -> Option<Vec<f64>> {
+    let unit = height(values)?;
+    Some(values.iter().map(|v| v * unit).collect())
+}
+
+/// The exact side of every comparison for one spectrum.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    measures: Arc<Measures>,
+    measured: Vec<f64>,
+    /// What weighs the spectrum to X, Y, Z.
+    seen: [Vec<f64>; 3],
+    white: Xyz,
+    own: Option<Lab>,
+    /// Labs of the patches; `None` when there are none to see.
+    patches: Option<Vec<Lab>>,
+    /// Labs behind the filters and the gain of each.
+    filters: Option<(Vec<Lab>, Vec<f64>)>,
+    square: f64,
+    blurred: Vec<f64>,
+    blurred_square: f64,
+    top: f64,
+}
+
+const BLACK: Lab = Lab::new(0.0, 0.0, 0.0);
+
+impl Reference {
+    /// The reference of a light, given on the band's grid at an ordinary scale ([`scaled_to_one`]).
+    pub fn of_light(measures: &Arc<Measures>, measured: &[f64]) -> Self {
+        let mut reference = Self::of(measures, measured, measures.seen.clone(), None);
+        if reference.own.is_none() {
+            return reference;
+        }
+        reference.patches = Some(reference.labs_of(&measures.patches, measured, &[]));
+        let filters = &measures.filters;
+        let mut exact = filters.buffer();
+        filters.xyz_into(measured, &mut exact);
+        let gains: Vec<f64> = exact
+            .iter()
+            .map(|xyz| (FILTER_Y * reference.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN))
+            .collect();
+        let labs = reference.filtered(&mut exact, &gains);
+        reference.filters = Some((labs, gains));
+        reference
+    }
+
+    /// The reference of a reflectance or transmittance under a light, both on the band's grid: no
+    /// patches, no filters. `perfect` is what a perfect reflector has in the measured scale.
+    pub fn of_factor(
+        measures: &Arc<Measures>,
+        measured: &[f64],
+        light: &[f64],
+        perfect: f64,
+    ) -> Self {
+        let seen = seen_under(&measures.seen, light);
+        let band = measures.band();
+        let white = xyz_of_one(band, &seen) * perfect;
+        Self::of(measures, measured, seen, Some(white))
+    }
+
+    fn of(
+        measures: &Arc<Measures>,
+        measured: &[f64],
+        seen: [Vec<f64>; 3],
+        white: Option<Xyz>,
+    ) -> Self {
+        let band = measures.band();
+        let blurred = measures.blur.values(measured);
+        let exact = xyz_of_parts(band, measured, &[], &seen);
+        let white = white.unwrap_or(exact);
+        let has_colour = white.y > 0.0 && white.is_finite() && exact.is_finite();
+        Self {
+            white,
+            own: has_colour.then(|| lab_from_xyz(exact, white)),
+            patches: None,
+            filters: None,
+            square: band.inner(measured, measured),
+            blurred_square: band.inner(&blurred, &blurred),
+            blurred,
+            top: measured.iter().fold(0.0, |m: f64, v| m.max(v.abs())),
+            measured: measured.to_vec(),
+            seen,
+            measures: measures.clone(),
+        }
+    }
+
+    /// The measured values.
+    pub fn measured(&self) -> &[f64] {
+        &self.measured
+    }
+
+    /// What weighs the spectrum to X, Y, Z on the grid: the colour-matching functions, for a
+    /// reflectance times the light.
+    pub fn seen(&self) -> &[Vec<f64>; 3] {
+        &self.seen
+    }
+
+    /// The shared measures.
+    pub fn measures(&self) -> &Arc<Measures> {
+        &self.measures
+    }
+
+    /// Every figure of a model: its smooth part on the grid and its spikes.
+    pub fn verdict(&self, smooth: &[f64], spikes: &[Spike]) -> Verdict {
+        self.verdict_through(smooth, spikes, &self.measures.patches)
+    }
+
+    /// Every figure, the patches' reflectances approximated too: `patches` are the same patches
+    /// as a representation has them.
+    pub fn verdict_through(&self, smooth: &[f64], spikes: &[Spike], patches: &PatchSet) -> Verdict {
+        let (patches_mean, patches_worst) = self.patches_with(smooth, spikes, patches).unzip();
+        Verdict {
+            own: self.own(smooth, spikes),
+            patches_mean,
+            patches_worst,
+            filters: self.filters(smooth, spikes),
+            relative_rms: self.relative_rms(smooth, spikes),
+            relative_rms_10nm: self.relative_rms_10nm(smooth, spikes),
+            lowest: (self.top > 0.0)
+                .then(|| smooth.iter().copied().fold(f64::INFINITY, f64::min) / self.top),
+        }
+    }
+
+    /// CIEDE2000 of the model's own colour.
+    pub fn own(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let exact = self.own?;
+        let band = self.measures.band();
+        let xyz = xyz_of_parts(band, smooth, spikes, &self.seen);
+        Some(delta_e_2000(exact, lab_from_xyz(xyz, self.white)))
+    }
+
+    /// Mean and largest CIEDE2000 of the exact patches under the model.
+    pub fn patches(&self, smooth: &[f64], spikes: &[Spike]) -> Option<(f64, f64)> {
+        self.patches_with(smooth, spikes, &self.measures.patches)
+    }
+
+    fn patches_with(
+        &self,
+        smooth: &[f64],
+        spikes: &[Spike],
+        patches: &PatchSet,
+    ) -> Option<(f64, f64)> {
+        let exact = self.patches.as_ref().filter(|p| !p.is_empty())?;
+        let found = difference(exact, &self.labs_of(patches, smooth, spikes));
+        Some((found.mean, found.max))
+    }
+
+    /// Labs of any patches under a model, against this light as the white.
+    pub fn labs_of(&self, patches: &PatchSet, smooth: &[f64], spikes: &[Spike]) -> Vec<Lab> {
+        let mut xyz = patches.buffer();
+        patches.xyz_into(smooth, &mut xyz);
+        for spike in spikes {
+            patches.add_line(spike.at_nm, spike.weight, &mut xyz);
+        }
+        let mut labs = vec![BLACK; xyz.len()];
+        labs_into(&xyz, self.white, &mut labs);
+        labs
+    }
+
+    /// Mean CIEDE2000 behind the narrow filters.
+    pub fn filters(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let (exact, gains) = self.filters.as_ref().filter(|f| !f.0.is_empty())?;
+        let filters = &self.measures.filters;
+        let mut xyz = filters.buffer();
+        filters.xyz_into(smooth, &mut xyz);
+        for spike in spikes {
+            filters.add_line(spike.at_nm, spike.weight, &mut xyz);
+        }
+        Some(difference(exact, &self.filtered(&mut xyz, gains)).mean)
+    }
+
+    fn filtered(&self, xyz: &mut [[f64; 3]], gains: &[f64]) -> Vec<Lab> {
+        for (xyz, gain) in xyz.iter_mut().zip(gains) {
+            xyz.iter_mut().for_each(|v| *v *= gain);
+        }
+        let mut labs = vec![BLACK; xyz.len()];
+        labs_into(xyz, self.white, &mut labs);
+        labs
+    }
+
+    /// Root mean square of the difference over that of the spectrum, on the 1 nm grid.
+    pub fn relative_rms(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let band = self.measures.band();
+        let mut rest: Vec<f64> = smooth
+            .iter()
+            .zip(&self.measured)
+            .map(|(s, m)| s - m)
+            .collect();
+        add_spikes(band, spikes, &mut rest);
+        share(band.inner(&rest, &rest), self.square)
+    }
+
+    /// The same behind a 10 nm blur, spikes blurred analytically.
+    pub fn relative_rms_10nm(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        let band = self.measures.band();
+        let mut rest = self.measures.blur.values(smooth);
+        for (r, m) in rest.iter_mut().zip(&self.blurred) {
+            *r -= m;
+        }
+        self.measures.blur.add_spikes(spikes, &mut rest);
+        share(band.inner(&rest, &rest), self.blurred_square)
+    }
+}
+
+/// Weights for a reflectance: the colour-matching functions times the light it is seen under.
+pub fn seen_under(seen: &[Vec<f64>; 3], light: &[f64]) -> [Vec<f64>; 3] {
+    std::array::from_fn(|k| seen[k].iter().zip(light).map(|(w, s)| w * s).collect())
+}
+
+fn share(square: f64, whole: f64) -> Option<f64> {
+    Some((square / whole).sqrt()).filter(|share| whole > 0.0 && share.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::error::spectrum_errors;
+
+    const BAND: Band = Band::VISIBLE;
+
+    fn measures() -> Arc<Measures> {
+        let ramp: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
+        let grey = vec![0.2; BAND.points()];
+        let names = ["ramp", "grey"].map(String::from).to_vec();
+        let set = PatchSet::new(&[ramp, grey], names, BAND, Observer::Cie1931);
+        Arc::new(Measures::new(set))
+    }
+
+    /// A smooth light of ordinary height.
+    fn light() -> Vec<f64> {
+        BAND.grid()
+            .map(|nm| 0.7 + 0.3 * (nm / 60.0).cos())
+            .collect()
+    }
+
+    #[test]
+    fn a_model_that_is_the_spectrum_is_off_by_nothing() {
+        let reference = Reference::of_light(&measures(), &light());
+        let verdict = reference.verdict(&light(), &[]);
+        for measure in Measure::ALL {
+            assert_eq!(measure.of(&verdict), Some(0.0), "{measure:?}");
+        }
+        assert!(verdict.lowest.is_some_and(|lowest| lowest > 0.3));
+    }
+
+    #[test]
+    fn a_line_on_a_grid_point_is_one_nm_of_light_there() {
+        let reference = Reference::of_light(&measures(), &light());
+        let mut nm_of_light = light();
+        nm_of_light[166] += 3.0;
+        let spike = Spike {
+            at_nm: 546.0,
+            weight: 3.0,
+        };
+        let (a, b) = (
+            reference.verdict(&nm_of_light, &[]),
+            reference.verdict(&light(), &[spike]),
+        );
+        for measure in Measure::ALL {
+            let (a, b) = (measure.of(&a), measure.of(&b));
+            let (a, b) = (a.expect("a light"), b.expect("a light"));
+            // The blur adds spikes by the formula that its taps are values of; everything else
+            // sums the same products in another order.
+            assert!((a - b).abs() < 1e-9 * a, "{measure:?}: {a} {b}");
+        }
+    }
+
+    #[test]
+    fn the_errors_of_the_spectrum_are_those_of_the_main_page() {
+        let reference = Reference::of_light(&measures(), &light());
+        let smooth: Vec<f64> = light().iter().map(|v| 0.9 * v + 0.02).collect();
+        let spikes = [Spike {
+            at_nm: 500.3,
+            weight: 0.8,
+        }];
+        let blur = &reference.measures().blur;
+        let shown = spectrum_errors(blur, &light(), &smooth, &spikes).expect("it shines");
+        let verdict = reference.verdict(&smooth, &spikes);
+        for (found, shown) in [
+            (verdict.relative_rms, shown.relative_rms),
+            (verdict.relative_rms_10nm, shown.relative_rms_10nm),
+            (verdict.lowest, shown.lowest),
+        ] {
+            // The main page scales by the largest value first.
+            let found = found.expect("it shines");
+            assert!((found - shown).abs() < 1e-12, "{found} {shown}");
+        }
+    }
+
+    #[test]
+    fn behind_a_filter_the_exact_light_has_y_50_or_is_brightened_fifty_times() {
+        let reference = Reference::of_light(&measures(), &light());
+        let (labs, gains) = reference.filters.as_ref().expect("a light");
+        assert_eq!(labs.len(), filter_centres().count());
+        let fifty = lab_from_xyz(reference.white * 0.5, reference.white).l;
+        for ((lab, gain), at_nm) in labs.iter().zip(gains).zip(filter_centres()) {
+            let reached = (lab.l - fifty).abs() < 1e-9;
+            assert_eq!(reached, *gain < MOST_GAIN, "{at_nm} nm");
+            assert!(lab.l <= fifty + 1e-9);
+        }
+        // Green is bright enough, the far red is not.
+        assert!(gains[13] < 10.0 && gains[25] == MOST_GAIN);
+    }
+
+    #[test]
+    fn what_a_filter_hides_does_not_count_behind_it() {
+        let reference = Reference::of_light(&measures(), &light());
+        let mut outside = light();
+        outside[..20].iter_mut().for_each(|v| *v += 0.5);
+        let filters = reference.filters(&outside, &[]).expect("a light");
+        // 400 nm is two widths from the first filter's centre: exp(-4 ln2 4) is 1e-5.
+        assert!(filters < 1e-3, "{filters}");
+        assert!(reference.relative_rms(&outside, &[]).expect("a light") > 0.05);
+    }
+
+    #[test]
+    fn approximated_patches_are_judged_against_exact_ones() {
+        let reference = Reference::of_light(&measures(), &light());
+        let darker = PatchSet::new(
+            &[
+                BAND.grid().map(|nm| 0.9 * (nm - 380.0) / 400.0).collect(),
+                vec![0.18; BAND.points()],
+            ],
+            vec![String::new(); 2],
+            BAND,
+            Observer::Cie1931,
+        );
+        let verdict = reference.verdict_through(&light(), &[], &darker);
+        assert_eq!(verdict.own, Some(0.0));
+        assert!(verdict.patches_mean.expect("a light") > 0.5);
+    }
+
+    #[test]
+    fn a_reflectance_is_seen_under_its_light_at_any_scale() {
+        let (all, light) = (measures(), light());
+        let red: Vec<f64> = BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect();
+        let model: Vec<f64> = red.iter().map(|r| 0.8 * r + 0.1).collect();
+        let own = |scale: f64| {
+            let scaled =
+                |values: &[f64]| -> Vec<f64> { values.iter().map(|v| v * scale).collect() };
+            let reference = Reference::of_factor(&all, &scaled(&red), &light, scale);
+            reference.own(&scaled(&model), &[]).expect("a colour")
+        };
+        // Products by a power of two are exact.
+        assert_eq!(own(1.0), own(4.0));
+        assert!(own(1.0) > 1.0);
+        let reference = Reference::of_factor(&all, &red, &light, 1.0);
+        assert_eq!(reference.patches(&model, &[]), None);
+        assert_eq!(reference.filters(&model, &[]), None);
+    }
+
+    #[test]
+    fn light_that_nobody_sees_is_judged_as_a_spectrum_only() {
+        let band = Band::new(900.0, 1000.0).expect("100 nm");
+        let white = vec![1.0; band.points()];
+        let set = PatchSet::new(
+            std::slice::from_ref(&white),
+            vec![String::new()],
+            band,
+            Observer::Cie1931,
+        );
+        let reference = Reference::of_light(&Arc::new(Measures::new(set)), &white);
+        let verdict = reference.verdict(&vec![0.5; band.points()], &[]);
+        assert_eq!(
+            (verdict.own, verdict.patches_mean, verdict.filters),
+            (None, None, None)
+        );
+        // Half the light is off by half.
+        assert!(
+            verdict
+                .relative_rms
+                .is_some_and(|e| (e - 0.5).abs() < 1e-12)
+        );
+        assert_eq!(scaled_to_one(&[0.0, 0.0]), None);
+        assert_eq!(scaled_to_one(&[1e300, -2e300]), Some(vec![0.5, -1.0]));
+    }
+}

@@ -1,0 +1,107 @@
+//! The status line: what was said last, and what is going on.
+
+use eframe::egui;
+use egui::Ui;
+
+use super::{
+    super::{batch_view, theme::Theme},
+    WATCH_EVERY, Window,
+};
+use crate::app::{pages::Page, state::Tone};
+
+/// Messages that the status line's tooltip tells.
+const MESSAGES_SHOWN: usize = 12;
+
+impl Window {
+    pub(super) fn status(&mut self, ui: &mut Ui, theme: Theme) {
+        let mut wants_summary = false;
+        ui.horizontal_centered(|ui| {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if !self.quiet {
+                    let ms = 1e3 * self.app.took().as_secs_f64();
+                    ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
+                        "Time for fit, errors, colours, patches and the order curve.",
+                    );
+                }
+                if let Some(progress) = self.loader.progress() {
+                    // What was read is fetched in the next frame; until then it goes on.
+                    ui.ctx().request_repaint_after(WATCH_EVERY);
+                    if batch_view::progress(ui, &progress) {
+                        self.loader.cancel();
+                        ui.ctx().request_repaint();
+                    }
+                }
+                let images = self.images.waiting().len();
+                if images > 0 {
+                    ui.spinner();
+                    ui.label(format!("reading {images} images again"));
+                }
+                self.offer_to_forget(ui);
+                if self.waiting.is_some() {
+                    if ui
+                        .small_button("stop waiting")
+                        .on_hover_text("Gives up on the file dialog; a late answer is ignored.")
+                        .clicked()
+                    {
+                        self.waiting = None;
+                    }
+                    ui.label("file dialog open");
+                }
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let Some(message) = self.app.current_message() else {
+                        let page = self.preferences.pages.page;
+                        ui.weak(match page {
+                            Page::Spectrum => {
+                                "Move N and the threshold; click a patch; drag a spike."
+                            }
+                            page => page.meaning(),
+                        });
+                        return;
+                    };
+                    if message.tone == Tone::Problem {
+                        ui.colored_label(theme.warning, "▲");
+                    }
+                    if self.batch.is_told_by(&message.text) {
+                        wants_summary = ui
+                            .small_button("Each file…")
+                            .on_hover_text("How each file was read, or why it was refused.")
+                            .clicked();
+                    }
+                    ui.add(egui::Label::new(&message.text).truncate())
+                        .on_hover_ui(|ui| {
+                            let messages = self.app.messages();
+                            let last = messages.len().saturating_sub(MESSAGES_SHOWN);
+                            for message in &messages[last..] {
+                                ui.label(&message.text);
+                            }
+                        });
+                });
+            });
+        });
+        if wants_summary {
+            self.batch.show();
+        }
+    }
+
+    /// A button that gives up the images of the last time that were not found.
+    fn offer_to_forget(&mut self, ui: &mut Ui) {
+        let lost = self.images.lost();
+        if lost.is_empty() {
+            return;
+        }
+        let words = match lost.len() {
+            1 => "forget 1 missing image".to_owned(),
+            count => format!("forget {count} missing images"),
+        };
+        let names: Vec<String> = lost.iter().map(|l| l.path.display().to_string()).collect();
+        let forgets = ui.small_button(words).on_hover_text(format!(
+            "Not found this time: {}. They are looked for again at every start until you forget \
+             them.",
+            names.join(", ")
+        ));
+        if forgets.clicked() {
+            self.images.give_up();
+            self.keep_now();
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! A program in which everything differs from a fresh one, for the tests of what is kept of it.
+
+use std::{path::PathBuf, sync::Arc};
+
+use spectral_explorer::{
+    app::{
+        App, Command, Document, Entry, Scale, Settings, View,
+        document::FIRST_LIGHT,
+        pages::{FieldChoice, Page, PageMemory, WaysShown},
+        picture::{ImageMemory, Show, Spread},
+        products::{
+            Link, Part, Products, ProductsMemory,
+            memory::{
+                AbsorptionMemory, BouncesMemory, ChainMemory, NarrowMemory, ResamplingMemory,
+                SameSurfaceMemory, TwoLightsMemory,
+            },
+        },
+        settings::Detector,
+        spike_hand::SpikeAct,
+        workspace::{CurveQuantity, Preferences},
+    },
+    color::Observer,
+    spectrum::{Band, Basis, Kind, NamedSpectrum, Rect, Sampled, Sampling},
+    study::{Goal, Measure},
+};
+
+pub const D65: &str = "cie_illuminants/CIE D65";
+pub const RED: &str = "colorchecker_ohta/red";
+
+/// A shipped spectrum by `group/name`.
+#[track_caller]
+pub fn preset(app: &App, key: &str) -> Arc<Entry> {
+    app.entry(key).unwrap_or_else(|| panic!("{key} is shipped"))
+}
+
+pub fn spectrum(
+    name: &str,
+    kind: Kind,
+    first_nm: f64,
+    step_nm: f64,
+    values: Vec<f64>,
+) -> NamedSpectrum {
+    NamedSpectrum {
+        name: name.to_owned(),
+        kind,
+        unit: "W m-2 nm-1".to_owned(),
+        scale: 1.0,
+        samples: Sampled::even(first_nm, step_nm, values).expect("finite values, rising grid"),
+        notes: vec!["Made up for a test.".to_owned()],
+        source: "a test".to_owned(),
+    }
+}
+
+/// A light with a slope, 380-780 nm.
+pub fn slope(name: &str) -> NamedSpectrum {
+    let values = (0..=80).map(|i| 1.0 + 0.02 * f64::from(i)).collect();
+    spectrum(name, Kind::Light, 380.0, 5.0, values)
+}
+
+/// Numbers that are hard to write: sums, denormals, thirds, extremes, a negative zero.
+pub fn awkward() -> NamedSpectrum {
+    let nm = vec![
+        360.1,
+        1e3 / 3.0 + 100.0,
+        500.000_000_1,
+        612.34,
+        780.0,
+        2500.25,
+    ];
+    let values = vec![0.1 + 0.2, -0.0, 5e-324, 1.0 / 3.0, 1.797e300, -1e-300];
+    NamedSpectrum {
+        name: "Lampe <b> & \"no. 1\", käse; µ\u{2028}".to_owned(),
+        scale: 0.01,
+        samples: Sampled::new(nm, values).expect("finite values, rising grid"),
+        ..slope("")
+    }
+}
+
+/// A document in which everything differs from a fresh one.
+pub fn full_document() -> Document {
+    let mut app = App::new();
+    app.apply(Command::Adopt(vec![awkward(), slope("second")]));
+    app.apply(Command::Show(preset(&app, FIRST_LIGHT)));
+    app.act_on_spikes(SpikeAct::Set {
+        index: 0,
+        at_nm: 404.0 + 1.0 / 3.0,
+        weight: 0.1 + 0.2,
+    });
+    app.act_on_spikes(SpikeAct::Delete { index: 3 });
+    app.act_on_spikes(SpikeAct::Add {
+        at_nm: 700.1,
+        weight: -1e-7,
+    });
+    app.apply(Command::PatchSet("cri_tcs".to_owned()));
+    app.apply(Command::Patch(Some(5)));
+    app.apply(Command::Show(preset(&app, RED)));
+    app.apply(Command::ToggleOverlay(preset(&app, D65)));
+    app.apply(Command::ToggleOverlay(app.document().own[0].clone()));
+    app.apply(Command::Edit(Settings {
+        basis: Basis::Cosine,
+        order: 13,
+        spikes: false,
+        threshold_percent: 1.0 / 3.0,
+        max_width_nm: 7.7,
+        dips: true,
+        detector: Detector::Gradient,
+        gradient_percent: 3.3,
+        colour_exact: true,
+        band: Band::new(400.0, 701.0).expect("a range"),
+        observer: Observer::ALL[1],
+        sampling: Sampling::ThreeN,
+    }));
+    app.apply(Command::ToggleOverlay(preset(&app, "paper/Sodium")));
+    app.apply(Command::WeightFactor(123.4));
+    app.apply(Command::Scale(Scale::OneWatt));
+    app.apply(Command::View(View {
+        measured: false,
+        model: true,
+        smooth: false,
+        spikes: false,
+        residual: false,
+        overlays: false,
+        strip: false,
+        log_axis: true,
+        adapt_patches: true,
+    }));
+    let red = preset(&app, RED);
+    let own = app.document().own[1].clone();
+    app.apply(Command::Products(Products {
+        chain: vec![
+            Link {
+                entry: red.clone(),
+                thickness: 0.1 + 0.2,
+                bounces: 3,
+            },
+            Link::once(red.clone()),
+        ],
+        other_light: Some(own.clone()),
+        surface: Some(red),
+        outgoing: Some(own),
+    }));
+    app.document().clone()
+}
+
+pub fn full_preferences() -> Preferences {
+    Preferences {
+        dark: false,
+        zoom: 1.3,
+        projector: true,
+        recent: vec![PathBuf::from("a lamp.csv"), PathBuf::from("b.spdx")],
+        window: Some([1280.0, 800.5]),
+        curve: CurveQuantity::RmsBlurred,
+        folded: vec!["LED".to_owned()],
+        spikes_below: true,
+        no_library: true,
+        pages: PageMemory {
+            page: Page::Race,
+            partial_order: 5,
+            channel: 2,
+            measure: Measure::Filters,
+            goal: Goal {
+                own: 0.5,
+                ..Goal::FILTERS
+            },
+            auction_numbers: 33,
+            spend_numbers: 15,
+            field: FieldChoice::Discharge,
+            race_numbers: 31,
+            race_measure: Measure::Rms,
+            ways: WaysShown {
+                plain: false,
+                ..WaysShown::default()
+            },
+            spend_goal: Some(Goal::SPECTRUM),
+            products: ProductsMemory {
+                part: Part::TwoLights,
+                chain: ChainMemory {
+                    stage: Some(1),
+                    light: true,
+                },
+                narrow: NarrowMemory {
+                    centre_nm: 500.25,
+                    width_nm: 20.0,
+                    filter: Some(RED.to_owned()),
+                    luminance: true,
+                },
+                resampling: ResamplingMemory {
+                    hidden: vec![Sampling::ThreeN],
+                },
+                bounces: BouncesMemory {
+                    added: true,
+                    log: false,
+                },
+                two_lights: TwoLightsMemory {
+                    patch: 3,
+                    pair: 2,
+                    everywhere: false,
+                    room_percent: -40,
+                },
+                same_surface: SameSurfaceMemory {
+                    everywhere: false,
+                    twice: true,
+                },
+                absorption: AbsorptionMemory { example: 1 },
+            },
+            image: ImageMemory {
+                key: Some("image/3".to_owned()),
+                selection: Some(Rect::pixel(2, 5)),
+                show: Show::ThreeBands,
+                three_nm: [700.0, 560.0, 450.0],
+                one_nm: 611.0,
+                stops: -1.5,
+                spread: Spread::Extremes,
+            },
+        },
+    }
+}
