@@ -10,7 +10,7 @@ use super::{
     picture,
     products::{
         Link,
-        two_lights::{LightsSheet, Made, NoMetamer},
+        two_lights::{Made, NoMetamer, TwoLightsSheet},
     },
     recipe::Recipe,
 };
@@ -60,7 +60,8 @@ pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNo
         } => {
             let lights = [lamp(document, light)?, lamp(document, other)?];
             let settings = document.settings;
-            let sheet = LightsSheet::measured(settings.band, settings.observer, lights, patch_set);
+            let sheet =
+                TwoLightsSheet::measured(settings.band, settings.observer, lights, patch_set);
             Made::of(&sheet, *patch, *room_percent)
                 .and_then(|made| made.spectrum(&sheet).ok_or(NoMetamer::NoRoom))
                 .map_err(WhyNot::Metamer)

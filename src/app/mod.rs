@@ -17,6 +17,7 @@ pub mod licences;
 pub mod line_names;
 pub mod make;
 pub mod makers;
+pub mod memo;
 pub mod natural;
 pub mod open;
 pub mod opened;

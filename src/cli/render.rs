@@ -18,7 +18,7 @@ use crate::{
         open::Loaded,
         opened::Opened,
         pages::{Page, PageMemory},
-        picture::{ImageMemory, back},
+        picture::{ImageMemory, reload},
         products::ProductsMemory,
         workspace::Preferences,
     },
@@ -106,7 +106,7 @@ fn open_images(app: &mut App, input: &OsStr, inputs: &mut Inputs) {
             let images = restored
                 .images
                 .iter()
-                .filter_map(|i| back::read_again(i).ok());
+                .filter_map(|i| reload::read_again(i).ok());
             images.for_each(|image| app.apply(Command::ImageIsBack(Arc::new(image))));
         }
         // A preset, or what was refused before.

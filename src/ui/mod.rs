@@ -12,6 +12,7 @@ pub mod files;
 pub mod fit;
 pub mod import_view;
 pub mod keys;
+pub mod kit;
 pub mod library_view;
 pub mod makers_view;
 pub mod model_view;

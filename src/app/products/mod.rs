@@ -2,8 +2,8 @@
 
 pub mod known_lines;
 mod link_words;
-pub mod lit;
 pub mod memory;
+pub mod modelled_light;
 pub mod same_surface;
 pub mod two_lights;
 
@@ -16,8 +16,8 @@ use crate::spectrum::{
 };
 
 pub use known_lines::KnownLines;
-pub use lit::Lit;
 pub use memory::{Part, ProductsMemory};
+pub use modelled_light::ModelledLight;
 
 /// Most factors in one chain.
 pub const MOST_LINKS: usize = 16;

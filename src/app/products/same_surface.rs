@@ -4,26 +4,27 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use super::{Lit, two_lights::modelled};
+use super::{ModelledLight, two_lights::modelled};
 use crate::{
     app::{
         cells::{line, number, words},
         derived::Derived,
         document::Document,
         entry::Entry,
+        memo::ByAddress,
         recipe::{Recipe, Times},
         report::settings_json,
         state::App,
-        studies::{RankAsk, Same, surfaces::Ranked},
+        studies::{RankAsk, surfaces::Ranked},
         ticks::short,
     },
     spectrum::{Band, Composite},
-    study::products::{Checker, Compared, Sameness, check::SAME_RESIDUAL, measured_check},
+    study::products::{Checker, Compared, Sameness, measured_check, same_surface::SAME_RESIDUAL},
 };
 
 /// A light, a surface and an outgoing spectrum compared.
 #[derive(Clone, Debug)]
-pub struct CheckSheet {
+pub struct SameSurfaceSheet {
     /// The grid.
     pub band: Band,
     /// Names of light, surface and outgoing spectrum.
@@ -40,7 +41,7 @@ pub struct CheckSheet {
     pub measured: Option<Compared>,
 }
 
-impl CheckSheet {
+impl SameSurfaceSheet {
     /// The check of a state; `None` without a surface or an outgoing spectrum.
     pub fn of(app: &App) -> Option<Self> {
         let document = app.document();
@@ -53,7 +54,7 @@ impl CheckSheet {
 
     /// The check of the state's light off any surface (on the band's grid).
     pub fn against(app: &App, surface: &[f64], outgoing: &Arc<Entry>) -> Self {
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let band = lit.band();
         let found = modelled(app, &lit, outgoing);
         let light = &lit.derived;
@@ -87,7 +88,7 @@ impl CheckSheet {
     pub fn ranking(&self, document: &Document, everywhere: bool) -> Option<RankAsk> {
         let outgoing = document.products.outgoing.clone()?;
         Some(RankAsk {
-            measured: [Same(document.light.clone()), Same(outgoing)],
+            measured: [ByAddress(document.light.clone()), ByAddress(outgoing)],
             models: self.models.clone(),
             left_out: self.left_out.iter().sum(),
             band: self.band,
@@ -98,7 +99,7 @@ impl CheckSheet {
 }
 
 /// The check as JSON; the keys are stable, a number that does not exist is `null`.
-pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
+pub fn check_json(app: &App, factors: &[String], sheet: &SameSurfaceSheet) -> Value {
     let of = |compared: &Option<Compared>, verdict: Sameness| {
         let found = compared.as_ref().map(|c| c.reflection);
         json!({
@@ -127,7 +128,7 @@ pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
 }
 
 /// The check for people.
-pub fn check_text(sheet: &CheckSheet) -> String {
+pub fn check_text(sheet: &SameSurfaceSheet) -> String {
     let [light, surface, outgoing] = &sheet.names;
     let line = |what: &str, compared: &Option<Compared>, verdict: Sameness| {
         let found = compared.as_ref().map(|c| c.reflection);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::Lit;
+use super::ModelledLight;
 use crate::{
     app::{
         cells::{line, number, words},
@@ -20,7 +20,7 @@ use crate::{
 
 /// The document's patches under its light and another one.
 #[derive(Clone, Debug)]
-pub struct LightsSheet {
+pub struct TwoLightsSheet {
     /// The grid.
     pub band: Band,
     /// Names of the lights.
@@ -40,7 +40,7 @@ pub struct LightsSheet {
 }
 
 /// A light that is not the document's own, as its settings model it.
-pub fn modelled(app: &App, lit: &Lit, light: &Arc<Entry>) -> Derived {
+pub fn modelled(app: &App, lit: &ModelledLight, light: &Arc<Entry>) -> Derived {
     let document = Document {
         light: light.clone(),
         subject: Subject::Light,
@@ -49,12 +49,12 @@ pub fn modelled(app: &App, lit: &Lit, light: &Arc<Entry>) -> Derived {
     derive(&document, &lit.tables)
 }
 
-impl LightsSheet {
+impl TwoLightsSheet {
     /// The sheet of a state; `None` without a second light.
     pub fn of(app: &App) -> Option<Self> {
         let document = app.document();
         let other = document.products.other_light.as_ref()?;
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let both = [document.light.clone(), other.clone()];
         let observer = document.settings.observer;
         let sheet = Self::measured(lit.band(), observer, both, &document.patch_set);
@@ -202,7 +202,7 @@ impl Made {
     ///
     /// # Errors
     /// [`NoMetamer`] when there is none.
-    pub fn of(sheet: &LightsSheet, patch: usize, room_percent: i32) -> Result<Self, NoMetamer> {
+    pub fn of(sheet: &TwoLightsSheet, patch: usize, room_percent: i32) -> Result<Self, NoMetamer> {
         let original = sheet.surfaces.get(patch).ok_or(NoMetamer::NoPatch)?;
         if sheet.exact.is_none() {
             return Err(NoMetamer::Unseen);
@@ -226,7 +226,7 @@ impl Made {
     }
 
     /// The sum as a spectrum of its own.
-    pub fn spectrum(&self, sheet: &LightsSheet) -> Option<NamedSpectrum> {
+    pub fn spectrum(&self, sheet: &TwoLightsSheet) -> Option<NamedSpectrum> {
         let band = sheet.band;
         let (patch, percent) = (&sheet.names[self.patch], self.room_percent);
         Some(NamedSpectrum {

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use eframe::egui::Context;
 
 use super::{super::theme::waker, Window};
-use crate::app::{Command, pages::Page, picture::back::News, state::Tone, workspace::StoredImage};
+use crate::app::{
+    Command, pages::Page, picture::reload::News, state::Tone, workspace::StoredImage,
+};
 
 impl Window {
     /// Images that are to be read again, as a workspace or project names them.

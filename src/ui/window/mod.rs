@@ -31,7 +31,7 @@ use super::{
 use crate::app::{
     App, Command, chart,
     open::Loader,
-    picture::back::Reader,
+    picture::reload::ReloadJob,
     state::Tone,
     studies::Studies,
     workspace::{Preferences, Restored, StoredImage},
@@ -63,7 +63,7 @@ pub struct Window {
     front: Front,
     loader: Loader,
     batch: BatchView,
-    images: Reader,
+    images: ReloadJob,
     /// Images of a workspace or project that are to be read again.
     stored_images: Vec<StoredImage>,
     answers: Channel<(u64, Picked)>,
@@ -104,7 +104,7 @@ impl Window {
             front: Front::default(),
             loader: Loader::default(),
             batch: BatchView::default(),
-            images: Reader::default(),
+            images: ReloadJob::default(),
             stored_images: Vec::new(),
             answers: channel(),
             said: channel(),

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::{chain::strip, forming::thin};
+use super::{chain::strip, curve, resampling::thin};
 use crate::{
     app::{
         App, Entry,
@@ -11,7 +11,7 @@ use crate::{
         chart::Inks,
         chart::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
         charts::spectrum::provenance,
-        products::Lit,
+        products::ModelledLight,
         ticks::extent,
     },
     color::{Adaptation, Swatch},
@@ -83,7 +83,7 @@ pub struct Behind {
     pub light: String,
     /// The grid.
     pub band: Band,
-    lit: Lit,
+    lit: ModelledLight,
     narrow: Narrow,
     width_nm: f64,
 }
@@ -109,7 +109,7 @@ pub struct FilterRow {
 impl Behind {
     /// The document's light.
     pub fn of(app: &App) -> Self {
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let settings = app.document().settings;
         let narrow = Narrow::new(
             &lit.derived.measured,
@@ -196,9 +196,7 @@ impl Behind {
     pub fn light_chart(&self, app: &App, filter: &Filter, theme: Theme) -> Chart {
         let inks = Inks::of(theme);
         let (band, derived) = (self.band, &self.lit.derived);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            band.grid().zip(values).map(|(nm, v)| [nm, *v]).collect()
-        };
+        let curve = |values: &[f64]| curve(band, values, 1.0);
         let smooth = derived.model.smooth.on_band();
         let spikes = &derived.model.spikes;
         let base: Vec<f64> = spikes

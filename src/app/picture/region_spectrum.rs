@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use super::{Held, is_usable};
+use super::is_usable;
 use crate::{
     app::{
         derived::Derived,
         document::{Document, Subject},
         entry::Entry,
+        memo::ByAddress,
         settings::Settings,
         state::derived_of,
-        studies::Same,
     },
     spectrum::{NamedSpectrum, Rect, Region, Sampled, SpectralImage},
     study::Progress,
@@ -18,20 +18,20 @@ use crate::{
 
 /// Which spectrum of which image, and how its model is made.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ProbeAsk {
+pub struct RegionAsk {
     /// The image.
-    pub image: Held,
+    pub image: ByAddress<SpectralImage>,
     /// The pixels.
     pub rect: Rect,
     /// The knobs.
     pub settings: Settings,
     /// The light that a reflectance is looked at under.
-    pub light: Same,
+    pub light: ByAddress<Entry>,
 }
 
 /// The spectrum of a region.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Probed {
+pub struct RegionSpectrum {
     /// The pixels.
     pub rect: Rect,
     /// Their mean in the image's unit, with its provenance.
@@ -46,9 +46,9 @@ pub struct Probed {
     pub derived: Option<Arc<Derived>>,
 }
 
-impl ProbeAsk {
+impl RegionAsk {
     /// The answer; `None` where nothing was measured or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Probed> {
+    pub fn answer(&self, progress: &Progress) -> Option<RegionSpectrum> {
         let image = &self.image.0;
         let region = Region::of(&image.cube, self.rect, || !progress.is_cancelled())?;
         let spectrum = of_region(image, &region)?;
@@ -59,7 +59,7 @@ impl ProbeAsk {
             let entry = Arc::new(Entry::own(0, spectrum.clone()));
             Arc::new(derived_of(&self.document(entry)).0)
         });
-        Some(Probed {
+        Some(RegionSpectrum {
             rect: region.rect,
             nm: bands.iter().map(|b| image.cube.nm()[*b]).collect(),
             deviation: bands

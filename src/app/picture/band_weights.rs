@@ -1,4 +1,4 @@
-//! What an eye makes of the bands of an image: XYZ as a weighted sum of a pixel's numbers.
+//! The weights of an image's bands for X, Y and Z: a pixel's colour as a sum of its numbers.
 //!
 //! A spectrum between two bands is a straight line, as everywhere in this program, and its XYZ
 //! are sums over whole nm of 360-830. All of that is linear in the numbers, so each band has three
@@ -14,7 +14,7 @@ use crate::{
 
 /// The weights of an image's bands for X, Y and Z.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Eye {
+pub struct BandWeights {
     weights: Vec<[f64; 3]>,
     outside: Outside,
     observer: Observer,
@@ -25,8 +25,8 @@ pub struct Eye {
     scale: f64,
 }
 
-impl Eye {
-    /// An eye that looks at an image. `under` is the light on a reflectance or transmittance:
+impl BandWeights {
+    /// The weights of an image. `under` is the light on a reflectance or transmittance:
     /// then Y = 1 is the light's; `to_light` brings that light to the screen's white.
     ///
     /// `None` when that light does not shine.
@@ -41,7 +41,7 @@ impl Eye {
                 .samples
                 .on_whole_nm(FIRST_NM, LAST_NM, light.kind.outside())
         };
-        let mut eye = Self {
+        let mut found = Self {
             weights: Vec::new(),
             outside: image.kind.outside(),
             observer,
@@ -56,12 +56,12 @@ impl Eye {
                 return None;
             }
             // A light too narrow to adapt to is shown as it is.
-            eye.white =
+            found.white =
                 Some(white).filter(|white| to_light && adapted(*white, *white, WHITE).is_some());
-            eye.under = Some((light, 1.0 / white.y));
+            found.under = Some((light, 1.0 / white.y));
         }
-        eye.weights = eye.weights_on(image.cube.nm());
-        Some(eye)
+        found.weights = found.weights_on(image.cube.nm());
+        Some(found)
     }
 
     fn weights_on(&self, nm: &[f64]) -> Vec<[f64; 3]> {

@@ -1,4 +1,13 @@
-//! The race as charts: error against numbers, and the table as columns of a chart, for its files.
+//! The race as it is shown: error against numbers as a chart, the table of one count, who wins, and
+//! the figures beside those of a larger collection.
+
+mod larger;
+mod table;
+mod winners;
+
+pub use larger::{Larger, Tables};
+pub use table::{RaceCell, RaceColumn, RaceTable, about, group, meaning, name};
+pub use winners::{Lamp, Winners, Won};
 
 use crate::{
     app::{

@@ -32,14 +32,14 @@ pub enum News {
 }
 
 /// Reads images again.
-pub struct Reader {
+pub struct ReloadJob {
     sender: Sender<News>,
     receiver: Receiver<News>,
     waiting: Vec<StoredImage>,
     lost: Vec<StoredImage>,
 }
 
-impl Default for Reader {
+impl Default for ReloadJob {
     fn default() -> Self {
         let (sender, receiver) = channel();
         Self {
@@ -54,7 +54,7 @@ impl Default for Reader {
 /// Data above this are told of before they are read, bytes.
 const WORTH_TELLING: usize = 16 << 20;
 
-impl Reader {
+impl ReloadJob {
     /// Starts reading images again; `wake` is called when each one is there.
     pub fn bring_back(&mut self, images: Vec<StoredImage>, wake: Wake) {
         if images.is_empty() {

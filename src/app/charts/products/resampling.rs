@@ -1,5 +1,6 @@
 //! One product formed in every way: curves, what each is off by, and the figures as tables.
 
+use super::{curve, over};
 use crate::{
     app::{
         App, Entry,
@@ -7,11 +8,11 @@ use crate::{
         chart::Inks,
         chart::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
         charts::spectrum::provenance,
-        products::Lit,
+        products::ModelledLight,
         ticks::extent,
     },
     spectrum::{Band, Sampling},
-    study::products::{Formed, Forming, ProductTime, Sizes, SpikeCosts, forming, spike_costs},
+    study::products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
 };
 
 /// A way of forming products, in a word or two.
@@ -69,7 +70,7 @@ pub struct Bench {
     /// The grid.
     pub band: Band,
     /// What came out.
-    pub forming: Forming,
+    pub resampled: Resampled,
     /// Eq. 17 at the light's spikes.
     pub spikes: SpikeCosts,
     /// What the time of a product depends on.
@@ -80,7 +81,7 @@ pub struct Bench {
 impl Bench {
     /// Forms the product of the document's light and a factor.
     pub fn of(app: &App, factor: &Entry) -> Self {
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let (band, product) = (lit.band(), lit.product());
         let own = lit.factor(factor.on_band(band));
         let table = &lit.tables.basis;
@@ -89,7 +90,7 @@ impl Bench {
             light: app.document().light.name().to_owned(),
             factor: factor.name().to_owned(),
             band,
-            forming: forming(product, &own, table),
+            resampled: resampled(product, &own, table),
             spikes: spike_costs(product, &own, table),
             sizes: Sizes {
                 band,
@@ -103,7 +104,7 @@ impl Bench {
 
     /// Whether there is any colour to be off by.
     pub fn has_colour(&self) -> bool {
-        let mut ways = self.forming.ways.iter();
+        let mut ways = self.resampled.ways.iter();
         ways.any(|way| way.step.added.is_some())
     }
 
@@ -111,14 +112,11 @@ impl Bench {
     /// exact product of the same two series.
     pub fn chart(&self, app: &App, hidden: &[Sampling], theme: Theme) -> Chart {
         let inks = Inks::of(theme);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            let points = self.band.grid().zip(values);
-            points.map(|(nm, v)| [nm, *v]).collect()
-        };
+        let curve = |values: &[f64]| curve(self.band, values, 1.0);
         let mut series = vec![Series::line(
             "measured × measured",
             inks.measured,
-            curve(&self.forming.exact),
+            curve(&self.resampled.exact),
         )];
         let mut off = Vec::new();
         for way in self.drawn(hidden) {
@@ -129,7 +127,7 @@ impl Bench {
                 .step
                 .smooth
                 .iter()
-                .zip(&self.forming.series_product)
+                .zip(&self.resampled.series_product)
                 .map(|(way, exact)| way - exact)
                 .collect();
             off.push(thin(name, ink, curve(&differences), dash));
@@ -143,13 +141,11 @@ impl Bench {
         notes.extend(provenance(app));
         Chart {
             title: "The product by every way".to_owned(),
-            x_label: "Wavelength (nm)".to_owned(),
             y_label: if y_range.is_some() {
                 "light × factor (measured lines leave the picture)".to_owned()
             } else {
                 "light × factor".to_owned()
             },
-            x_range: [self.band.min_nm(), self.band.max_nm()],
             y_range,
             series,
             residual: (!off.is_empty()).then(|| Panel {
@@ -158,27 +154,29 @@ impl Bench {
                 series: off,
             }),
             notes,
-            theme,
-            ..Chart::default()
+            ..over(self.band, theme)
         }
     }
 
     /// The ways with curves of their own: at 1 nm nothing is formed from series.
     fn drawn<'a>(&'a self, hidden: &'a [Sampling]) -> impl Iterator<Item = &'a Formed> {
-        let ways = self.forming.ways.iter();
+        let ways = self.resampled.ways.iter();
         ways.filter(|way| way.sampling != Sampling::Exact && !hidden.contains(&way.sampling))
     }
 
     /// The light's spikes behind the factor, the same in all ways with points.
     fn stems(&self, inks: Inks) -> Option<Series> {
-        let way = self.forming.ways.first()?;
+        let way = self.resampled.ways.first()?;
         let spikes = &way.step.spikes;
         if spikes.is_empty() {
             return None;
         }
         let base: Vec<f64> = spikes
             .iter()
-            .map(|s| self.band.interpolate(&self.forming.series_product, s.at_nm))
+            .map(|s| {
+                self.band
+                    .interpolate(&self.resampled.series_product, s.at_nm)
+            })
             .collect();
         let tops = spikes.iter().zip(&base);
         Some(Series::new(
@@ -207,7 +205,7 @@ impl Bench {
             "ns",
         ];
         out += &line(heads.map(str::to_owned));
-        for way in &self.forming.ways {
+        for way in &self.resampled.ways {
             let step = &way.step;
             out += &line([
                 words(way_name(way.sampling)),

@@ -17,7 +17,7 @@ const BRIGHT: f64 = 0.5;
 
 /// One way of forming products over K = 1 to [`MOST_BOUNCES`] bounces.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Growth {
+pub struct BounceErrors {
     /// How products are formed.
     pub sampling: Sampling,
     /// CIEDE2000 against the exact product, K = 1 first; `None` where nothing is left to see.
@@ -31,7 +31,7 @@ pub struct Growth {
 ///
 /// # Panics
 /// When a curve does not have [`crate::spectrum::Band::points`] values.
-pub fn growth(product: Product<'_>, surface: &Factor) -> Vec<Growth> {
+pub fn bounce_errors(product: Product<'_>, surface: &Factor) -> Vec<BounceErrors> {
     Sampling::ALL
         .into_iter()
         .map(|sampling| {
@@ -46,7 +46,7 @@ pub fn growth(product: Product<'_>, surface: &Factor) -> Vec<Growth> {
         .collect()
 }
 
-fn one_way(product: Product<'_>, surface: &Factor) -> Growth {
+fn one_way(product: Product<'_>, surface: &Factor) -> BounceErrors {
     let band = product.model.band();
     let white = product.white();
     let numbers = product.model.smooth.coefficients.len();
@@ -64,7 +64,7 @@ fn one_way(product: Product<'_>, surface: &Factor) -> Growth {
         stages.splice(..short, first);
     }
     let mut exact = product.measured.to_vec();
-    let mut growth = Growth {
+    let mut errors = BounceErrors {
         sampling: product.sampling,
         total: Vec::with_capacity(MOST_BOUNCES),
         added: Vec::with_capacity(MOST_BOUNCES),
@@ -78,11 +78,11 @@ fn one_way(product: Product<'_>, surface: &Factor) -> Growth {
         let unfolded = xyz_of_parts(band, &stage.unfolded, &stage.spikes, product.seen);
         let has_light = truth.y > 0.0;
         let bright = Colours::brightened(truth, model, white, BRIGHT * white.y, f64::MAX);
-        growth.total.push(bright.delta_e_2000.filter(|_| has_light));
+        errors.total.push(bright.delta_e_2000.filter(|_| has_light));
         let gain = BRIGHT * white.y / truth.y;
-        growth
+        errors
             .added
             .push(delta_e_of_xyz(unfolded * gain, model * gain, white).filter(|_| has_light));
     }
-    growth
+    errors
 }

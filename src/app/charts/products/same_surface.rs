@@ -1,29 +1,27 @@
 //! The reflection check as a chart: what was expected and what was found, as they were compared.
 
+use super::{curve, over};
 use crate::{
     app::{
         chart::Inks,
         chart::{Chart, Dash, Panel, Series, Theme},
         charts::spectrum::provenance,
-        products::same_surface::CheckSheet,
+        products::same_surface::SameSurfaceSheet,
         state::App,
     },
     study::products::Compared,
 };
 
 /// One of the two checks; `what` says whose numbers were compared.
-pub fn check_chart(
+pub fn same_surface_chart(
     app: &App,
-    sheet: &CheckSheet,
+    sheet: &SameSurfaceSheet,
     compared: &Compared,
     what: &str,
     theme: Theme,
 ) -> Chart {
     let inks = Inks::of(theme);
-    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-        let grid = sheet.band.grid();
-        grid.zip(values).map(|(nm, v)| [nm, *v]).collect()
-    };
+    let curve = |values: &[f64]| curve(sheet.band, values, 1.0);
     let Compared {
         reflection,
         expected,
@@ -33,9 +31,7 @@ pub fn check_chart(
     let [light, surface, outgoing] = &sheet.names;
     Chart {
         title: what.to_owned(),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: "share of the largest value, behind 10 nm".to_owned(),
-        x_range: [sheet.band.min_nm(), sheet.band.max_nm()],
         series: vec![
             Series::line("found: S3", inks.measured, curve(found)),
             Series::line("expected: S1 S2", inks.spikes, curve(expected)).dashed(Dash::Dashed),
@@ -54,7 +50,6 @@ pub fn check_chart(
             notes.extend(provenance(app));
             notes
         },
-        theme,
-        ..Chart::default()
+        ..over(sheet.band, theme)
     }
 }

@@ -23,7 +23,7 @@ static ENCODED: LazyLock<Vec<u8>> = LazyLock::new(|| {
 
 /// A picture as a screen shows it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Developed {
+pub struct Exposed {
     /// Drawn columns.
     pub width: usize,
     /// Drawn rows.
@@ -47,10 +47,10 @@ pub fn seen_in(raster: &Raster, stops: f64, xyz: Xyz) -> Option<Swatch> {
 }
 
 /// Exposes a picture: at 0 stops its 99th percentile is the screen's full brightness.
-pub fn developed(raster: &Raster, stops: f64) -> Developed {
+pub fn exposed(raster: &Raster, stops: f64) -> Exposed {
     let gain = |full: f64| if full > 0.0 { stops.exp2() / full } else { 0.0 };
     let gains = raster.full.map(gain);
-    let mut developed = Developed {
+    let mut exposed = Exposed {
         width: raster.width,
         height: raster.height,
         pixels: Vec::with_capacity(raster.values.len()),
@@ -62,33 +62,33 @@ pub fn developed(raster: &Raster, stops: f64) -> Developed {
     for (index, value) in raster.values.iter().enumerate() {
         let value = value.map(f64::from);
         if !value.iter().all(|v| v.is_finite()) {
-            developed.not_measured += 1;
+            exposed.not_measured += 1;
             let (x, y) = (index % raster.width, index / raster.width);
-            developed.pixels.push(NOT_MEASURED[(x + y) % 2]);
+            exposed.pixels.push(NOT_MEASURED[(x + y) % 2]);
             continue;
         }
-        let exposed = std::array::from_fn(|k| value[k] * gains[k]);
+        let channels = std::array::from_fn(|k| value[k] * gains[k]);
         let linear = if raster.is_xyz {
-            linear_from_xyz(Xyz::from_array(exposed))
+            linear_from_xyz(Xyz::from_array(channels))
         } else {
-            exposed
+            channels
         };
         let largest = linear.into_iter().fold(0.0, f64::max);
         // A share of the pixel's own brightness: rounding leaves no dark pixel outside.
         let negative = linear.iter().any(|v| *v < -SLACK.max(1e-6 * largest));
         if negative && raster.is_xyz {
-            developed.outside_gamut += 1;
+            exposed.outside_gamut += 1;
         } else if largest > 1.0 + SLACK {
-            developed.too_bright += 1;
+            exposed.too_bright += 1;
         }
         // `as usize` takes what is negative to 0.
         let place = |v: f64| ((v * (PLACES - 1) as f64 + 0.5) as usize).min(PLACES - 1);
-        developed.pixels.push(linear.map(|v| table[place(v)]));
+        exposed.pixels.push(linear.map(|v| table[place(v)]));
     }
-    developed
+    exposed
 }
 
-impl Developed {
+impl Exposed {
     /// What is not shown as it is, in words; empty when everything is.
     pub fn words(&self) -> String {
         let mut parts = Vec::new();

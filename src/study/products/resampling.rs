@@ -9,7 +9,7 @@ use crate::{
 
 /// A light times one factor, formed in every way.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Forming {
+pub struct Resampled {
     /// Way by way, as [`Sampling::ALL`].
     pub ways: Vec<Formed>,
     /// The smooth product of the two series on the grid, every order kept.
@@ -33,7 +33,7 @@ pub struct Formed {
 ///
 /// # Panics
 /// When a curve does not have [`crate::spectrum::Band::points`] values.
-pub fn forming(product: Product<'_>, factor: &Factor, table: &BasisTable) -> Forming {
+pub fn resampled(product: Product<'_>, factor: &Factor, table: &BasisTable) -> Resampled {
     let numbers = product.model.smooth.coefficients.len();
     let ways = Sampling::ALL.into_iter().filter_map(|sampling| {
         let own = Product {
@@ -51,7 +51,7 @@ pub fn forming(product: Product<'_>, factor: &Factor, table: &BasisTable) -> For
         })
     });
     let short = short(product, factor.background(), table);
-    Forming {
+    Resampled {
         ways: ways.collect(),
         series_product: multiplied(&product.model.smooth.on_band(), &short.on_band()),
         exact: multiplied(product.measured, factor.values()),
@@ -174,7 +174,7 @@ mod tests {
         let ramp = Factor::new(BAND.grid().map(|nm| (nm - 380.0) / 400.0).collect());
         for basis in Basis::ALL {
             with_product(basis, |product, table| {
-                let found = forming(product, &ramp, table);
+                let found = resampled(product, &ramp, table);
                 assert_eq!(found.ways.len(), Sampling::ALL.len());
                 let double = found.ways.iter().find(|w| w.sampling == Sampling::Double);
                 let double = double.expect("every way");

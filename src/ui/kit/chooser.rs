@@ -10,9 +10,9 @@ use crate::app::{App, Entry};
 /// Rows that the open list shows at a time.
 const ROWS: f32 = 12.0;
 
-/// What a list offers.
+/// A list of spectra to choose one from.
 #[derive(Clone, Copy)]
-pub struct Picker<'a> {
+pub struct Chooser<'a> {
     /// What screen readers call it; also its place in the window, so a name once a part.
     pub name: &'a str,
     /// What it is for, a sentence.
@@ -25,7 +25,7 @@ pub struct Picker<'a> {
     pub width: f32,
 }
 
-impl Picker<'_> {
+impl Chooser<'_> {
     /// Draws the list; the spectrum that was chosen in this frame.
     pub fn show(self, ui: &mut Ui, app: &App) -> Option<Arc<Entry>> {
         let search_id = ui.make_persistent_id((self.name, "search"));

@@ -17,7 +17,7 @@ use crate::{
 
 /// The light, its model as the settings have it, and what it is looked at with.
 #[derive(Clone, Debug)]
-pub struct Lit {
+pub struct ModelledLight {
     /// Model and colours of the light.
     pub derived: Arc<Derived>,
     /// Colour-matching functions and bases.
@@ -25,7 +25,7 @@ pub struct Lit {
     settings: super::super::settings::Settings,
 }
 
-impl Lit {
+impl ModelledLight {
     /// The light of the state; nothing is computed anew when the state's model is of the light.
     pub fn of(app: &App) -> Self {
         let document = app.document();
