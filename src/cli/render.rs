@@ -63,7 +63,7 @@ pub fn run(
         selection: pick.pixels(),
         ..ImageMemory::default()
     };
-    if let (Page::Image, Some(input)) = (page.0, input) {
+    if let (Page::Image, Some(input)) = (page, input) {
         open_images(&mut app, input, inputs);
         let images = app.document().images.iter();
         let files = images.filter_map(|image| image.path());
@@ -72,11 +72,7 @@ pub fn run(
     let preferences = Preferences {
         dark: *theme == Theme::Dark,
         pages: PageMemory {
-            page: page.0,
-            products: ProductsMemory {
-                part: page.1,
-                ..ProductsMemory::default()
-            },
+            page: *page,
             image: memory,
             ..PageMemory::default()
         },

@@ -89,14 +89,9 @@ fn mixed_goal(word: &str) -> Option<Goal> {
 }
 
 /// `--page`.
-pub fn page(word: &str) -> Result<(Page, Part), String> {
-    match word.split_once('/') {
-        Some(("products", part)) => {
-            let part = one_of(part, &Part::ALL, Part::word)?;
-            Ok((Page::Products, part))
-        }
-        _ => Ok((one_of(word, &Page::ALL, Page::word)?, Part::default())),
-    }
+pub fn page(word: &str) -> Result<Page, String> {
+    let all: Vec<Page> = Page::all().collect();
+    Page::of_word(word).map_or_else(|| one_of(word, &all, Page::word), Ok)
 }
 
 /// `--threshold`.

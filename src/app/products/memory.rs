@@ -4,88 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::spectrum::Sampling;
 
-/// A part of the page.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Part {
-    /// A light through filters and off surfaces.
-    #[default]
-    Chain,
-    /// The same product formed in every way.
-    #[serde(rename = "forming")]
-    Resampling,
-    /// Error against the number of bounces.
-    Bounces,
-    /// A narrow band-pass over the light.
-    Narrow,
-    /// The same surfaces under two lights.
-    #[serde(rename = "lights")]
-    TwoLights,
-    /// Is this light that one off this surface?
-    #[serde(rename = "check")]
-    SameSurface,
-    /// Absorption lines as negative spikes.
-    Absorption,
-}
-
-impl Part {
-    /// Every part, in the order of the tabs.
-    pub const ALL: [Self; 7] = [
-        Self::Chain,
-        Self::Resampling,
-        Self::Bounces,
-        Self::Narrow,
-        Self::TwoLights,
-        Self::SameSurface,
-        Self::Absorption,
-    ];
-
-    /// The tab's name.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Chain => "Chain",
-            Self::Resampling => "Resampling",
-            Self::Bounces => "Bounces",
-            Self::Narrow => "Narrow filters",
-            Self::TwoLights => "Two lights",
-            Self::SameSurface => "Same surface?",
-            Self::Absorption => "Absorption",
-        }
-    }
-
-    /// What the part is for, a sentence.
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Self::Chain => "The light through filters and off surfaces, exact beside model.",
-            Self::Resampling => "One product formed on few points, by convolution and at every nm.",
-            Self::Bounces => "What the ways of forming products cost as bounces add up.",
-            Self::Narrow => "A narrow band-pass moved over the light, at equal numbers.",
-            Self::TwoLights => "The same surfaces under two lights; metamers found and made.",
-            Self::SameSurface => "Whether a spectrum is the light off a surface: S3 = S1 S2.",
-            Self::Absorption => "Absorption lines kept as negative spikes, and their names.",
-        }
-    }
-
-    /// The word used on the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Chain => "chain",
-            Self::Resampling => "resampling",
-            Self::Bounces => "bounces",
-            Self::Narrow => "narrow",
-            Self::TwoLights => "lights",
-            Self::SameSurface => "check",
-            Self::Absorption => "absorption",
-        }
-    }
-}
-
 /// What the page remembers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ProductsMemory {
-    /// The part shown.
-    pub part: Part,
     /// Chain: the stage whose spectrum is drawn; beyond the last, what comes out.
     pub chain: ChainMemory,
     /// Resampling.

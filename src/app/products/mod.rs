@@ -16,7 +16,7 @@ use crate::spectrum::{
 };
 
 pub use known_lines::KnownLines;
-pub use memory::{Part, ProductsMemory};
+pub use memory::ProductsMemory;
 pub use modelled_light::ModelledLight;
 
 /// Most factors in one chain.

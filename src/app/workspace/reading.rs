@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use super::{
-    FORMAT, Preferences, Restored, VERSION,
+    FORMAT, Preferences, Restored, VERSION, earlier,
     mending::{mended, moved, not_understood},
     stored::{OwnSpectrum, Stored, StoredImage, StoredProducts},
 };
@@ -32,6 +32,7 @@ pub fn from_json(text: &str) -> Result<Restored, String> {
     let mut losses = Vec::new();
     let Parts { own, mut rest } = parts(text, &mut losses)?;
     is_ours(&rest)?;
+    earlier::translate(&mut rest);
     take_nearest_band(&mut rest, &mut losses);
     let bundled = bundled_entries();
     let first = first_light(&bundled);

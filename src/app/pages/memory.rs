@@ -1,91 +1,12 @@
-//! The pages over the document, and what each of them remembers.
+//! What each page remembers beside the document; not part of undo.
 
 use serde::{Deserialize, Serialize};
 
-use super::{picture::ImageMemory, products::ProductsMemory};
-use crate::study::{Goal, Measure};
-
-/// A page of the window: they all show the same document.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Page {
-    /// The plot with the patches below it.
-    #[default]
-    Spectrum,
-    /// The light's coefficients beside those of the colour-matching functions.
-    Coefficients,
-    /// Error against numbers.
-    Tradeoff,
-    /// What to buy with the next two numbers.
-    Auction,
-    /// The composite against other representations.
-    Race,
-    /// Light through filters and off surfaces.
-    Products,
-    /// A spectral image: a pixel or a region becomes a spectrum.
-    Image,
-    /// The paper's claims, measured on this spectrum.
-    Truth,
-}
-
-impl Page {
-    /// Every page, in the order of the tabs.
-    pub const ALL: [Self; 8] = [
-        Self::Spectrum,
-        Self::Coefficients,
-        Self::Tradeoff,
-        Self::Auction,
-        Self::Race,
-        Self::Products,
-        Self::Image,
-        Self::Truth,
-    ];
-
-    /// The tab's name.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Spectrum => "Spectrum",
-            Self::Coefficients => "Coefficients",
-            Self::Tradeoff => "Trade-off",
-            Self::Auction => "Auction",
-            Self::Race => "Race",
-            Self::Products => "Products",
-            Self::Image => "Image",
-            Self::Truth => "Truth",
-        }
-    }
-
-    /// What the page is for, a sentence.
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Self::Spectrum => "The spectrum, its model and the patches under both.",
-            Self::Coefficients => {
-                "Why few numbers carry colour: the coefficients of the light beside those of the \
-                 eye."
-            }
-            Self::Tradeoff => "Error against numbers: every order, with and without spikes.",
-            Self::Auction => "What to buy with the next two numbers: an order or a spike.",
-            Self::Race => "The composite against other representations, at equal numbers.",
-            Self::Products => "Light through filters and off surfaces, exact beside model.",
-            Self::Image => "A spectral image: a pixel or a region's mean becomes a spectrum.",
-            Self::Truth => "The paper's claims, measured on this spectrum and range.",
-        }
-    }
-
-    /// The word used on the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Spectrum => "spectrum",
-            Self::Coefficients => "coefficients",
-            Self::Tradeoff => "tradeoff",
-            Self::Auction => "auction",
-            Self::Race => "race",
-            Self::Products => "products",
-            Self::Image => "image",
-            Self::Truth => "truth",
-        }
-    }
-}
+use super::Page;
+use crate::{
+    app::{picture::ImageMemory, products::ProductsMemory},
+    study::{Goal, Measure},
+};
 
 /// What the pages remember; not part of undo.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,0 +1,340 @@
+//! The places of the window and the pages in them: one row a page.
+
+mod memory;
+
+use serde::{Deserialize, Serialize};
+
+pub use memory::{FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown};
+
+/// A place of the window: what a person asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Show me.
+    Learn,
+    /// What is in this light?
+    Look,
+    /// What does it do behind glass and off surfaces?
+    Through,
+    /// How few numbers will do?
+    Numbers,
+    /// And in a picture?
+    Picture,
+}
+
+impl Place {
+    /// Every place that has a page, from the top of the rail down.
+    pub const ALL: [Self; 5] = [
+        Self::Learn,
+        Self::Look,
+        Self::Through,
+        Self::Numbers,
+        Self::Picture,
+    ];
+
+    /// Its name.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Learn => "Learn",
+            Self::Look => "Look",
+            Self::Through => "Through",
+            Self::Numbers => "Numbers",
+            Self::Picture => "Picture",
+        }
+    }
+
+    /// What is asked there.
+    pub fn asks(self) -> &'static str {
+        match self {
+            Self::Learn => "Show me",
+            Self::Look => "What is in this light?",
+            Self::Through => "What does it do behind glass and off surfaces?",
+            Self::Numbers => "How few numbers will do?",
+            Self::Picture => "And in a picture?",
+        }
+    }
+
+    /// The page that it opens with.
+    pub fn first(self) -> Page {
+        let mut pages = ROWS.iter().filter(|row| row.place == self);
+        pages.next().map_or(Page::Spectrum, |row| row.page)
+    }
+
+    /// The tabs of the place.
+    pub fn tabs(self) -> impl Iterator<Item = Page> {
+        let is_tab = move |row: &&Row| row.place == self && row.tab == row.page;
+        ROWS.iter().filter(is_tab).map(|row| row.page)
+    }
+}
+
+/// A page of the window: they all show the same document.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Page {
+    /// The plot with the patches below it.
+    #[default]
+    Spectrum,
+    /// Absorption lines as negative spikes.
+    Absorption,
+    /// A light through filters and off surfaces.
+    Chain,
+    /// A narrow band-pass over the light.
+    Narrow,
+    /// The same surfaces under two lights.
+    TwoLights,
+    /// Is this light that one off this surface?
+    SameSurface,
+    /// The light's coefficients beside those of the colour-matching functions.
+    Coefficients,
+    /// Error against numbers.
+    Tradeoff,
+    /// What to buy with the next two numbers.
+    Auction,
+    /// The composite against other representations.
+    Race,
+    /// The same product formed in every way.
+    Resampling,
+    /// Error against the number of bounces.
+    Bounces,
+    /// A spectral image: a pixel or a region becomes a spectrum.
+    Image,
+    /// Words explained.
+    Glossary,
+    /// The paper's claims, measured on this spectrum.
+    Truth,
+}
+
+/// All that is fixed about a page.
+struct Row {
+    page: Page,
+    place: Place,
+    /// The page whose tab it stands under: its own, or that of the page that it is a mode of.
+    tab: Page,
+    title: &'static str,
+    word: &'static str,
+    /// Words of earlier versions.
+    old: &'static [&'static str],
+    meaning: &'static str,
+}
+
+const fn row(
+    page: Page,
+    (place, tab): (Place, Page),
+    (title, word): (&'static str, &'static str),
+    old: &'static [&'static str],
+    meaning: &'static str,
+) -> Row {
+    Row {
+        page,
+        place,
+        tab,
+        title,
+        word,
+        old,
+        meaning,
+    }
+}
+
+/// The pages, place by place.
+const ROWS: [Row; 15] = [
+    row(
+        Page::Glossary,
+        (Place::Learn, Page::Glossary),
+        ("Glossary", "glossary"),
+        &[],
+        "What the words of this window mean.",
+    ),
+    row(
+        Page::Truth,
+        (Place::Learn, Page::Truth),
+        ("The paper checked", "truth"),
+        &[],
+        "The paper's claims, measured on this spectrum and range.",
+    ),
+    row(
+        Page::Spectrum,
+        (Place::Look, Page::Spectrum),
+        ("Spectrum", "look"),
+        &["spectrum"],
+        "The spectrum, its model and surfaces under both.",
+    ),
+    row(
+        Page::Absorption,
+        (Place::Look, Page::Absorption),
+        ("Dark lines", "dark-lines"),
+        &["absorption"],
+        "Absorption lines kept as negative spikes, and their names.",
+    ),
+    row(
+        Page::Chain,
+        (Place::Through, Page::Chain),
+        ("Chain", "chain"),
+        &["products"],
+        "The light through filters and off surfaces, exact beside model.",
+    ),
+    row(
+        Page::Narrow,
+        (Place::Through, Page::Narrow),
+        ("One filter", "filter"),
+        &["narrow"],
+        "A narrow band-pass moved over the light, at equal numbers.",
+    ),
+    row(
+        Page::TwoLights,
+        (Place::Through, Page::TwoLights),
+        ("Two lights", "two-lights"),
+        &["lights"],
+        "The same surfaces under two lights; metamers found and made.",
+    ),
+    row(
+        Page::SameSurface,
+        (Place::Through, Page::SameSurface),
+        ("Same surface?", "same-surface"),
+        &["check"],
+        "Whether a spectrum is the light off a surface: S3 = S1 S2.",
+    ),
+    row(
+        Page::Coefficients,
+        (Place::Numbers, Page::Coefficients),
+        ("Why few suffice", "why"),
+        &["coefficients"],
+        "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
+    ),
+    row(
+        Page::Tradeoff,
+        (Place::Numbers, Page::Tradeoff),
+        ("Trade-off", "tradeoff"),
+        &[],
+        "Error against numbers: every order, with and without spikes.",
+    ),
+    row(
+        Page::Auction,
+        (Place::Numbers, Page::Tradeoff),
+        ("Auction", "auction"),
+        &[],
+        "What to buy with the next two numbers: an order or a spike.",
+    ),
+    row(
+        Page::Race,
+        (Place::Numbers, Page::Race),
+        ("Race", "race"),
+        &[],
+        "The composite against other representations, at equal numbers.",
+    ),
+    row(
+        Page::Resampling,
+        (Place::Numbers, Page::Resampling),
+        ("Products in few numbers", "resampling"),
+        &["forming"],
+        "One product formed on few points, by convolution and at every nm.",
+    ),
+    row(
+        Page::Bounces,
+        (Place::Numbers, Page::Resampling),
+        ("Bounces", "bounces"),
+        &[],
+        "What the ways of forming products cost as bounces add up.",
+    ),
+    row(
+        Page::Image,
+        (Place::Picture, Page::Image),
+        ("Spectral image", "image"),
+        &[],
+        "A spectral image: a pixel or a region's mean becomes a spectrum.",
+    ),
+];
+
+impl Page {
+    /// Every page, place by place.
+    pub fn all() -> impl Iterator<Item = Self> {
+        ROWS.iter().map(|row| row.page)
+    }
+
+    fn row(self) -> &'static Row {
+        let found = ROWS.iter().find(|row| row.page == self);
+        found.unwrap_or(&ROWS[0])
+    }
+
+    /// Where it is.
+    pub fn place(self) -> Place {
+        self.row().place
+    }
+
+    /// The page whose tab it stands under.
+    pub fn tab(self) -> Self {
+        self.row().tab
+    }
+
+    /// The pages under the same tab: modes of one another.
+    pub fn modes(self) -> impl Iterator<Item = Self> {
+        let tab = self.tab();
+        let under = move |row: &&Row| row.tab == tab;
+        ROWS.iter().filter(under).map(|row| row.page)
+    }
+
+    /// Its name.
+    pub fn title(self) -> &'static str {
+        self.row().title
+    }
+
+    /// What the page is for, a sentence.
+    pub fn meaning(self) -> &'static str {
+        self.row().meaning
+    }
+
+    /// The word used on the command line.
+    pub fn word(self) -> &'static str {
+        self.row().word
+    }
+
+    /// The page of a word of this or an earlier version: `products/chain` was one.
+    pub fn of_word(word: &str) -> Option<Self> {
+        let word = word.strip_prefix("products/").unwrap_or(word);
+        let is_it = |row: &&Row| row.word == word || row.old.contains(&word);
+        ROWS.iter().find(is_it).map(|row| row.page)
+    }
+
+    /// Whether the model's knobs act on what it shows.
+    pub fn has_model(self) -> bool {
+        matches!(self.place(), Place::Look | Place::Numbers)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_page_has_one_row_and_every_place_at_most_five_tabs() {
+        for page in Page::all() {
+            assert_eq!(page.row().page, page);
+            assert_eq!(Page::of_word(page.word()), Some(page));
+            assert_eq!(page.tab().place(), page.place());
+            assert!(page.modes().any(|mode| mode == page));
+        }
+        for place in Place::ALL {
+            let tabs = place.tabs().count();
+            assert!((1..=5).contains(&tabs), "{}", place.title());
+            assert_eq!(place.first().place(), place);
+        }
+        let mut words: Vec<&str> = Page::all().map(Page::word).collect();
+        words.sort_unstable();
+        words.dedup();
+        assert_eq!(words.len(), ROWS.len());
+    }
+
+    #[test]
+    fn words_of_earlier_versions_lead_to_the_same_page() {
+        for (old, page) in [
+            ("spectrum", Page::Spectrum),
+            ("coefficients", Page::Coefficients),
+            ("products", Page::Chain),
+            ("products/forming", Page::Resampling),
+            ("products/lights", Page::TwoLights),
+            ("products/check", Page::SameSurface),
+            ("products/absorption", Page::Absorption),
+        ] {
+            assert_eq!(Page::of_word(old), Some(page), "{old}");
+        }
+        assert_eq!(Page::of_word("home"), None);
+    }
+}
