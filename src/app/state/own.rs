@@ -189,14 +189,13 @@ impl App {
     }
 
     pub(super) fn change_entry(&mut self, key: &str, change: impl Fn(&mut Entry)) {
-        if !self.document.own.iter().any(|e| e.key == key) {
+        let Some(old) = self.document.own.iter().find(|e| e.key == key) else {
             return;
-        }
-        let changed = |entry: &Arc<Entry>| {
-            let mut new = Entry::clone(entry);
-            change(&mut new);
-            Arc::new(new)
         };
+        let mut entry = Entry::clone(old);
+        change(&mut entry);
+        // The same everywhere: what is on screen is what is in the library.
+        let entry = Arc::new(entry);
         let document = &mut self.document;
         let everywhere = document
             .own
@@ -205,25 +204,21 @@ impl App {
             .chain(&mut document.factor)
             .chain(std::iter::once(&mut document.light))
             .chain(document.products.entries_mut());
-        let mut new = None;
-        for entry in everywhere.filter(|e| e.key == key) {
-            *entry = changed(entry);
-            new = Some(entry.clone());
+        for held in everywhere.filter(|e| e.key == key) {
+            *held = entry.clone();
         }
         // What is no factor any more leaves the chain.
         let products = std::mem::take(&mut self.document.products);
         self.document.products = products.clamped();
         // A light that turned into a reflectance changes its place.
-        if let Some(entry) = new {
-            let is_light = self.document.light.key == key;
-            let is_factor = self.document.factor.as_ref().is_some_and(|f| f.key == key);
-            if is_light && entry.kind() != Kind::Light {
-                self.document.light = self.the_first_light();
-                self.show(entry);
-            } else if is_factor && !entry.kind().is_factor() {
-                self.document.factor = None;
-                self.show(entry);
-            }
+        let is_light = self.document.light.key == key;
+        let is_factor = self.document.factor.as_ref().is_some_and(|f| f.key == key);
+        if is_light && entry.kind() != Kind::Light {
+            self.document.light = self.the_first_light();
+            self.show(entry);
+        } else if is_factor && !entry.kind().is_factor() {
+            self.document.factor = None;
+            self.show(entry);
         }
     }
 
