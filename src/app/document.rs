@@ -42,7 +42,7 @@ pub fn first_light(bundled: &[Arc<Entry>]) -> Arc<Entry> {
 pub struct View {
     /// The measured curve.
     pub measured: bool,
-    /// Smooth part and stems together.
+    /// The model's smooth part as an outline.
     pub model: bool,
     /// The smooth part alone.
     pub smooth: bool,
@@ -52,26 +52,41 @@ pub struct View {
     pub residual: bool,
     /// The overlays.
     pub overlays: bool,
-    /// The strip of spectrum colours under the axis.
+    /// The measured curve of a light is filled with the wavelengths' own colours.
     pub strip: bool,
-    /// Logarithmic vertical axis.
-    pub log_axis: bool,
+    /// How heights are drawn.
+    pub height: Height,
     /// Bring the patches to the screen's white.
     pub adapt_patches: bool,
+}
+
+/// How heights of the plot are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Height {
+    /// By roots where lines tower over the glow, else evenly.
+    #[default]
+    Automatic,
+    /// Evenly.
+    Even,
+    /// By their square roots.
+    Root,
+    /// By their logarithms.
+    Log,
 }
 
 impl Default for View {
     fn default() -> Self {
         Self {
             measured: true,
-            model: false,
-            smooth: true,
+            model: true,
+            smooth: false,
             spikes: true,
-            residual: true,
+            residual: false,
             overlays: true,
             strip: true,
-            log_axis: false,
-            adapt_patches: false,
+            height: Height::Automatic,
+            adapt_patches: true,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod absorption_names;
 pub mod already_open;
+pub mod answers;
 pub mod cells;
 pub mod chart;
 pub mod charts;

@@ -102,6 +102,39 @@ pub fn log_ticks(min: f64, max: f64, target: usize) -> Vec<f64> {
         .unwrap_or_else(|| nice_ticks(min, max, target))
 }
 
+/// Round numbers from `min` to `max` that stand apart on an axis of square roots, about `target` of
+/// them: 1, 2 or 5 times powers of ten.
+pub fn root_ticks(min: f64, max: f64, target: usize) -> Vec<f64> {
+    let size = min.abs().max(max.abs());
+    if !(size.is_finite() && size > 0.0 && min < max) {
+        return Vec::new();
+    }
+    let root = |v: f64| v.abs().sqrt().copysign(v);
+    let apart = (root(max) - root(min)) / target.max(2) as f64;
+    let mut sizes: Vec<f64> = Vec::new();
+    let mut decade = 10_f64.powf(size.log10().floor());
+    while sizes.len() < 24 {
+        sizes.extend([5.0, 2.0, 1.0].map(|digit| digit * decade));
+        decade /= 10.0;
+    }
+    // From the top down, so that the highest is kept, as 0 is.
+    let mut ticks: Vec<f64> = vec![0.0];
+    for sign in [1.0, -1.0] {
+        let mut last = f64::INFINITY;
+        for size in &sizes {
+            let tick = sign * size;
+            let place = root(*size);
+            if (min..=max).contains(&tick) && last - place >= 0.7 * apart && place >= 0.7 * apart {
+                ticks.push(tick);
+                last = place;
+            }
+        }
+    }
+    ticks.retain(|tick| (min..=max).contains(tick));
+    ticks.sort_by(f64::total_cmp);
+    ticks
+}
+
 /// Writes the ticks of a linear axis, all with the same number of decimals.
 ///
 /// An axis that goes beyond a million or stays below 1/1000 is written with exponents.

@@ -9,7 +9,7 @@ use super::{
     words::{self, Form},
 };
 use crate::{
-    app::{chart::Theme, pages::Page, products::Part},
+    app::{chart::Theme, pages::Page},
     spectrum::Kind,
     study::Goal,
 };
@@ -237,10 +237,10 @@ pub struct Render {
     /// dark or light.
     #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
     pub theme: Theme,
-    /// The page: spectrum, coefficients, tradeoff, auction, race, products (or one of its parts:
-    /// products/chain, resampling, bounces, narrow, lights, check, absorption), image or truth.
-    #[arg(long, value_name = "PAGE", default_value = "spectrum", value_parser = words::page)]
-    pub page: (Page, Part),
+    /// The page: look, dark-lines, chain, filter, two-lights, same-surface, why, tradeoff, auction,
+    /// race, resampling, bounces, image, glossary or truth; names of earlier versions are known.
+    #[arg(long, value_name = "PAGE", default_value = "look", value_parser = words::page)]
+    pub page: Page,
 }
 
 /// Options of `plot`.

@@ -19,7 +19,6 @@ use crate::{
         opened::Opened,
         pages::{Page, PageMemory},
         picture::{ImageMemory, reload},
-        products::ProductsMemory,
         workspace::Preferences,
     },
     io::{Choices, atomic::save_atomically, error::shown},

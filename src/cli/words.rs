@@ -12,7 +12,6 @@ use crate::{
     app::{
         chart::Theme,
         pages::{Page, SPENDABLE},
-        products::Part,
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
     color::Observer,

@@ -393,8 +393,7 @@ fn every_kind_of_chart_is_drawn_with_a_name_whatever_its_numbers() {
         },
         Marks::Area {
             points: points.clone(),
-            base: odd.to_vec(),
-        },
+            base: odd.to_vec(), is_coloured: false },
         Marks::Bars {
             points: points.clone(),
             width: 0.3,
@@ -419,7 +418,8 @@ fn every_kind_of_chart_is_drawn_with_a_name_whatever_its_numbers() {
             x_scale: scale,
             y_scale: scale,
             y_range: Some([f64::NAN, 1e300]),
-            strip: Some(vec![[1, 2, 3]]),
+            colours: vec![[1, 2, 3]],
+            strip: true,
             series: vec![Series::new("data", [200, 30, 20], marks.clone())],
             ..Chart::default()
         })

@@ -40,6 +40,7 @@ impl Drawing<'_> {
                 let side = |x: f64| [x, top, top + height];
                 out.push(Primitive::Band {
                     corners: vec![side(field.left), side(field.left + length)],
+                    shades: Vec::new(),
                     colour,
                     opacity: 0.4,
                 });
@@ -113,7 +114,7 @@ impl Drawing<'_> {
             )));
         }
         self.y_label(out, field, y_label);
-        let mut pen = Pen::new(plot, self.looks, palette);
+        let mut pen = Pen::new(plot, self.looks, self.chart);
         for series in series {
             let inner = pen.series(series);
             if series.name.is_empty() {

@@ -1,7 +1,7 @@
 //! Axes: the ranges they show, from values to px and back, round ticks and their labels.
 
 use super::{
-    super::ticks::{extent, log_ticks, nice_ticks, short, tick_labels},
+    super::ticks::{extent, log_ticks, nice_ticks, root_ticks, short, tick_labels},
     Chart, Marks, Panel, Scale, Series,
 };
 
@@ -16,8 +16,8 @@ pub(super) fn sound_range(range: [f64; 2], scale: Scale) -> [f64; 2] {
     }
     match scale {
         // NaN has survived all of the above.
-        Scale::Linear if low.is_nan() || high.is_nan() => [0.0, 1.0],
-        Scale::Linear => {
+        Scale::Linear | Scale::Root if low.is_nan() || high.is_nan() => [0.0, 1.0],
+        Scale::Linear | Scale::Root => {
             // Flat data stand in the middle of a range as wide as they are high.
             let least = (low.abs().max(high.abs()) * 1e-12).max(1e-300);
             if high - low >= least {
@@ -41,6 +41,16 @@ pub(super) fn sound_range(range: [f64; 2], scale: Scale) -> [f64; 2] {
         }
         Scale::Log10 => [0.1, 10.0],
     }
+}
+
+/// A square root with the sign of its number.
+pub fn root(value: f64) -> f64 {
+    value.abs().sqrt().copysign(value)
+}
+
+/// The number of a square root with a sign.
+pub fn square(root: f64) -> f64 {
+    (root * root).copysign(root)
 }
 
 /// An axis: values to px from its beginning.
@@ -70,6 +80,7 @@ impl Axis {
         let [low, high] = self.range;
         let part = match self.scale {
             Scale::Linear => (value - low) / (high - low),
+            Scale::Root => (root(value) - root(low)) / (root(high) - root(low)),
             Scale::Log10 if value > 0.0 => (value.ln() - low.ln()) / (high.ln() - low.ln()),
             Scale::Log10 => f64::NAN,
         };
@@ -90,6 +101,7 @@ impl Axis {
         let ([low, high], part) = (self.range, px / self.length);
         match self.scale {
             Scale::Linear => low + (high - low) * part,
+            Scale::Root => square(root(low) + (root(high) - root(low)) * part),
             Scale::Log10 => low * (high / low).powf(part),
         }
     }
@@ -101,6 +113,11 @@ impl Axis {
             Scale::Linear => {
                 let ticks = nice_ticks(low, high, target);
                 let labels = tick_labels(&ticks);
+                (ticks, labels)
+            }
+            Scale::Root => {
+                let ticks = root_ticks(low, high, target);
+                let labels = ticks.iter().copied().map(short).collect();
                 (ticks, labels)
             }
             Scale::Log10 => {
@@ -139,14 +156,14 @@ fn limits(range: Option<[f64; 2]>, scale: Scale, series: &[Series]) -> [f64; 2] 
 /// The range of the data with a little air around, and standing on 0 if it starts there.
 fn fitted_range(series: &[Series], scale: Scale) -> [f64; 2] {
     let heights = series.iter().flat_map(|series| series.marks.heights());
-    let usable = |y: &f64| y.abs() <= LARGEST && (scale == Scale::Linear || *y > 0.0);
+    let usable = |y: &f64| y.abs() <= LARGEST && (scale != Scale::Log10 || *y > 0.0);
     let is_map = |series: &Series| series.marks.cells().is_some();
     match (extent(heights.filter(usable)), scale) {
         // A heat map fills its panel.
         (Some(range), _) if series.iter().any(is_map) => range,
-        (None, Scale::Linear) => [0.0, 1.0],
+        (None, Scale::Linear | Scale::Root) => [0.0, 1.0],
         (None, Scale::Log10) => [0.1, 10.0],
-        (Some([low, high]), Scale::Linear) => {
+        (Some([low, high]), Scale::Linear | Scale::Root) => {
             let air = (high - low) * 0.05;
             let foot = if low == 0.0 { 0.0 } else { low - air };
             // Labels stand above their stems.
@@ -181,8 +198,21 @@ mod tests {
     }
 
     #[test]
+    fn on_a_root_axis_four_times_the_height_is_twice_as_high_and_below_zero_alike() {
+        let axis = Axis::new([0.0, 100.0], Scale::Root, 200.0);
+        assert_eq!((axis.px(25.0), axis.px(100.0)), (100.0, 200.0));
+        let axis = Axis::new([-4.0, 16.0], Scale::Root, 60.0);
+        assert_eq!((axis.px(-4.0), axis.px(0.0), axis.px(4.0)), (0.0, 20.0, 40.0));
+        assert_eq!(axis.value(0.0), -4.0);
+    }
+
+    #[test]
     fn a_place_leads_back_to_its_value() {
-        for (scale, value) in [(Scale::Linear, 25.0), (Scale::Log10, 3.0)] {
+        for (scale, value) in [
+            (Scale::Linear, 25.0),
+            (Scale::Log10, 3.0),
+            (Scale::Root, 7.0),
+        ] {
             let axis = Axis::new([1.0, 100.0], scale, 200.0);
             assert!((axis.value(axis.px(value)) - value).abs() < 1e-12);
         }

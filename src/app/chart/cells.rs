@@ -1,5 +1,6 @@
 //! A heat map: values on a grid, coloured by lightness.
 
+use super::axis::root;
 use super::{
     super::ticks::extent,
     Rgb, Scale,
@@ -38,7 +39,7 @@ impl Cells {
     /// The value of a box by its place in `values`; `None` when it cannot be shown.
     pub fn value(&self, index: usize) -> Option<f64> {
         let value = self.values.get(index).copied().flatten()?;
-        let shown = value.is_finite() && (self.scale == Scale::Linear || value > 0.0);
+        let shown = value.is_finite() && (self.scale != Scale::Log10 || value > 0.0);
         shown.then_some(value)
     }
 
@@ -70,7 +71,7 @@ impl Cells {
         let shown = || (0..self.values.len()).filter_map(|i| self.value(i));
         let range = self.range.or_else(|| extent(shown()));
         let nothing = match self.scale {
-            Scale::Linear => [0.0, 1.0],
+            Scale::Linear | Scale::Root => [0.0, 1.0],
             Scale::Log10 => [0.1, 10.0],
         };
         sound_range(range.unwrap_or(nothing), self.scale)
@@ -81,6 +82,7 @@ impl Cells {
         let [low, high] = limits;
         let part = match self.scale {
             Scale::Linear => (value - low) / (high - low),
+            Scale::Root => (root(value) - root(low)) / (root(high) - root(low)),
             Scale::Log10 => (value / low).ln() / (high / low).ln(),
         };
         if part.is_nan() {

@@ -27,7 +27,7 @@ use std::fmt::Write as _;
 
 use super::ticks::short;
 
-pub use axis::Axis;
+pub use axis::{Axis, root, square};
 pub use cells::Cells;
 pub use drawing::{Drawing, View};
 pub use looks::Looks;
@@ -65,8 +65,11 @@ pub struct Chart {
     pub y_unit: String,
     /// Drawn in this order, the last on top.
     pub series: Vec<Series>,
-    /// Colours along the horizontal axis, evenly spaced from its first value to its last.
-    pub strip: Option<Vec<Rgb>>,
+    /// Colours along the horizontal axis, evenly spaced from its first value to its last: of
+    /// coloured areas, and of a strip below the panel.
+    pub colours: Vec<Rgb>,
+    /// Whether the strip is drawn.
+    pub strip: bool,
     /// A second, lower panel that shares the horizontal axis.
     pub residual: Option<Panel>,
     /// Small lines at the bottom: where the data come from, which version drew them.
@@ -90,7 +93,8 @@ impl Default for Chart {
             y_scale: Scale::Linear,
             y_unit: String::new(),
             series: Vec::new(),
-            strip: None,
+            colours: Vec::new(),
+            strip: false,
             residual: None,
             notes: Vec::new(),
             blank: String::new(),
@@ -116,6 +120,9 @@ pub enum Scale {
     /// Equal differences are equal distances.
     #[default]
     Linear,
+    /// Equal differences of square roots are equal distances: what is low is seen beside what
+    /// towers over it. A negative value stands as far below 0 as its size stands above.
+    Root,
     /// Equal ratios are equal distances; only values above 0 can be shown.
     Log10,
 }
@@ -163,7 +170,8 @@ pub enum Marks {
         points: Vec<[f64; 2]>,
         /// Where each stem starts; 0 where an entry is missing.
         base: Vec<f64>,
-        /// A text above each dot; empty or missing for none.
+        /// A text above each dot; empty or missing for none. A second line of it is written
+        /// smaller and fainter, and left out where there is no room for both.
         labels: Vec<String>,
     },
     /// The area between the points and their bases.
@@ -172,6 +180,9 @@ pub enum Marks {
         points: Vec<[f64; 2]>,
         /// The value of the other border at each point; 0 where an entry is missing.
         base: Vec<f64>,
+        /// Filled with the chart's colours along the horizontal axis, and opaque; else with the
+        /// series' colour, thinly.
+        is_coloured: bool,
     },
     /// Boxes from 0 (or the bottom of a logarithmic axis) to each point.
     Bars {
@@ -315,7 +326,7 @@ impl Chart {
 
     /// The colours along the horizontal axis, if there are any.
     pub(super) fn strip(&self) -> Option<&[Rgb]> {
-        self.strip.as_deref().filter(|colours| !colours.is_empty())
+        (self.strip && !self.colours.is_empty()).then_some(&self.colours[..])
     }
 
     /// The name of a place on the horizontal axis: that of the nearest named one.

@@ -52,6 +52,8 @@ impl Palette {
 pub struct Inks {
     /// The measured curve: neutral.
     pub measured: Rgb,
+    /// The model: an outline.
+    pub model: Rgb,
     /// The smooth part: blue.
     pub smooth: Rgb,
     /// Spikes and model: orange.
@@ -68,6 +70,7 @@ impl Inks {
     /// Inks on near-black.
     pub const DARK: Self = Self {
         measured: [222, 222, 222],
+        model: [255, 255, 255],
         smooth: [86, 180, 233],
         spikes: [240, 165, 30],
         residual: [64, 190, 150],
@@ -83,6 +86,7 @@ impl Inks {
     /// Inks on white.
     pub const LIGHT: Self = Self {
         measured: [40, 40, 40],
+        model: [0, 0, 0],
         smooth: [0, 114, 178],
         spikes: [200, 90, 0],
         residual: [0, 128, 96],

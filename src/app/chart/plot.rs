@@ -2,7 +2,7 @@
 
 use super::{
     super::ticks::short,
-    Cells, Dash, Marks, Series, Shape,
+    Cells, Chart, Dash, Marks, Series, Shape,
     axis::Axis,
     base_at,
     cut::{cut_band, cut_segment},
@@ -66,17 +66,22 @@ pub(super) struct Pen<'a> {
     pub(super) plot: &'a Plot,
     pub(super) looks: Looks,
     pub(super) palette: &'static Palette,
+    /// Colours along the horizontal axis, and the values that they reach from and to.
+    colours: &'a [[u8; 3]],
+    x_range: [f64; 2],
     /// The labels written so far, which go over everything, and their fields.
     pub(super) labels: Vec<Primitive>,
     taken: Vec<Field>,
 }
 
 impl<'a> Pen<'a> {
-    pub(super) fn new(plot: &'a Plot, looks: Looks, palette: &'static Palette) -> Self {
+    pub(super) fn new(plot: &'a Plot, looks: Looks, chart: &'a Chart) -> Self {
         Self {
             plot,
             looks,
-            palette,
+            palette: Palette::of(chart.theme),
+            colours: &chart.colours,
+            x_range: chart.x_range,
             labels: Vec::new(),
             taken: Vec::new(),
         }
@@ -110,7 +115,14 @@ impl<'a> Pen<'a> {
                     .filter_map(|(i, &point)| self.stem(colour, point, base_at(base, i), label(i)))
                     .collect()
             }
-            Marks::Area { points, base } => self.bands(points, base, colour),
+            Marks::Area {
+                points,
+                base,
+                is_coloured,
+            } => {
+                let colours = is_coloured.then_some(self.colours);
+                self.bands(points, base, colour, colours.unwrap_or_default())
+            }
             Marks::Bars { points, width } => {
                 let bars = points.iter().filter_map(|p| self.plot.bar(*p, *width));
                 vec![Primitive::Fields(bars.map(|bar| (bar, colour)).collect())]
@@ -156,7 +168,13 @@ impl<'a> Pen<'a> {
     }
 
     /// The area between points and bases, a band for each unbroken run.
-    fn bands(&self, points: &[[f64; 2]], base: &[f64], colour: [u8; 3]) -> Vec<Primitive> {
+    fn bands(
+        &self,
+        points: &[[f64; 2]],
+        base: &[f64],
+        colour: [u8; 3],
+        colours: &[[u8; 3]],
+    ) -> Vec<Primitive> {
         let corner = |(i, &point): (usize, &[f64; 2])| {
             let [x, top] = self.plot.place(point)?;
             Some([x, top, self.plot.foot(point[0], base_at(base, i))?[1]])
@@ -166,13 +184,25 @@ impl<'a> Pen<'a> {
         runs.filter_map(|run| {
             let run: Vec<[f64; 3]> = run.iter().flatten().copied().collect();
             let corners = cut_band(&run, self.plot.field);
+            let shades = corners.iter().filter_map(|c| self.colour_at(c[0], colours));
+            let shades: Vec<[u8; 3]> = shades.collect();
             (corners.len() > 1).then_some(Primitive::Band {
+                opacity: if shades.is_empty() { 0.25 } else { 1.0 },
                 corners,
+                shades,
                 colour,
-                opacity: 0.25,
             })
         })
         .collect()
+    }
+
+    /// The colour along the axis at a place; `None` where there are none.
+    fn colour_at(&self, x: f64, colours: &[[u8; 3]]) -> Option<[u8; 3]> {
+        let [first, last] = self.x_range;
+        let nm = self.plot.x.value(x - self.plot.field.left);
+        let share = ((nm - first) / (last - first)).clamp(0.0, 1.0);
+        let at = share * colours.len().saturating_sub(1) as f64;
+        colours.get(at.round() as usize).copied()
     }
 
     /// A line from its base to a dot, with its label above.
@@ -192,61 +222,97 @@ impl<'a> Pen<'a> {
             colour,
         )];
         if self.plot.field.holds(top, 1e-6) {
-            inner.push(dot(top, 3.5 * self.looks.scale, colour));
+            // On whatever ground, the head keeps its edge.
+            let radius = 3.5 * self.looks.scale;
+            inner.push(dot(top, radius + 1.2, self.palette.ground));
+            inner.push(dot(top, radius, colour));
         }
         let tip = format!("{}, {}", short(point[0]), short(point[1]));
         if label.is_empty() {
             return Some(Primitive::Group { title: tip, inner });
         }
-        let label_above = self.label(to, label);
-        self.labels.extend(label_above);
-        let title = format!("{label}: {tip}");
+        if self.plot.field.holds(top, 1e-6) {
+            let label_above = self.label(to, label);
+            self.labels.extend(label_above);
+        }
+        let title = format!("{}: {tip}", label.replace('\n', ", "));
         Some(Primitive::Group { title, inner })
     }
 
-    /// A label above a place, or a little higher where another label is in the way.
+    /// A label above a place, of one line or two; where it would touch another it slides aside by
+    /// up to half its width, then goes higher, then does without its second line.
     ///
-    /// A label that finds no free place in a few rows is left out: it would cover others, and the
-    /// stem still has it as its title.
-    fn label(&mut self, [x, y]: Place, label: &str) -> Option<Primitive> {
+    /// A label that finds no free place is left out: it would cover others, and the stem still
+    /// has it as its title.
+    fn label(&mut self, at: Place, label: &str) -> Vec<Primitive> {
+        let (first, second) = label.split_once('\n').unwrap_or((label, ""));
+        let both: &[&[&str]] = &[&[first, second], &[first]];
+        let choices = if second.is_empty() { &both[1..] } else { both };
+        for lines in choices {
+            if let Some(field) = self.free_field(at, lines) {
+                self.taken.push(field);
+                return self.lines(field, lines);
+            }
+        }
+        Vec::new()
+    }
+
+    /// Where a label of some lines has room.
+    fn free_field(&self, [x, y]: Place, lines: &[&str]) -> Option<Field> {
         const ROWS: usize = 5;
         let panel = self.plot.field;
-        let size = self.looks.small();
-        let (width, height) = (text_width(label, size), 1.2 * size);
+        let line = 1.2 * self.looks.small();
+        let sizes = lines.iter().zip(self.label_sizes());
+        let width = sizes.map(|(words, size)| text_width(words, size)).fold(0.0, f64::max);
+        let height = line * lines.len() as f64;
         // Beside the panel's edges a label slides in; above its top it hangs below the edge.
         let leftmost = panel.left + 2.0;
-        let left = (x - width / 2.0)
-            .min(panel.right() - 2.0 - width)
-            .max(leftmost);
+        let within = |left: f64| left.min(panel.right() - 2.0 - width).max(leftmost);
         let lowest = (y - 6.0 * self.looks.scale - height).max(panel.top + 2.0);
-        let rows = (0..ROWS).map(|row| Field {
-            left,
-            top: lowest - row as f64 * height,
-            width,
-            height,
+        let rows = (0..ROWS).map(|row| lowest - row as f64 * line);
+        let places = rows.flat_map(|top| {
+            let aside = [0.0, -0.25, 0.25, -0.5, 0.5];
+            aside.map(|part| Field {
+                left: within(x + (part - 0.5) * width),
+                top,
+                width,
+                height,
+            })
         });
         let clear = |field: &Field| {
             let apart = |other: &Field| {
-                field.left > other.right() + 1.0
-                    || field.right() < other.left - 1.0
+                field.left > other.right() + 3.0
+                    || field.right() < other.left - 3.0
                     || field.top > other.bottom() - 0.5
                     || field.bottom() < other.top + 0.5
             };
             self.taken.iter().all(apart)
         };
-        let free = rows
-            .take_while(|field| field.top >= panel.top)
-            .find(clear)?;
-        self.taken.push(free);
-        Some(Primitive::Text(Text {
-            at: [free.left + width / 2.0, free.top + height / 2.0],
-            anchor: Anchor::Middle,
-            size,
-            colour: self.palette.text,
-            ground: Some(self.palette.ground),
-            words: label.to_owned(),
-            ..Text::default()
-        }))
+        places.filter(|field| field.top >= panel.top).find(clear)
+    }
+
+    /// Sizes of the first and the second line of a label.
+    fn label_sizes(&self) -> [f64; 2] {
+        [1.0, 0.86].map(|part| part * self.looks.small())
+    }
+
+    fn lines(&self, field: Field, lines: &[&str]) -> Vec<Primitive> {
+        let inks = [self.palette.text, self.palette.faint];
+        let rows = lines.iter().zip(self.label_sizes()).zip(inks).enumerate();
+        let count = lines.len() as f64;
+        rows.map(|(row, ((words, size), colour))| {
+            let part = (row as f64 + 0.5) / count;
+            Primitive::Text(Text {
+                at: [field.left + field.width / 2.0, field.top + part * field.height],
+                anchor: Anchor::Middle,
+                size,
+                colour,
+                ground: Some(self.palette.ground),
+                words: (*words).to_owned(),
+                ..Text::default()
+            })
+        })
+        .collect()
     }
 
     /// The name of a series at its highest point in view.

@@ -111,6 +111,9 @@ pub enum Primitive {
     Band {
         /// Corners of both borders, in order.
         corners: Vec<[f64; 3]>,
+        /// A colour for each corner, running into one another, in place of the one below; may be
+        /// empty.
+        shades: Vec<Rgb>,
         /// Its colour.
         colour: Rgb,
         /// 0 is invisible, 1 hides what is below.

@@ -49,7 +49,11 @@ fn write(out: &mut String, primitive: &Primitive) -> fmt::Result {
             colour,
         } => write_lines(out, runs, *width, *dash, *colour),
         Primitive::Band {
+            corners, shades, ..
+        } if !shades.is_empty() => write_shaded(out, corners, shades),
+        Primitive::Band {
             corners,
+            shades: _,
             colour,
             opacity,
         } => {
@@ -111,6 +115,20 @@ fn write_lines(
         out,
         r#"<path d="{path}" stroke="{colour}" stroke-linejoin="round" stroke-width="{width}"{dashes}/>"#
     )
+}
+
+/// A band of many colours as pieces of one colour each; they overlap by a hair, so that nothing of
+/// what is below shines through between them.
+fn write_shaded(out: &mut String, corners: &[[f64; 3]], shades: &[[u8; 3]]) -> std::fmt::Result {
+    const HAIR: f64 = 0.3;
+    for (pair, shade) in corners.windows(2).zip(shades) {
+        let [[x, one, other], [x_2, one_2, other_2]] = [pair[0], pair[1]];
+        let x_2 = x_2 + HAIR;
+        let ring = [[x, one], [x_2, one_2], [x_2, other_2], [x, other]];
+        let (path, colour) = (path(&ring), hex(*shade));
+        writeln!(out, r#"<path d="{path}Z" fill="{colour}"/>"#)?;
+    }
+    Ok(())
 }
 
 fn write_fields(out: &mut String, fields: &[(Field, Rgb)]) -> fmt::Result {

@@ -70,7 +70,8 @@ fn names_labels_and_notes_are_in_the_file() {
             RED,
             vec![[380.0, 0.0], [780.0, 1.0]],
         )],
-        strip: Some(vec![[0, 0, 255], [0, 255, 0], [255, 0, 0]]),
+        colours: vec![[0, 0, 255], [0, 255, 0], [255, 0, 0]],
+        strip: true,
         residual: Some(Panel {
             y_label: "Residual".into(),
             series: vec![Series::line(
@@ -121,7 +122,7 @@ fn charts_without_data_are_still_charts() {
     checked(&line(&[]));
     checked(&line(&[[0.5, 0.5]]));
     checked(&Chart {
-        strip: Some(Vec::new()),
+        strip: true,
         residual: Some(Panel::default()),
         y_scale: Scale::Log10,
         theme: Theme::Dark,
@@ -179,8 +180,7 @@ fn huge_tiny_and_broken_numbers_stay_inside() {
         },
         Marks::Area {
             points: points.clone(),
-            base,
-        },
+            base, is_coloured: false },
         Marks::Bars {
             points: points.clone(),
             width: 0.1,

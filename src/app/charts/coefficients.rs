@@ -109,7 +109,8 @@ impl<'a> Draw<'a> {
             y_label: y_label.to_owned(),
             x_range: [-0.6, last + 0.6],
             series,
-            strip: Some(self.strip(last)),
+            colours: self.strip(last),
+            strip: true,
             notes: self.notes(),
             theme: self.theme,
             ..Chart::default()

@@ -4,6 +4,7 @@ use crate::{
     app::{
         chart::{Chart, Dash, Inks, Marks, Palette, Panel, Rgb, Scale, Series, Shape, Theme},
         derived::OrderPoint,
+        document::Height,
         entry::Entry,
         line_names::LineName,
         state::App,
@@ -47,13 +48,9 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
             unit.to_owned()
         },
         x_range: [band.min_nm(), band.max_nm()],
-        y_scale: if view.log_axis {
-            Scale::Log10
-        } else {
-            Scale::Linear
-        },
-        series: spectrum_series(app, Inks::of(theme)),
-        strip: strip(app, theme),
+        y_scale: scale(app),
+        series: spectrum_series(app, theme),
+        colours: colours(app, theme),
         residual: (view.residual && has_subject).then(|| residual(app, theme)),
         notes: provenance(app),
         blank: if has_subject {
@@ -66,10 +63,31 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
     };
     let [low, high] = chart.y_limits();
     chart.y_range = Some(match chart.y_scale {
-        Scale::Linear => [low.min(0.0), high.max(0.0)],
+        Scale::Linear | Scale::Root => [low.min(0.0), high.max(0.0)],
         Scale::Log10 => [low.max(LOG_FLOOR * top(app)), high],
     });
     chart
+}
+
+/// Lines that tower over the glow this many times are drawn over an axis of roots at first.
+const TOWERS: f64 = 4.0;
+
+/// How heights are drawn.
+pub fn scale(app: &App) -> Scale {
+    match app.document().view.height {
+        Height::Even => Scale::Linear,
+        Height::Root => Scale::Root,
+        Height::Log => Scale::Log10,
+        Height::Automatic => {
+            let derived = app.derived();
+            let most = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+            let glow = most(&derived.smooth);
+            match most(&derived.measured) > TOWERS * glow && glow > 0.0 {
+                true => Scale::Root,
+                false => Scale::Linear,
+            }
+        }
+    }
 }
 
 /// The largest measured size on the scale in force.
@@ -94,7 +112,8 @@ fn line(name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash) 
 }
 
 /// What the view shows, the last on top.
-fn spectrum_series(app: &App, inks: Inks) -> Vec<Series> {
+fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
+    let inks = Inks::of(theme);
     let (document, derived) = (app.document(), app.derived());
     let view = document.view;
     let mut series = Vec::new();
@@ -108,8 +127,19 @@ fn spectrum_series(app: &App, inks: Inks) -> Vec<Series> {
     }
     if view.measured {
         let points = app.measured_points();
-        let points = points.map(|(nm, v)| [nm, v * app.scale_factor()]);
-        series.push(Series::line("measured", inks.measured, points.collect()));
+        let points: Vec<[f64; 2]> = points
+            .map(|(nm, v)| [nm, v * app.scale_factor()])
+            .collect();
+        if view.strip && document.is_about_light() {
+            let marks = Marks::Area {
+                points,
+                base: Vec::new(),
+                is_coloured: true,
+            };
+            series.push(Series::new("measured", inks.measured, marks));
+        } else {
+            series.push(Series::line("measured", inks.measured, points));
+        }
     }
     if let Some(product) = app.product() {
         let (exact, model) = (curve(app, &product.exact), curve(app, &product.smooth));
@@ -127,8 +157,11 @@ fn spectrum_series(app: &App, inks: Inks) -> Vec<Series> {
         ));
     }
     if view.model {
-        let points = curve(app, &derived.model_values());
-        series.push(line("model", inks.spikes, points, 1.44, Dash::Solid));
+        // The edge keeps the outline apart from whatever it runs over.
+        let points = curve(app, &derived.smooth);
+        let edge = Palette::of(theme).ground;
+        series.push(line("", edge, points.clone(), 4.0, Dash::Solid));
+        series.push(line("model", inks.model, points, 2.0, Dash::Solid));
     }
     if view.smooth {
         let points = curve(app, &derived.smooth);
@@ -136,11 +169,7 @@ fn spectrum_series(app: &App, inks: Inks) -> Vec<Series> {
     }
     if view.spikes {
         let spikes = &derived.model.spikes;
-        let label = |(spike, name): (&Spike, &LineName)| match &name.safe {
-            Some(name) => name.clone(),
-            None => format!("{:.1}", spike.at_nm),
-        };
-        let labels = spikes.iter().zip(app.spike_names()).map(label).collect();
+        let labels = labels(app, spikes);
         series.push(stems(
             app,
             (SPIKES, inks.spikes),
@@ -150,6 +179,26 @@ fn spectrum_series(app: &App, inks: Inks) -> Vec<Series> {
         ));
     }
     series
+}
+
+/// What stands over the stems: the line's name, else its wavelength, and its share of the power.
+fn labels(app: &App, spikes: &[Spike]) -> Vec<String> {
+    let parts = &app.derived().parts;
+    let share = |spike: &Spike| parts.share(spike.weight).map(|share| 100.0 * share);
+    let sizes = spikes.iter().map(|spike| share(spike).unwrap_or(0.0).abs());
+    let largest = sizes.fold(0.0, f64::max);
+    let label = |(spike, name): (&Spike, &LineName)| {
+        let name = match &name.safe {
+            Some(name) => name.clone(),
+            None => format!("{:.1}", spike.at_nm),
+        };
+        match share(spike) {
+            Some(share) if share.abs() >= largest => format!("{name}\n{share:.1} % of the power"),
+            Some(share) => format!("{name}\n{share:.1} %"),
+            None => name,
+        }
+    };
+    spikes.iter().zip(app.spike_names()).map(label).collect()
 }
 
 /// A spectrum laid over the subject, on its axis.
@@ -182,14 +231,17 @@ fn stems(
     labels: Vec<String>,
 ) -> Series {
     let (factor, band) = (app.scale_factor(), app.derived().band);
-    let width = app.document().settings.max_width_nm;
     let base: Vec<f64> = spikes
         .iter()
         .map(|s| factor * band.interpolate(smooth, s.at_nm))
         .collect();
     let tips = spikes.iter().zip(&base);
     let points = tips
-        .map(|(s, base)| [s.at_nm, base + factor * s.stem_height(width)])
+        .enumerate()
+        .map(|(i, (s, base))| {
+            let width = app.derived().parts.stem_width_nm(i);
+            [s.at_nm, base + factor * s.stem_height(width)]
+        })
         .collect();
     let marks = Marks::Stems {
         points,
@@ -199,22 +251,23 @@ fn stems(
     Series::new(name, colour, marks)
 }
 
-/// The colours of the wavelengths, where there are any.
-fn strip(app: &App, theme: Theme) -> Option<Vec<Rgb>> {
+/// The colours of the wavelengths; none where the range shows none.
+fn colours(app: &App, theme: Theme) -> Vec<Rgb> {
     let band = app.derived().band;
-    let is_visible = band.min_nm() < 830.0 && band.max_nm() > 360.0;
-    (app.document().view.strip && is_visible).then(|| {
-        let ground = Srgb(Palette::of(theme).ground);
-        let colours = band
-            .grid()
-            .map(|nm| srgb_from_wavelength_over(nm, ground).0);
-        colours.collect()
-    })
+    if band.min_nm() >= 830.0 || band.max_nm() <= 360.0 {
+        return Vec::new();
+    }
+    let ground = Srgb(Palette::of(theme).ground);
+    let colours = band
+        .grid()
+        .map(|nm| srgb_from_wavelength_over(nm, ground).0);
+    colours.collect()
 }
 
 /// Model minus measured.
 fn residual(app: &App, theme: Theme) -> Panel {
-    let points = curve(app, &app.derived().residual);
+    // Lines are as wide as they are measured: ideal ones would dwarf all that is left over.
+    let points = curve(app, &app.derived().widened_residual());
     let mut panel = Panel {
         y_label: "model − measured".to_owned(),
         y_range: None,

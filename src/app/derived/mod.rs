@@ -153,6 +153,25 @@ impl Derived {
         values
     }
 
+    /// The model with each spike as a Gaussian of its line's own width, less what was measured.
+    pub fn widened_residual(&self) -> Vec<f64> {
+        let mut values: Vec<f64> = self
+            .smooth
+            .iter()
+            .zip(&self.measured)
+            .map(|(s, m)| s - m)
+            .collect();
+        for (i, spike) in self.model.spikes.iter().enumerate() {
+            let width = self.parts.stem_width_nm(i);
+            let height = spike.stem_height(width);
+            for (nm, value) in self.band.grid().zip(&mut values) {
+                let off = (nm - spike.at_nm) / width;
+                *value += height * (-4.0 * std::f64::consts::LN_2 * off * off).exp();
+            }
+        }
+        values
+    }
+
     /// The parts of 380-780 nm that the range does not reach: "380-400 and 700-780".
     fn missing_visible(&self) -> Option<String> {
         let (min, max) = (self.band.min_nm(), self.band.max_nm());

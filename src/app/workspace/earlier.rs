@@ -9,6 +9,15 @@ const GONE: [&str; 2] = ["no_library", "spikes_below"];
 
 /// Puts the words of earlier versions into those of this one.
 pub fn translate(rest: &mut Map<String, Value>) {
+    if let Some(Value::Object(view)) = rest.get_mut("view")
+        && let Some(log) = view.remove("log_axis")
+    {
+        let height = match log.as_bool() {
+            Some(true) => "log",
+            _ => "even",
+        };
+        view.entry("height").or_insert_with(|| height.into());
+    }
     let Some(Value::Object(preferences)) = rest.get_mut("preferences") else {
         return;
     };

@@ -5,7 +5,7 @@ use egui::{Id, Rect, Response, Ui, UiBuilder, Vec2};
 use egui_plot::{Plot, PlotBounds, PlotTransform};
 
 use super::{How, paint};
-use crate::app::chart::{Drawing, Scale, View};
+use crate::app::chart::{Drawing, Scale, View, root, square};
 
 /// What is shown of a panel, in coordinates of egui_plot: of each axis the first and the last.
 type Bounds = [[f64; 2]; 2];
@@ -140,6 +140,7 @@ fn panel(ui: &mut Ui, rect: Rect, name: &str, bounds: Bounds, how: How) -> Panel
 fn coordinates((range, scale): ([f64; 2], Scale)) -> [f64; 2] {
     match scale {
         Scale::Linear => range,
+        Scale::Root => range.map(root),
         Scale::Log10 => range.map(f64::log10),
     }
 }
@@ -148,6 +149,7 @@ fn coordinates((range, scale): ([f64; 2], Scale)) -> [f64; 2] {
 fn values(range: [f64; 2], scale: Scale) -> [f64; 2] {
     match scale {
         Scale::Linear => range,
+        Scale::Root => range.map(square),
         Scale::Log10 => range.map(|at| 10_f64.powf(at)),
     }
 }

@@ -55,12 +55,14 @@ fn add(out: &mut Vec<Shape>, painter: &Painter, origin: Vec2, primitive: &Primit
         }
         Primitive::Band {
             corners,
+            shades,
             colour,
             opacity,
         } => {
-            let fill = ink(*colour).gamma_multiply(*opacity as f32);
             let mut mesh = Mesh::default();
-            for [x, one, other] in corners {
+            for (i, [x, one, other]) in corners.iter().enumerate() {
+                let shade = ink(*shades.get(i).unwrap_or(colour));
+                let fill = shade.gamma_multiply(*opacity as f32);
                 let first = mesh.vertices.len() as u32;
                 mesh.colored_vertex(pos(origin, [*x, *one]), fill);
                 mesh.colored_vertex(pos(origin, [*x, *other]), fill);

@@ -96,7 +96,7 @@ impl Dragging {
             let (at_nm, height) = at(pointer);
             let at_nm = at_nm.clamp(derived.band.min_nm(), derived.band.max_nm());
             let height = height - base_at(at_nm);
-            let width = app.document().settings.max_width_nm;
+            let width = derived.parts.stem_width_nm(drag.index);
             let weight = Spike::weight_from_stem(height, width);
             let hands = app.document().subject_edits().hand.len();
             let hand = drag.hand.unwrap_or(hands);
@@ -128,7 +128,7 @@ impl Dragging {
                 let height = height - base_at(at_nm);
                 wishes.acts.push(SpikeAct::Add {
                     at_nm,
-                    weight: Spike::weight_from_stem(height, app.document().settings.max_width_nm),
+                    weight: Spike::weight_from_stem(height, derived.parts.stem_width_nm(usize::MAX)),
                 });
             }
         }

@@ -72,7 +72,7 @@ impl SpectrumView {
         let of = (
             &document.subject_entry().key,
             document.scale,
-            document.view.log_axis,
+            document.view.height as u8,
             app.derived().band.points(),
         );
         let how = How {

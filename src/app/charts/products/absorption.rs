@@ -216,7 +216,8 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
             unit.to_owned()
         },
         series,
-        strip: strip(band, theme),
+        colours: strip(band, theme).unwrap_or_default(),
+        strip: true,
         notes,
         ..over(band, theme)
     }

@@ -128,7 +128,8 @@ impl ChainSheet {
                 unit
             },
             series,
-            strip: strip(band, theme),
+            colours: strip(band, theme).unwrap_or_default(),
+            strip: true,
             notes,
             ..over(band, theme)
         }

@@ -220,8 +220,7 @@ impl Behind {
         let over: Vec<[f64; 2]> = band.grid().zip(through).map(|(nm, v)| [nm, v]).collect();
         let area = Marks::Area {
             points: over.clone(),
-            base: Vec::new(),
-        };
+            base: Vec::new(), is_coloured: false };
         let mut series = vec![
             Series::new("filter, 1 at the top", inks.residual, area),
             thin("", inks.residual, over, Dash::Solid),
@@ -250,7 +249,8 @@ impl Behind {
             },
             x_range: [band.min_nm(), band.max_nm()],
             series,
-            strip: strip(band, theme),
+            colours: strip(band, theme).unwrap_or_default(),
+            strip: true,
             notes: self.notes(app),
             theme,
             ..Chart::default()

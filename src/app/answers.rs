@@ -1,0 +1,228 @@
+//! What a person wants to know of a model at first sight, in words and few figures: can one see
+//! the difference, how few numbers are they, from which order on is nothing seen.
+
+use super::{
+    settings::{Detector, Settings},
+    state::App,
+    ticks::short,
+};
+use crate::{
+    color::cct::Cct,
+    spectrum::{Basis, spikes::detect},
+    study::{Measure, Sweep},
+};
+
+/// How a difference of colour is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// CIEDE2000 below 1.
+    Not,
+    /// From 1: where the two colours touch.
+    SideBySide,
+    /// From 2.
+    Visible,
+    /// From 5: another colour.
+    Wrong,
+}
+
+impl Seen {
+    /// From the least difference to the largest.
+    pub const ALL: [Self; 4] = [Self::Not, Self::SideBySide, Self::Visible, Self::Wrong];
+
+    /// How a CIEDE2000 is seen.
+    pub fn of(delta_e_2000: f64) -> Self {
+        match delta_e_2000 {
+            d if d < 1.0 => Self::Not,
+            d if d < 2.0 => Self::SideBySide,
+            d if d <= 5.0 => Self::Visible,
+            _ => Self::Wrong,
+        }
+    }
+
+    /// In a word or two.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Not => "Not seen",
+            Self::SideBySide => "Side by side",
+            Self::Visible => "Visible",
+            Self::Wrong => "Wrong",
+        }
+    }
+
+    /// As a verdict on a model.
+    pub fn verdict(self) -> &'static str {
+        match self {
+            Self::Not => "Cannot be told apart",
+            Self::SideBySide => "Only side by side",
+            Self::Visible => "Visibly different",
+            Self::Wrong => "Wrong colours",
+        }
+    }
+
+    /// What it means, a sentence.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Not => "CIEDE2000 below 1: nobody sees the difference.",
+            Self::SideBySide => "CIEDE2000 from 1 to 2: seen only where both colours touch.",
+            Self::Visible => "CIEDE2000 from 2 to 5: seen by who looks for it.",
+            Self::Wrong => "CIEDE2000 above 5: another colour.",
+        }
+    }
+}
+
+/// The largest difference that anybody would see: of the patches where there are, else of the
+/// spectrum's own colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// CIEDE2000.
+    pub delta_e_2000: f64,
+    /// The patch; `None` for the spectrum itself.
+    pub patch: Option<String>,
+}
+
+impl Worst {
+    /// Of the present model; `None` where there is no colour.
+    pub fn of(app: &App) -> Option<Self> {
+        let derived = app.derived();
+        let patches = derived.patches.as_ref();
+        let worst = patches.and_then(|patches| {
+            let patch = patches.items.get(patches.worst)?;
+            Some(Self {
+                delta_e_2000: patch.delta_e_2000,
+                patch: Some(patch.name.clone()),
+            })
+        });
+        worst.or_else(|| {
+            Some(Self {
+                delta_e_2000: derived.colour.delta_e_2000?,
+                patch: None,
+            })
+        })
+    }
+}
+
+/// The least order from which on no patch is seen to differ; `None` where there is none.
+pub fn not_seen_from(app: &App) -> Option<usize> {
+    let curve = &app.derived().curve;
+    let seen = |point: &&crate::app::derived::OrderPoint| {
+        let worst = point.patches_max.or(point.own);
+        worst.is_none_or(|error| error >= 1.0)
+    };
+    match curve.iter().rfind(seen) {
+        None => curve.first().map(|point| point.order),
+        Some(last) => {
+            let mut higher = curve.iter().map(|point| point.order);
+            higher.find(|order| *order > last.order)
+        }
+    }
+}
+
+/// A colour temperature and its tint: "4220 K, slightly green".
+pub fn white_words(cct: Cct) -> String {
+    // Three digits are what a lamp's colour temperature is good for.
+    let kelvin = (cct.kelvin / 10.0).round() * 10.0;
+    let tint = match cct.duv {
+        d if d > 0.006 => ", green",
+        d if d > 0.002 => ", slightly green",
+        d if d < -0.006 => ", pink",
+        d if d < -0.002 => ", slightly pink",
+        _ => "",
+    };
+    format!("{kelvin:.0} K{tint}")
+}
+
+/// Thresholds that the slider of lines reaches, per cent of the power.
+pub const LINE_THRESHOLDS: [f64; 2] = [0.1, 20.0];
+
+/// Shares of the power of every line that the slider can let in, per cent, largest first.
+pub fn line_shares(app: &App) -> Vec<f64> {
+    let settings = app.document().settings;
+    if settings.detector != Detector::Energy {
+        return Vec::new();
+    }
+    let lowest = Settings {
+        threshold_percent: LINE_THRESHOLDS[0],
+        ..settings
+    };
+    let derived = app.derived();
+    let found = detect(derived.band, &derived.measured, lowest.spike_settings());
+    let share = |weight: f64| 100.0 * weight.abs() / found.power;
+    let mut shares: Vec<f64> = found
+        .spikes
+        .iter()
+        .map(|found| share(found.spike.weight))
+        .filter(|share| share.is_finite())
+        .collect();
+    shares.sort_by(|a, b| b.total_cmp(a));
+    shares
+}
+
+/// A threshold above which as many of the lines stay as were asked for, per cent.
+pub fn threshold_for(shares: &[f64], count: usize) -> f64 {
+    let [lowest, highest] = LINE_THRESHOLDS;
+    let least_in = count.checked_sub(1).and_then(|i| shares.get(i));
+    let most_out = shares.get(count);
+    match (least_in, most_out) {
+        (Some(inside), Some(outside)) => (inside * outside).sqrt(),
+        (Some(inside), None) => (0.8 * inside).min(0.5),
+        (None, Some(outside)) => 1.2 * outside,
+        (None, None) => 0.5,
+    }
+    .clamp(lowest, highest)
+}
+
+/// The knobs that are best among all eight ways with at most so many numbers; `None` where
+/// nothing fits.
+pub fn automatic(settings: Settings, sweep: &Sweep, numbers: usize) -> Option<Settings> {
+    let affordable = || sweep.points.iter().filter(|point| point.numbers <= numbers);
+    let measures = [Measure::Patches, Measure::Own, Measure::RmsBlurred];
+    measures.into_iter().find_map(|measure| {
+        let known = affordable().filter_map(|point| Some((point, measure.of(&point.verdict)?)));
+        // Equal colours: the one whose spectrum is nearer.
+        let best = known.min_by(|(a, one), (b, other)| {
+            let near = |v: &crate::study::Verdict| Measure::RmsBlurred.of(v).unwrap_or(f64::MAX);
+            let equal = (one - other).abs() < 1e-6;
+            match equal {
+                true => near(&a.verdict).total_cmp(&near(&b.verdict)),
+                false => one.total_cmp(other),
+            }
+        });
+        let (point, _) = best?;
+        Some(Settings {
+            basis: point.way.basis,
+            colour_exact: point.way.colour_exact,
+            spikes: point.way.spikes,
+            order: point.order,
+            ..settings
+        })
+    })
+}
+
+/// The knobs of the paper: plain Fourier series on 400 to 700 nm where the table reaches.
+pub fn as_in_the_paper(app: &App) -> Settings {
+    let settings = app.document().settings;
+    let samples = &app.document().subject_entry().spectrum.samples;
+    let reaches = samples.first_nm() <= 400.0 && samples.last_nm() >= 700.0;
+    let band = crate::spectrum::Band::new(400.0, 700.0).ok();
+    Settings {
+        basis: Basis::Fourier,
+        colour_exact: false,
+        detector: Detector::Gradient,
+        gradient_percent: Settings::default().gradient_percent,
+        sampling: crate::spectrum::Sampling::Paper,
+        band: band.filter(|_| reaches).unwrap_or(settings.band),
+        ..settings
+    }
+}
+
+/// "4 lines, above 0.5 %".
+pub fn lines_words(app: &App) -> String {
+    let settings = app.document().settings;
+    if !settings.spikes {
+        return "off".to_owned();
+    }
+    match settings.detector {
+        Detector::Energy => format!("above {} % of the power", short(settings.threshold_percent)),
+        Detector::Gradient => format!("steeper than {} % per nm", short(settings.gradient_percent)),
+    }
+}
