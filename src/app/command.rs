@@ -53,6 +53,8 @@ pub enum Command {
         /// The hand edits of the subject's spikes.
         edits: SpikeEdits,
     },
+    /// Model, layers, patches and hand edits as they are at the start; light and overlays stay.
+    Reset,
     /// The group whose reflectances are the patches.
     PatchSet(String),
     /// The patch whose product is drawn.

@@ -256,6 +256,16 @@ impl Document {
         }
     }
 
+    /// Model, layers, patches and the subject's hand edits as a fresh document has them.
+    pub fn reset(&mut self) {
+        let key = self.subject_entry().key.clone();
+        self.edits.remove(&key);
+        self.settings = Settings::default();
+        self.view = View::default();
+        FIRST_PATCH_SET.clone_into(&mut self.patch_set);
+        self.patch = None;
+    }
+
     /// What is on screen.
     pub fn looks(&self) -> Before {
         Before {

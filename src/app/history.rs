@@ -36,18 +36,19 @@ impl History {
         Some(after)
     }
 
+    /// The document that a step back leads to.
+    pub fn before(&self) -> Option<&Document> {
+        self.past.last()
+    }
+
+    /// The document that a step forward leads to.
+    pub fn after(&self) -> Option<&Document> {
+        self.future.last()
+    }
+
     /// Every document that is remembered.
     pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Document> {
         self.past.iter_mut().chain(&mut self.future)
     }
 
-    /// Whether there is a step back.
-    pub fn can_undo(&self) -> bool {
-        !self.past.is_empty()
-    }
-
-    /// Whether there is a step forward.
-    pub fn can_redo(&self) -> bool {
-        !self.future.is_empty()
-    }
 }

@@ -11,6 +11,7 @@ pub mod derived;
 pub mod document;
 pub mod entry;
 pub mod export;
+pub mod glossary;
 pub mod history;
 pub mod import;
 pub mod library;
@@ -42,6 +43,7 @@ pub mod studies;
 pub mod study_report;
 pub mod tables;
 pub mod ticks;
+pub mod undo_words;
 pub mod workspace;
 
 pub use command::Command;

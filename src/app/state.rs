@@ -22,6 +22,7 @@ use super::{
     spike_hand::{self, SpikeAct},
     studies::about::reflectances,
     tables::{CURVE_ORDER, Tables, Viewing},
+    undo_words::difference,
 };
 use crate::{
     color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
@@ -181,12 +182,24 @@ impl App {
 
     /// Whether there is something to undo.
     pub fn can_undo(&self) -> bool {
-        self.history.can_undo()
+        self.history.before().is_some()
     }
 
     /// Whether there is something to do again.
     pub fn can_redo(&self) -> bool {
-        self.history.can_redo()
+        self.history.after().is_some()
+    }
+
+    /// What undo would take back, in words.
+    pub fn undo_words(&self) -> Option<String> {
+        let before = self.history.before()?;
+        Some(difference(before, &self.document))
+    }
+
+    /// What would be done again, in words.
+    pub fn redo_words(&self) -> Option<String> {
+        let after = self.history.after()?;
+        Some(difference(&self.document, after))
     }
 
     /// The entry of that key, shipped or the user's own.
@@ -208,8 +221,14 @@ impl App {
     pub fn apply(&mut self, command: Command) {
         let before = self.document.clone();
         match command.clone() {
-            Command::Undo => return self.step(History::undo, "Nothing to undo."),
-            Command::Redo => return self.step(History::redo, "Nothing to do again."),
+            Command::Undo => {
+                let words = self.undo_words().map(|words| format!("Undone: {words}."));
+                return self.step(History::undo, words, "Nothing to undo.");
+            }
+            Command::Redo => {
+                let words = self.redo_words().map(|words| format!("Done again: {words}."));
+                return self.step(History::redo, words, "Nothing to do again.");
+            }
             Command::ImageIsBack(image) => return self.image_is_back(&image),
             Command::Edit(settings) => self.document.settings = settings.clamped(),
             Command::Show(entry) => {
@@ -236,6 +255,7 @@ impl App {
                 self.document.settings = settings.clamped();
                 self.set_edits(edits);
             }
+            Command::Reset => self.document.reset(),
             Command::PatchSet(group) => {
                 self.document.patch_set = group;
                 self.document.patch = None;
@@ -316,6 +336,7 @@ impl App {
     fn step(
         &mut self,
         step: impl Fn(&mut History, &Document) -> Option<Document>,
+        words: Option<String>,
         otherwise: &str,
     ) {
         match step(&mut self.history, &self.document) {
@@ -323,6 +344,9 @@ impl App {
                 self.document = document;
                 self.gesture = None;
                 self.recompute();
+                if let Some(words) = words {
+                    self.say_for_now(Tone::Info, words);
+                }
             }
             None => self.say(Tone::Info, otherwise),
         }

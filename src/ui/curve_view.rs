@@ -1,4 +1,4 @@
-//! How many numbers the model takes, and the whole error-against-order curve.
+//! The whole error-against-order curve.
 
 use eframe::egui;
 use egui::{Id, Ui, vec2};
@@ -19,31 +19,19 @@ use crate::{
     io::many::numbers,
 };
 
-/// The count of numbers, and the curve; clicking it goes to that order.
+/// The curve in a height, with the choice of its quantity; clicking it goes to that order.
 pub fn show(
     ui: &mut Ui,
     app: &App,
     preferences: &mut Preferences,
     theme: Theme,
+    height: f32,
     commands: &mut Vec<Command>,
 ) {
-    let derived = app.derived();
-    let smooth = derived.model.smooth.coefficients.len();
-    let spikes = derived.model.spikes.len();
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        ui.label("Numbers used");
-        ui.strong(derived.numbers().to_string());
-        ui.weak(format!(
-            "= {smooth} smooth + {} for {spikes} {}",
-            2 * spikes,
-            if spikes == 1 { "spike" } else { "spikes" }
-        ));
-    })
-    .response
-    .on_hover_text("An order N takes 2N + 1 numbers; a spike takes two, its place and its weight.");
+    let top = ui.cursor().top();
     quantity_row(ui, app, preferences);
-    plot(ui, app, preferences.curve, theme, commands);
+    let height = height - (ui.cursor().top() - top) - ui.spacing().item_spacing.y;
+    plot(ui, app, preferences.curve, (height, theme), commands);
 }
 
 fn quantity_words(quantity: CurveQuantity) -> (&'static str, &'static str) {
@@ -111,11 +99,17 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     });
 }
 
-fn plot(ui: &mut Ui, app: &App, chosen: CurveQuantity, theme: Theme, commands: &mut Vec<Command>) {
+fn plot(
+    ui: &mut Ui,
+    app: &App,
+    chosen: CurveQuantity,
+    (height, theme): (f32, Theme),
+    commands: &mut Vec<Command>,
+) {
     let quantity = shown(app, chosen);
     let derived = app.derived();
     let order = derived.model.smooth.order();
-    let size = vec2(ui.available_width(), 96.0 * theme.scale);
+    let size = vec2(ui.available_width(), height.clamp(60.0, 240.0 * theme.scale));
     let Some(mut chart) = order_chart(app, quantity, theme.of_charts()) else {
         ui.allocate_ui(size, |ui| {
             ui.weak("There is no colour to compare in this range.");

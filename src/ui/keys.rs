@@ -30,10 +30,22 @@ pub enum Act {
     ResetView,
     /// Dark or light.
     Theme,
-    /// Large type.
-    Projector,
+    /// Plot, swatch, patches and sliders alone, large.
+    Present,
+    /// The plot alone.
+    PlotAlone,
     /// Into the search field.
     Search,
+    /// The library, or the page without it.
+    Library,
+    /// A place of the window, by its number in the rail.
+    Place(usize),
+    /// Everything back to the start.
+    Reset,
+    /// Finds lights, places and acts by a few letters.
+    Palette,
+    /// The three ways to begin.
+    Greeting,
     /// Larger.
     ZoomIn,
     /// Smaller.
@@ -51,7 +63,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 20] = [
+pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 29] = [
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
         Act::Redo,
@@ -106,9 +118,54 @@ pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 20] = [
         "Dark or light",
     ),
     (
-        KeyboardShortcut::new(CTRL, Key::P),
-        Act::Projector,
-        "Projector mode",
+        KeyboardShortcut::new(CTRL, Key::L),
+        Act::Library,
+        "Open or close the library",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::K),
+        Act::Palette,
+        "Find a light, a place or an act",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num1),
+        Act::Place(0),
+        "Learn",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num2),
+        Act::Place(1),
+        "Look",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num3),
+        Act::Place(2),
+        "Through",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num4),
+        Act::Place(3),
+        "Numbers",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num5),
+        Act::Place(4),
+        "Picture",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::F5),
+        Act::Present,
+        "Present",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::F11),
+        Act::PlotAlone,
+        "The plot alone",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::R),
+        Act::Reset,
+        "Everything back to the start",
     ),
     (
         KeyboardShortcut::new(Modifiers::NONE, Key::Home),
@@ -150,7 +207,8 @@ pub fn pressed(context: &Context) -> Vec<Act> {
     let mut acts = Vec::new();
     context.input_mut(|input| {
         for (shortcut, act, _) in &SHORTCUTS {
-            let is_plain = shortcut.modifiers.is_none() && shortcut.logical_key != Key::F1;
+            let is_function = matches!(shortcut.logical_key, Key::F1 | Key::F5 | Key::F11);
+            let is_plain = shortcut.modifiers.is_none() && !is_function;
             let is_history = matches!(act, Act::Undo | Act::Redo);
             if (is_plain && focused) || (is_history && writing) {
                 continue;

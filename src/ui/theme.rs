@@ -1,4 +1,5 @@
-//! Neutral surroundings for colour: greys without a tint, one accent, two themes, a projector size.
+//! Neutral surroundings for colour: greys without a tint, one accent, two themes, a size for
+//! presenting.
 
 use std::sync::Arc;
 
@@ -9,13 +10,14 @@ use egui::{
 };
 
 use crate::app::{
+    answers::Seen,
     chart::{self, Inks},
     workspace::Preferences,
 };
 
-/// How much larger type and how much thicker lines are in projector mode.
-const PROJECTOR_TYPE: f32 = 1.3;
-const PROJECTOR_LINES: f32 = 1.8;
+/// How much larger type and how much thicker lines are while presenting.
+const PRESENT_TYPE: f32 = 2.0;
+const PRESENT_LINES: f32 = 2.0;
 
 /// The looks that views ask for beside egui's own style.
 #[derive(Clone, Copy, Debug)]
@@ -32,8 +34,31 @@ pub struct Theme {
     pub faint: Color32,
     /// The mark of something that needs attention (never by colour alone).
     pub warning: Color32,
-    /// Multiplier of fixed sizes in projector mode.
+    /// Around every swatch and patch; never equal to a grey patch.
+    pub swatch_ground: Color32,
+    /// Fill of what one holds: a slider's track.
+    pub accent: Color32,
+    /// Tracks of sliders.
+    pub track: Color32,
+    /// "Cannot be seen" in charts.
+    pub zone: [u8; 3],
+    /// Multiplier of fixed sizes while presenting.
     pub scale: f32,
+}
+
+/// How a difference is seen, as a colour: always beside its word.
+pub fn of_seen(seen: Seen, dark: bool) -> Color32 {
+    let [r, g, b] = match (seen, dark) {
+        (Seen::Not, true) => [72, 184, 154],
+        (Seen::SideBySide, true) => [230, 180, 34],
+        (Seen::Visible, true) => [232, 131, 58],
+        (Seen::Wrong, true) => [224, 96, 94],
+        (Seen::Not, false) => [12, 109, 84],
+        (Seen::SideBySide, false) => [138, 101, 0],
+        (Seen::Visible, false) => [168, 72, 12],
+        (Seen::Wrong, false) => [168, 34, 34],
+    };
+    Color32::from_rgb(r, g, b)
 }
 
 impl Theme {
@@ -43,20 +68,28 @@ impl Theme {
         Self {
             dark,
             inks: Inks::of(of_charts(dark)),
-            line: if preferences.projector {
-                1.6 * PROJECTOR_LINES
+            line: if preferences.present {
+                1.6 * PRESENT_LINES
             } else {
                 1.6
             },
-            ground: grey(if dark { 20 } else { 250 }),
-            faint: grey(if dark { 150 } else { 95 }),
+            ground: grey(if dark { 18 } else { 255 }),
+            faint: grey(if dark { 162 } else { 95 }),
+            swatch_ground: grey(if dark { 68 } else { 180 }),
+            accent: if dark {
+                Color32::from_rgb(78, 161, 224)
+            } else {
+                Color32::from_rgb(27, 111, 174)
+            },
+            track: grey(if dark { 88 } else { 178 }),
+            zone: if dark { [23, 48, 41] } else { [220, 239, 232] },
             warning: if dark {
                 Color32::from_rgb(240, 190, 90)
             } else {
                 Color32::from_rgb(140, 80, 0)
             },
-            scale: if preferences.projector {
-                PROJECTOR_TYPE
+            scale: if preferences.present {
+                PRESENT_TYPE
             } else {
                 1.0
             },
@@ -116,11 +149,11 @@ pub fn apply(context: &Context, preferences: &Preferences) {
     context.all_styles_mut(|style| {
         let size = |points: f32| points * theme.scale;
         style.text_styles = [
-            (TextStyle::Small, FontId::proportional(size(11.0))),
-            (TextStyle::Body, FontId::proportional(size(13.0))),
-            (TextStyle::Button, FontId::proportional(size(13.0))),
-            (TextStyle::Heading, FontId::proportional(size(15.5))),
-            (TextStyle::Monospace, FontId::monospace(size(12.0))),
+            (TextStyle::Small, FontId::proportional(size(12.0))),
+            (TextStyle::Body, FontId::proportional(size(14.0))),
+            (TextStyle::Button, FontId::proportional(size(14.0))),
+            (TextStyle::Heading, FontId::proportional(size(16.0))),
+            (TextStyle::Monospace, FontId::monospace(size(12.5))),
         ]
         .into();
         style.spacing.item_spacing = Vec2::new(6.0, 4.0);
@@ -152,29 +185,29 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
         active,
         outline,
     ] = if dark {
-        [32, 20, 38, 205, 245, 54, 68, 82, 62]
+        [33, 18, 38, 208, 244, 51, 66, 82, 56]
     } else {
-        [238, 252, 230, 45, 10, 222, 208, 194, 200]
+        [242, 255, 232, 48, 16, 222, 208, 194, 205]
     };
     visuals.panel_fill = grey(panel);
     visuals.window_fill = grey(panel);
     visuals.extreme_bg_color = grey(ground);
     visuals.faint_bg_color = grey(faint);
     visuals.window_stroke = Stroke::new(1.0, grey(outline));
-    let accent = if dark {
-        Color32::from_rgb(38, 92, 128)
+    let (selected, its_text) = if dark {
+        (Color32::from_rgb(31, 71, 99), grey(255))
     } else {
-        Color32::from_rgb(170, 208, 232)
+        (Color32::from_rgb(195, 222, 242), Color32::from_rgb(11, 43, 68))
     };
-    visuals.selection.bg_fill = accent;
-    visuals.selection.stroke = Stroke::new(1.0, grey(strong));
+    visuals.selection.bg_fill = selected;
+    visuals.selection.stroke = Stroke::new(1.0, its_text);
     visuals.slider_trailing_fill = true;
     visuals.hyperlink_color = if dark {
         Color32::from_rgb(120, 190, 235)
     } else {
         Color32::from_rgb(0, 90, 150)
     };
-    let radius = CornerRadius::same(3);
+    let radius = CornerRadius::same(4);
     let widgets = &mut visuals.widgets;
     for (state, fill, words) in [
         (&mut widgets.noninteractive, panel, text),

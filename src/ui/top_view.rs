@@ -1,14 +1,15 @@
-//! The top bar: files in and out, undo, the scale switch, how the window looks.
+//! The top bar: the light, undo, files in and out, how the window looks.
 
 use eframe::egui;
-use egui::{ComboBox, Ui};
+use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
 use super::{
-    fit::{Fit, Front},
     keys::Act,
-    theme::Theme,
+    kit::named,
+    swatch,
+    theme::{Theme, grey},
 };
-use crate::app::{App, Command, Scale, export::Export, workspace::Preferences};
+use crate::app::{App, export::Export, workspace::Preferences};
 
 /// What the bar can ask for beside commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,66 +34,111 @@ pub enum Wish {
     About,
 }
 
-/// Width that the bar takes in one row, points.
-const ONE_ROW: f32 = 800.0;
+/// How the drawer stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drawer {
+    /// Whether the library is open.
+    pub open: bool,
+    /// Whether a click in it lays a spectrum over the one that is shown.
+    pub compares: bool,
+}
 
-/// Draws the bar, in several rows where one is too narrow.
+/// Draws the bar.
 pub fn show(
     ui: &mut Ui,
     app: &App,
-    preferences: &mut Preferences,
-    (fit, front): (Fit, &mut Front),
+    preferences: &Preferences,
+    drawer: &mut Drawer,
     (dialog_open, has_summary): (bool, bool),
-    commands: &mut Vec<Command>,
     wishes: &mut Vec<Wish>,
 ) {
-    let has_room = ui.available_width() >= ONE_ROW * Theme::of(preferences).scale;
-    let row = |ui: &mut Ui| {
-        panels(ui, preferences, fit, front);
-        files(ui, preferences, (dialog_open, has_summary), wishes);
-        ui.separator();
-        steps(ui, app, wishes);
-        ui.separator();
-        scale_switch(ui, app, commands);
-        if has_room {
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                looks(ui, preferences, wishes);
-            });
-        } else {
-            ui.separator();
-            looks(ui, preferences, wishes);
+    let theme = Theme::of(preferences);
+    ui.horizontal_centered(|ui| {
+        ui.spacing_mut().item_spacing.x = 8.0;
+        light(ui, app, drawer, theme);
+        let compare = ui
+            .add(Button::selectable(drawer.open && drawer.compares, "+ Compare").frame_when_inactive(true))
+            .on_hover_text("Lays another spectrum over this one: choose it in the library.");
+        if compare.clicked() {
+            let compares = !(drawer.open && drawer.compares);
+            *drawer = Drawer {
+                open: compares || drawer.open && !drawer.compares,
+                compares,
+            };
         }
-    };
-    if has_room {
-        ui.horizontal(row);
-    } else {
-        ui.horizontal_wrapped(row);
-    }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            looks(ui, preferences, wishes);
+            ui.separator();
+            ui.menu_button("Save", |ui| save_menu(ui, dialog_open, wishes))
+                .response
+                .on_hover_text("Save or copy spectrum, model, tables and pictures.");
+            files(ui, preferences, (dialog_open, has_summary), wishes);
+            ui.separator();
+            steps(ui, app, wishes);
+        });
+    });
 }
 
-/// What is shown beside the page, or in its place where there is no room.
-fn panels(ui: &mut Ui, preferences: &mut Preferences, fit: Fit, front: &mut Front) {
-    let has_library = match fit {
-        Fit::All => !preferences.no_library,
-        Fit::Two | Fit::One => *front == Front::Library,
+/// The light's name with its colour: it opens the library.
+fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, theme: Theme) {
+    let document = app.document();
+    let name = document.subject_entry().name();
+    let colour = app.derived().colour.exact.or(app.derived().colour.full);
+    let colour = colour.map_or(grey(128), |colour| swatch::colour(colour.swatch.rgb8));
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let ink = ui.visuals().strong_text_color();
+    let most = (0.3 * ui.available_width()).max(60.0);
+    let mut job = egui::text::LayoutJob::simple_singleline(name.to_owned(), font, ink);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(most);
+    let galley = ui.painter().layout_job(job);
+    let height = 32.0 * theme.scale;
+    let size = vec2(galley.size().x + 76.0, height);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let open = drawer.open && !drawer.compares;
+    response.widget_info(|| {
+        let name = format!("Library: {name}");
+        egui::WidgetInfo::selected(egui::Role::Button, true, open, name)
+    });
+    let visuals = ui.visuals();
+    let fill = match (open, response.hovered() || response.has_focus()) {
+        (true, _) => visuals.selection.bg_fill,
+        (false, true) => visuals.widgets.hovered.bg_fill,
+        (false, false) => visuals.widgets.inactive.bg_fill,
     };
-    if ui
-        .selectable_label(has_library, "Library")
-        .on_hover_text("Shows or hides the library, to make room for the plot.")
-        .clicked()
-    {
-        match fit {
-            Fit::All => preferences.no_library = has_library,
-            Fit::Two | Fit::One => *front = front.toggled(Front::Library),
-        }
+    let painter = ui.painter();
+    painter.rect_filled(rect, 4.0, fill);
+    let y = rect.center().y;
+    for row in [-5.0, 0.0, 5.0] {
+        painter.hline(rect.left() + 12.0..=rect.left() + 28.0, y + row, (1.5, ink));
     }
-    if fit == Fit::One
-        && ui
-            .selectable_label(*front == Front::Model, "Model")
-            .on_hover_text("Shows the model's knobs and numbers in the place of the page.")
-            .clicked()
-    {
-        *front = front.toggled(Front::Model);
+    let field = egui::Rect::from_center_size(
+        egui::pos2(rect.left() + 43.0, y),
+        vec2(14.0, 14.0) * theme.scale.min(1.5),
+    );
+    painter.rect_filled(field, 2.0, colour);
+    let at = egui::pos2(rect.left() + 58.0, y - galley.size().y / 2.0);
+    painter.galley(at, galley, Color32::WHITE);
+    if response.clicked() {
+        *drawer = Drawer {
+            open: !open,
+            compares: false,
+        };
+    }
+    response.on_hover_text("Opens the library (Ctrl+L).");
+}
+
+fn steps(ui: &mut Ui, app: &App, wishes: &mut Vec<Wish>) {
+    for (name, sign, act, words, key) in [
+        ("Redo", "⟳", Act::Redo, app.redo_words(), "Ctrl+Shift+Z"),
+        ("Undo", "⟲", Act::Undo, app.undo_words(), "Ctrl+Z"),
+    ] {
+        let button = ui.add_enabled(words.is_some(), Button::new(sign).frame(false));
+        named(&button, egui::Role::Button, name);
+        let words = words.unwrap_or_else(|| "nothing".to_owned());
+        let button = button.on_hover_text(format!("{name}: {words} ({key})"));
+        if button.clicked() {
+            wishes.push(Wish::Act(act));
+        }
     }
 }
 
@@ -157,24 +203,6 @@ fn files(
     })
     .response
     .on_hover_text("Open files, a folder, a typed path or a recent file.");
-    ui.menu_button("Save", |ui| save_menu(ui, dialog_open, wishes))
-        .response
-        .on_hover_text("Save or copy spectrum, model, tables and pictures.");
-}
-
-fn steps(ui: &mut Ui, app: &App, wishes: &mut Vec<Wish>) {
-    for (words, act, possible, key) in [
-        ("Undo", Act::Undo, app.can_undo(), "Ctrl+Z"),
-        ("Redo", Act::Redo, app.can_redo(), "Ctrl+Shift+Z"),
-    ] {
-        if ui
-            .add_enabled(possible, egui::Button::new(words))
-            .on_hover_text(key)
-            .clicked()
-        {
-            wishes.push(Wish::Act(act));
-        }
-    }
 }
 
 fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
@@ -214,74 +242,40 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
     });
 }
 
-fn scale_switch(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
-    let document = app.document();
-    ui.label("Scale");
-    let combo = ComboBox::from_id_salt("scale")
-        .selected_text(document.scale.words())
-        .width(ui.spacing().combo_width)
-        .show_ui(ui, |ui| {
-            for scale in Scale::ALL {
-                if ui
-                    .selectable_label(document.scale == scale, scale.words())
-                    .on_hover_text(scale.meaning())
-                    .clicked()
-                {
-                    commands.push(Command::Scale(scale));
-                }
+fn looks(ui: &mut Ui, preferences: &Preferences, wishes: &mut Vec<Wish>) {
+    let help = ui.menu_button("?", |ui| {
+        let mut wish = |ui: &mut Ui, words: &str, wish: Wish| {
+            if ui.button(words).clicked() {
+                wishes.push(wish);
+                ui.close();
             }
-        });
-    combo
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, "Scale"));
-    combo.response.on_hover_text(document.scale.meaning());
-}
-
-fn looks(ui: &mut Ui, preferences: &mut Preferences, wishes: &mut Vec<Wish>) {
-    ui.menu_button("Help", |ui| {
-        if ui.button("Shortcuts (F1)").clicked() {
-            wishes.push(Wish::Act(Act::Shortcuts));
-            ui.close();
-        }
-        if ui.button("About and licences").clicked() {
-            wishes.push(Wish::About);
-            ui.close();
-        }
-    });
-    let other = if preferences.dark { "Light" } else { "Dark" };
-    if ui
-        .button(other)
-        .on_hover_text("Dark or light surroundings (Ctrl+D).")
-        .clicked()
-    {
-        wishes.push(Wish::Act(Act::Theme));
-    }
-    if ui
-        .selectable_label(preferences.projector, "Projector")
-        .on_hover_text("Large type and thick lines, for a class (Ctrl+P).")
-        .clicked()
-    {
-        wishes.push(Wish::Act(Act::Projector));
-    }
-    let mut zooms = [
-        ("−", "Smaller", Act::ZoomOut),
-        ("", "", Act::ZoomReset),
-        ("+", "Larger", Act::ZoomIn),
-    ];
-    if ui.layout().prefer_right_to_left() {
-        zooms.reverse();
-    }
-    for (words, name, act) in zooms {
-        let percent = format!("{:.0} %", 100.0 * preferences.zoom);
-        let (words, name) = if words.is_empty() {
-            (percent.as_str(), "Zoom 100 %")
-        } else {
-            (words, name)
         };
-        let button = ui.button(words).on_hover_text(name);
-        button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
-        if button.clicked() {
-            wishes.push(Wish::Act(act));
-        }
+        wish(ui, "Shortcuts (F1)", Wish::Act(Act::Shortcuts));
+        wish(ui, "Find anything… (Ctrl+K)", Wish::Act(Act::Palette));
+        wish(ui, "Three ways to begin", Wish::Act(Act::Greeting));
+        wish(ui, "About and licences", Wish::About);
+        ui.separator();
+        wish(ui, "Larger (Ctrl++)", Wish::Act(Act::ZoomIn));
+        wish(ui, "Smaller (Ctrl+-)", Wish::Act(Act::ZoomOut));
+        let percent = format!("Zoom 100 %, now {:.0} % (Ctrl+0)", 100.0 * preferences.zoom);
+        wish(ui, &percent, Wish::Act(Act::ZoomReset));
+    });
+    named(&help.response, egui::Role::Button, "Help");
+    help.response.on_hover_text("Shortcuts, licences, zoom.");
+    let present = ui
+        .add(Button::selectable(preferences.present, "Present").frame_when_inactive(true))
+        .on_hover_text("Plot, swatch, patches and the two sliders, large, for a class (F5).");
+    if present.clicked() {
+        wishes.push(Wish::Act(Act::Present));
+    }
+    let (sign, words) = if preferences.dark {
+        ("☀", "Light surroundings (Ctrl+D).")
+    } else {
+        ("🌙", "Dark surroundings (Ctrl+D).")
+    };
+    let theme = ui.add(Button::new(RichText::new(sign)));
+    named(&theme, egui::Role::Button, "Surroundings");
+    if theme.on_hover_text(words).clicked() {
+        wishes.push(Wish::Act(Act::Theme));
     }
 }

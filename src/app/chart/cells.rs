@@ -1,10 +1,9 @@
 //! A heat map: values on a grid, coloured by lightness.
 
-use super::axis::root;
 use super::{
     super::ticks::extent,
     Rgb, Scale,
-    axis::{Axis, sound_range},
+    axis::{Axis, root, sound_range},
     ramp::ramp_colour,
 };
 

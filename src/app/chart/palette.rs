@@ -27,21 +27,21 @@ impl Palette {
         match theme {
             Theme::Dark => &Self {
                 paper: [24; 3],
-                ground: [20; 3],
-                text: [205; 3],
-                faint: [150; 3],
+                ground: [18; 3],
+                text: [208; 3],
+                faint: [162; 3],
                 axis: [95; 3],
-                frame: [62; 3],
-                grid: [46; 3],
+                frame: [56; 3],
+                grid: [37; 3],
             },
             Theme::Light => &Self {
                 paper: [255; 3],
-                ground: [252; 3],
-                text: [45; 3],
+                ground: [255; 3],
+                text: [48; 3],
                 faint: [95; 3],
                 axis: [150; 3],
-                frame: [200; 3],
-                grid: [222; 3],
+                frame: [205; 3],
+                grid: [236; 3],
             },
         }
     }

@@ -11,9 +11,9 @@ use crate::{
         ticks::{extent, short},
         workspace::CurveQuantity,
     },
-    color::{Srgb, srgb_from_wavelength_over},
+    color::{Srgb, srgb_from_wavelength_over, xyz::xyz_from_light},
     io::many::{many, numbers},
-    spectrum::Spike,
+    spectrum::{Kind, NamedSpectrum, Outside, Spike},
 };
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
@@ -201,16 +201,43 @@ fn labels(app: &App, spikes: &[Spike]) -> Vec<String> {
     spikes.iter().zip(app.spike_names()).map(label).collect()
 }
 
+/// Peaks that differ by more than this have no common height.
+const FAR_APART: f64 = 5.0;
+
+/// What an overlay is multiplied by, and whether that is another scale than the subject's: lights
+/// of another unit or size are as bright as the subject, another kind is as high.
+pub fn overlay_factor(app: &App, entry: &Entry) -> (f64, bool) {
+    let document = app.document();
+    let subject = &document.subject_entry().spectrum;
+    let most = entry.spectrum.samples.values().iter().copied().fold(0.0, f64::max);
+    let as_high = || if most > 0.0 { top(app) / most } else { 1.0 };
+    if entry.kind() != subject.kind {
+        return (as_high(), true);
+    }
+    let own = document.scale.factor(&entry.spectrum).unwrap_or(1.0);
+    let ratio = own * most / top(app);
+    let is_near = (1.0 / FAR_APART..=FAR_APART).contains(&ratio);
+    if is_near && entry.spectrum.unit == subject.unit {
+        return (own, false);
+    }
+    if entry.kind() != Kind::Light {
+        return (as_high(), true);
+    }
+    let observer = document.settings.observer;
+    let luminance = |spectrum: &NamedSpectrum| {
+        let xyz = xyz_from_light(&spectrum.samples, Outside::Zero, observer)?;
+        Some(xyz.y).filter(|y| *y > 0.0)
+    };
+    let equal = luminance(subject).zip(luminance(&entry.spectrum));
+    let factor = equal.map(|(here, there)| app.scale_factor() * here / there);
+    let factor = factor.filter(|factor| factor.is_finite() && *factor > 0.0);
+    (factor.unwrap_or_else(as_high), true)
+}
+
 /// A spectrum laid over the subject, on its axis.
 fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Series {
     let samples = &entry.spectrum.samples;
-    let factor = if entry.kind() == app.document().subject_entry().kind() {
-        app.document().scale.factor(&entry.spectrum).unwrap_or(1.0)
-    } else {
-        // Watts and fractions have no common axis: another kind is drawn to the same height.
-        let own = samples.values().iter().copied().fold(0.0, f64::max);
-        if own > 0.0 { top(app) / own } else { 1.0 }
-    };
+    let (factor, _) = overlay_factor(app, entry);
     let points = samples.nm().iter().zip(samples.values());
     let points = points.map(|(nm, v)| [*nm, v * factor]).collect();
     let colours = inks.overlays;
@@ -389,6 +416,15 @@ pub fn order_chart(app: &App, quantity: CurveQuantity, theme: Theme) -> Option<C
     let now = points.iter().copied().filter(|p| p[0] == order).collect();
     let mut series = vec![thin(y_range.map(|y| [order, y]))];
     if !is_percent(quantity) {
+        let below = x_range.map(|x| [x, NOTICEABLE.min(y_range[1])]).to_vec();
+        let marks = Marks::Area {
+            points: below,
+            base: vec![y_range[0]; 2],
+            is_coloured: false,
+        };
+        let mut zone = Series::new("cannot be seen", inks.residual, marks);
+        zone.is_tagged = true;
+        series.push(zone);
         series.push(thin(x_range.map(|x| [x, NOTICEABLE])));
     }
     series.push(Series::line("", inks.smooth, points.clone()));

@@ -14,8 +14,8 @@ pub struct Preferences {
     pub dark: bool,
     /// Zoom of the whole window, 0.8-2.5.
     pub zoom: f32,
-    /// Large type and thick lines.
-    pub projector: bool,
+    /// Presenting: plot, swatch, patches and the two sliders alone, large.
+    pub present: bool,
     /// Files opened last, newest first.
     #[serde(with = "stored_path::list")]
     pub recent: Vec<PathBuf>,
@@ -25,10 +25,10 @@ pub struct Preferences {
     pub curve: CurveQuantity,
     /// The shelves that are folded in the library.
     pub folded: Vec<String>,
-    /// The library is folded away.
-    pub no_library: bool,
-    /// The bottom panel shows the spikes instead of the patches.
-    pub spikes_below: bool,
+    /// The library stays open beside the page.
+    pub pinned: bool,
+    /// The three ways to begin were seen.
+    pub greeted: bool,
     /// What the pages remember.
     pub pages: PageMemory,
 }
@@ -38,13 +38,13 @@ impl Default for Preferences {
         Self {
             dark: true,
             zoom: 1.0,
-            projector: false,
+            present: false,
             recent: Vec::new(),
             window: None,
-            curve: CurveQuantity::default(),
+            curve: CurveQuantity::PatchesWorst,
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
-            no_library: false,
-            spikes_below: false,
+            pinned: false,
+            greeted: false,
             pages: PageMemory::default(),
         }
     }

@@ -2,6 +2,7 @@
 
 pub mod auction_view;
 pub mod coefficients_view;
+pub mod glossary_view;
 pub mod image_view;
 pub mod products_view;
 pub mod race_view;
@@ -72,6 +73,7 @@ pub struct Pages {
     race: race_view::RaceView,
     products: products_view::ProductsView,
     image: image_view::ImageView,
+    glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
 }
 
@@ -83,27 +85,57 @@ impl Pages {
 
     /// Draws the page in force; nothing for the spectrum, which the window draws itself.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let products = &mut self.products;
         match context.memory.page {
             Page::Spectrum => {}
+            Page::Absorption => products.absorption.show(ui, context),
+            Page::Chain => products.chain.show(ui, context),
+            Page::Narrow => products.narrow.show(ui, context),
+            Page::TwoLights => products.two_lights.show(ui, context),
+            Page::SameSurface => products.same_surface.show(ui, context),
             Page::Coefficients => self.coefficients.show(ui, context),
             Page::Tradeoff => self.tradeoff.show(ui, context),
             Page::Auction => self.auction.show(ui, context),
             Page::Race => self.race.show(ui, context),
-            Page::Products => self.products.show(ui, context),
+            Page::Resampling => products.resampling.show(ui, context),
+            Page::Bounces => products.bounces.show(ui, context),
             Page::Image => self.image.show(ui, context),
+            Page::Glossary => self.glossary.show(ui),
             Page::Truth => self.truth.show(ui, context),
         }
     }
 }
 
-/// The row of tabs.
-pub fn tabs(ui: &mut Ui, page: &mut Page) {
-    ui.horizontal_wrapped(|ui| {
-        for tab in Page::ALL {
-            ui.selectable_value(page, tab, tab.title())
-                .on_hover_text(tab.meaning());
+/// The tabs of the place, the modes of a tab behind them; at the right end what `at_end` draws.
+pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        for tab in page.place().tabs() {
+            let is_here = page.tab() == tab;
+            let response = ui.selectable_label(is_here, tab.title());
+            if response.on_hover_text(tab.meaning()).clicked() && !is_here {
+                *page = tab;
+            }
         }
+        let modes: Vec<Page> = page.modes().collect();
+        if modes.len() > 1 {
+            ui.separator();
+            for mode in modes {
+                let words = if mode == mode.tab() { first_mode(mode) } else { mode.title() };
+                ui.selectable_value(page, mode, words)
+                    .on_hover_text(mode.meaning());
+            }
+        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), at_end);
     });
+}
+
+/// What a tab's own page is called among its modes.
+fn first_mode(page: Page) -> &'static str {
+    match page {
+        Page::Tradeoff => "Curve",
+        Page::Resampling => "Ways",
+        page => page.title(),
+    }
 }
 
 /// How a computation stands, in a line with a bar and a button to stop it.

@@ -19,11 +19,9 @@ use crate::{
 };
 
 mod drag;
-mod layers;
 mod read_out;
 
 use drag::Dragging;
-use layers::layers;
 use read_out::hover;
 
 /// What the plot remembers between frames.
@@ -53,11 +51,9 @@ impl SpectrumView {
         self.reset = true;
     }
 
-    /// Draws header, switches and chart into all the room there is.
-    pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme) -> Wishes {
+    /// Draws the chart into all the room there is, and what the pointer reads into `read_out`.
+    pub fn show(&mut self, ui: &mut Ui, app: &App, theme: Theme, read_out: Rect) -> Wishes {
         let mut wishes = Wishes::default();
-        let read_out = head(ui, app);
-        self.reset |= layers(ui, app, theme, &mut wishes);
         let mut chart = spectrum_chart(app, theme.of_charts());
         chart.title = spoken(app);
         if let Some(range) = self.dragging.range() {
@@ -119,28 +115,4 @@ fn spoken(app: &App) -> String {
         numbers(derived.numbers()),
         many(derived.model.spikes.len(), "spike", "spikes"),
     )
-}
-
-/// Name, unit and grid of the subject; returns where the read-out may be written.
-fn head(ui: &mut Ui, app: &App) -> Rect {
-    let document = app.document();
-    let subject = document.subject_entry();
-    ui.horizontal(|ui| {
-        ui.label(egui::RichText::new(subject.name()).heading());
-        let unit = app.unit();
-        let words = [
-            if unit.is_empty() {
-                "no unit stated"
-            } else {
-                unit
-            },
-            document.scale.words(),
-        ];
-        ui.weak(words.join(", "));
-        if let Some(product) = app.product() {
-            ui.label(format!("through {}", product.name));
-        }
-        ui.available_rect_before_wrap()
-    })
-    .inner
 }

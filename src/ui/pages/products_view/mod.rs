@@ -1,4 +1,4 @@
-//! The page "Products": light through filters and off surfaces, a part a file.
+//! The pages of what light meets: filters, surfaces, a second light; and products in few numbers.
 
 pub mod absorption;
 pub mod bounces;
@@ -14,7 +14,7 @@ use super::PageContext;
 use crate::{
     app::{
         Command,
-        products::{Part, Products},
+        products::Products,
         studies::surfaces::shipped_reflectances,
     },
     spectrum::Sampling,
@@ -24,37 +24,16 @@ use crate::{
     },
 };
 
-/// The page and what its parts keep from frame to frame.
+/// What the pages keep from frame to frame.
 #[derive(Default)]
 pub struct ProductsView {
-    chain: chain::ChainView,
-    resampling: resampling::ResamplingView,
-    bounces: bounces::BouncesView,
-    narrow: narrow::NarrowView,
-    two_lights: two_lights::TwoLightsView,
-    same_surface: same_surface::SameSurfaceView,
-    absorption: absorption::AbsorptionView,
-}
-
-impl ProductsView {
-    /// Draws the part in force below the row of parts.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        ui.horizontal_wrapped(|ui| {
-            for part in Part::ALL {
-                ui.selectable_value(&mut context.memory.products.part, part, part.title())
-                    .on_hover_text(part.meaning());
-            }
-        });
-        match context.memory.products.part {
-            Part::Chain => self.chain.show(ui, context),
-            Part::Resampling => self.resampling.show(ui, context),
-            Part::Bounces => self.bounces.show(ui, context),
-            Part::Narrow => self.narrow.show(ui, context),
-            Part::TwoLights => self.two_lights.show(ui, context),
-            Part::SameSurface => self.same_surface.show(ui, context),
-            Part::Absorption => self.absorption.show(ui, context),
-        }
-    }
+    pub chain: chain::ChainView,
+    pub resampling: resampling::ResamplingView,
+    pub bounces: bounces::BouncesView,
+    pub narrow: narrow::NarrowView,
+    pub two_lights: two_lights::TwoLightsView,
+    pub same_surface: same_surface::SameSurfaceView,
+    pub absorption: absorption::AbsorptionView,
 }
 
 /// Changes what the page has chosen from the library.

@@ -1,0 +1,200 @@
+//! Look, the first screen: the spectrum with its model, the two knobs, and surfaces under both.
+
+mod sliders;
+mod title;
+
+use eframe::egui;
+use egui::{Frame, Margin, Panel, Ui, UiBuilder};
+
+pub use sliders::names;
+use sliders::{Asked, SlidersView};
+
+use super::{
+    patches_view,
+    spectrum_view::SpectrumView,
+    theme::{Theme, Wake},
+    verdict_view,
+};
+use crate::{
+    app::{
+        App, Command, View,
+        answers::automatic,
+        pages::PageMemory,
+        spike_hand::SpikeAct,
+        state::Tone,
+        studies::{Stage, Studies, SweepAsk},
+    },
+    io::many::numbers,
+};
+
+/// The page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct LookView {
+    /// The plot and what is being dragged in it.
+    pub spectrum: SpectrumView,
+    sliders: SlidersView,
+    /// Numbers that Automatic was asked for and has not answered yet.
+    waiting: Option<usize>,
+}
+
+/// What the page sees.
+pub struct Scene<'a> {
+    /// The program.
+    pub app: &'a App,
+    /// The long computations.
+    pub studies: &'a mut Studies,
+    /// What the pages remember.
+    pub memory: &'a mut PageMemory,
+    /// The looks.
+    pub theme: Theme,
+    /// Wakes the window when a computation is done.
+    pub wake: &'a Wake,
+    /// Whether swatch and verdict stand beside the patches, not in a column of their own.
+    pub verdict_below: bool,
+    /// The plot, swatch, patches and the two knobs alone.
+    pub present: bool,
+}
+
+/// What one frame asked for.
+#[derive(Default)]
+pub struct Wishes {
+    /// Changes of the document.
+    pub commands: Vec<Command>,
+    /// Acts on the spikes.
+    pub acts: Vec<SpikeAct>,
+    /// The pointer was let go after a drag.
+    pub gesture_ended: bool,
+    /// What is to be said.
+    pub said: Option<(Tone, String)>,
+}
+
+/// Height of the patches, points: least and largest.
+const PATCHES: [f32; 2] = [108.0, 220.0];
+/// Room beside the patches for swatch and verdict, points.
+const VERDICT: f32 = 304.0;
+
+impl LookView {
+    /// Draws the page into all the room there is.
+    pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene<'_>) -> Wishes {
+        let mut wishes = Wishes::default();
+        let theme = scene.theme;
+        let height = ui.available_height();
+        let patches = (0.22 * height).clamp(PATCHES[0], PATCHES[1] * theme.scale);
+        Panel::bottom("patches and knobs")
+            .frame(Frame::new())
+            .show_separator_line(false)
+            .resizable(false)
+            .show(ui, |ui| {
+                ui.add_space(8.0);
+                self.card(ui, scene, &mut wishes);
+                ui.add_space(8.0);
+                below(ui, scene, patches, &mut wishes.commands);
+            });
+        egui::CentralPanel::no_frame().show(ui, |ui| {
+            let app = scene.app;
+            let read_out = title::show(ui, app, theme, scene.present);
+            let mut view = app.document().view;
+            let before = view;
+            if !scene.present {
+                title::layers(ui, app, theme, &mut view, &mut wishes.commands);
+            }
+            if view != before {
+                wishes.commands.push(Command::View(view));
+            }
+            ui.add_space(4.0);
+            let drawn = self.spectrum.show(ui, app, theme, read_out);
+            wishes.commands.extend(drawn.commands);
+            wishes.acts.extend(drawn.acts);
+            wishes.gesture_ended |= drawn.gesture_ended;
+        });
+        self.settle(scene, &mut wishes);
+        wishes
+    }
+
+    fn card(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
+        let busy = self.waiting.is_some();
+        let budget = &mut scene.memory.spend_numbers;
+        let (app, theme) = (scene.app, scene.theme);
+        let commands = &mut wishes.commands;
+        let asked = card_frame(ui).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            self.sliders
+                .show(ui, app, (budget, busy), theme, commands)
+        });
+        let Asked { automatic, reset } = asked.inner;
+        if automatic {
+            scene.studies.sweep.retry();
+            self.waiting = Some(scene.memory.spend_numbers);
+        }
+        if reset {
+            wishes.commands.push(Command::Reset);
+        }
+    }
+
+    /// Carries out what Automatic was asked for, once the sweep is there.
+    fn settle(&mut self, scene: &mut Scene<'_>, wishes: &mut Wishes) {
+        let Some(most) = self.waiting else { return };
+        let ask = SweepAsk::of(scene.app.document());
+        let job = &mut scene.studies.sweep;
+        job.ask_by(&ask, scene.wake, SweepAsk::answer);
+        let settings = scene.app.document().settings;
+        if let Some(sweep) = job.result_for(&ask) {
+            self.waiting = None;
+            let Some(best) = automatic(settings, sweep, most) else {
+                let words = format!("No model takes as few as {}.", numbers(most));
+                wishes.said = Some((Tone::Info, words));
+                return;
+            };
+            wishes.commands.push(Command::Edit(best));
+            let lines = if best.spikes { "with its lines" } else { "without lines" };
+            let fit = if best.colour_exact { ", colour-exact" } else { "" };
+            let words = format!(
+                "The best of all eight ways with at most {}: {}{fit}, order {}, {lines}.",
+                numbers(most),
+                best.basis.word(),
+                best.order,
+            );
+            wishes.said = Some((Tone::Info, words));
+            return;
+        }
+        if !matches!(job.stage(), Stage::Idle | Stage::Running(_) | Stage::Done) {
+            self.waiting = None;
+            let words = "There is nothing to measure on this spectrum and range.".to_owned();
+            wishes.said = Some((Tone::Problem, words));
+        }
+    }
+}
+
+/// A card: a hairline around what belongs together.
+pub(super) fn card_frame(ui: &Ui) -> Frame {
+    Frame::new()
+        .stroke(ui.visuals().widgets.noninteractive.bg_stroke)
+        .corner_radius(4)
+        .inner_margin(Margin::symmetric(16, 10))
+}
+
+/// The patches, and where the column is folded the verdict beside them.
+fn below(ui: &mut Ui, scene: &Scene<'_>, height: f32, commands: &mut Vec<Command>) {
+    let (app, theme) = (scene.app, scene.theme);
+    let room = ui.available_width();
+    let beside = (VERDICT * theme.scale).min(0.4 * room);
+    let wide = if scene.verdict_below {
+        room - beside - 16.0
+    } else {
+        room
+    };
+    let (rect, _) = ui.allocate_exact_size(egui::vec2(room, height), egui::Sense::hover());
+    let left = egui::Rect::from_min_size(rect.min, egui::vec2(wide, height));
+    let mut patches = ui.new_child(UiBuilder::new().max_rect(left));
+    patches.shrink_clip_rect(left.expand(2.0));
+    if !scene.present {
+        patches.horizontal(|ui| patches_view::head(ui, app, commands));
+    }
+    patches_view::patches(&mut patches, app, theme, commands);
+    if scene.verdict_below {
+        let right = egui::Rect::from_min_max(rect.min + egui::vec2(wide + 16.0, 0.0), rect.max);
+        let mut verdict = ui.new_child(UiBuilder::new().max_rect(right));
+        verdict.shrink_clip_rect(right);
+        verdict_view::brief(&mut verdict, app, theme);
+    }
+}

@@ -1,0 +1,275 @@
+//! The two knobs of the model by their right names, and what decides in their place.
+
+use eframe::egui;
+use egui::{DragValue, RichText, Ui, vec2};
+
+use crate::{
+    app::{
+        App, Command, Settings,
+        answers::{self, LINE_THRESHOLDS, as_in_the_paper},
+        memo::Memo,
+        pages::SPENDABLE,
+        settings::Detector,
+    },
+    ui::{
+        kit::{Stops, named},
+        model_view,
+        theme::Theme,
+    },
+};
+
+/// Names of controls, shared with the tests that move them.
+pub mod names {
+    /// The order slider.
+    pub const ORDER: &str = "Smoothness: order N";
+    /// The threshold slider.
+    pub const LINES: &str = "Lines: spike threshold";
+    /// The order as a number.
+    pub const ORDER_TYPED: &str = "Order N";
+    /// The count of lines as a number.
+    pub const LINES_TYPED: &str = "Number of lines";
+    /// The best way for a count of numbers.
+    pub const AUTOMATIC: &str = "Automatic";
+    /// The count of numbers for it.
+    pub const BUDGET: &str = "Numbers for Automatic";
+    /// Back to the start.
+    pub const RESET: &str = "Reset";
+    /// All other knobs.
+    pub const MORE: &str = "More";
+    /// The paper's settings.
+    pub const PAPER: &str = "As in the paper";
+}
+
+/// Orders that the slider reaches; more can be typed.
+const MOST: usize = 40;
+
+/// What the card keeps from frame to frame.
+#[derive(Default)]
+pub struct SlidersView {
+    /// Shares of the lines that can be let in, by the program's revision.
+    shares: Memo<u64, Vec<f64>>,
+}
+
+/// What the card asks for beside commands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// The best way for the count of numbers.
+    pub automatic: bool,
+    /// Everything back to the start.
+    pub reset: bool,
+}
+
+impl SlidersView {
+    /// Draws the card.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        app: &App,
+        (budget, busy): (&mut usize, bool),
+        theme: Theme,
+        commands: &mut Vec<Command>,
+    ) -> Asked {
+        let mut asked = Asked::default();
+        let before = app.document().settings;
+        let mut settings = before;
+        let room = ui.available_width();
+        let buttons = 300.0;
+        // Presenting there are the two knobs alone; without room the buttons stand below.
+        let beside = theme.scale == 1.0 && room >= 2.0 * 200.0 + buttons;
+        let shares = self.shares.get(app.revision(), |_| answers::line_shares(app));
+        let gap = 24.0;
+        let each = if beside {
+            (room - buttons - 2.0 * gap) / 2.0
+        } else {
+            (room - gap) / 2.0
+        };
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            let down = egui::Layout::top_down(egui::Align::Min);
+            ui.allocate_ui_with_layout(vec2(each, 0.0), down, |ui| {
+                smoothness(ui, app, &mut settings, each, theme);
+            });
+            ui.allocate_ui_with_layout(vec2(each, 0.0), down, |ui| {
+                lines(ui, app, shares, &mut settings, each, theme);
+            });
+            if beside {
+                ui.spacing_mut().item_spacing.x = 8.0;
+                ui.horizontal_centered(|ui| acts(ui, app, (budget, busy), &mut asked, commands));
+            }
+        });
+        if !beside && theme.scale == 1.0 {
+            ui.horizontal(|ui| acts(ui, app, (budget, busy), &mut asked, commands));
+        }
+        if settings != before {
+            commands.push(Command::Edit(settings));
+        }
+        asked
+    }
+}
+
+/// A row over a slider: its name, and what its value does.
+fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme: Theme) {
+    ui.allocate_ui(vec2(width, 0.0), |ui| {
+        ui.set_width(width);
+        ui.horizontal(|ui| {
+            // The short name where the long one and what it does have no room.
+            let short = name.split(':').next().unwrap_or(name);
+            let has_room = width >= 330.0 * theme.scale;
+            ui.label(if has_room { name } else { short })
+                .on_hover_text(meaning);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.add(
+                    egui::Label::new(RichText::new(does).small().color(theme.faint)).truncate(),
+                );
+            });
+        });
+    });
+}
+
+const BOX: f32 = 44.0;
+
+fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme: Theme) {
+    ui.spacing_mut().item_spacing.x = 8.0;
+    let from = answers::not_seen_from(app);
+    let does = from.map_or_else(String::new, |order| match order {
+        0 => "not seen at any order".to_owned(),
+        order => format!("not seen from {order} on"),
+    });
+    let meaning = "How many waves the smooth part is made of: an order N takes 2N + 1 numbers. \
+                   Arrow keys move it by one.";
+    caption(ui, width, names::ORDER, meaning, &does, theme);
+    ui.horizontal(|ui| {
+        let most = MOST as f64;
+        let mut place = (settings.order as f64 / most).min(1.0);
+        let stops = Stops {
+            name: names::ORDER,
+            ticks: &[],
+            well_from: from.map(|order| order as f64 / most),
+            step: 1.0 / most,
+            value: settings.order as f64,
+        };
+        let slider = stops.show(ui, &mut place, width - (BOX + 10.0) * theme.scale, theme);
+        if slider.changed() {
+            settings.order = (place * most).round() as usize;
+        }
+        let typed = ui.add_sized(
+            vec2(BOX, 24.0) * theme.scale,
+            DragValue::new(&mut settings.order)
+                .range(crate::app::settings::ORDERS)
+                .speed(0.1),
+        );
+        named(&typed, egui::Role::SpinButton, names::ORDER_TYPED);
+        typed.on_hover_text("Drag or type: 0 to 100.");
+    });
+}
+
+/// From a threshold to a place: lower thresholds, which let more lines in, stand further right.
+fn place_of(threshold_percent: f64) -> f64 {
+    let [lowest, highest] = LINE_THRESHOLDS;
+    ((highest / threshold_percent).ln() / (highest / lowest).ln()).clamp(0.0, 1.0)
+}
+
+fn lines(
+    ui: &mut Ui,
+    app: &App,
+    shares: &[f64],
+    settings: &mut Settings,
+    width: f32,
+    theme: Theme,
+) {
+    ui.spacing_mut().item_spacing.x = 8.0;
+    let meaning = "The least share of the power that a line must hold to be kept as a line of its \
+                   own, a place and a weight: two numbers each. Each tick is a line that drops out \
+                   there.";
+    let does = answers::lines_words(app);
+    caption(ui, width, names::LINES, meaning, &does, theme);
+    let by_energy = settings.detector == Detector::Energy;
+    ui.horizontal(|ui| {
+        let [lowest, highest] = LINE_THRESHOLDS;
+        let mut place = if settings.spikes {
+            place_of(settings.threshold_percent)
+        } else {
+            0.0
+        };
+        let ticks: Vec<f64> = shares.iter().map(|share| place_of(*share)).collect();
+        let stops = Stops {
+            name: names::LINES,
+            ticks: &ticks,
+            well_from: None,
+            step: 0.02,
+            value: settings.threshold_percent,
+        };
+        let room = width - (BOX + 10.0) * theme.scale;
+        let slider = ui
+            .add_enabled_ui(by_energy, |ui| stops.show(ui, &mut place, room, theme))
+            .inner;
+        if slider.changed() {
+            settings.spikes = true;
+            let threshold = highest * (lowest / highest).powf(place);
+            settings.threshold_percent = (threshold * 1e3).round() / 1e3;
+        }
+        let found = app.derived().model.spikes.len();
+        let mut count = found;
+        let typed = ui
+            .add_enabled_ui(by_energy, |ui| {
+                ui.add_sized(
+                    vec2(BOX, 24.0) * theme.scale,
+                    DragValue::new(&mut count)
+                        .range(0..=shares.len().max(found))
+                        .speed(0.05),
+                )
+            })
+            .inner;
+        named(&typed, egui::Role::SpinButton, names::LINES_TYPED);
+        if typed.changed() && count != found {
+            settings.spikes = count > 0;
+            if count > 0 {
+                settings.threshold_percent = answers::threshold_for(shares, count);
+            }
+        }
+        typed.on_hover_text("How many lines are kept: drag or type.");
+    });
+}
+
+/// What decides in the place of the knobs, and the other knobs.
+fn acts(
+    ui: &mut Ui,
+    app: &App,
+    (budget, busy): (&mut usize, bool),
+    asked: &mut Asked,
+    commands: &mut Vec<Command>,
+) {
+    let button = egui::Button::new(names::AUTOMATIC).selected(true);
+    asked.automatic = ui
+        .add_enabled(!busy, button)
+        .on_hover_text(
+            "The best model with at most this many numbers, over both bases, with and without \
+             lines, plain and colour-exact; one step of undo.",
+        )
+        .clicked();
+    let count = ui.add(DragValue::new(budget).range(SPENDABLE).speed(0.1));
+    named(&count, egui::Role::SpinButton, names::BUDGET);
+    count.on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
+    let more = ui.menu_button(names::MORE, |ui| {
+        ui.set_min_width(360.0);
+        model_view::controls(ui, app, commands);
+        ui.separator();
+        if ui
+            .button(names::PAPER)
+            .on_hover_text(
+                "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
+                 slope, products on the paper's points.",
+            )
+            .clicked()
+        {
+            commands.push(Command::Edit(as_in_the_paper(app)));
+            ui.close();
+        }
+    });
+    more.response
+        .on_hover_text("Basis, colour-exact, widest line, dips, range, observer, products.");
+    asked.reset = ui
+        .button(names::RESET)
+        .on_hover_text("Everything back to the start (R): model, layers and patches.")
+        .clicked();
+}

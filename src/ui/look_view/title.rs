@@ -1,0 +1,212 @@
+//! What light it is, in a line and a sentence, and the layers of the plot.
+
+use eframe::egui;
+use egui::{Align, Button, Label, Layout, Rect, RichText, Ui};
+
+use crate::{
+    app::{App, Command, View, charts::spectrum::overlay_factor, document::Height},
+    ui::theme::{Theme, ink},
+};
+
+/// Draws title and sentence; returns where the read-out may be written.
+pub fn show(ui: &mut Ui, app: &App, theme: Theme, present: bool) -> Rect {
+    let subject = app.document().subject_entry();
+    let size = if present { 16.0 } else { 20.0 };
+    let mut room = Rect::NOTHING;
+    ui.horizontal(|ui| {
+        let title = RichText::new(subject.name())
+            .size(size * theme.scale)
+            .color(ui.visuals().strong_text_color());
+        ui.add(Label::new(title).truncate());
+        if let Some(product) = app.product() {
+            ui.label(format!("through {}", product.name));
+        }
+        room = ui.available_rect_before_wrap();
+    });
+    if !present {
+        ui.horizontal(|ui| {
+            let unit = match app.unit() {
+                "" => "no unit stated",
+                unit => unit,
+            };
+            let words = format!("{unit}, {}", app.document().scale.words());
+            ui.add(Label::new(RichText::new(words).color(theme.faint)).truncate());
+        });
+    }
+    room
+}
+
+/// Draws the switches of the layers, each its own legend, and the choice of heights.
+pub fn layers(
+    ui: &mut Ui,
+    app: &App,
+    theme: Theme,
+    view: &mut View,
+    commands: &mut Vec<Command>,
+) {
+    let document = app.document();
+    let inks = theme.inks;
+    let wide = ui.available_width() >= 640.0;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 8.0;
+        chip(
+            ui,
+            &mut view.measured,
+            "Measured",
+            Some(inks.smooth),
+            "The spectrum as measured, filled with the wavelengths' own colours.",
+        );
+        chip(
+            ui,
+            &mut view.model,
+            "Model",
+            Some(inks.model),
+            "The model's smooth part as an outline; its lines stand on it.",
+        );
+        chip(
+            ui,
+            &mut view.spikes,
+            "Lines",
+            Some(inks.spikes),
+            "The model's lines, each as high as the line that it stands for: weight / (1.0645 x \
+             its width).",
+        );
+        let others = |ui: &mut Ui, view: &mut View| {
+            chip(
+                ui,
+                &mut view.smooth,
+                "Smooth part",
+                Some(inks.smooth),
+                "The smooth part alone: the short series.",
+            );
+            chip(
+                ui,
+                &mut view.residual,
+                "Residual",
+                Some(inks.residual),
+                "Model minus measured, below; lines as wide as they are.",
+            );
+        };
+        if wide {
+            others(ui, view);
+        }
+        let menu = ui.menu_button("Layers", |ui| {
+            if !wide {
+                others(ui, view);
+            }
+            chip(
+                ui,
+                &mut view.strip,
+                "Colours",
+                None,
+                "Fills a light with the colours of its wavelengths.",
+            );
+            overlays(ui, app, theme, view, commands);
+        });
+        menu.response
+            .on_hover_text("Further layers, and the spectra laid over for comparison.");
+        if !document.overlays.is_empty() && wide {
+            let count = document.overlays.len();
+            let scaled = document.overlays.iter().filter(|o| overlay_factor(app, o).1).count();
+            let names = match &document.overlays[..] {
+                [one] => one.name().to_owned(),
+                _ => format!("{count} overlays"),
+            };
+            let words = match scaled {
+                0 => names,
+                n if n == count => format!("{names} at the same brightness"),
+                n => format!("{names}, {n} of them at the same brightness"),
+            };
+            ui.add(Label::new(RichText::new(words).small().color(theme.faint)).truncate());
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            heights(ui, app, view, wide);
+        });
+    });
+}
+
+const HEIGHTS: [(Height, &str, &str); 3] = [
+    (Height::Log, "Log", "By their logarithms: faint parts are seen."),
+    (
+        Height::Root,
+        "Root",
+        "By their square roots: glow and whole lines are seen together.",
+    ),
+    (Height::Even, "Even", "Evenly: equal areas are equal power."),
+];
+
+/// How heights are drawn.
+fn heights(ui: &mut Ui, app: &App, view: &mut View, wide: bool) {
+    use crate::app::{chart::Scale, charts::spectrum::scale};
+    let now = match scale(app) {
+        Scale::Linear => Height::Even,
+        Scale::Root => Height::Root,
+        Scale::Log10 => Height::Log,
+    };
+    ui.spacing_mut().item_spacing.x = 0.0;
+    for (height, word, meaning) in HEIGHTS {
+        let button = ui
+            .add(Button::selectable(now == height, word))
+            .on_hover_text(meaning);
+        button.widget_info(|| {
+            let name = format!("Height: {word}");
+            egui::WidgetInfo::selected(egui::Role::RadioButton, true, now == height, name)
+        });
+        if button.clicked() {
+            view.height = height;
+        }
+    }
+    if wide {
+        ui.add_space(8.0);
+        ui.weak("Height");
+    }
+}
+
+/// The overlays' switch, their names, and what takes them away.
+fn overlays(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mut Vec<Command>) {
+    let (document, inks) = (app.document(), theme.inks);
+    if document.overlays.is_empty() {
+        return;
+    }
+    ui.separator();
+    chip(
+        ui,
+        &mut view.overlays,
+        "Overlays",
+        Some(inks.overlays[0]),
+        "The spectra laid over for comparison, each as bright as the light that is shown.",
+    );
+    for (i, overlay) in document.overlays.iter().enumerate() {
+        let colour = ink(inks.overlays[i % inks.overlays.len()]);
+        ui.label(RichText::new(overlay.name()).color(colour));
+    }
+    if ui
+        .button("Clear")
+        .on_hover_text("Takes all overlays away.")
+        .clicked()
+    {
+        commands.push(Command::ClearOverlays);
+        ui.close();
+    }
+}
+
+fn chip(ui: &mut Ui, on: &mut bool, name: &str, colour: Option<[u8; 3]>, meaning: &str) {
+    let button = match colour {
+        Some(colour) => {
+            let sign = if *on { "●" } else { "○" };
+            let mark = RichText::new(sign).small().color(ink(colour));
+            Button::selectable(*on, (mark, name))
+        }
+        None => Button::selectable(*on, name),
+    };
+    let outline = ui.visuals().widgets.noninteractive.bg_stroke;
+    let button = button.frame_when_inactive(true).stroke(outline);
+    let response = ui.add(button).on_hover_text(meaning);
+    response.widget_info(|| {
+        let name = format!("Show {}", name.to_lowercase());
+        egui::WidgetInfo::selected(egui::Role::CheckBox, true, *on, name)
+    });
+    if response.clicked() {
+        *on = !*on;
+    }
+}

@@ -1,0 +1,45 @@
+//! The page "Glossary": the words of the window, to look through and to search.
+
+use eframe::egui;
+use egui::{Label, RichText, ScrollArea, TextEdit, Ui};
+
+use crate::app::glossary::WORDS;
+
+/// What is searched for.
+#[derive(Default)]
+pub struct GlossaryView {
+    search: String,
+}
+
+impl GlossaryView {
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui) {
+        let count = WORDS.len();
+        ui.label(format!("{count} words of this window, in plain sentences."));
+        let field = ui.add(
+            TextEdit::singleline(&mut self.search)
+                .hint_text("Search words")
+                .desired_width(260.0),
+        );
+        field.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the glossary")
+        });
+        let wanted = self.search.trim().to_lowercase();
+        let fits = |text: &str| text.to_lowercase().contains(&wanted);
+        ui.add_space(6.0);
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            ui.set_max_width(720.0);
+            let mut found = false;
+            for one in WORDS.iter().filter(|w| fits(w.word) || fits(w.means)) {
+                found = true;
+                let strong = ui.visuals().strong_text_color();
+                ui.label(RichText::new(one.word).color(strong));
+                ui.add(Label::new(one.means).wrap());
+                ui.add_space(6.0);
+            }
+            if !found {
+                ui.weak("No word has that in it.");
+            }
+        });
+    }
+}

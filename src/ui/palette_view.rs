@@ -1,0 +1,137 @@
+//! The palette: lights, places and acts by a few letters.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{Context, Key, RichText, ScrollArea, TextEdit};
+
+use super::keys::{Act, SHORTCUTS};
+use crate::app::{App, Entry, pages::Page};
+
+/// What was chosen.
+#[derive(Clone, Debug)]
+pub enum Chosen {
+    /// A spectrum.
+    Entry(Arc<Entry>),
+    /// A page.
+    Page(Page),
+    /// An act of a key.
+    Act(Act),
+}
+
+/// The palette, if it is open.
+#[derive(Default)]
+pub struct PaletteView {
+    open: bool,
+    text: String,
+    at: usize,
+}
+
+/// Most that are shown.
+const MOST: usize = 12;
+
+impl PaletteView {
+    /// Opens it, empty.
+    pub fn open(&mut self) {
+        *self = Self {
+            open: true,
+            ..Self::default()
+        };
+    }
+
+    /// Whether it has the keys.
+    pub fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// Draws it; gives what was chosen.
+    pub fn show(&mut self, context: &Context, app: &App) -> Option<Chosen> {
+        if !self.open {
+            return None;
+        }
+        let mut chosen = None;
+        let found = found(app, &self.text);
+        let (up, down, enter) = context.input(|i| {
+            (
+                i.key_pressed(Key::ArrowUp),
+                i.key_pressed(Key::ArrowDown),
+                i.key_pressed(Key::Enter),
+            )
+        });
+        let last = found.len().saturating_sub(1);
+        self.at = self.at.min(last);
+        if down {
+            self.at = (self.at + 1).min(last);
+        }
+        if up {
+            self.at = self.at.saturating_sub(1);
+        }
+        let modal = egui::Modal::new("palette".into()).show(context, |ui| {
+            ui.set_width(420.0_f32.min(ui.ctx().content_rect().width() - 64.0));
+            let field = ui.add(
+                TextEdit::singleline(&mut self.text)
+                    .hint_text("A light, a place or an act")
+                    .desired_width(f32::INFINITY),
+            );
+            field.widget_info(|| {
+                egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find anything")
+            });
+            field.request_focus();
+            if field.changed() {
+                self.at = 0;
+            }
+            ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+                for (row, (name, what, choice)) in found.iter().enumerate() {
+                    let words = (
+                        RichText::new(name),
+                        RichText::new(*what).small().weak(),
+                    );
+                    let button = egui::Button::selectable(row == self.at, words);
+                    if ui.add(button).clicked() {
+                        chosen = Some(choice.clone());
+                    }
+                }
+                if found.is_empty() {
+                    ui.weak("Nothing is called that.");
+                }
+            });
+        });
+        if enter && let Some((.., choice)) = found.into_iter().nth(self.at) {
+            chosen = Some(choice);
+        }
+        if modal.should_close() || chosen.is_some() {
+            self.open = false;
+        }
+        chosen
+    }
+}
+
+/// What has all the words, those that begin with the text first.
+fn found(app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
+    let wanted: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
+    let pages = Page::all().map(|page| {
+        let name = format!("{}: {}", page.place().title(), page.title());
+        (name, "page", Chosen::Page(page))
+    });
+    let acts = SHORTCUTS
+        .iter()
+        .filter(|(_, act, _)| !matches!(act, Act::Place(_) | Act::Palette))
+        .map(|(_, act, words)| ((*words).to_owned(), "act", Chosen::Act(*act)));
+    let own = app.document().own.iter();
+    let entries = own.chain(app.bundled()).map(|entry| {
+        let name = entry.name().to_owned();
+        (name, entry.kind().word(), Chosen::Entry(entry.clone()))
+    });
+    let mut all: Vec<_> = pages.chain(acts).chain(entries).collect();
+    all.retain(|(name, ..)| {
+        let name = name.to_lowercase();
+        wanted.iter().all(|word| name.contains(word))
+    });
+    let begins = |name: &str| {
+        let name = name.to_lowercase();
+        wanted.first().is_some_and(|word| name.starts_with(word.as_str()))
+    };
+    all.sort_by_key(|(name, ..)| !begins(name));
+    all.truncate(MOST);
+    all
+}

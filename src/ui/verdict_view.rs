@@ -1,0 +1,370 @@
+//! The verdict: both colours side by side, a word before figures, how few numbers, and the error
+//! against the order.
+
+use eframe::egui;
+use egui::{
+    Align, Align2, Button, CornerRadius, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind,
+    Ui, vec2,
+};
+
+use super::{
+    curve_view, swatch,
+    theme::{Theme, of_seen},
+};
+use crate::app::{
+    App, Command,
+    answers::{Seen, Worst, white_words},
+    workspace::Preferences,
+};
+
+/// What of the column is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// The verdict.
+    #[default]
+    Verdict,
+    /// Every figure.
+    Figures,
+    /// Every knob.
+    Settings,
+}
+
+/// Height of the swatch without the ground around it, points.
+const SWATCH: f32 = 96.0;
+
+/// Draws the column.
+pub fn show(
+    ui: &mut Ui,
+    app: &App,
+    preferences: &mut Preferences,
+    theme: Theme,
+    side: &mut Side,
+    commands: &mut Vec<Command>,
+) {
+    split(ui, app, theme, SWATCH * theme.scale);
+    ui.add_space(4.0);
+    headline(ui, app, theme);
+    rule(ui);
+    answers(ui, app, theme);
+    rule(ui);
+    numbers(ui, app, theme);
+    warnings(ui, app, theme);
+    rule(ui);
+    let foot = 44.0 * theme.scale;
+    let room = ui.available_height() - foot;
+    if room > 90.0 {
+        curve_view::show(ui, app, preferences, theme, room, commands);
+    }
+    ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
+        ui.add_space(4.0);
+        ui.columns(2, |columns| {
+            let buttons = [
+                ("All figures", Side::Figures, "XYZ, chromaticity, errors, every line."),
+                ("Settings", Side::Settings, "Every knob of the model."),
+            ];
+            for (ui, (words, to, meaning)) in columns.iter_mut().zip(buttons) {
+                let size = vec2(ui.available_width(), 28.0 * theme.scale);
+                if ui
+                    .add_sized(size, Button::new(words))
+                    .on_hover_text(meaning)
+                    .clicked()
+                {
+                    *side = to;
+                }
+            }
+        });
+    });
+}
+
+/// Swatch, word and numbers in little room.
+pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
+    super::look_view::card_frame(ui)
+        .inner_margin(8)
+        .show(ui, |ui| {
+            ui.set_min_size(ui.available_size());
+            let height = ui.available_height();
+            ui.horizontal_top(|ui| {
+                let width = (0.4 * ui.available_width()).min(120.0 * theme.scale);
+                let down = Layout::top_down(Align::Min);
+                ui.allocate_ui_with_layout(vec2(width, height), down, |ui| {
+                    ui.set_width(width);
+                    let swatch = (height - 24.0 * theme.scale).min(SWATCH * theme.scale);
+                    split(ui, app, theme, swatch - 16.0);
+                });
+                ui.allocate_ui_with_layout(vec2(ui.available_width(), height), down, |ui| {
+                    let Some(worst) = Worst::of(app) else {
+                        return no_colour(ui);
+                    };
+                    let seen = Seen::of(worst.delta_e_2000);
+                    let words = RichText::new(seen.verdict()).size(18.0 * theme.scale);
+                    ui.add(Label::new(words.color(ui.visuals().strong_text_color())).wrap());
+                    ui.label(format!("ΔE₀₀ {} at worst", figure(worst.delta_e_2000)));
+                    let (numbers, instead) = counts(app);
+                    let words = format!("{numbers} numbers instead of {instead}");
+                    ui.add(Label::new(words).wrap());
+                });
+            });
+        });
+}
+
+fn rule(ui: &mut Ui) {
+    ui.add_space(6.0);
+    let rect = ui.available_rect_before_wrap();
+    let stroke = ui.visuals().widgets.noninteractive.bg_stroke;
+    ui.painter().hline(rect.x_range(), rect.top(), stroke);
+    ui.add_space(8.0);
+}
+
+fn no_colour(ui: &mut Ui) {
+    ui.add(
+        Label::new("No visible light in this range: there is no colour to compare.").wrap(),
+    );
+}
+
+/// Both colours on a ground of their own, told apart by two ticks.
+fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
+    let colour = &app.derived().colour;
+    let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
+        return no_colour(ui);
+    };
+    let name = format!(
+        "Colour: measured {}, model {}",
+        exact.swatch.hex(),
+        model.swatch.hex()
+    );
+    let size = vec2(ui.available_width(), height + 16.0);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
+    let painter = ui.painter();
+    painter.rect_filled(rect, 4.0, theme.swatch_ground);
+    let inner = rect.shrink(8.0);
+    let [left, right] = [exact, model].map(|c| swatch::colour(c.swatch.rgb8));
+    swatch::paint_split(ui, inner, left, right);
+    swatch::ticks(ui, inner, 8.0 * theme.scale);
+    if response.clicked() {
+        let text = format!("{} {}", exact.swatch.hex(), model.swatch.hex());
+        ui.ctx().copy_text(text);
+    }
+    let off_screen = !(exact.swatch.in_gamut && model.swatch.in_gamut);
+    response.on_hover_text(format!(
+        "Left as measured {}, right by the model {}. {}.{} Click to copy both.",
+        exact.swatch.hex(),
+        model.swatch.hex(),
+        super::colour_view::capitalised(exact.swatch.mapping.words()),
+        if off_screen {
+            " It lies outside the screen's colours."
+        } else {
+            ""
+        }
+    ));
+    ui.horizontal(|ui| {
+        let small = |words: &str| RichText::new(words.to_owned()).small().color(theme.faint);
+        ui.label(small("measured"));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.label(small("model"));
+            let middle = if app.document().is_about_light() {
+                "as a daylight camera sees it".to_owned()
+            } else {
+                format!("under {}", app.document().light.name())
+            };
+            let words = Label::new(small(&middle)).truncate();
+            ui.with_layout(
+                Layout::centered_and_justified(egui::Direction::LeftToRight),
+                |ui| ui.add(words),
+            );
+        });
+    });
+}
+
+/// An error in as many digits as it is good for.
+fn figure(delta: f64) -> String {
+    match delta {
+        d if d < 0.0005 => "0.000".to_owned(),
+        d if d < 0.1 => format!("{d:.3}"),
+        d if d < 10.0 => format!("{d:.2}"),
+        d => format!("{d:.1}"),
+    }
+}
+
+fn headline(ui: &mut Ui, app: &App, theme: Theme) {
+    let Some(worst) = Worst::of(app) else {
+        return;
+    };
+    let seen = Seen::of(worst.delta_e_2000);
+    let size = if theme.scale > 1.0 { 22.0 } else { 26.0 };
+    let words = RichText::new(seen.verdict())
+        .size(size * theme.scale)
+        .color(ui.visuals().strong_text_color());
+    ui.add(Label::new(words).wrap());
+    scale(ui, seen, theme);
+    ui.horizontal(|ui| {
+        let at = worst.patch.map_or_else(
+            || "of the light itself".to_owned(),
+            |patch| format!("at worst ({patch})"),
+        );
+        let words = format!("ΔE₀₀ {} {at}", figure(worst.delta_e_2000));
+        ui.add(Label::new(RichText::new(words).small()).truncate())
+            .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if let Some(own) = app.derived().colour.delta_e_2000 {
+                let words = format!("the light itself {}", figure(own));
+                ui.label(RichText::new(words).small().color(theme.faint));
+            }
+        });
+    });
+}
+
+/// The four words, the one that holds filled.
+fn scale(ui: &mut Ui, now: Seen, theme: Theme) {
+    let gap = 4.0;
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let widths = Seen::ALL.map(|seen| {
+        let galley = ui.painter().layout_no_wrap(
+            seen.word().to_owned(),
+            font.clone(),
+            ui.visuals().text_color(),
+        );
+        galley.size().x
+    });
+    let (total, room) = (widths.iter().sum::<f32>(), ui.available_width() - 3.0 * gap);
+    let air = ((room - total) / 4.0).max(4.0);
+    let height = 24.0 * theme.scale;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = gap;
+        for (seen, width) in Seen::ALL.into_iter().zip(widths) {
+            let (rect, response) =
+                ui.allocate_exact_size(vec2(width + air, height), Sense::hover());
+            let is_now = seen == now;
+            let painter = ui.painter();
+            let (ink, stroke) = if is_now {
+                painter.rect_filled(rect, 3.0, of_seen(seen, theme.dark));
+                let ink = if theme.dark { 18 } else { 255 };
+                (super::theme::grey(ink), Stroke::NONE)
+            } else {
+                let outline = ui.visuals().widgets.noninteractive.bg_stroke;
+                (theme.faint, outline)
+            };
+            painter.rect_stroke(rect, CornerRadius::same(3), stroke, StrokeKind::Inside);
+            painter.text(
+                rect.center(),
+                Align2::CENTER_CENTER,
+                seen.word(),
+                font.clone(),
+                ink,
+            );
+            response.widget_info(|| {
+                egui::WidgetInfo::selected(egui::Role::Label, true, is_now, seen.word())
+            });
+            response.on_hover_text(seen.meaning());
+        }
+    });
+}
+
+/// The two other questions, and what white it is.
+fn answers(ui: &mut Ui, app: &App, theme: Theme) {
+    let derived = app.derived();
+    let mut row = |question: &str, answer: String, meaning: &str| {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(question).color(theme.faint));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.label(RichText::new(answer).color(ui.visuals().strong_text_color()))
+                    .on_hover_text(meaning);
+            });
+        });
+    };
+    match derived.errors {
+        Some(errors) => row(
+            "What does a 10 nm slit see?",
+            format!("{} % off", crate::app::charts::tradeoff::three(100.0 * errors.relative_rms_10nm)),
+            "Root mean square of model minus measured over that of the spectrum, both behind a \
+             Gaussian slit of 10 nm.",
+        ),
+        None => row("The spectrum", "nothing to compare".to_owned(), derived.why_no_errors()),
+    }
+    if let Some(Ok(cct)) = derived.colour.exact.and_then(|colour| colour.cct) {
+        row(
+            "What white is it?",
+            white_words(cct),
+            "Correlated colour temperature after Ohno, and which way it leaves the line of \
+             blackbodies (Duv).",
+        );
+    }
+}
+
+/// Numbers of the model, and points of the table in its range that they stand for.
+fn counts(app: &App) -> (usize, usize) {
+    let derived = app.derived();
+    (derived.numbers(), derived.band.points())
+}
+
+fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
+    let (count, instead) = counts(app);
+    let model = &app.derived().model;
+    let (smooth, lines) = (model.smooth.coefficients.len(), model.spikes.len());
+    ui.horizontal(|ui| {
+        let large = RichText::new(count.to_string())
+            .size(28.0 * theme.scale)
+            .color(ui.visuals().strong_text_color());
+        ui.label(large);
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            ui.label(format!("numbers instead of {instead}"));
+            let lines = match lines {
+                0 => "no lines".to_owned(),
+                1 => "2 for one line".to_owned(),
+                n => format!("{} for {n} lines", 2 * n),
+            };
+            let words = format!("{smooth} for the smooth part, {lines}");
+            ui.label(RichText::new(words).small().color(theme.faint))
+                .on_hover_text("An order N takes 2N + 1 numbers; a line two, place and weight.");
+        });
+    });
+}
+
+fn warnings(ui: &mut Ui, app: &App, theme: Theme) {
+    for warning in &app.derived().warnings {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            ui.colored_label(theme.warning, "▲");
+            ui.small(warning);
+        });
+    }
+}
+
+/// The line that stands for the column where the model is no part of the page; clicked, it opens
+/// the column.
+pub fn line(ui: &mut Ui, app: &App) -> bool {
+    let words = Worst::of(app).map(|worst| Seen::of(worst.delta_e_2000).verdict().to_lowercase());
+    let words = words.unwrap_or_else(|| "no colour".to_owned());
+    let text = format!("Model: {} numbers, {words}", app.derived().numbers());
+    ui.add(Button::new(RichText::new(text).small()).frame(false))
+        .on_hover_text("Opens the model's verdict and its knobs beside the page.")
+        .clicked()
+}
+
+/// The edge that the column folds to; whether it was clicked.
+pub fn edge(ui: &mut Ui, is_open: bool) -> bool {
+    let rect = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(rect, Sense::click());
+    response.widget_info(|| {
+        let name = "Verdict, figures, settings";
+        egui::WidgetInfo::selected(egui::Role::Button, true, is_open, name)
+    });
+    let ink = if response.hovered() || response.has_focus() {
+        ui.visuals().strong_text_color()
+    } else {
+        ui.visuals().text_color()
+    };
+    let painter = ui.painter();
+    let arrow = if is_open { "▶" } else { "◀" };
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let top = Rect::from_min_size(rect.min, vec2(rect.width(), 40.0));
+    painter.text(top.center(), Align2::CENTER_CENTER, arrow, font.clone(), ink);
+    let words = "Verdict, figures, settings".to_owned();
+    let galley = painter.layout_no_wrap(words, font, ink);
+    let at = egui::pos2(rect.center().x + galley.size().y / 2.0, top.bottom() + 4.0);
+    let turned = egui::epaint::TextShape::new(at, galley, ink)
+        .with_angle(std::f32::consts::FRAC_PI_2);
+    painter.add(turned);
+    response.clicked()
+}
