@@ -11,58 +11,199 @@ pub struct Word {
 
 /// All words, by the alphabet.
 pub const WORDS: &[Word] = &[
-    word("Absorption line", "A narrow gap in a spectrum where something between the light and the eye took its share away. The model keeps it as a line of negative weight."),
-    word("Adaptation", "The eye gets used to the colour of the light within a minute, so that white paper looks white under a bulb too. Patches can be shown as that eye sees them."),
-    word("Band", "A stretch of wavelengths, wider than a line. Phosphors shine in bands."),
-    word("Basis", "The family of curves that a smooth part is added up from: the paper's periodic waves (Fourier), or half-range cosines, which do not have to end as they began."),
-    word("Blackbody", "A body that only glows by its heat. A bulb is nearly one; its temperature decides its colour."),
-    word("CCT", "Correlated colour temperature: the temperature of the blackbody whose colour comes nearest, in kelvin. Low is warm, high is cool."),
-    word("Chromaticity", "Colour without brightness: two numbers, x and y, or u' and v'."),
-    word("CIE", "The International Commission on Illumination, which defines the observers, the standard lights and the measures of colour difference used here."),
+    word(
+        "Absorption line",
+        "A narrow gap in a spectrum where something between the light and the eye took its share away. The model keeps it as a line of negative weight.",
+    ),
+    word(
+        "Adaptation",
+        "The eye gets used to the colour of the light within a minute, so that white paper looks white under a bulb too. Patches can be shown as that eye sees them.",
+    ),
+    word(
+        "Band",
+        "A stretch of wavelengths, wider than a line. Phosphors shine in bands.",
+    ),
+    word(
+        "Basis",
+        "The family of curves that a smooth part is added up from: the paper's periodic waves (Fourier), or half-range cosines, which do not have to end as they began.",
+    ),
+    word(
+        "Blackbody",
+        "A body that only glows by its heat. A bulb is nearly one; its temperature decides its colour.",
+    ),
+    word(
+        "CCT",
+        "Correlated colour temperature: the temperature of the blackbody whose colour comes nearest, in kelvin. Low is warm, high is cool.",
+    ),
+    word(
+        "Chromaticity",
+        "Colour without brightness: two numbers, x and y, or u' and v'.",
+    ),
+    word(
+        "CIE",
+        "The International Commission on Illumination, which defines the observers, the standard lights and the measures of colour difference used here.",
+    ),
     word("CIEDE2000", "See dE00."),
-    word("Colour-exact", "The model's smooth part is adjusted so that its X, Y and Z are exactly those of the spectrum. It costs no numbers."),
-    word("Colour-matching functions", "Three curves that say how strongly each wavelength acts on the standard observer's X, Y and Z."),
-    word("Composite model", "A spectrum as a smooth part, which few waves describe, and a few lines, each a place and a weight."),
-    word("Cosine basis", "Cosines of half the range: the same count of numbers as the Fourier series, without its ringing at the ends."),
+    word(
+        "Colour-exact",
+        "The model's smooth part is adjusted so that its X, Y and Z are exactly those of the spectrum. It costs no numbers.",
+    ),
+    word(
+        "Colour-matching functions",
+        "Three curves that say how strongly each wavelength acts on the standard observer's X, Y and Z.",
+    ),
+    word(
+        "Composite model",
+        "A spectrum as a smooth part, which few waves describe, and a few lines, each a place and a weight.",
+    ),
+    word(
+        "Cosine basis",
+        "Cosines of half the range: the same count of numbers as the Fourier series, without its ringing at the ends.",
+    ),
     word("D65", "The CIE's standard daylight, 6504 kelvin."),
-    word("dE00", "CIEDE2000, how different two colours look. Below 1 nobody sees it, to 2 only where both touch, above 5 they are two colours."),
-    word("Dispersion", "Glass, water and diamond bend short wavelengths more than long ones: light fans out into its colours."),
-    word("Duv", "How far a white is from the line of blackbodies: above it (positive) greenish, below it pinkish."),
-    word("Emission line", "Light at one wavelength, or nearly, as atoms of a gas give it off. In the model: a spike."),
-    word("Error against order", "How far the model is off for every order of its smooth part: where the curve falls below 1, nobody sees the difference."),
-    word("Filter", "Glass or a gel that lets some wavelengths through and holds others back."),
-    word("Fluorescent lamp", "Mercury vapour shines in a few lines, mostly ultraviolet; a phosphor on the glass turns that into visible bands. What leaves is lines on a glow."),
-    word("Fourier series", "A sum of waves that repeat over the range, each with twice, three times ... the frequency of the first."),
-    word("FWHM", "Full width at half maximum: how wide a line or band is at half its height, in nanometres."),
-    word("Gamut", "The colours that a screen can show. A corner mark tells of one outside."),
-    word("Illuminant", "A light given by its spectrum alone, as the CIE defines A, D65 or the fluorescent FL series."),
-    word("LED", "A light-emitting diode. White ones are mostly a blue diode with a yellow phosphor."),
+    word(
+        "dE00",
+        "CIEDE2000, how different two colours look. Below 1 nobody sees it, to 2 only where both touch, above 5 they are two colours.",
+    ),
+    word(
+        "Dispersion",
+        "Glass, water and diamond bend short wavelengths more than long ones: light fans out into its colours.",
+    ),
+    word(
+        "Duv",
+        "How far a white is from the line of blackbodies: above it (positive) greenish, below it pinkish.",
+    ),
+    word(
+        "Emission line",
+        "Light at one wavelength, or nearly, as atoms of a gas give it off. In the model: a spike.",
+    ),
+    word(
+        "Error against order",
+        "How far the model is off for every order of its smooth part: where the curve falls below 1, nobody sees the difference.",
+    ),
+    word(
+        "Filter",
+        "Glass or a gel that lets some wavelengths through and holds others back.",
+    ),
+    word(
+        "Fluorescent lamp",
+        "Mercury vapour shines in a few lines, mostly ultraviolet; a phosphor on the glass turns that into visible bands. What leaves is lines on a glow.",
+    ),
+    word(
+        "Fourier series",
+        "A sum of waves that repeat over the range, each with twice, three times ... the frequency of the first.",
+    ),
+    word(
+        "FWHM",
+        "Full width at half maximum: how wide a line or band is at half its height, in nanometres.",
+    ),
+    word(
+        "Gamut",
+        "The colours that a screen can show. A corner mark tells of one outside.",
+    ),
+    word(
+        "Illuminant",
+        "A light given by its spectrum alone, as the CIE defines A, D65 or the fluorescent FL series.",
+    ),
+    word(
+        "LED",
+        "A light-emitting diode. White ones are mostly a blue diode with a yellow phosphor.",
+    ),
     word("Line", "See emission line and absorption line."),
-    word("Luminance", "How bright light is to the eye: the Y of X, Y, Z."),
-    word("Metamers", "Two spectra of the same colour: equal under one light, perhaps not under another."),
-    word("Monochromator", "An instrument that lets one narrow band of wavelengths through its slit at a time."),
-    word("Nanometre", "A millionth of a millimetre, nm. Visible light has wavelengths from about 380 to 780 nm."),
-    word("Numbers", "What a model takes: 2N + 1 for an order N, and two for each line. A table from 380 to 780 nm takes 401."),
-    word("Observer", "The CIE's standard eye: of 1931 for small fields of 2 degrees, of 1964 for fields of 10 degrees, of 2015 from the cones themselves."),
-    word("Order N", "How many waves the smooth part is made of: its smoothness. Order 0 is a level line."),
-    word("Overlay", "A second spectrum drawn over the first, as bright as that."),
-    word("Patch", "A surface of known reflectance, shown as it looks under the measured light and under the model."),
-    word("Phosphor", "A powder that turns short wavelengths into longer ones, in bands of its own."),
-    word("Reflectance", "Which share of each wavelength a surface sends back, 0 to 1."),
+    word(
+        "Luminance",
+        "How bright light is to the eye: the Y of X, Y, Z.",
+    ),
+    word(
+        "Metamers",
+        "Two spectra of the same colour: equal under one light, perhaps not under another.",
+    ),
+    word(
+        "Monochromator",
+        "An instrument that lets one narrow band of wavelengths through its slit at a time.",
+    ),
+    word(
+        "Nanometre",
+        "A millionth of a millimetre, nm. Visible light has wavelengths from about 380 to 780 nm.",
+    ),
+    word(
+        "Numbers",
+        "What a model takes: 2N + 1 for an order N, and two for each line. A table from 380 to 780 nm takes 401.",
+    ),
+    word(
+        "Observer",
+        "The CIE's standard eye: of 1931 for small fields of 2 degrees, of 1964 for fields of 10 degrees, of 2015 from the cones themselves.",
+    ),
+    word(
+        "Order N",
+        "How many waves the smooth part is made of: its smoothness. Order 0 is a level line.",
+    ),
+    word(
+        "Overlay",
+        "A second spectrum drawn over the first, as bright as that.",
+    ),
+    word(
+        "Patch",
+        "A surface of known reflectance, shown as it looks under the measured light and under the model.",
+    ),
+    word(
+        "Phosphor",
+        "A powder that turns short wavelengths into longer ones, in bands of its own.",
+    ),
+    word(
+        "Reflectance",
+        "Which share of each wavelength a surface sends back, 0 to 1.",
+    ),
     word("Residual", "What is left over: model minus measured."),
-    word("rms", "Root mean square: the size of an error over a whole curve, given here as a share of the spectrum."),
-    word("Ringing", "Waves beside a jump: a short Fourier series overshoots where the two ends of the range differ."),
-    word("Smooth part", "What is left of a spectrum without its lines: few waves describe it."),
-    word("Spectral power distribution", "How much light there is at each wavelength: the spectrum itself."),
-    word("Spike", "A line in the model: a place in nanometres and a weight, the power in it. It has no width."),
-    word("sRGB", "The colours of ordinary screens. Colours outside are shown as the nearest one inside."),
-    word("Threshold", "The least share of the power that a line must hold to become a spike."),
+    word(
+        "rms",
+        "Root mean square: the size of an error over a whole curve, given here as a share of the spectrum.",
+    ),
+    word(
+        "Ringing",
+        "Waves beside a jump: a short Fourier series overshoots where the two ends of the range differ.",
+    ),
+    word(
+        "Smooth part",
+        "What is left of a spectrum without its lines: few waves describe it.",
+    ),
+    word(
+        "Spectral power distribution",
+        "How much light there is at each wavelength: the spectrum itself.",
+    ),
+    word(
+        "Spike",
+        "A line in the model: a place in nanometres and a weight, the power in it. It has no width.",
+    ),
+    word(
+        "sRGB",
+        "The colours of ordinary screens. Colours outside are shown as the nearest one inside.",
+    ),
+    word(
+        "Threshold",
+        "The least share of the power that a line must hold to become a spike.",
+    ),
     word("Tint", "See Duv."),
-    word("Transmittance", "Which share of each wavelength a filter lets through, 0 to 1."),
-    word("Triphosphor lamp", "A fluorescent lamp whose phosphors shine in a blue, a green (terbium) and a red (europium) band."),
-    word("Wavelength", "What tells one pure colour of light from another, in nanometres: 450 blue, 550 green, 650 red."),
-    word("Weight", "The power of a spike, in the spectrum's unit times nanometres; on screen its share of the power is told."),
-    word("XYZ", "Three numbers that decide a colour: the spectrum weighed by the three colour-matching functions. Y is the brightness."),
+    word(
+        "Transmittance",
+        "Which share of each wavelength a filter lets through, 0 to 1.",
+    ),
+    word(
+        "Triphosphor lamp",
+        "A fluorescent lamp whose phosphors shine in a blue, a green (terbium) and a red (europium) band.",
+    ),
+    word(
+        "Wavelength",
+        "What tells one pure colour of light from another, in nanometres: 450 blue, 550 green, 650 red.",
+    ),
+    word(
+        "Weight",
+        "The power of a spike, in the spectrum's unit times nanometres; on screen its share of the power is told.",
+    ),
+    word(
+        "XYZ",
+        "Three numbers that decide a colour: the spectrum weighed by the three colour-matching functions. Y is the brightness.",
+    ),
 ];
 
 const fn word(word: &'static str, means: &'static str) -> Word {

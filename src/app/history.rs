@@ -50,5 +50,4 @@ impl History {
     pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Document> {
         self.past.iter_mut().chain(&mut self.future)
     }
-
 }

@@ -226,7 +226,9 @@ impl App {
                 return self.step(History::undo, words, "Nothing to undo.");
             }
             Command::Redo => {
-                let words = self.redo_words().map(|words| format!("Done again: {words}."));
+                let words = self
+                    .redo_words()
+                    .map(|words| format!("Done again: {words}."));
                 return self.step(History::redo, words, "Nothing to do again.");
             }
             Command::ImageIsBack(image) => return self.image_is_back(&image),

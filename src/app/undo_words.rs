@@ -101,7 +101,10 @@ fn of_spectra(before: &Document, after: &Document) -> Option<String> {
             Some("an image taken out".to_owned())
         }
         (None, None) => {
-            let changed = is.iter().zip(was).find(|(a, b)| !std::sync::Arc::ptr_eq(a, b));
+            let changed = is
+                .iter()
+                .zip(was)
+                .find(|(a, b)| !std::sync::Arc::ptr_eq(a, b));
             changed.map(|(entry, _)| format!("{} changed", entry.name()))
         }
     }

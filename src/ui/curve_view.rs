@@ -109,7 +109,10 @@ fn plot(
     let quantity = shown(app, chosen);
     let derived = app.derived();
     let order = derived.model.smooth.order();
-    let size = vec2(ui.available_width(), height.clamp(60.0, 240.0 * theme.scale));
+    let size = vec2(
+        ui.available_width(),
+        height.clamp(60.0, 240.0 * theme.scale),
+    );
     let Some(mut chart) = order_chart(app, quantity, theme.of_charts()) else {
         ui.allocate_ui(size, |ui| {
             ui.weak("There is no colour to compare in this range.");

@@ -1,11 +1,7 @@
 //! The line at the bottom: what to notice, and a question to try; else what was said last.
 
 use crate::{
-    app::{
-        App,
-        answers::not_seen_from,
-        pages::Page,
-    },
+    app::{App, answers::not_seen_from, pages::Page},
     io::many::many,
 };
 
@@ -31,9 +27,9 @@ pub fn words(app: &App, page: Page) -> (String, String) {
     };
     let order = derived.model.smooth.order();
     let question = match not_seen_from(app) {
-        Some(from) if from > 0 && order > from => format!(
-            "Pull Smoothness down to {from}. The curve goes wrong: do the colours?"
-        ),
+        Some(from) if from > 0 && order > from => {
+            format!("Pull Smoothness down to {from}. The curve goes wrong: do the colours?")
+        }
         Some(from) if from > 0 && order < from => {
             format!("Push Smoothness up to {from}: what becomes right first, curve or colours?")
         }

@@ -28,7 +28,7 @@ const TILES: [(&str, &str, Page); 3] = [
 /// Draws the tiles; gives the page that was chosen, and whether they are to go.
 pub fn show(context: &Context, theme: Theme) -> (Option<Page>, bool) {
     let mut chosen = None;
-    let modal = egui::Modal::new("greeting".into()).show(context, |ui| {
+    let modal = egui::Modal::new(egui::Id::unique("greeting")).show(context, |ui| {
         ui.set_max_width((720.0 * theme.scale).min(ui.ctx().content_rect().width() - 48.0));
         ui.label(RichText::new("What would you like to do?").size(20.0));
         ui.add_space(8.0);
@@ -59,7 +59,10 @@ fn tile(ui: &mut Ui, title: &str, words: &str, wide: bool) -> bool {
         ui.available_width()
     };
     let width = width.clamp(150.0, 220.0_f32.max(width.min(220.0)));
-    let size = vec2(if wide { 210.0 } else { width }, if wide { 128.0 } else { 84.0 });
+    let size = vec2(
+        if wide { 210.0 } else { width },
+        if wide { 128.0 } else { 84.0 },
+    );
     let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, title));
     let visuals = ui.style().interact(&response);
@@ -74,7 +77,12 @@ fn tile(ui: &mut Ui, title: &str, words: &str, wide: bool) -> bool {
         ink,
     );
     let font = egui::TextStyle::Body.resolve(ui.style());
-    let galley = painter.layout(words.to_owned(), font, ui.visuals().text_color(), size.x - 24.0);
+    let galley = painter.layout(
+        words.to_owned(),
+        font,
+        ui.visuals().text_color(),
+        size.x - 24.0,
+    );
     painter.galley(rect.min + vec2(12.0, 38.0), galley, ink);
     response.clicked()
 }

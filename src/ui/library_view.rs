@@ -31,6 +31,8 @@ pub struct LibraryView {
     pub wants_search: bool,
     /// The own entry whose file is to be looked at.
     pub wants_reading: Option<String>,
+    /// A click lays a spectrum over the one that is shown.
+    compares: bool,
     /// The own entry being renamed, with the text so far.
     renaming: Option<(String, String)>,
     /// By key, with the entry it was made of: after an undo another file may have the key.
@@ -112,20 +114,30 @@ impl LibraryView {
         ui: &mut Ui,
         app: &App,
         preferences: &mut Preferences,
-        theme: Theme,
+        (theme, compares): (Theme, bool),
         commands: &mut Vec<Command>,
     ) {
-        let label = ui.label(egui::RichText::new("Library").heading());
+        self.compares = compares;
+        ui.horizontal(|ui| {
+            let words = if compares { "Lay over" } else { "Library" };
+            ui.label(egui::RichText::new(words).heading());
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.toggle_value(&mut preferences.pinned, "Pin")
+                    .on_hover_text("The library stays open beside the page.");
+            });
+        });
         let search = ui
             .add(
                 egui::TextEdit::singleline(&mut self.search)
                     .hint_text("Search spectra")
                     .desired_width(f32::INFINITY),
             )
-            .labelled_by(label.id)
             .on_hover_text(
                 "Shows only spectra whose name, group or file holds these words (Ctrl+F).",
             );
+        search.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the library")
+        });
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }
@@ -357,7 +369,7 @@ impl LibraryView {
                 font,
                 text_colour,
             );
-        let add = ui.input(|i| i.modifiers.command || i.modifiers.shift);
+        let add = self.compares || ui.input(|i| i.modifiers.command || i.modifiers.shift);
         let mut command = None;
         if response.clicked() {
             command = Some(if add {

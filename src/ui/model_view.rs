@@ -9,7 +9,7 @@ pub(super) use super::kit::named;
 use super::theme::section;
 use crate::{
     app::{
-        App, Command, Settings, Subject,
+        App, Command, Scale, Settings, Subject,
         document::WEIGHT_FACTORS,
         settings::{
             Detector, GRADIENTS_PERCENT, ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM, range_words,
@@ -62,6 +62,7 @@ pub fn controls(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) -> Option<S
             said = range_row(ui, app, &mut settings);
             observer_row(ui, &mut settings);
             products_row(ui, &mut settings);
+            scale_row(ui, app, commands);
             weight_factor_row(ui, app, commands);
         });
     if settings != before {
@@ -369,6 +370,26 @@ fn products_row(ui: &mut Ui, settings: &mut Settings) {
         });
     named(&combo.response, egui::Role::ComboBox, "Products by");
     combo.response.on_hover_text(meaning);
+    ui.end_row();
+}
+
+/// What values on screen are counted in.
+fn scale_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+    let scale = app.document().scale;
+    ui.label("Scale");
+    let combo = egui::ComboBox::from_id_salt("scale")
+        .selected_text(scale.words())
+        .width(ui.spacing().combo_width + 34.0)
+        .show_ui(ui, |ui| {
+            for other in Scale::ALL {
+                let response = ui.selectable_label(scale == other, other.words());
+                if response.on_hover_text(other.meaning()).clicked() {
+                    commands.push(Command::Scale(other));
+                }
+            }
+        });
+    named(&combo.response, egui::Role::ComboBox, "Scale");
+    combo.response.on_hover_text(scale.meaning());
     ui.end_row();
 }
 

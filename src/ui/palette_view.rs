@@ -66,7 +66,7 @@ impl PaletteView {
         if up {
             self.at = self.at.saturating_sub(1);
         }
-        let modal = egui::Modal::new("palette".into()).show(context, |ui| {
+        let modal = egui::Modal::new(egui::Id::unique("palette")).show(context, |ui| {
             ui.set_width(420.0_f32.min(ui.ctx().content_rect().width() - 64.0));
             let field = ui.add(
                 TextEdit::singleline(&mut self.text)
@@ -82,10 +82,7 @@ impl PaletteView {
             }
             ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
                 for (row, (name, what, choice)) in found.iter().enumerate() {
-                    let words = (
-                        RichText::new(name),
-                        RichText::new(*what).small().weak(),
-                    );
+                    let words = (RichText::new(name), RichText::new(*what).small().weak());
                     let button = egui::Button::selectable(row == self.at, words);
                     if ui.add(button).clicked() {
                         chosen = Some(choice.clone());
@@ -129,7 +126,9 @@ fn found(app: &App, text: &str) -> Vec<(String, &'static str, Chosen)> {
     });
     let begins = |name: &str| {
         let name = name.to_lowercase();
-        wanted.first().is_some_and(|word| name.starts_with(word.as_str()))
+        wanted
+            .first()
+            .is_some_and(|word| name.starts_with(word.as_str()))
     };
     all.sort_by_key(|(name, ..)| !begins(name));
     all.truncate(MOST);

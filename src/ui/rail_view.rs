@@ -27,7 +27,8 @@ pub fn show(ui: &mut Ui, page: &mut Page, has_words: bool, theme: Theme) {
         let visuals = ui.visuals();
         let field = rect.shrink2(vec2(6.0, 2.0));
         let ink = if is_here {
-            ui.painter().rect_filled(field, 4.0, visuals.selection.bg_fill);
+            ui.painter()
+                .rect_filled(field, 4.0, visuals.selection.bg_fill);
             let mark = Rect::from_min_size(rect.min, vec2(3.0, rect.height()));
             ui.painter().rect_filled(mark, 0.0, theme.accent);
             visuals.selection.stroke.color
@@ -69,7 +70,12 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
         Place::Learn => {
             for side in [-1.0, 1.0] {
                 line(&[[0.0, -6.0], [side * 5.0, -8.0], [side * 9.0, -7.0]]);
-                line(&[[side * 9.0, -7.0], [side * 9.0, 6.0], [side * 5.0, 5.0], [0.0, 8.0]]);
+                line(&[
+                    [side * 9.0, -7.0],
+                    [side * 9.0, 6.0],
+                    [side * 5.0, 5.0],
+                    [0.0, 8.0],
+                ]);
             }
             line(&[[0.0, -6.0], [0.0, 8.0]]);
         }
@@ -86,7 +92,13 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
         Place::Through => {
             line(&[[-10.0, 0.0], [-4.0, 0.0]]);
             line(&[[4.0, 0.0], [10.0, 0.0]]);
-            line(&[[-3.0, -9.0], [3.0, -9.0], [3.0, 9.0], [-3.0, 9.0], [-3.0, -9.0]]);
+            line(&[
+                [-3.0, -9.0],
+                [3.0, -9.0],
+                [3.0, 9.0],
+                [-3.0, 9.0],
+                [-3.0, -9.0],
+            ]);
         }
         Place::Numbers => {
             for at in [-3.0, 3.0] {
@@ -95,8 +107,20 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
             }
         }
         Place::Picture => {
-            line(&[[-10.0, -8.0], [10.0, -8.0], [10.0, 8.0], [-10.0, 8.0], [-10.0, -8.0]]);
-            line(&[[-10.0, 5.0], [-3.0, -2.0], [3.0, 4.0], [6.0, 1.0], [10.0, 5.0]]);
+            line(&[
+                [-10.0, -8.0],
+                [10.0, -8.0],
+                [10.0, 8.0],
+                [-10.0, 8.0],
+                [-10.0, -8.0],
+            ]);
+            line(&[
+                [-10.0, 5.0],
+                [-3.0, -2.0],
+                [3.0, 4.0],
+                [6.0, 1.0],
+                [10.0, 5.0],
+            ]);
             painter.circle_stroke(middle + vec2(5.0, -3.5), 1.8, stroke);
         }
     }

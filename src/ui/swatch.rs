@@ -53,9 +53,17 @@ pub fn paint_split(ui: &Ui, rect: Rect, left: Color32, right: Color32) {
 /// difference that cannot be seen looks like no comparison.
 pub fn ticks(ui: &Ui, rect: Rect, length: f32) {
     let x = rect.center().x.round();
-    for (top, ink) in [(rect.top(), Color32::BLACK), (rect.bottom() - length, Color32::BLACK)] {
-        ui.painter().vline(x, top..=top + length, (1.0, ink.gamma_multiply(0.75)));
-        ui.painter().vline(x + 1.0, top..=top + length, (1.0, Color32::WHITE.gamma_multiply(0.5)));
+    for (top, ink) in [
+        (rect.top(), Color32::BLACK),
+        (rect.bottom() - length, Color32::BLACK),
+    ] {
+        ui.painter()
+            .vline(x, top..=top + length, (1.0, ink.gamma_multiply(0.75)));
+        ui.painter().vline(
+            x + 1.0,
+            top..=top + length,
+            (1.0, Color32::WHITE.gamma_multiply(0.5)),
+        );
     }
 }
 

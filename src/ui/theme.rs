@@ -197,7 +197,10 @@ fn colours(visuals: &mut egui::Visuals, dark: bool) {
     let (selected, its_text) = if dark {
         (Color32::from_rgb(31, 71, 99), grey(255))
     } else {
-        (Color32::from_rgb(195, 222, 242), Color32::from_rgb(11, 43, 68))
+        (
+            Color32::from_rgb(195, 222, 242),
+            Color32::from_rgb(11, 43, 68),
+        )
     };
     visuals.selection.bg_fill = selected;
     visuals.selection.stroke = Stroke::new(1.0, its_text);

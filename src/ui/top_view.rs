@@ -57,7 +57,10 @@ pub fn show(
         ui.spacing_mut().item_spacing.x = 8.0;
         light(ui, app, drawer, theme);
         let compare = ui
-            .add(Button::selectable(drawer.open && drawer.compares, "+ Compare").frame_when_inactive(true))
+            .add(
+                Button::selectable(drawer.open && drawer.compares, "+ Compare")
+                    .frame_when_inactive(true),
+            )
             .on_hover_text("Lays another spectrum over this one: choose it in the library.");
         if compare.clicked() {
             let compares = !(drawer.open && drawer.compares);

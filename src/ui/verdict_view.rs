@@ -59,7 +59,11 @@ pub fn show(
         ui.add_space(4.0);
         ui.columns(2, |columns| {
             let buttons = [
-                ("All figures", Side::Figures, "XYZ, chromaticity, errors, every line."),
+                (
+                    "All figures",
+                    Side::Figures,
+                    "XYZ, chromaticity, errors, every line.",
+                ),
                 ("Settings", Side::Settings, "Every knob of the model."),
             ];
             for (ui, (words, to, meaning)) in columns.iter_mut().zip(buttons) {
@@ -116,9 +120,7 @@ fn rule(ui: &mut Ui) {
 }
 
 fn no_colour(ui: &mut Ui) {
-    ui.add(
-        Label::new("No visible light in this range: there is no colour to compare.").wrap(),
-    );
+    ui.add(Label::new("No visible light in this range: there is no colour to compare.").wrap());
 }
 
 /// Both colours on a ground of their own, told apart by two ticks.
@@ -275,11 +277,18 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     match derived.errors {
         Some(errors) => row(
             "What does a 10 nm slit see?",
-            format!("{} % off", crate::app::charts::tradeoff::three(100.0 * errors.relative_rms_10nm)),
+            format!(
+                "{} % off",
+                crate::app::charts::tradeoff::three(100.0 * errors.relative_rms_10nm)
+            ),
             "Root mean square of model minus measured over that of the spectrum, both behind a \
              Gaussian slit of 10 nm.",
         ),
-        None => row("The spectrum", "nothing to compare".to_owned(), derived.why_no_errors()),
+        None => row(
+            "The spectrum",
+            "nothing to compare".to_owned(),
+            derived.why_no_errors(),
+        ),
     }
     if let Some(Ok(cct)) = derived.colour.exact.and_then(|colour| colour.cct) {
         row(
@@ -359,12 +368,18 @@ pub fn edge(ui: &mut Ui, is_open: bool) -> bool {
     let arrow = if is_open { "▶" } else { "◀" };
     let font = egui::TextStyle::Small.resolve(ui.style());
     let top = Rect::from_min_size(rect.min, vec2(rect.width(), 40.0));
-    painter.text(top.center(), Align2::CENTER_CENTER, arrow, font.clone(), ink);
+    painter.text(
+        top.center(),
+        Align2::CENTER_CENTER,
+        arrow,
+        font.clone(),
+        ink,
+    );
     let words = "Verdict, figures, settings".to_owned();
     let galley = painter.layout_no_wrap(words, font, ink);
     let at = egui::pos2(rect.center().x + galley.size().y / 2.0, top.bottom() + 4.0);
-    let turned = egui::epaint::TextShape::new(at, galley, ink)
-        .with_angle(std::f32::consts::FRAC_PI_2);
+    let turned =
+        egui::epaint::TextShape::new(at, galley, ink).with_angle(std::f32::consts::FRAC_PI_2);
     painter.add(turned);
     response.clicked()
 }

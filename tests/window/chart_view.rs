@@ -393,7 +393,9 @@ fn every_kind_of_chart_is_drawn_with_a_name_whatever_its_numbers() {
         },
         Marks::Area {
             points: points.clone(),
-            base: odd.to_vec(), is_coloured: false },
+            base: odd.to_vec(),
+            is_coloured: false,
+        },
         Marks::Bars {
             points: points.clone(),
             width: 0.3,

@@ -202,7 +202,10 @@ mod tests {
         let axis = Axis::new([0.0, 100.0], Scale::Root, 200.0);
         assert_eq!((axis.px(25.0), axis.px(100.0)), (100.0, 200.0));
         let axis = Axis::new([-4.0, 16.0], Scale::Root, 60.0);
-        assert_eq!((axis.px(-4.0), axis.px(0.0), axis.px(4.0)), (0.0, 20.0, 40.0));
+        assert_eq!(
+            (axis.px(-4.0), axis.px(0.0), axis.px(4.0)),
+            (0.0, 20.0, 40.0)
+        );
         assert_eq!(axis.value(0.0), -4.0);
     }
 

@@ -263,7 +263,9 @@ impl<'a> Pen<'a> {
         let panel = self.plot.field;
         let line = 1.2 * self.looks.small();
         let sizes = lines.iter().zip(self.label_sizes());
-        let width = sizes.map(|(words, size)| text_width(words, size)).fold(0.0, f64::max);
+        let width = sizes
+            .map(|(words, size)| text_width(words, size))
+            .fold(0.0, f64::max);
         let height = line * lines.len() as f64;
         // Beside the panel's edges a label slides in; above its top it hangs below the edge.
         let leftmost = panel.left + 2.0;
@@ -303,7 +305,10 @@ impl<'a> Pen<'a> {
         rows.map(|(row, ((words, size), colour))| {
             let part = (row as f64 + 0.5) / count;
             Primitive::Text(Text {
-                at: [field.left + field.width / 2.0, field.top + part * field.height],
+                at: [
+                    field.left + field.width / 2.0,
+                    field.top + part * field.height,
+                ],
                 anchor: Anchor::Middle,
                 size,
                 colour,

@@ -180,7 +180,9 @@ fn huge_tiny_and_broken_numbers_stay_inside() {
         },
         Marks::Area {
             points: points.clone(),
-            base, is_coloured: false },
+            base,
+            is_coloured: false,
+        },
         Marks::Bars {
             points: points.clone(),
             width: 0.1,

@@ -18,7 +18,9 @@ pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Ch
         let (name, bounds) = bounds(region, spread);
         let area = Marks::Area {
             points: points(&region.nm, &bounds.iter().map(|b| b[1]).collect::<Vec<_>>()),
-            base: bounds.iter().map(|b| b[0]).collect(), is_coloured: false };
+            base: bounds.iter().map(|b| b[0]).collect(),
+            is_coloured: false,
+        };
         series.push(Series::new(name, inks.smooth, area));
     }
     let name = if is_region { "mean" } else { "pixel" };

@@ -127,9 +127,7 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
     }
     if view.measured {
         let points = app.measured_points();
-        let points: Vec<[f64; 2]> = points
-            .map(|(nm, v)| [nm, v * app.scale_factor()])
-            .collect();
+        let points: Vec<[f64; 2]> = points.map(|(nm, v)| [nm, v * app.scale_factor()]).collect();
         if view.strip && document.is_about_light() {
             let marks = Marks::Area {
                 points,
@@ -209,7 +207,13 @@ const FAR_APART: f64 = 5.0;
 pub fn overlay_factor(app: &App, entry: &Entry) -> (f64, bool) {
     let document = app.document();
     let subject = &document.subject_entry().spectrum;
-    let most = entry.spectrum.samples.values().iter().copied().fold(0.0, f64::max);
+    let most = entry
+        .spectrum
+        .samples
+        .values()
+        .iter()
+        .copied()
+        .fold(0.0, f64::max);
     let as_high = || if most > 0.0 { top(app) / most } else { 1.0 };
     if entry.kind() != subject.kind {
         return (as_high(), true);

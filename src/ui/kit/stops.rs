@@ -76,10 +76,8 @@ impl Stops<'_> {
             let well = crate::ui::theme::of_seen(crate::app::answers::Seen::Not, theme.dark);
             painter.hline(x(from)..=right, below, (2.0 * scale, well));
         }
-        let handle = Rect::from_center_size(
-            pos2(x(*place), middle),
-            vec2(handle_width, handle_height),
-        );
+        let handle =
+            Rect::from_center_size(pos2(x(*place), middle), vec2(handle_width, handle_height));
         let visuals = ui.style().interact(&response);
         let fill = if theme.dark { 222 } else { 255 };
         painter.rect(

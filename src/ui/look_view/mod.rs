@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, View,
+        App, Command,
         answers::automatic,
         pages::PageMemory,
         spike_hand::SpikeAct,
@@ -53,6 +53,8 @@ pub struct Scene<'a> {
     pub verdict_below: bool,
     /// The plot, swatch, patches and the two knobs alone.
     pub present: bool,
+    /// The plot and its title alone.
+    pub alone: bool,
 }
 
 /// What one frame asked for.
@@ -80,16 +82,18 @@ impl LookView {
         let theme = scene.theme;
         let height = ui.available_height();
         let patches = (0.22 * height).clamp(PATCHES[0], PATCHES[1] * theme.scale);
-        Panel::bottom("patches and knobs")
-            .frame(Frame::new())
-            .show_separator_line(false)
-            .resizable(false)
-            .show(ui, |ui| {
-                ui.add_space(8.0);
-                self.card(ui, scene, &mut wishes);
-                ui.add_space(8.0);
-                below(ui, scene, patches, &mut wishes.commands);
-            });
+        if !scene.alone {
+            Panel::bottom("patches and knobs")
+                .frame(Frame::new())
+                .show_separator_line(false)
+                .resizable(false)
+                .show(ui, |ui| {
+                    ui.add_space(8.0);
+                    self.card(ui, scene, &mut wishes);
+                    ui.add_space(8.0);
+                    below(ui, scene, patches, &mut wishes.commands);
+                });
+        }
         egui::CentralPanel::no_frame().show(ui, |ui| {
             let app = scene.app;
             let read_out = title::show(ui, app, theme, scene.present);
@@ -118,8 +122,7 @@ impl LookView {
         let commands = &mut wishes.commands;
         let asked = card_frame(ui).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            self.sliders
-                .show(ui, app, (budget, busy), theme, commands)
+            self.sliders.show(ui, app, (budget, busy), theme, commands)
         });
         let Asked { automatic, reset } = asked.inner;
         if automatic {
@@ -146,8 +149,16 @@ impl LookView {
                 return;
             };
             wishes.commands.push(Command::Edit(best));
-            let lines = if best.spikes { "with its lines" } else { "without lines" };
-            let fit = if best.colour_exact { ", colour-exact" } else { "" };
+            let lines = if best.spikes {
+                "with its lines"
+            } else {
+                "without lines"
+            };
+            let fit = if best.colour_exact {
+                ", colour-exact"
+            } else {
+                ""
+            };
             let words = format!(
                 "The best of all eight ways with at most {}: {}{fit}, order {}, {lines}.",
                 numbers(most),

@@ -76,7 +76,9 @@ impl SlidersView {
         let buttons = 300.0;
         // Presenting there are the two knobs alone; without room the buttons stand below.
         let beside = theme.scale == 1.0 && room >= 2.0 * 200.0 + buttons;
-        let shares = self.shares.get(app.revision(), |_| answers::line_shares(app));
+        let shares = self
+            .shares
+            .get(app.revision(), |_| answers::line_shares(app));
         let gap = 24.0;
         let each = if beside {
             (room - buttons - 2.0 * gap) / 2.0
@@ -118,9 +120,7 @@ fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme
             ui.label(if has_room { name } else { short })
                 .on_hover_text(meaning);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                ui.add(
-                    egui::Label::new(RichText::new(does).small().color(theme.faint)).truncate(),
-                );
+                ui.add(egui::Label::new(RichText::new(does).small().color(theme.faint)).truncate());
             });
         });
     });

@@ -37,13 +37,7 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme, present: bool) -> Rect {
 }
 
 /// Draws the switches of the layers, each its own legend, and the choice of heights.
-pub fn layers(
-    ui: &mut Ui,
-    app: &App,
-    theme: Theme,
-    view: &mut View,
-    commands: &mut Vec<Command>,
-) {
+pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mut Vec<Command>) {
     let document = app.document();
     let inks = theme.inks;
     let wide = ui.available_width() >= 640.0;
@@ -107,7 +101,11 @@ pub fn layers(
             .on_hover_text("Further layers, and the spectra laid over for comparison.");
         if !document.overlays.is_empty() && wide {
             let count = document.overlays.len();
-            let scaled = document.overlays.iter().filter(|o| overlay_factor(app, o).1).count();
+            let scaled = document
+                .overlays
+                .iter()
+                .filter(|o| overlay_factor(app, o).1)
+                .count();
             let names = match &document.overlays[..] {
                 [one] => one.name().to_owned(),
                 _ => format!("{count} overlays"),
@@ -126,7 +124,11 @@ pub fn layers(
 }
 
 const HEIGHTS: [(Height, &str, &str); 3] = [
-    (Height::Log, "Log", "By their logarithms: faint parts are seen."),
+    (
+        Height::Log,
+        "Log",
+        "By their logarithms: faint parts are seen.",
+    ),
     (
         Height::Root,
         "Root",

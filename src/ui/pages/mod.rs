@@ -120,7 +120,11 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
         if modes.len() > 1 {
             ui.separator();
             for mode in modes {
-                let words = if mode == mode.tab() { first_mode(mode) } else { mode.title() };
+                let words = if mode == mode.tab() {
+                    first_mode(mode)
+                } else {
+                    mode.title()
+                };
                 ui.selectable_value(page, mode, words)
                     .on_hover_text(mode.meaning());
             }

@@ -128,7 +128,10 @@ impl Dragging {
                 let height = height - base_at(at_nm);
                 wishes.acts.push(SpikeAct::Add {
                     at_nm,
-                    weight: Spike::weight_from_stem(height, derived.parts.stem_width_nm(usize::MAX)),
+                    weight: Spike::weight_from_stem(
+                        height,
+                        derived.parts.stem_width_nm(usize::MAX),
+                    ),
                 });
             }
         }

@@ -8,7 +8,6 @@ use super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::Dialog,
         files::Ask,
-        fit::Front,
         keys::{self, Act},
         picture,
         theme::waker,
@@ -18,7 +17,11 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    App, Command, Settings, chart, charts::spectrum::curve_chart, export::Export, state::Tone,
+    App, Command, Settings, chart,
+    charts::spectrum::curve_chart,
+    export::Export,
+    pages::{Page, Place},
+    state::Tone,
     workspace::ZOOMS,
 };
 
@@ -74,14 +77,34 @@ impl Window {
                     ..settings
                 },
             ),
-            Act::ResetView => self.spectrum.reset(),
+            Act::ResetView => self.look.spectrum.reset(),
             Act::Theme => self.preferences.dark = !self.preferences.dark,
-            Act::Projector => self.preferences.projector = !self.preferences.projector,
+            Act::Present => {
+                self.preferences.present = !self.preferences.present;
+                if self.preferences.present {
+                    self.preferences.pages.page = Page::Spectrum;
+                }
+            }
+            Act::PlotAlone => self.plot_alone = !self.plot_alone,
             Act::Search => {
-                self.preferences.no_library = false;
-                self.front = Front::Library;
+                self.drawer.open = true;
                 self.library.wants_search = true;
             }
+            Act::Library => {
+                self.drawer.open = !self.drawer.open;
+                self.drawer.compares = false;
+            }
+            Act::Place(number) => {
+                if let Some(place) = Place::ALL.get(number) {
+                    self.preferences.pages.page = place.first();
+                }
+            }
+            Act::Reset => {
+                self.app.apply(Command::Reset);
+                self.app.end_gesture();
+            }
+            Act::Palette => self.palette.open(),
+            Act::Greeting => self.greets = true,
             Act::ZoomIn => self.zoom(self.preferences.zoom + 0.1),
             Act::ZoomOut => self.zoom(self.preferences.zoom - 0.1),
             Act::ZoomReset => self.zoom(1.0),

@@ -10,23 +10,23 @@ mod status;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use eframe::egui;
-use egui::{Context, Panel, Ui};
+use egui::{Context, Ui};
 
 use super::{
     batch_view::BatchView,
     dialogs::Dialog,
     files::{Picked, Picker},
-    fit::{Fit, Front},
     import_view::ImportView,
     library_view::LibraryView,
+    look_view::LookView,
     makers_view::MakersView,
     pages::Pages,
+    palette_view::PaletteView,
     picture,
     saver::Saver,
-    spectrum_view::SpectrumView,
-    spend_view::SpendView,
     theme::{self, Theme},
-    top_view,
+    top_view::Drawer,
+    verdict_view::Side,
 };
 use crate::app::{
     App, Command, chart,
@@ -37,7 +37,7 @@ use crate::app::{
     workspace::{Preferences, Restored, StoredImage},
 };
 use filing::{Saving, Waiting};
-use panels::in_its_size;
+use panels::Shape;
 
 /// Both ends of a queue that other threads write to.
 type Channel<T> = (Sender<T>, Receiver<T>);
@@ -56,11 +56,17 @@ pub struct Window {
     pub preferences: Preferences,
     /// Shows file dialogs; tests put their own here.
     pub picker: Picker,
-    /// The plot and what is being dragged in it.
-    pub spectrum: SpectrumView,
+    /// The first screen: plot, knobs and patches.
+    pub look: LookView,
     library: LibraryView,
-    /// What is in front where there is no room for everything.
-    front: Front,
+    drawer: Drawer,
+    /// What of the model's column is shown.
+    side: Side,
+    /// Whether the column is open: by itself where there is room, else as a hand left it.
+    side_open: Option<bool>,
+    /// The plot alone.
+    plot_alone: bool,
+    palette: PaletteView,
     loader: Loader,
     batch: BatchView,
     images: ReloadJob,
@@ -78,6 +84,8 @@ pub struct Window {
     /// Revision and preferences on disk, and when something newer was first seen.
     kept: (u64, Preferences),
     changed_at: Option<f64>,
+    /// The three ways to begin stand over the first screen.
+    greets: bool,
     /// Leaves out what changes from run to run (the time taken), for pictures in tests.
     pub quiet: bool,
     styled_for: Option<Preferences>,
@@ -85,7 +93,6 @@ pub struct Window {
     /// Long computations; pictures wait for them.
     pub studies: Studies,
     pages: Pages,
-    spend: SpendView,
     /// How a file was read, while it is looked at.
     import: ImportView,
     makers: MakersView,
@@ -99,9 +106,16 @@ impl Window {
             app,
             preferences,
             picker,
-            spectrum: SpectrumView::default(),
+            look: LookView::default(),
             library: LibraryView::default(),
-            front: Front::default(),
+            drawer: Drawer {
+                open: false,
+                compares: false,
+            },
+            side: Side::default(),
+            side_open: None,
+            plot_alone: false,
+            palette: PaletteView::default(),
             loader: Loader::default(),
             batch: BatchView::default(),
             images: ReloadJob::default(),
@@ -115,12 +129,12 @@ impl Window {
             saving: None,
             saver,
             changed_at: None,
+            greets: false,
             quiet: false,
             styled_for: None,
             fonts_installed: false,
             studies: Studies::default(),
             pages: Pages::default(),
-            spend: SpendView::default(),
             import: ImportView::default(),
             makers: MakersView::default(),
         }
@@ -160,46 +174,27 @@ impl Window {
         self.take_in(ui);
         self.keys(&context);
 
-        let mut commands = Vec::new();
-        let mut wishes = Vec::new();
-        let fit = Fit::of(ui.available_width(), theme.scale);
-        Panel::top("top").show(ui, |ui| {
-            ui.add_space(2.0);
-            top_view::show(
-                ui,
-                &self.app,
-                &mut self.preferences,
-                (fit, &mut self.front),
-                (self.waiting.is_some(), self.batch.has_summary()),
-                &mut commands,
-                &mut wishes,
-            );
-            ui.add_space(1.0);
-        });
-        let status_height = 22.0 * theme.scale;
-        Panel::bottom("status")
-            .exact_size(status_height)
-            .show(ui, |ui| in_its_size(ui, |ui| self.status(ui, theme)));
+        let shape = Shape::of(ui, &self.preferences, theme, self.plot_alone);
         let mut centre = ui.available_rect_before_wrap();
-        if self.shows_library(fit) {
-            self.library_panel(ui, theme, fit, &mut commands);
+        if !shape.bare {
+            self.bar(ui, shape, &context);
+            self.foot(ui, shape, theme);
+            self.rail(ui, shape, theme);
+            self.drawer(ui, shape, theme);
         }
-        for wish in wishes {
-            self.fulfil(wish, &context);
-        }
-        self.apply(&mut commands);
-        if fit.shows_model(self.front) {
-            self.model_panel(ui, theme, fit);
-        }
+        self.side_panel(ui, shape, theme);
         self.studies.take_in();
         if self.studies.is_running() {
             context.request_repaint_after(WATCH_EVERY);
         }
-        if fit.shows_page(self.front) {
-            centre = self.page_panel(ui, theme);
+        if !shape.side_alone(self.side_is_open(shape)) {
+            centre = self.page_panel(ui, shape, theme);
         }
+        self.palette(&context);
+        self.greeting(&context, theme);
         // What lies above the summary has the keys first.
-        let keys_are_free = self.dialog.is_none() && self.import.now.is_none();
+        let keys_are_free =
+            self.dialog.is_none() && self.import.now.is_none() && !self.palette.is_open();
         if let Some(wish) = self.batch.window(&context, theme, keys_are_free) {
             self.fulfil_of_batch(wish, &context);
         }

@@ -1,95 +1,295 @@
-//! What stands in the panels between the top bar and the status line.
+//! What stands in the panels of the window, by the room there is.
 
 use eframe::egui;
-use egui::{Panel, Rect, ScrollArea, Ui, UiBuilder, vec2};
+use egui::{Context, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, vec2};
 
 use super::{
     super::{
-        colour_view, curve_view,
-        fit::{Fit, Front, LIBRARY_WIDTHS, MODEL_WIDTH, MOST_MODEL_WIDTH, PAGE_WIDTH},
+        colour_view, foot_view, greeting_view,
+        look_view::Scene,
         model_view,
         pages::{self, PageContext},
-        patches_view, spikes_view,
+        palette_view::Chosen,
+        rail_view, spikes_view,
         theme::{self, Theme},
+        top_view,
+        verdict_view::{self, Side},
     },
     Window,
 };
-use crate::app::{Command, pages::Page, picture::shown, spike_hand::SpikeAct, state::Tone};
+use crate::app::{Command, pages::Page, spike_hand::SpikeAct, state::Tone, workspace::Preferences};
 
-/// Least height of a page, points: a lower window scrolls it.
+/// Widths from which the column of the verdict stands beside the page, and from which it is wider,
+/// points.
+const WIDE: f32 = 1150.0;
+const VERY_WIDE: f32 = 1600.0;
+/// Below this the column has the window alone.
+const NARROW: f32 = 660.0;
+/// Below this height the window is low.
+const LOW: f32 = 720.0;
+
+/// Widths of the column: very wide, usual, and beside the drawer.
+const COLUMN: [f32; 3] = [440.0, 360.0, 304.0];
+/// Width of the edge that the column folds to.
+const EDGE: f32 = 24.0;
+/// Width of the library's drawer.
+const DRAWER: f32 = 384.0;
+/// Least height of a page: a lower window scrolls it.
 const LEAST_PAGE: f32 = 480.0;
 
+/// The shape of the window: which of its parts have room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shape {
+    /// The column stands beside the page.
+    pub wide: bool,
+    very_wide: bool,
+    narrow: bool,
+    low: bool,
+    /// Nothing but the page.
+    pub bare: bool,
+    /// Presenting: the page with swatch and patches.
+    pub present: bool,
+}
+
+impl Shape {
+    pub fn of(ui: &Ui, preferences: &Preferences, theme: Theme, alone: bool) -> Self {
+        let size = ui.available_size();
+        let width = size.x / theme.scale.min(1.0);
+        let on_look = preferences.pages.page == Page::Spectrum;
+        let present = preferences.present && on_look;
+        Self {
+            wide: width >= WIDE && !present,
+            very_wide: width >= VERY_WIDE,
+            narrow: width < NARROW,
+            low: size.y < LOW,
+            bare: present || alone && on_look,
+            present,
+        }
+    }
+
+    /// Whether the open column leaves no room for the page.
+    pub fn side_alone(self, open: bool) -> bool {
+        self.narrow && open && !self.bare
+    }
+}
+
+/// A frame without a line around it.
+fn plain(ui: &Ui, margin: Margin) -> Frame {
+    Frame::new()
+        .fill(ui.visuals().panel_fill)
+        .inner_margin(margin)
+}
+
 impl Window {
-    /// Whether the library is shown.
-    pub(super) fn shows_library(&self, fit: Fit) -> bool {
-        match fit {
-            Fit::All => !self.preferences.no_library,
-            Fit::Two | Fit::One => self.front == Front::Library,
-        }
-    }
-
-    /// The library on the left, or alone where nothing else has room.
-    pub(super) fn library_panel(
-        &mut self,
-        ui: &mut Ui,
-        theme: Theme,
-        fit: Fit,
-        commands: &mut Vec<Command>,
-    ) {
-        let beside = match fit {
-            Fit::All => (PAGE_WIDTH + MODEL_WIDTH) * theme.scale,
-            Fit::Two | Fit::One => PAGE_WIDTH * theme.scale,
-        };
-        let [least, most] = LIBRARY_WIDTHS;
-        let most = (ui.available_width() - beside).clamp(least, most);
-        let (library, app, preferences) = (&mut self.library, &self.app, &mut self.preferences);
-        let add = |ui: &mut Ui| library.show(ui, app, preferences, theme, commands);
-        if fit == Fit::One {
-            egui::CentralPanel::default_margins().show(ui, add);
-        } else {
-            Panel::left("library")
-                .default_size(224.0)
-                .size_range(least..=most)
-                .show(ui, add);
-        }
-    }
-
-    /// The model's knobs and numbers on the right, or alone where nothing else has room.
-    pub(super) fn model_panel(&mut self, ui: &mut Ui, theme: Theme, fit: Fit) {
-        if fit == Fit::One {
-            egui::CentralPanel::default_margins().show(ui, |ui| {
-                ScrollArea::both()
-                    .auto_shrink(false)
-                    .show(ui, |ui| self.right_panel(ui, theme));
-            });
-            return;
-        }
-        // Large type needs another width: each keeps its own.
-        let right = if self.preferences.projector {
-            "model, projector"
-        } else {
-            "model"
-        };
-        let least = MODEL_WIDTH * theme.scale;
-        let most = ui.available_width() - PAGE_WIDTH * theme.scale;
-        Panel::right(right)
-            .default_size(least)
-            .size_range(least..=most.clamp(least, MOST_MODEL_WIDTH.max(least)))
+    /// The top bar.
+    pub(super) fn bar(&mut self, ui: &mut Ui, shape: Shape, context: &Context) {
+        let mut wishes = Vec::new();
+        let frame = plain(ui, Margin::symmetric(16, 0));
+        let height = if shape.low { 44.0 } else { 48.0 };
+        Panel::top("top")
+            .frame(frame)
+            .exact_size(height)
             .show(ui, |ui| {
                 in_its_size(ui, |ui| {
-                    ScrollArea::vertical()
-                        .auto_shrink(false)
-                        .show(ui, |ui| self.right_panel(ui, theme));
+                    let busy = (self.waiting.is_some(), self.batch.has_summary());
+                    let drawer = &mut self.drawer;
+                    top_view::show(ui, &self.app, &self.preferences, drawer, busy, &mut wishes);
+                });
+            });
+        for wish in wishes {
+            self.fulfil(wish, context);
+        }
+    }
+
+    /// The line at the bottom.
+    pub(super) fn foot(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
+        let frame = plain(ui, Margin::symmetric(16, 0));
+        let height = if shape.low { 36.0 } else { 48.0 };
+        Panel::bottom("foot")
+            .frame(frame)
+            .exact_size(height)
+            .show(ui, |ui| {
+                in_its_size(ui, |ui| {
+                    let page = self.preferences.pages.page;
+                    let words = foot_view::words(&self.app, page);
+                    self.status(ui, theme, words);
                 });
             });
     }
 
+    /// The places.
+    pub(super) fn rail(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
+        let [words, none] = rail_view::WIDTHS;
+        let frame = plain(ui, Margin::ZERO);
+        Panel::left("rail")
+            .frame(frame)
+            .resizable(false)
+            .exact_size(if shape.wide { words } else { none })
+            .show(ui, |ui| {
+                let page = &mut self.preferences.pages.page;
+                ScrollArea::vertical().show(ui, |ui| {
+                    rail_view::show(ui, page, shape.wide, theme);
+                });
+            });
+    }
+
+    /// The library: beside the page where there is room, else over it.
+    pub(super) fn drawer(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
+        let pinned = self.preferences.pinned && shape.wide;
+        if !self.drawer.open && !pinned {
+            return;
+        }
+        let mut commands = Vec::new();
+        let mut closes = ui.input(|i| i.key_pressed(Key::Escape)) && self.library.search.is_empty();
+        let compares = self.drawer.compares;
+        let (library, app, preferences) = (&mut self.library, &self.app, &mut self.preferences);
+        let mut show = |ui: &mut Ui| {
+            library.show(ui, app, preferences, (theme, compares), &mut commands);
+        };
+        if shape.wide {
+            let frame = plain(ui, Margin::same(12));
+            Panel::left("library")
+                .frame(frame)
+                .resizable(false)
+                .exact_size(DRAWER)
+                .show(ui, |ui| in_its_size(ui, &mut show));
+        } else {
+            let room = ui.available_rect_before_wrap();
+            let width = DRAWER.min(room.width() - 8.0);
+            let rect = Rect::from_min_size(room.min, vec2(width, room.height()));
+            egui::Area::new(egui::Id::unique("library over the page"))
+                .fixed_pos(rect.min)
+                .order(egui::Order::Foreground)
+                .show(ui.ctx(), |ui| {
+                    let frame = plain(ui, Margin::same(12));
+                    frame.stroke(ui.visuals().window_stroke).show(ui, |ui| {
+                        let size = rect.size() - vec2(24.0, 24.0);
+                        ui.set_min_size(size);
+                        ui.set_max_size(size);
+                        show(ui);
+                    });
+                });
+            // What was chosen is to be seen.
+            closes |= !commands.is_empty() && !compares;
+        }
+        if closes {
+            self.drawer.open = false;
+        }
+        self.apply(&mut commands);
+    }
+
+    /// Whether the column of the verdict is open.
+    pub(super) fn side_is_open(&self, shape: Shape) -> bool {
+        let has_model = self.preferences.pages.page.has_model();
+        !shape.bare && self.side_open.unwrap_or(shape.wide && has_model)
+    }
+
+    /// The model's column, or the edge that it folds to.
+    pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
+        let has_model = self.preferences.pages.page.has_model();
+        if shape.bare || !(has_model || self.side_open == Some(true)) {
+            return;
+        }
+        let open = self.side_is_open(shape);
+        if !shape.wide || self.side_open.is_some() {
+            let frame = plain(ui, Margin::ZERO);
+            Panel::right("edge")
+                .frame(frame)
+                .resizable(false)
+                .exact_size(EDGE)
+                .show(ui, |ui| {
+                    if verdict_view::edge(ui, open) {
+                        self.side_open = match (open, shape.wide && has_model) {
+                            (true, false) | (false, true) => None,
+                            (open, _) => Some(!open),
+                        };
+                    }
+                });
+        }
+        if !open {
+            return;
+        }
+        let frame = plain(ui, Margin::same(16));
+        if shape.side_alone(open) {
+            egui::CentralPanel::default()
+                .frame(frame)
+                .show(ui, |ui| self.column(ui, theme));
+            return;
+        }
+        let [widest, usual, least] = COLUMN;
+        let width = match (shape.very_wide, self.drawer.open || !shape.wide) {
+            (true, _) => widest,
+            (false, true) => least,
+            (false, false) => usual,
+        };
+        Panel::right("model")
+            .frame(frame)
+            .resizable(false)
+            .exact_size(width)
+            .show(ui, |ui| in_its_size(ui, |ui| self.column(ui, theme)));
+    }
+
+    fn column(&mut self, ui: &mut Ui, theme: Theme) {
+        let mut commands = Vec::new();
+        if self.side == Side::Verdict {
+            let (app, preferences) = (&self.app, &mut self.preferences);
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                let side = &mut self.side;
+                verdict_view::show(ui, app, preferences, theme, side, &mut commands);
+            });
+        } else {
+            ui.horizontal(|ui| {
+                for (side, words) in [
+                    (Side::Verdict, "◀ Verdict"),
+                    (Side::Figures, "All figures"),
+                    (Side::Settings, "Settings"),
+                ] {
+                    ui.selectable_value(&mut self.side, side, words);
+                }
+            });
+            ui.add_space(4.0);
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                if self.side == Side::Settings {
+                    let said = model_view::controls(ui, &self.app, &mut commands);
+                    if let Some(words) = said {
+                        self.app.say(Tone::Info, words);
+                    }
+                } else {
+                    self.figures(ui, theme);
+                }
+            });
+        }
+        if !commands.is_empty() {
+            // What depends on them was drawn before.
+            ui.ctx().request_discard("the model changed");
+        }
+        self.apply(&mut commands);
+    }
+
+    /// Every figure: colours and errors, or the maker's own results, and the lines.
+    fn figures(&mut self, ui: &mut Ui, theme: Theme) {
+        if !self.makers.tabs(ui, &self.app) {
+            let is_titled = !self.app.document().subject_entry().makers.is_empty();
+            colour_view::show(ui, &self.app, theme, is_titled);
+        } else if let Some(words) = self.makers.show(ui, &self.app) {
+            self.app.say(Tone::Info, words);
+        }
+        let mut acts: Vec<SpikeAct> = Vec::new();
+        ui.add_space(8.0);
+        theme::section(ui, "Lines");
+        spikes_view::head(ui, &self.app, &mut acts);
+        spikes_view::table(ui, &self.app, theme, &mut acts);
+        for act in acts {
+            self.app.act_on_spikes(act);
+        }
+    }
+
     /// The page in force, scrolled where the window is too low for it. Gives where it is seen.
-    pub(super) fn page_panel(&mut self, ui: &mut Ui, theme: Theme) -> Rect {
+    pub(super) fn page_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
         let room = ui.available_rect_before_wrap();
-        let least = LEAST_PAGE * theme.scale;
+        let least = if shape.present { 0.0 } else { LEAST_PAGE };
         if room.height() >= least {
-            return self.whole_page(ui, theme);
+            return self.whole_page(ui, shape, theme);
         }
         let mut centre = room;
         egui::CentralPanel::no_frame().show(ui, |ui| {
@@ -97,47 +297,75 @@ impl Window {
                 let size = vec2(ui.available_width(), least);
                 let whole = Rect::from_min_size(ui.cursor().min, size);
                 let mut child = ui.new_child(UiBuilder::new().max_rect(whole));
-                centre = self.whole_page(&mut child, theme).intersect(room);
+                centre = self.whole_page(&mut child, shape, theme).intersect(room);
                 ui.advance_cursor_after_rect(whole);
             });
         });
         centre
     }
 
-    fn whole_page(&mut self, ui: &mut Ui, theme: Theme) -> Rect {
-        let context = ui.ctx().clone();
-        let on_spectrum = self.preferences.pages.page == Page::Spectrum;
-        if on_spectrum {
-            Panel::bottom("below")
-                .default_size(156.0 * theme.scale)
-                .size_range(90.0..=420.0)
-                .resizable(true)
-                .show(ui, |ui| in_its_size(ui, |ui| self.below(ui, theme)));
-        }
+    fn whole_page(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
+        let frame = plain(ui, Margin::symmetric(16, 12));
         let mut centre = ui.max_rect();
-        egui::CentralPanel::default_margins().show(ui, |ui| {
+        egui::CentralPanel::default().frame(frame).show(ui, |ui| {
             centre = ui.max_rect();
-            pages::tabs(ui, &mut self.preferences.pages.page);
-            if !on_spectrum {
+            if !shape.bare {
+                let page = &mut self.preferences.pages.page;
+                let has_line = !page.has_model() && self.side_open != Some(true);
+                let mut opens = false;
+                if page.place().tabs().count() > 1 || has_line {
+                    pages::tabs(ui, page, |ui| {
+                        if has_line {
+                            opens = verdict_view::line(ui, &self.app);
+                        }
+                    });
+                    ui.add_space(6.0);
+                }
+                if opens {
+                    self.side_open = Some(true);
+                }
+            }
+            if self.preferences.pages.page == Page::Spectrum {
+                self.look(ui, shape, theme);
+            } else {
                 self.page(ui, theme);
-                return;
-            }
-            let wishes = self.spectrum.show(ui, &self.app, theme);
-            let mut commands = wishes.commands;
-            self.apply(&mut commands);
-            let before = self.app.revision();
-            for act in wishes.acts {
-                self.app.act_on_spikes(act);
-            }
-            if self.app.revision() != before {
-                // The plot was drawn before the drag moved the spike.
-                context.request_repaint();
-            }
-            if wishes.gesture_ended {
-                self.app.end_gesture();
             }
         });
         centre
+    }
+
+    /// The first screen.
+    fn look(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
+        let context = ui.ctx().clone();
+        let verdict_below = !shape.wide && !self.side_is_open(shape) && !self.plot_alone;
+        let wake = theme::waker(&context);
+        let mut scene = Scene {
+            app: &self.app,
+            studies: &mut self.studies,
+            memory: &mut self.preferences.pages,
+            theme,
+            wake: &wake,
+            verdict_below,
+            present: shape.present,
+            alone: self.plot_alone,
+        };
+        let wishes = self.look.show(ui, &mut scene);
+        let mut commands = wishes.commands;
+        let before = self.app.revision();
+        self.apply(&mut commands);
+        for act in wishes.acts {
+            self.app.act_on_spikes(act);
+        }
+        if self.app.revision() != before {
+            // Plot and verdict were drawn before.
+            context.request_discard("the model changed");
+        }
+        if wishes.gesture_ended {
+            self.app.end_gesture();
+        }
+        if let Some((tone, words)) = wishes.said {
+            self.app.say(tone, words);
+        }
     }
 
     /// A page beside the spectrum.
@@ -173,111 +401,37 @@ impl Window {
         self.apply(&mut commands);
     }
 
-    fn right_panel(&mut self, ui: &mut Ui, theme: Theme) {
-        let mut commands = Vec::new();
-        self.tell_whose_model(ui);
-        let said = model_view::controls(ui, &self.app, &mut commands);
-        self.apply(&mut commands);
-        if let Some(words) = said {
-            self.app.say(Tone::Info, words);
-        }
-        curve_view::show(ui, &self.app, &mut self.preferences, theme, &mut commands);
-        let moved = !commands.is_empty();
-        self.apply(&mut commands);
-        if moved {
-            // The curve was drawn before its own click: show the new order at once.
-            ui.ctx().request_discard("the order curve was clicked");
-        }
-        self.spend(ui);
-        ui.add_space(2.0);
-        ui.separator();
-        if !self.makers.tabs(ui, &self.app) {
-            let is_titled = !self.app.document().subject_entry().makers.is_empty();
-            colour_view::show(ui, &self.app, theme, is_titled);
-        } else if let Some(words) = self.makers.show(ui, &self.app) {
-            self.app.say(Tone::Info, words);
+    /// The palette over everything.
+    pub(super) fn palette(&mut self, context: &Context) {
+        match self.palette.show(context, &self.app) {
+            None => {}
+            Some(Chosen::Entry(entry)) => {
+                self.app.apply(Command::Show(entry));
+                self.app.end_gesture();
+            }
+            Some(Chosen::Page(page)) => self.preferences.pages.page = page,
+            Some(Chosen::Act(act)) => self.act(act, context),
         }
     }
 
-    /// On the page of images the panel may be of another spectrum than the picture's frame.
-    fn tell_whose_model(&self, ui: &mut Ui) {
-        let pages = &self.preferences.pages;
-        let document = self.app.document();
-        let Some(image) = shown(document, &pages.image).filter(|_| pages.page == Page::Image)
-        else {
+    /// The three ways to begin.
+    pub(super) fn greeting(&mut self, context: &Context, theme: Theme) {
+        if !self.greets {
             return;
-        };
-        let chosen = image.image.name_of(pages.image.rect(&image.image.cube));
-        let subject = document.subject_entry().name();
-        if subject != chosen {
-            let words = format!(
-                "This panel is of {subject}, not of the pixels chosen in the picture; \"{}\" brings \
-                 those here.",
-                pages::image_view::names::TAKE
-            );
-            ui.add(egui::Label::new(egui::RichText::new(words).small().weak()).wrap());
+        }
+        let (page, leaves) = greeting_view::show(context, theme);
+        if let Some(page) = page {
+            self.preferences.pages.page = page;
+        }
+        if leaves {
+            self.greets = false;
+            self.preferences.greeted = true;
         }
     }
 
-    /// "Spend 21 numbers for me."
-    fn spend(&mut self, ui: &mut Ui) {
-        let mut commands = Vec::new();
-        let wake = theme::waker(ui.ctx());
-        let outcome = self.spend.show(
-            ui,
-            &self.app,
-            &mut self.studies,
-            &mut self.preferences.pages,
-            &wake,
-            &mut commands,
-        );
-        if !commands.is_empty() {
-            // The model's knobs stand above and were drawn before.
-            ui.ctx().request_repaint();
-        }
-        self.apply(&mut commands);
-        if let Some((tone, words)) = outcome {
-            self.app.say(tone, words);
-        }
-    }
-
-    fn below(&mut self, ui: &mut Ui, theme: Theme) {
-        let mut commands = Vec::new();
-        let mut acts: Vec<SpikeAct> = Vec::new();
-        ui.horizontal_wrapped(|ui| {
-            let spikes = self.app.derived().parts.spikes.len();
-            let below = &mut self.preferences.spikes_below;
-            if ui
-                .selectable_label(!*below, "Through reflectances")
-                .on_hover_text("Patches under the measured light and under the model.")
-                .clicked()
-            {
-                *below = false;
-            }
-            if ui
-                .selectable_label(*below, format!("Spikes ({spikes})"))
-                .on_hover_text("The spikes as a table to edit.")
-                .clicked()
-            {
-                *below = true;
-            }
-            ui.separator();
-            if self.preferences.spikes_below {
-                spikes_view::head(ui, &self.app, &mut acts);
-            } else {
-                patches_view::head(ui, &self.app, &mut commands);
-            }
-        });
-        self.apply(&mut commands);
-        if self.preferences.spikes_below {
-            spikes_view::table(ui, &self.app, theme, &mut acts);
-        } else {
-            patches_view::patches(ui, &self.app, theme, &mut commands);
-        }
-        self.apply(&mut commands);
-        for act in acts {
-            self.app.act_on_spikes(act);
-        }
+    /// Shows the three ways to begin to who was never here.
+    pub fn greet(&mut self) {
+        self.greets = !self.preferences.greeted;
     }
 }
 

@@ -7,13 +7,14 @@ use super::{
     super::{batch_view, theme::Theme},
     WATCH_EVERY, Window,
 };
-use crate::app::{pages::Page, state::Tone};
+use crate::app::state::Tone;
 
 /// Messages that the status line's tooltip tells.
 const MESSAGES_SHOWN: usize = 12;
 
 impl Window {
-    pub(super) fn status(&mut self, ui: &mut Ui, theme: Theme) {
+    /// `otherwise`: what is to be noticed and a question, where nothing was said just now.
+    pub(super) fn status(&mut self, ui: &mut Ui, theme: Theme, otherwise: (String, String)) {
         let mut wants_summary = false;
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -49,13 +50,9 @@ impl Window {
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                     let Some(message) = self.app.current_message() else {
-                        let page = self.preferences.pages.page;
-                        ui.weak(match page {
-                            Page::Spectrum => {
-                                "Move N and the threshold; click a patch; drag a spike."
-                            }
-                            page => page.meaning(),
-                        });
+                        let (notice, question) = otherwise;
+                        ui.weak(notice);
+                        ui.add(egui::Label::new(question).truncate());
                         return;
                     };
                     if message.tone == Tone::Problem {

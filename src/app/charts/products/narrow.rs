@@ -220,7 +220,9 @@ impl Behind {
         let over: Vec<[f64; 2]> = band.grid().zip(through).map(|(nm, v)| [nm, v]).collect();
         let area = Marks::Area {
             points: over.clone(),
-            base: Vec::new(), is_coloured: false };
+            base: Vec::new(),
+            is_coloured: false,
+        };
         let mut series = vec![
             Series::new("filter, 1 at the top", inks.residual, area),
             thin("", inks.residual, over, Dash::Solid),
