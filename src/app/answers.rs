@@ -123,9 +123,9 @@ pub fn white_words(cct: Cct) -> String {
     let kelvin = (cct.kelvin / 10.0).round() * 10.0;
     let tint = match cct.duv {
         d if d > 0.006 => ", green",
-        d if d > 0.002 => ", slightly green",
+        d if d > 0.001 => ", slightly green",
         d if d < -0.006 => ", pink",
-        d if d < -0.002 => ", slightly pink",
+        d if d < -0.001 => ", slightly pink",
         _ => "",
     };
     format!("{kelvin:.0} K{tint}")

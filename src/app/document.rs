@@ -24,8 +24,8 @@ pub enum Subject {
 /// The patches that a light is judged by at first: the 24 of the ColorChecker.
 pub const FIRST_PATCH_SET: &str = "colorchecker_ohta";
 
-/// The light shown at first: a triphosphor lamp whose lines no short series can follow.
-pub const FIRST_LIGHT: &str = "cie_fluorescent_1nm/FL11";
+/// The light shown at first: a fluorescent tube, four lines on a glow.
+pub const FIRST_LIGHT: &str = "cie_fluorescent_1nm/FL2";
 
 /// The light of a fresh document among the shipped spectra.
 ///

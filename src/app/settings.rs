@@ -71,7 +71,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            basis: Basis::Fourier,
+            basis: Basis::Cosine,
             order: 7,
             spikes: true,
             threshold_percent: 0.5,
@@ -79,7 +79,7 @@ impl Default for Settings {
             dips: false,
             detector: Detector::Energy,
             gradient_percent: 100.0 * DEFAULT_GRADIENT,
-            colour_exact: false,
+            colour_exact: true,
             band: Band::VISIBLE,
             observer: Observer::Cie1931,
             sampling: Sampling::Exact,

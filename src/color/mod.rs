@@ -42,7 +42,7 @@ pub use lab::{Lab, lab_from_xyz, xyz_from_lab};
 pub use observer::{ColourMatching, Observer};
 pub use patches::{PatchDifference, PatchMatrix, PatchSet};
 pub use srgb::{Mapping, Srgb, Swatch};
-pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over};
+pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over, srgb_of_fill};
 pub use xyz::{
     Xyz, xyz_from_integral, xyz_from_light, xyz_from_reflectance, xyz_of_one, xyz_of_parts,
     xyz_of_spikes,

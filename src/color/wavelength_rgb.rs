@@ -53,6 +53,21 @@ pub fn srgb_from_wavelength_over(at_nm: f64, ground: Srgb) -> Srgb {
     }))
 }
 
+/// Share of full brightness that a filled curve keeps where the eye sees nothing: there is light,
+/// and the area of a spectrum must not vanish.
+const LEAST_FILL: f64 = 0.34;
+
+/// Colour of a wavelength within a filled curve: as on the strip, but dimmed towards the ends, not
+/// gone. Beyond 380 and 760 nm it is the colour at these.
+pub fn srgb_of_fill(at_nm: f64) -> Srgb {
+    let at_nm = at_nm.clamp(380.0, 760.0);
+    // Between 690 and 760 nm the hue does not change any more, and its table runs out of digits.
+    let colour = full_linear(at_nm.min(700.0));
+    // In the encoding of screens, where equal steps look equal.
+    let shown = (LEAST_FILL + (1.0 - LEAST_FILL) * visibility(at_nm)).powf(2.2);
+    Srgb::from_linear(colour.map(|v| shown * v))
+}
+
 /// The colour at full brightness in linear sRGB; black outside the table.
 fn full_linear(at_nm: f64) -> [f64; 3] {
     let xyz = Xyz::from_array(Observer::Cie1931.table().at(at_nm));

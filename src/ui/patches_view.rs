@@ -1,10 +1,10 @@
 //! Through reflectances: each patch under the measured light and under the model.
 
 use eframe::egui;
-use egui::{Align2, Ui, vec2};
+use egui::{Ui, vec2};
 
 use super::{kit::Choice, swatch, theme::Theme};
-use crate::app::{App, Command, View, derived::PatchComparison, library::Library};
+use crate::app::{App, Command, View, answers::Seen, derived::PatchComparison, library::Library};
 
 /// Most patches in one row: the ColorChecker makes two rows.
 const PER_ROW: usize = 12;
@@ -23,56 +23,78 @@ pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &
     });
 }
 
-/// The row above the patches: the set and its errors.
-pub fn head(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+/// The row above the patches: the set, what lies outside the screen's colours, how they are seen.
+pub fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     let document = app.document();
     let choice = Choice {
         name: "Patch set",
         meaning: "Whose reflectances the light falls on.",
-        width: 128.0,
+        width: 140.0,
     };
     set_choice(ui, choice, app, commands);
-    if let Some(patches) = &app.derived().patches {
-        ui.label("mean ΔE₀₀");
-        ui.strong(format!("{:.3}", patches.mean));
-        ui.label("worst");
-        ui.strong(format!("{:.3}", patches.max)).on_hover_text(
-            patches
-                .items
-                .get(patches.worst)
-                .map_or_else(String::new, |p| p.name.clone()),
-        );
+    let small = |words: &str| {
+        egui::RichText::new(words.to_owned())
+            .small()
+            .color(theme.faint)
+    };
+    if ui.available_width() > 420.0 {
+        ui.label(small("measured | model"));
     }
-    let mut adapt = document.view.adapt_patches;
-    if ui
-        .checkbox(&mut adapt, "Adapt")
-        .on_hover_text(
-            "Shows the patches as an eye adapted to the light sees them (Bradford). It changes \
-             the colours on screen, not the errors.",
-        )
-        .changed()
-    {
-        commands.push(Command::View(View {
-            adapt_patches: adapt,
-            ..document.view
-        }));
+    if let Some(patches) = &app.derived().patches {
+        let off = |p: &&crate::app::derived::PatchPair| {
+            !(p.exact_swatch.in_gamut && p.model_swatch.in_gamut)
+        };
+        let count = patches.items.iter().filter(off).count();
+        if count > 0 && ui.available_width() > 330.0 {
+            ui.label(small(&format!("◥ {count} outside the screen's colours")));
+        }
+    }
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let mut adapt = document.view.adapt_patches;
+        let choice = Choice {
+            name: "How patches are seen",
+            meaning: "It changes the colours on screen, not the errors. Adaptation after Bradford.",
+            width: 220.0_f32.min(ui.available_width()),
+        };
+        choice.cut(ui, seen_words(adapt), |ui| {
+            for way in [true, false] {
+                ui.selectable_value(&mut adapt, way, seen_words(way));
+            }
+        });
+        if adapt != document.view.adapt_patches {
+            commands.push(Command::View(View {
+                adapt_patches: adapt,
+                ..document.view
+            }));
+        }
+    });
+}
+
+fn seen_words(adapted: bool) -> &'static str {
+    if adapted {
+        "as the eye sees it after a minute"
+    } else {
+        "as a daylight camera sees it"
     }
 }
 
-/// The patches themselves.
+/// The patches themselves, on a ground that is equal to none of them.
 pub fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     let Some(comparison) = &app.derived().patches else {
         ui.add_space(6.0);
         ui.weak(if app.document().is_about_light() {
             "There is no visible light for the patches in this range."
         } else {
-            "The model is of a reflectance: choose the light above to see patches under it."
+            "The model is of a reflectance: choose the light in Settings to see patches under it."
         });
         return;
     };
+    let room = ui.available_rect_before_wrap();
+    ui.painter().rect_filled(room, 4.0, theme.swatch_ground);
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(room.shrink(8.0)));
     egui::ScrollArea::vertical()
         .auto_shrink(false)
-        .show(ui, |ui| grid(ui, app, comparison, theme, commands));
+        .show(&mut inside, |ui| grid(ui, app, comparison, theme, commands));
 }
 
 fn grid(
@@ -82,86 +104,59 @@ fn grid(
     theme: Theme,
     commands: &mut Vec<Command>,
 ) {
-    let spacing = 4.0;
-    ui.spacing_mut().item_spacing = vec2(spacing, 2.0);
-    let width = (ui.available_width() - spacing * (PER_ROW - 1) as f32) / PER_ROW as f32;
-    let text_height = 13.0 * theme.scale;
-    let rows = comparison.items.len().div_ceil(PER_ROW).max(1);
-    // Two rows fill the panel; more of them scroll.
-    let height = ((ui.available_height() - 6.0) / rows.min(2) as f32 - text_height - 4.0)
-        .clamp(18.0, 60.0 * theme.scale);
+    let gap = 8.0;
+    ui.spacing_mut().item_spacing = vec2(gap, gap);
+    let room = ui.available_size();
+    let count = comparison.items.len();
+    // A low field has one row of all 24, a usual one two; more patches scroll.
+    let in_row = if room.y < 70.0 { 2 * PER_ROW } else { PER_ROW };
+    let rows = count.div_ceil(in_row).max(1);
+    let width = (room.x - gap * (in_row - 1) as f32) / in_row as f32;
+    let shown = rows.min(2) as f32;
+    let height = ((room.y - gap * (shown - 1.0)) / shown).clamp(18.0, 90.0 * theme.scale);
     let selected = app.document().patch;
-    for (row, chunk) in comparison.items.chunks(PER_ROW).enumerate() {
+    for (row, chunk) in comparison.items.chunks(in_row).enumerate() {
         ui.horizontal(|ui| {
             for (column, patch) in chunk.iter().enumerate() {
-                let index = row * PER_ROW + column;
-                ui.allocate_ui(vec2(width, height + text_height), |ui| {
-                    ui.vertical(|ui| {
-                        let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
-                        let response = swatch::split(
-                            ui,
-                            vec2(width, height),
-                            &patch.exact_swatch,
-                            &patch.model_swatch,
-                            &name,
-                        );
-                        if selected == Some(index) {
-                            let stroke = egui::Stroke::new(2.0, ui.visuals().strong_text_color());
-                            swatch::outline(ui, response.rect, stroke);
-                        }
-                        if response.clicked() {
-                            let patch = (selected != Some(index)).then_some(index);
-                            commands.push(Command::Patch(patch));
-                        }
-                        response.on_hover_text(format!(
-                            "{}: ΔE₀₀ {:.4}\nLeft under the measured light {}, right under the \
-                             model {}.\nClick to see its product in the plot.",
-                            patch.name,
-                            patch.delta_e_2000,
-                            patch.exact_swatch.hex(),
-                            patch.model_swatch.hex(),
-                        ));
-                        let (rect, _) =
-                            ui.allocate_exact_size(vec2(width, text_height), egui::Sense::hover());
-                        let worst = index == comparison.worst;
-                        ui.painter().text(
-                            rect.center(),
-                            Align2::CENTER_CENTER,
-                            delta_words(patch.delta_e_2000, worst),
-                            egui::TextStyle::Small.resolve(ui.style()),
-                            if worst {
-                                ui.visuals().strong_text_color()
-                            } else {
-                                ui.visuals().text_color()
-                            },
-                        );
-                    });
-                });
+                let index = row * in_row + column;
+                let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
+                let response = swatch::split(
+                    ui,
+                    vec2(width, height),
+                    &patch.exact_swatch,
+                    &patch.model_swatch,
+                    &name,
+                );
+                swatch::ticks(ui, response.rect, 5.0 * theme.scale);
+                // The worst is marked only where it can be seen.
+                let is_worst =
+                    index == comparison.worst && Seen::of(patch.delta_e_2000) != Seen::Not;
+                if selected == Some(index) || is_worst {
+                    let stroke = egui::Stroke::new(1.5, ui.visuals().strong_text_color());
+                    swatch::outline(ui, response.rect.expand(2.0), stroke);
+                }
+                if response.clicked() {
+                    let patch = (selected != Some(index)).then_some(index);
+                    commands.push(Command::Patch(patch));
+                }
+                response.on_hover_text(format!(
+                    "{}: ΔE₀₀ {:.4}, {}\nLeft under the measured light {}, right under the \
+                     model {}.\nClick to see its product in the plot.",
+                    patch.name,
+                    patch.delta_e_2000,
+                    Seen::of(patch.delta_e_2000).word().to_lowercase(),
+                    patch.exact_swatch.hex(),
+                    patch.model_swatch.hex(),
+                ));
             }
         });
-    }
-}
-
-/// A short error; the worst one is marked by a sign, not by colour.
-fn delta_words(delta: f64, worst: bool) -> String {
-    let number = if delta < 0.0095 {
-        "<.01".to_owned()
-    } else if delta < 9.95 {
-        format!("{delta:.2}")
-    } else {
-        format!("{delta:.1}")
-    };
-    if worst {
-        format!("▲{number}")
-    } else {
-        number
     }
 }
 
 /// A patch set's short title for the menu.
 pub(super) fn set_title(id: &str) -> String {
     let known = match id {
-        "colorchecker_ohta" => "ColorChecker 24",
+        "colorchecker_ohta" => "24 surfaces",
         "tm30_ces99_5nm" => "TM-30, 99 samples",
         "cri_tcs" => "CRI test colours",
         "nist_cqs_vs" => "NIST CQS samples",

@@ -1,7 +1,7 @@
 //! Colour fields: one colour, or two side by side, with a name for screen readers.
 
 use eframe::egui;
-use egui::{Color32, CornerRadius, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, pos2};
+use egui::{Color32, CornerRadius, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2};
 
 use crate::color::{Srgb, Swatch};
 
@@ -21,10 +21,8 @@ pub fn split(ui: &mut Ui, size: Vec2, left: &Swatch, right: &Swatch, name: &str)
         // A white field must not melt into a light window.
         outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
     }
-    for (swatch, x) in [(left, rect.left() + 9.0), (right, rect.right() - 9.0)] {
-        if !swatch.in_gamut {
-            out_of_gamut_mark(ui, pos2(x, rect.top() + 8.0));
-        }
+    if !(left.in_gamut && right.in_gamut) {
+        out_of_gamut_mark(ui, rect);
     }
     response
 }
@@ -73,17 +71,18 @@ pub fn outline(ui: &Ui, rect: Rect, stroke: Stroke) {
         .rect_stroke(rect, CornerRadius::same(3), stroke, StrokeKind::Outside);
 }
 
-/// A small triangle: this colour is not the one on screen.
-pub fn out_of_gamut_mark(ui: &Ui, centre: egui::Pos2) {
-    let r = 5.0;
+/// A corner: this colour is not the one on screen.
+pub fn out_of_gamut_mark(ui: &Ui, rect: Rect) {
+    const SIDE: f32 = 9.0;
+    let corner = rect.right_top();
     let corners = vec![
-        centre + Vec2::new(0.0, -r),
-        centre + Vec2::new(r, r * 0.8),
-        centre + Vec2::new(-r, r * 0.8),
+        corner,
+        corner + Vec2::new(0.0, SIDE),
+        corner - Vec2::new(SIDE, 0.0),
     ];
     ui.painter().add(egui::Shape::convex_polygon(
         corners,
         Color32::BLACK,
-        Stroke::new(1.2, Color32::WHITE),
+        Stroke::NONE,
     ));
 }

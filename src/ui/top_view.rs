@@ -274,7 +274,7 @@ fn looks(ui: &mut Ui, preferences: &Preferences, wishes: &mut Vec<Wish>) {
     let (sign, words) = if preferences.dark {
         ("☀", "Light surroundings (Ctrl+D).")
     } else {
-        ("🌙", "Dark surroundings (Ctrl+D).")
+        ("☾", "Dark surroundings (Ctrl+D).")
     };
     let theme = ui.add(Button::new(RichText::new(sign)));
     named(&theme, egui::Role::Button, "Surroundings");

@@ -38,7 +38,6 @@ pub fn show(
     app: &App,
     preferences: &mut Preferences,
     theme: Theme,
-    side: &mut Side,
     commands: &mut Vec<Command>,
 ) {
     split(ui, app, theme, SWATCH * theme.scale);
@@ -82,7 +81,10 @@ pub fn show(
 
 /// Swatch, word and numbers in little room.
 pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
-    super::look_view::card_frame(ui)
+    let outline = ui.visuals().widgets.noninteractive.bg_stroke;
+    egui::Frame::new()
+        .stroke(outline)
+        .corner_radius(4)
         .inner_margin(8)
         .show(ui, |ui| {
             ui.set_min_size(ui.available_size());
@@ -170,10 +172,12 @@ fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
                 format!("under {}", app.document().light.name())
             };
             let words = Label::new(small(&middle)).truncate();
-            ui.with_layout(
-                Layout::centered_and_justified(egui::Direction::LeftToRight),
-                |ui| ui.add(words),
-            );
+            if ui.available_width() > 90.0 * theme.scale {
+                ui.with_layout(
+                    Layout::centered_and_justified(egui::Direction::LeftToRight),
+                    |ui| ui.add(words),
+                );
+            }
         });
     });
 }
@@ -186,6 +190,12 @@ fn figure(delta: f64) -> String {
         d if d < 10.0 => format!("{d:.2}"),
         d => format!("{d:.1}"),
     }
+}
+
+/// Two digits are what such a figure is read for.
+fn two_digits(value: f64) -> String {
+    let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
+    crate::app::ticks::short(rounded)
 }
 
 fn headline(ui: &mut Ui, app: &App, theme: Theme) {

@@ -163,7 +163,7 @@ fn fitted_range(series: &[Series], scale: Scale) -> [f64; 2] {
         (Some(range), _) if series.iter().any(is_map) => range,
         (None, Scale::Linear | Scale::Root) => [0.0, 1.0],
         (None, Scale::Log10) => [0.1, 10.0],
-        (Some([low, high]), Scale::Linear | Scale::Root) => {
+        (Some([low, high]), scale @ (Scale::Linear | Scale::Root)) => {
             let air = (high - low) * 0.05;
             let foot = if low == 0.0 { 0.0 } else { low - air };
             // Labels stand above their stems.
@@ -171,7 +171,9 @@ fn fitted_range(series: &[Series], scale: Scale) -> [f64; 2] {
                 |series| matches!(&series.marks, Marks::Stems { labels, .. } if !labels.is_empty()),
             );
             let head = match high {
-                _ if labelled => high + 2.5 * air,
+                // Two lines of a label, and the head below them.
+                _ if labelled && scale == Scale::Root => high * 1.42,
+                _ if labelled => high + 3.6 * air,
                 0.0 => 0.0,
                 _ => high + air,
             };

@@ -11,7 +11,7 @@ use crate::{
         ticks::{extent, short},
         workspace::CurveQuantity,
     },
-    color::{Srgb, srgb_from_wavelength_over, xyz::xyz_from_light},
+    color::{srgb_of_fill, xyz::xyz_from_light},
     io::many::{many, numbers},
     spectrum::{Kind, NamedSpectrum, Outside, Spike},
 };
@@ -50,7 +50,7 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
         x_range: [band.min_nm(), band.max_nm()],
         y_scale: scale(app),
         series: spectrum_series(app, theme),
-        colours: colours(app, theme),
+        colours: colours(app),
         residual: (view.residual && has_subject).then(|| residual(app, theme)),
         notes: provenance(app),
         blank: if has_subject {
@@ -135,6 +135,7 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
                 is_coloured: true,
             };
             series.push(Series::new("measured", inks.measured, marks));
+            series.extend(line_bars(app));
         } else {
             series.push(Series::line("measured", inks.measured, points));
         }
@@ -177,6 +178,38 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
         ));
     }
     series
+}
+
+/// A line is never drawn narrower than this share of the range: thinner ones could not be seen.
+const LINE_SHARE: f64 = 1.0 / 110.0;
+
+/// The measured lines, each as high as it is and wide enough to be seen, in its own colour.
+fn line_bars(app: &App) -> Vec<Series> {
+    let derived = app.derived();
+    let band = derived.band;
+    let half = 0.5 * LINE_SHARE * (band.max_nm() - band.min_nm());
+    let factor = app.scale_factor();
+    let smooth = |nm: f64| factor * band.interpolate(&derived.smooth, nm);
+    let lines = derived.parts.spikes.iter().filter(|s| s.spike.weight > 0.0);
+    lines
+        .filter_map(|line| {
+            let at_nm = line.spike.at_nm;
+            let near = band.grid().zip(&derived.measured);
+            let near = near.filter(|(nm, _)| (nm - at_nm).abs() <= half.max(1.0));
+            let height = factor * near.map(|(_, v)| *v).fold(0.0, f64::max);
+            let sides =
+                [at_nm - half, at_nm + half].map(|nm| nm.clamp(band.min_nm(), band.max_nm()));
+            let base = sides.map(smooth).to_vec();
+            let marks = Marks::Area {
+                points: sides.map(|nm| [nm, height]).to_vec(),
+                base: base.clone(),
+                is_coloured: true,
+            };
+            // A line that hardly leaves the glow needs no bar.
+            let towers = base.iter().all(|base| height > 1.05 * base);
+            towers.then(|| Series::new("", [128; 3], marks))
+        })
+        .collect()
 }
 
 /// What stands over the stems: the line's name, else its wavelength, and its share of the power.
@@ -283,15 +316,12 @@ fn stems(
 }
 
 /// The colours of the wavelengths; none where the range shows none.
-fn colours(app: &App, theme: Theme) -> Vec<Rgb> {
+fn colours(app: &App) -> Vec<Rgb> {
     let band = app.derived().band;
     if band.min_nm() >= 830.0 || band.max_nm() <= 360.0 {
         return Vec::new();
     }
-    let ground = Srgb(Palette::of(theme).ground);
-    let colours = band
-        .grid()
-        .map(|nm| srgb_from_wavelength_over(nm, ground).0);
+    let colours = band.grid().map(|nm| srgb_of_fill(nm).0);
     colours.collect()
 }
 

@@ -4,7 +4,7 @@ mod sliders;
 mod title;
 
 use eframe::egui;
-use egui::{Frame, Margin, Panel, Ui, UiBuilder};
+use egui::{Rect, Ui, UiBuilder, Vec2, vec2};
 
 pub use sliders::names;
 use sliders::{Asked, SlidersView};
@@ -72,6 +72,8 @@ pub struct Wishes {
 
 /// Height of the patches, points: least and largest.
 const PATCHES: [f32; 2] = [108.0, 220.0];
+/// Margin of the card around what is in it, points.
+const CARD_MARGIN: Vec2 = vec2(16.0, 8.0);
 /// Room beside the patches for swatch and verdict, points.
 const VERDICT: f32 = 304.0;
 
@@ -80,51 +82,50 @@ impl LookView {
     pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene<'_>) -> Wishes {
         let mut wishes = Wishes::default();
         let theme = scene.theme;
-        let height = ui.available_height();
-        let patches = (0.22 * height).clamp(PATCHES[0], PATCHES[1] * theme.scale);
+        let room = ui.available_rect_before_wrap();
+        let [plot, card, patches] = parts(room, scene);
+        let mut child = |rect: Rect| {
+            let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
+            child.shrink_clip_rect(rect.expand(3.0));
+            child
+        };
         if !scene.alone {
-            Panel::bottom("patches and knobs")
-                .frame(Frame::new())
-                .show_separator_line(false)
-                .resizable(false)
-                .show(ui, |ui| {
-                    ui.add_space(8.0);
-                    self.card(ui, scene, &mut wishes);
-                    ui.add_space(8.0);
-                    below(ui, scene, patches, &mut wishes.commands);
-                });
+            self.card(&mut child(card), scene, &mut wishes);
+            below(&mut child(patches), scene, &mut wishes.commands);
         }
-        egui::CentralPanel::no_frame().show(ui, |ui| {
-            let app = scene.app;
-            let read_out = title::show(ui, app, theme, scene.present);
-            let mut view = app.document().view;
-            let before = view;
-            if !scene.present {
-                title::layers(ui, app, theme, &mut view, &mut wishes.commands);
-            }
-            if view != before {
-                wishes.commands.push(Command::View(view));
-            }
-            ui.add_space(4.0);
-            let drawn = self.spectrum.show(ui, app, theme, read_out);
-            wishes.commands.extend(drawn.commands);
-            wishes.acts.extend(drawn.acts);
-            wishes.gesture_ended |= drawn.gesture_ended;
-        });
+        let ui = &mut child(plot);
+        let app = scene.app;
+        let read_out = title::show(ui, app, theme, scene.present);
+        let mut view = app.document().view;
+        let before = view;
+        if !scene.present && !scene.alone {
+            title::layers(ui, app, theme, &mut view, &mut wishes.commands);
+        }
+        if view != before {
+            wishes.commands.push(Command::View(view));
+        }
+        ui.add_space(4.0);
+        let drawn = self.spectrum.show(ui, app, theme, read_out);
+        wishes.commands.extend(drawn.commands);
+        wishes.acts.extend(drawn.acts);
+        wishes.gesture_ended |= drawn.gesture_ended;
         self.settle(scene, &mut wishes);
         wishes
     }
 
     fn card(&mut self, ui: &mut Ui, scene: &mut Scene<'_>, wishes: &mut Wishes) {
         let busy = self.waiting.is_some();
-        let budget = &mut scene.memory.spend_numbers;
         let (app, theme) = (scene.app, scene.theme);
+        let rect = ui.max_rect();
+        let outline = ui.visuals().widgets.noninteractive.bg_stroke;
+        ui.painter()
+            .rect_stroke(rect, 4.0, outline, egui::StrokeKind::Inside);
+        let inner = rect.shrink2(CARD_MARGIN);
+        let mut inside = ui.new_child(UiBuilder::new().max_rect(inner));
+        let budget = (&mut scene.memory.spend_numbers, busy);
         let commands = &mut wishes.commands;
-        let asked = card_frame(ui).show(ui, |ui| {
-            ui.set_width(ui.available_width());
-            self.sliders.show(ui, app, (budget, busy), theme, commands)
-        });
-        let Asked { automatic, reset } = asked.inner;
+        let asked = self.sliders.show(&mut inside, app, budget, theme, commands);
+        let Asked { automatic, reset } = asked;
         if automatic {
             scene.studies.sweep.retry();
             self.waiting = Some(scene.memory.spend_numbers);
@@ -176,36 +177,45 @@ impl LookView {
     }
 }
 
-/// A card: a hairline around what belongs together.
-pub(super) fn card_frame(ui: &Ui) -> Frame {
-    Frame::new()
-        .stroke(ui.visuals().widgets.noninteractive.bg_stroke)
-        .corner_radius(4)
-        .inner_margin(Margin::symmetric(16, 10))
+/// Where plot, knobs and patches stand.
+fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
+    const GAP: f32 = 8.0;
+    if scene.alone {
+        return [room, Rect::NOTHING, Rect::NOTHING];
+    }
+    let scale = scene.theme.scale;
+    let card = sliders::height(room.width() - 2.0 * CARD_MARGIN.x, scale) + 2.0 * CARD_MARGIN.y;
+    let [least, most] = PATCHES;
+    let patches = (0.23 * room.height()).clamp(least, most * scale);
+    let at = |top: f32, height: f32| {
+        Rect::from_min_size(egui::pos2(room.left(), top), vec2(room.width(), height))
+    };
+    let patches_top = room.bottom() - patches;
+    let card_top = patches_top - GAP - card;
+    [
+        at(room.top(), card_top - GAP - room.top()),
+        at(card_top, card),
+        at(patches_top, patches),
+    ]
 }
 
 /// The patches, and where the column is folded the verdict beside them.
-fn below(ui: &mut Ui, scene: &Scene<'_>, height: f32, commands: &mut Vec<Command>) {
+fn below(ui: &mut Ui, scene: &Scene<'_>, commands: &mut Vec<Command>) {
     let (app, theme) = (scene.app, scene.theme);
-    let room = ui.available_width();
-    let beside = (VERDICT * theme.scale).min(0.4 * room);
-    let wide = if scene.verdict_below {
-        room - beside - 16.0
-    } else {
-        room
-    };
-    let (rect, _) = ui.allocate_exact_size(egui::vec2(room, height), egui::Sense::hover());
-    let left = egui::Rect::from_min_size(rect.min, egui::vec2(wide, height));
-    let mut patches = ui.new_child(UiBuilder::new().max_rect(left));
-    patches.shrink_clip_rect(left.expand(2.0));
-    if !scene.present {
-        patches.horizontal(|ui| patches_view::head(ui, app, commands));
-    }
-    patches_view::patches(&mut patches, app, theme, commands);
-    if scene.verdict_below {
-        let right = egui::Rect::from_min_max(rect.min + egui::vec2(wide + 16.0, 0.0), rect.max);
+    let rect = ui.max_rect();
+    let beside = scene.verdict_below || scene.present;
+    let mut left = rect;
+    if beside {
+        let width = (VERDICT * theme.scale.min(1.3)).min(0.4 * rect.width());
+        left.max.x -= width + 16.0;
+        let right = Rect::from_min_max(egui::pos2(left.right() + 16.0, rect.top()), rect.max);
         let mut verdict = ui.new_child(UiBuilder::new().max_rect(right));
         verdict.shrink_clip_rect(right);
         verdict_view::brief(&mut verdict, app, theme);
     }
+    let mut patches = ui.new_child(UiBuilder::new().max_rect(left));
+    if !scene.present {
+        patches.horizontal(|ui| patches_view::head(ui, app, theme, commands));
+    }
+    patches_view::patches(&mut patches, app, theme, commands);
 }

@@ -72,41 +72,99 @@ impl SlidersView {
         let mut asked = Asked::default();
         let before = app.document().settings;
         let mut settings = before;
-        let room = ui.available_width();
-        let buttons = 300.0;
-        // Presenting there are the two knobs alone; without room the buttons stand below.
-        let beside = theme.scale == 1.0 && room >= 2.0 * 200.0 + buttons;
+        let room = ui.max_rect();
         let shares = self
             .shares
             .get(app.revision(), |_| answers::line_shares(app));
-        let gap = 24.0;
-        let each = if beside {
-            (room - buttons - 2.0 * gap) / 2.0
-        } else {
-            (room - gap) / 2.0
+        let layout = Layout::of(room.width(), theme.scale);
+        let mut child = |at: egui::Pos2, size: egui::Vec2| {
+            let rect = egui::Rect::from_min_size(at, size);
+            ui.new_child(egui::UiBuilder::new().max_rect(rect))
         };
-        ui.horizontal_top(|ui| {
-            ui.spacing_mut().item_spacing.x = gap;
-            let down = egui::Layout::top_down(egui::Align::Min);
-            ui.allocate_ui_with_layout(vec2(each, 0.0), down, |ui| {
-                smoothness(ui, app, &mut settings, each, theme);
-            });
-            ui.allocate_ui_with_layout(vec2(each, 0.0), down, |ui| {
-                lines(ui, app, shares, &mut settings, each, theme);
-            });
-            if beside {
+        let knob = vec2(layout.knob, KNOB * theme.scale);
+        let second = room.min + vec2(layout.knob + GAP, 0.0);
+        smoothness(
+            &mut child(room.min, knob),
+            app,
+            &mut settings,
+            layout.knob,
+            theme,
+        );
+        lines(
+            &mut child(second, knob),
+            app,
+            shares,
+            &mut settings,
+            layout.knob,
+            theme,
+        );
+        let acts_room = match layout.acts {
+            Acts::Beside => Some((
+                room.min + vec2(2.0 * (layout.knob + GAP), 0.5 * (knob.y - ACTS)),
+                vec2(BUTTONS, ACTS),
+            )),
+            Acts::Below => Some((room.min + vec2(0.0, knob.y + 4.0), vec2(room.width(), ACTS))),
+            Acts::None => None,
+        };
+        if let Some((at, size)) = acts_room {
+            child(at, size).horizontal(|ui| {
+                ui.spacing_mut().interact_size.y = ACTS;
                 ui.spacing_mut().item_spacing.x = 8.0;
-                ui.horizontal_centered(|ui| acts(ui, app, (budget, busy), &mut asked, commands));
-            }
-        });
-        if !beside && theme.scale == 1.0 {
-            ui.horizontal(|ui| acts(ui, app, (budget, busy), &mut asked, commands));
+                acts(ui, app, (budget, busy), &mut asked, commands);
+            });
         }
         if settings != before {
             commands.push(Command::Edit(settings));
         }
         asked
     }
+}
+
+/// Height of a knob: its caption and its slider, and of the buttons, points.
+const KNOB: f32 = 56.0;
+const ACTS: f32 = 28.0;
+/// Width of the buttons, and between what stands side by side.
+const BUTTONS: f32 = 296.0;
+const GAP: f32 = 24.0;
+
+/// Where the buttons stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Acts {
+    Beside,
+    Below,
+    /// Presenting there are the two knobs alone.
+    None,
+}
+
+/// How the card shares its width.
+struct Layout {
+    knob: f32,
+    acts: Acts,
+}
+
+impl Layout {
+    fn of(width: f32, scale: f32) -> Self {
+        let beside = (width - BUTTONS - 2.0 * GAP) / 2.0;
+        let acts = match (scale > 1.0, beside >= 190.0) {
+            (true, _) => Acts::None,
+            (false, true) => Acts::Beside,
+            (false, false) => Acts::Below,
+        };
+        let knob = match acts {
+            Acts::Beside => beside,
+            Acts::Below | Acts::None => (width - GAP) / 2.0,
+        };
+        Self { knob, acts }
+    }
+}
+
+/// Height of the card's contents at a width, points.
+pub fn height(width: f32, scale: f32) -> f32 {
+    let acts = match Layout::of(width, scale).acts {
+        Acts::Below => ACTS + 4.0,
+        Acts::Beside | Acts::None => 0.0,
+    };
+    KNOB * scale + acts
 }
 
 /// A row over a slider: its name, and what its value does.

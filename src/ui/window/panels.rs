@@ -233,10 +233,15 @@ impl Window {
         let mut commands = Vec::new();
         if self.side == Side::Verdict {
             let (app, preferences) = (&self.app, &mut self.preferences);
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                let side = &mut self.side;
-                verdict_view::show(ui, app, preferences, theme, side, &mut commands);
-            });
+            let height = ui.available_height() - verdict_view::FOOT * theme.scale;
+            ScrollArea::vertical()
+                .auto_shrink(false)
+                .max_height(height)
+                .show(ui, |ui| {
+                    verdict_view::show(ui, app, preferences, theme, &mut commands);
+                });
+            ui.add_space(8.0);
+            verdict_view::foot(ui, theme, &mut self.side);
         } else {
             ui.horizontal(|ui| {
                 for (side, words) in [

@@ -327,7 +327,7 @@ fn field(ui: &mut Ui, size: Vec2, colour: &Swatch, name: &str, words: &str, mean
         let shown = swatch::colour(colour.rgb8);
         swatch::paint_split(ui, rect, shown, shown);
         if !colour.in_gamut {
-            swatch::out_of_gamut_mark(ui, rect.left_top() + vec2(9.0, 8.0));
+            swatch::out_of_gamut_mark(ui, rect);
         }
         response.on_hover_text(format!("{meaning}\nsRGB {hex}.{mapping}"));
         ui.horizontal(|ui| {

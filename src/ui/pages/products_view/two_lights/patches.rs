@@ -172,9 +172,10 @@ impl Field<'_> {
         };
         ui.painter().rect_filled(l, corner(3, 0), left);
         ui.painter().rect_filled(r, corner(0, 3), right);
-        for (side, x) in [(0, rect.left() + 9.0), (1, rect.right() - 9.0)] {
-            if !exact[side].in_gamut {
-                swatch::out_of_gamut_mark(ui, pos2(x, rect.top() + 8.0));
+        let (first, second) = colours.split_left_right_at_x(colours.center().x.round());
+        for (swatch, half) in exact.iter().zip([first, second]) {
+            if !swatch.in_gamut {
+                swatch::out_of_gamut_mark(ui, half);
             }
         }
         if chosen {
