@@ -49,33 +49,37 @@ pub fn show(
     numbers(ui, app, theme);
     warnings(ui, app, theme);
     rule(ui);
-    let foot = 44.0 * theme.scale;
-    let room = ui.available_height() - foot;
-    if room > 90.0 {
-        curve_view::show(ui, app, preferences, theme, room, commands);
-    }
-    ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
-        ui.add_space(4.0);
-        ui.columns(2, |columns| {
-            let buttons = [
-                (
-                    "All figures",
-                    Side::Figures,
-                    "XYZ, chromaticity, errors, every line.",
-                ),
-                ("Settings", Side::Settings, "Every knob of the model."),
-            ];
-            for (ui, (words, to, meaning)) in columns.iter_mut().zip(buttons) {
-                let size = vec2(ui.available_width(), 28.0 * theme.scale);
-                if ui
-                    .add_sized(size, Button::new(words))
-                    .on_hover_text(meaning)
-                    .clicked()
-                {
-                    *side = to;
-                }
+    curve_view::show(ui, app, preferences, theme, room(ui), commands);
+}
+
+/// Height that is left for the curve, points.
+fn room(ui: &Ui) -> f32 {
+    (ui.clip_rect().bottom() - ui.cursor().top() - 4.0).clamp(150.0, 300.0)
+}
+
+/// Height of the buttons below the column, points.
+pub const FOOT: f32 = 40.0;
+
+/// The way to every figure and every knob.
+pub fn foot(ui: &mut Ui, theme: Theme, side: &mut Side) {
+    ui.columns(2, |columns| {
+        for (ui, (words, to, meaning)) in columns.iter_mut().zip([
+            (
+                "All figures",
+                Side::Figures,
+                "XYZ, chromaticity, errors, every line.",
+            ),
+            ("Settings", Side::Settings, "Every knob of the model."),
+        ]) {
+            let size = vec2(ui.available_width(), 28.0 * theme.scale);
+            if ui
+                .add_sized(size, Button::new(words))
+                .on_hover_text(meaning)
+                .clicked()
+            {
+                *side = to;
             }
-        });
+        }
     });
 }
 
@@ -287,10 +291,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
     match derived.errors {
         Some(errors) => row(
             "What does a 10 nm slit see?",
-            format!(
-                "{} % off",
-                crate::app::charts::tradeoff::three(100.0 * errors.relative_rms_10nm)
-            ),
+            format!("{} % off", two_digits(100.0 * errors.relative_rms_10nm)),
             "Root mean square of model minus measured over that of the spectrum, both behind a \
              Gaussian slit of 10 nm.",
         ),
