@@ -88,6 +88,16 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The paper's plain series: what a command line without a word about it means, so that figures
+    /// that were noted once come back.
+    pub fn plain() -> Self {
+        Self {
+            basis: Basis::Fourier,
+            colour_exact: false,
+            ..Self::default()
+        }
+    }
+
     /// Every value moved to the nearest one that is allowed; what is not a number becomes the
     /// default.
     #[must_use]

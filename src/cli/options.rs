@@ -66,12 +66,15 @@ pub struct ModelOptions {
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
     #[arg(long, value_name = "NM", allow_hyphen_values = true, value_parser = words::max_width)]
     pub max_width: Option<f64>,
-    /// Functions of the smooth part: fourier or cosine [default: fourier].
+    /// Functions of the smooth part: fourier or cosine [default: fourier; of render cosine].
     #[arg(long, value_name = "BASIS", value_parser = words::basis)]
     pub basis: Option<Basis>,
-    /// Make X, Y and Z of the model exact.
+    /// Make X, Y and Z of the model exact [default of render].
     #[arg(long)]
     pub colour_exact: bool,
+    /// Fit by plain least squares [default of all commands but render].
+    #[arg(long, conflicts_with = "colour_exact")]
+    pub plain: bool,
     /// Take no lines out as spikes.
     #[arg(long)]
     pub no_spikes: bool,
@@ -104,6 +107,7 @@ impl ModelOptions {
             max_width: _,
             basis: _,
             colour_exact: _,
+            plain: _,
             no_spikes,
             dips: _,
             range: _,
@@ -117,6 +121,17 @@ impl ModelOptions {
         given.into_iter().filter(|g| g.1).map(|g| g.0).collect()
     }
 
+    /// The same, and what is not given as the window has it at the start.
+    #[must_use]
+    pub fn of_window(self) -> Self {
+        let usual = Settings::default();
+        Self {
+            basis: Some(self.basis.unwrap_or(usual.basis)),
+            colour_exact: self.colour_exact || usual.colour_exact && !self.plain,
+            ..self
+        }
+    }
+
     /// These options over other settings.
     pub fn over(self, settings: Settings) -> Settings {
         let Self {
@@ -125,6 +140,7 @@ impl ModelOptions {
             max_width,
             basis,
             colour_exact,
+            plain: _,
             no_spikes,
             dips,
             range,

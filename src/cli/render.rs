@@ -55,8 +55,8 @@ pub fn run(
     let mut target = target.beside(&[input.as_deref(), pick.light.as_deref()]);
     target.path()?;
     let mut app = match input {
-        Some(input) => subject::app(input, pick, *model, inputs)?,
-        None => subject::first_app(pick, *model)?,
+        Some(input) => subject::app(input, pick, model.of_window(), inputs)?,
+        None => subject::first_app(pick, model.of_window())?,
     };
     let memory = ImageMemory {
         selection: pick.pixels(),

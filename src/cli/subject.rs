@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Document, Entry,
+        App, Command, Document, Entry, Settings,
         document::Subject,
         open::{self, Loaded, Wanted},
         opened::Opened,
@@ -68,7 +68,7 @@ pub fn app_of(
         None => open::resolve(USUAL_LIGHT, None, None).map_err(Refusal::File)?,
     };
     let mut document = Document::about(light.clone().into());
-    document.settings = model.over(document.settings).clamped();
+    document.settings = model.over(Settings::plain()).clamped();
     let mut app = App::with_document(document);
     if !is_light {
         show(&mut app, light);
@@ -80,7 +80,7 @@ pub fn app_of(
 /// The state about a light and nothing else.
 pub fn about_light(light: Entry, model: ModelOptions) -> App {
     let mut document = Document::about(light.into());
-    document.settings = model.over(document.settings).clamped();
+    document.settings = model.over(Settings::plain()).clamped();
     App::with_document(document)
 }
 
@@ -109,7 +109,7 @@ pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal
         )));
     }
     let mut app = App::new();
-    let settings = model.over(app.document().settings);
+    let settings = model.over(Settings::plain());
     app.apply(Command::Edit(settings));
     Ok(app)
 }

@@ -8,6 +8,7 @@ use std::{
     process::{Command, Output, Stdio},
 };
 
+use crate::plain::plain;
 use serde_json::Value;
 use spectral_explorer::{
     app::{
@@ -947,7 +948,7 @@ fn the_window_is_rendered_with_an_input_or_as_it_starts() {
 #[test]
 fn a_saved_project_is_taken_with_its_own_settings() {
     let folder = tempfile::tempdir().unwrap();
-    let mut app = App::new();
+    let mut app = plain();
     let settings = app.document().settings;
     app.apply(app::Command::Edit(Settings {
         order: 11,
@@ -1068,7 +1069,7 @@ fn a_reader_that_goes_away_is_no_error_and_a_full_disk_is_one() {
 #[test]
 fn a_missing_display_is_an_error_only_where_a_window_was_insisted_on() {
     let (mut out, mut err) = (Vec::new(), Vec::new());
-    let app = App::new();
+    let app = plain();
     assert_eq!(
         cli::without_display(&app, true, Some(&Sketch), &mut out, &mut err),
         3

@@ -569,7 +569,7 @@ fn options_that_change_nothing_are_told() {
 #[test]
 fn a_picture_can_be_of_any_page() {
     let folder = tempfile::tempdir().expect("a folder");
-    for page in Page::ALL {
+    for page in Page::all() {
         let path = folder.path().join(format!("{}.png", page.word()));
         let out = path.to_str().expect("Unicode");
         let told = tell(&["render", "FL2", "--out", out, "--page", page.word()]);

@@ -10,7 +10,7 @@ use std::{
 use crate::docs::{document, quoted, rows, section};
 use serde_json::Value;
 use spectral_explorer::{
-    app::{pages::Page, products::Part},
+    app::pages::Page,
     cli::{self, Outcome},
 };
 
@@ -150,10 +150,7 @@ fn every_page_can_be_named() {
         .iter()
         .find(|row| option(row).as_deref() == Some("--page"));
     let words = row.expect("a row about --page")[2];
-    for word in Page::ALL.map(Page::word) {
-        assert!(words.contains(word), "{word}");
-    }
-    for word in Part::ALL.map(Part::word) {
+    for word in Page::all().map(Page::word) {
         assert!(words.contains(word), "{word}");
     }
 }

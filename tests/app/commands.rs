@@ -14,6 +14,7 @@ use std::{
 
 use crate::common::shipped;
 use crate::full::{D65, RED, awkward, full_document, full_preferences, preset, slope, spectrum};
+use crate::plain::plain;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use serde_json::Value;
 use spectral_explorer::{
@@ -22,7 +23,7 @@ use spectral_explorer::{
         chart::Theme,
         charts::tradeoff,
         command::MadeFor,
-        document::{FIRST_LIGHT, FIRST_PATCH_SET},
+        document::{FIRST_LIGHT, FIRST_PATCH_SET, Height},
         export::Export,
         library::Library,
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
@@ -55,7 +56,7 @@ fn infrared() -> NamedSpectrum {
 }
 
 fn app_with(spectrum: NamedSpectrum) -> App {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(Command::Adopt(vec![spectrum]));
     app
 }
@@ -158,7 +159,7 @@ fn is_one_line(text: &str) -> bool {
 
 #[test]
 fn the_first_start_shows_fl11_with_its_lines_as_spikes() {
-    let app = App::new();
+    let app = plain();
     assert_eq!(app.document().light.key, FIRST_LIGHT);
     assert_eq!(app.document().light.name(), "FL11");
     assert!(app.document().is_about_light());
@@ -191,7 +192,7 @@ fn the_first_start_shows_fl11_with_its_lines_as_spikes() {
 
 #[test]
 fn the_order_moves_the_numbers_and_the_errors_along_the_curve() {
-    let mut app = App::new();
+    let mut app = plain();
     let m = spikes(&app);
     let mut last = f64::INFINITY;
     for order in [0, 1, 3, 7, 15, 40] {
@@ -228,7 +229,7 @@ fn the_order_moves_the_numbers_and_the_errors_along_the_curve() {
 
 #[test]
 fn a_higher_threshold_leaves_fewer_spikes_and_no_spikes_leaves_none() {
-    let mut app = App::new();
+    let mut app = plain();
     let mut counts = Vec::new();
     for threshold in [0.01, 0.5, 2.0, 10.0, 50.0] {
         edit(&mut app, |s| s.threshold_percent = threshold);
@@ -250,7 +251,7 @@ fn a_higher_threshold_leaves_fewer_spikes_and_no_spikes_leaves_none() {
 
 #[test]
 fn silly_settings_become_the_nearest_sensible_ones() {
-    let mut app = App::new();
+    let mut app = plain();
     let default = Settings::default();
     type Knob = fn(&mut Settings) -> &mut f64;
     let knobs: [(Knob, f64, [f64; 2]); 3] = [
@@ -294,7 +295,7 @@ fn silly_settings_become_the_nearest_sensible_ones() {
 
 #[test]
 fn an_order_that_the_range_cannot_carry_is_cut_and_said() {
-    let mut app = App::new();
+    let mut app = plain();
     edit(&mut app, |s| {
         s.band = Band::new(500.0, 520.0).expect("20 nm");
         s.order = 40;
@@ -327,6 +328,7 @@ fn variant(command: &Command) -> &'static str {
         Command::About(_) => "about",
         Command::EditSpikes(_) => "edit spikes",
         Command::TakeModel { .. } => "take model",
+        Command::Reset => "reset",
         Command::PatchSet(_) => "patch set",
         Command::Patch(_) => "patch",
         Command::Scale(_) => "scale",
@@ -404,10 +406,11 @@ fn session(app: &App) -> Vec<Command> {
         },
         Command::Patch(Some(3)),
         Command::PatchSet("cri_tcs".to_owned()),
+        Command::Reset,
         Command::Scale(Scale::HundredLux),
         Command::WeightFactor(150.0),
         Command::View(View {
-            log_axis: true,
+            height: Height::Log,
             ..view
         }),
         Command::Products(Products {
@@ -473,10 +476,10 @@ fn opened_image() -> Opened {
 
 #[test]
 fn every_command_is_undone_and_done_again_exactly() {
-    let mut app = App::new();
+    let mut app = plain();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 25, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 26, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);
@@ -502,7 +505,7 @@ fn every_command_is_undone_and_done_again_exactly() {
 
 #[test]
 fn a_drag_is_one_step_of_undo_and_the_next_drag_another() {
-    let mut app = App::new();
+    let mut app = plain();
     let first = app.document().clone();
     let drag = |app: &mut App, to: std::ops::Range<usize>| {
         for order in to {
@@ -526,7 +529,7 @@ fn a_drag_is_one_step_of_undo_and_the_next_drag_another() {
 
 #[test]
 fn another_kind_of_change_ends_a_drag_too() {
-    let mut app = App::new();
+    let mut app = plain();
     let settings = app.document().settings;
     app.apply(Command::Edit(Settings {
         order: 9,
@@ -551,7 +554,7 @@ fn another_kind_of_change_ends_a_drag_too() {
 
 #[test]
 fn a_change_after_undo_forgets_what_was_undone() {
-    let mut app = App::new();
+    let mut app = plain();
     edit(&mut app, |s| s.order = 9);
     app.apply(Command::Undo);
     assert!(app.can_redo());
@@ -564,7 +567,7 @@ fn a_change_after_undo_forgets_what_was_undone() {
 
 #[test]
 fn a_command_that_changes_nothing_is_no_step_and_no_work() {
-    let mut app = App::new();
+    let mut app = plain();
     let revision = app.revision();
     app.apply(Command::Edit(app.document().settings));
     app.apply(Command::ClearOverlays);
@@ -583,7 +586,7 @@ fn a_command_that_changes_nothing_is_no_step_and_no_work() {
 
 #[test]
 fn undo_reaches_back_over_loaded_files_and_opened_projects() {
-    let mut app = App::new();
+    let mut app = plain();
     let first = app.document().clone();
     edit(&mut app, |s| s.order = 11);
     app.apply(Command::Adopt(vec![slope("one"), slope("two")]));
@@ -605,7 +608,7 @@ fn undo_reaches_back_over_loaded_files_and_opened_projects() {
 
 #[test]
 fn an_overlay_comes_and_goes_and_the_subject_stays() {
-    let mut app = App::new();
+    let mut app = plain();
     let subject = app.derived().clone();
     let (a, b) = (preset(&app, D65), preset(&app, RED));
     app.apply(Command::ToggleOverlay(a.clone()));
@@ -624,7 +627,7 @@ fn an_overlay_comes_and_goes_and_the_subject_stays() {
 
 #[test]
 fn what_is_neither_light_nor_reflectance_is_laid_over_and_said() {
-    let mut app = App::new();
+    let mut app = plain();
     let observer = preset(&app, "observers/V(lambda) photopic");
     app.apply(Command::Show(observer.clone()));
     assert_eq!(app.document().light.key, FIRST_LIGHT);
@@ -637,7 +640,7 @@ fn what_is_neither_light_nor_reflectance_is_laid_over_and_said() {
 
 #[test]
 fn a_reflectance_is_looked_at_under_the_light() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(Command::Show(preset(&app, D65)));
     app.apply(Command::Show(preset(&app, RED)));
     assert_eq!(app.document().subject, Subject::Factor);
@@ -684,7 +687,7 @@ fn a_reflectance_is_looked_at_under_the_light() {
 
 #[test]
 fn a_selected_patch_gives_the_product_with_the_light() {
-    let mut app = App::new();
+    let mut app = plain();
     assert_eq!(app.product(), None);
     let names: Vec<String> = {
         let patches = app.derived().patches.as_ref().expect("a light");
@@ -743,7 +746,7 @@ fn a_selected_patch_gives_the_product_with_the_light() {
 
 #[test]
 fn a_patch_that_is_not_there_is_not_selected() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(Command::Patch(Some(24)));
     assert_eq!((app.document().patch, app.product()), (None, None));
     app.apply(Command::Patch(Some(23)));
@@ -757,7 +760,7 @@ fn a_patch_that_is_not_there_is_not_selected() {
 
 #[test]
 fn how_products_are_formed_moves_the_patches_but_not_the_curve() {
-    let mut app = App::new();
+    let mut app = plain();
     let mean = |app: &App| app.derived().patches.as_ref().expect("a light").mean;
     let (exact, curve) = (mean(&app), app.derived().curve.clone());
     let mut by = |sampling| {
@@ -786,7 +789,7 @@ fn how_products_are_formed_moves_the_patches_but_not_the_curve() {
 
 #[test]
 fn the_scale_switch_does_what_its_words_say() {
-    let mut app = App::new();
+    let mut app = plain();
     let samples = &shipped(FIRST_LIGHT).samples;
     let v = Observer::Cie1931.table();
     let luminance: f64 = (360..=830)
@@ -817,7 +820,7 @@ fn the_scale_switch_does_what_its_words_say() {
 
 #[test]
 fn a_reflectance_and_a_dark_light_have_no_scale() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(Command::Show(preset(&app, RED)));
     let unit = app.unit().to_owned();
     for scale in Scale::ALL {
@@ -834,7 +837,7 @@ fn a_reflectance_and_a_dark_light_have_no_scale() {
 
 #[test]
 fn the_papers_lamps_follow_the_factor_of_their_weights() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(Command::ToggleOverlay(preset(&app, "paper/Sodium")));
     app.apply(Command::Show(preset(&app, "paper/Mercury")));
     let mut at = |factor: f64| {
@@ -867,7 +870,7 @@ fn the_papers_lamps_follow_the_factor_of_their_weights() {
 
 #[test]
 fn a_spike_that_is_set_stays_where_it_was_put() {
-    let mut app = App::new();
+    let mut app = plain();
     let before = spikes(&app);
     let smooth = app.derived().parts.smooth.clone();
     let act = SpikeAct::Set {
@@ -903,7 +906,7 @@ fn a_spike_that_is_set_stays_where_it_was_put() {
 
 #[test]
 fn moving_a_spike_in_one_gesture_is_one_step_of_undo() {
-    let mut app = App::new();
+    let mut app = plain();
     let first = app.document().clone();
     for step in 0..10 {
         let index = app
@@ -931,7 +934,7 @@ fn moving_a_spike_in_one_gesture_is_one_step_of_undo() {
 
 #[test]
 fn a_locked_spike_survives_a_threshold_that_drops_all_others() {
-    let mut app = App::new();
+    let mut app = plain();
     let parts = &app.derived().parts;
     let weakest = (0..parts.spikes.len())
         .min_by(|a, b| {
@@ -952,8 +955,8 @@ fn a_locked_spike_survives_a_threshold_that_drops_all_others() {
 #[test]
 fn a_locked_line_is_never_counted_twice_whatever_the_threshold() {
     let mut wrong = Vec::new();
-    for index in 0..spikes(&App::new()) {
-        let mut app = App::new();
+    for index in 0..spikes(&plain()) {
+        let mut app = plain();
         let whole = app.derived().band.integral(&app.derived().measured);
         let spike = app.derived().parts.spikes[index].spike;
         app.act_on_spikes(SpikeAct::Lock { index });
@@ -977,7 +980,7 @@ fn a_locked_line_is_never_counted_twice_whatever_the_threshold() {
 
 #[test]
 fn a_deleted_spike_gives_its_energy_back_and_reset_brings_it_back() {
-    let mut app = App::new();
+    let mut app = plain();
     let (whole, before) = (energy(&app), app.derived().clone());
     let deleted = before.parts.spikes[2].spike;
     app.act_on_spikes(SpikeAct::Delete { index: 2 });
@@ -1000,7 +1003,7 @@ fn a_deleted_spike_gives_its_energy_back_and_reset_brings_it_back() {
 
 #[test]
 fn a_spike_can_be_added_anywhere_and_brings_a_deleted_line_back() {
-    let mut app = App::new();
+    let mut app = plain();
     let before = spikes(&app);
     app.act_on_spikes(SpikeAct::Add {
         at_nm: 675.5,
@@ -1024,7 +1027,7 @@ fn a_spike_can_be_added_anywhere_and_brings_a_deleted_line_back() {
 
 #[test]
 fn acts_on_spikes_that_are_not_there_or_are_no_numbers_do_nothing() {
-    let mut app = App::new();
+    let mut app = plain();
     let (index, weight) = (99, 1.0);
     for act in [
         SpikeAct::Set {
@@ -1059,7 +1062,7 @@ fn acts_on_spikes_that_are_not_there_or_are_no_numbers_do_nothing() {
 
 #[test]
 fn hand_edits_belong_to_the_spectrum_they_were_made_on() {
-    let mut app = App::new();
+    let mut app = plain();
     app.act_on_spikes(SpikeAct::Delete { index: 0 });
     let fewer = spikes(&app);
     app.apply(Command::Show(preset(&app, "cie_fluorescent_1nm/FL2")));
@@ -1134,7 +1137,7 @@ fn a_shown_light_that_turns_into_a_reflectance_changes_its_place() {
 
 #[test]
 fn what_is_removed_leaves_nothing_behind_and_undo_brings_it_back() {
-    let mut app = App::new();
+    let mut app = plain();
     let reflectance = NamedSpectrum {
         kind: Kind::Reflectance,
         ..slope("paint")
@@ -1183,7 +1186,7 @@ fn a_shipped_spectrum_cannot_be_renamed_or_turned_into_something_else() {
             kind: Kind::Reflectance,
         },
     ] {
-        let mut app = App::new();
+        let mut app = plain();
         app.apply(command);
         assert!(!app.can_undo(), "{:?}", app.document().light.name());
     }
@@ -1392,7 +1395,7 @@ fn whoever_looks_while_a_workspace_is_saved_sees_a_whole_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("workspace.json");
     let small =
-        workspace::to_json(&Document::about(App::new().document().light.clone()), None).unwrap();
+        workspace::to_json(&Document::about(plain().document().light.clone()), None).unwrap();
     let large = workspace::to_json(&full_document(), Some(&full_preferences())).unwrap();
     assert!(large.len() > small.len());
     workspace::save(&path, &small).expect("saved");
@@ -1506,7 +1509,7 @@ fn column(rows: &[Vec<String>], title: &str) -> Vec<Option<f64>> {
 
 #[test]
 fn every_export_says_its_scale_its_source_and_its_program() {
-    let mut app = App::new();
+    let mut app = plain();
     for scale in Scale::ALL {
         app.apply(Command::Scale(scale));
         for export in Export::ALL {
@@ -1568,7 +1571,7 @@ fn every_export_gets_a_name_that_any_disk_takes() {
 
 #[test]
 fn an_exported_composite_is_read_back_to_the_bit() {
-    let mut app = App::new();
+    let mut app = plain();
     for basis in Basis::ALL {
         edit(&mut app, |s| s.basis = basis);
         app.apply(Command::Scale(Scale::PeakOne));
@@ -1648,7 +1651,7 @@ fn exported_spectra_are_read_back_with_the_scale_applied() {
 
 #[test]
 fn exported_tables_hold_what_the_window_shows() {
-    let mut app = App::new();
+    let mut app = plain();
     app.act_on_spikes(SpikeAct::Lock { index: 0 });
     app.apply(Command::Scale(Scale::PeakOne));
     let derived = app.derived();
@@ -1996,7 +1999,7 @@ fn several_files_are_read_in_turn_and_a_bad_one_stops_nothing() {
 
 #[test]
 fn only_so_many_messages_are_kept() {
-    let mut app = App::new();
+    let mut app = plain();
     for number in 0..500 {
         app.say(Tone::Info, format!("message {number}"));
     }
@@ -2059,7 +2062,7 @@ fn huge_and_tiny_numbers_have_the_errors_of_ordinary_ones() {
 
 #[test]
 fn overlays_of_the_papers_lamps_have_the_factor_in_force() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(Command::WeightFactor(150.0));
     let mercury = app.entry("paper/Mercury").expect("the paper's lamp");
     app.apply(Command::ToggleOverlay(mercury.clone()));

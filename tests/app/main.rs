@@ -6,6 +6,8 @@ mod common;
 mod docs;
 #[path = "../common/full.rs"]
 mod full;
+#[path = "../common/plain.rs"]
+mod plain;
 #[path = "../common/root.rs"]
 mod root;
 

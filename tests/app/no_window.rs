@@ -2,10 +2,8 @@
 
 use std::{ffi::OsString, fs};
 
-use spectral_explorer::{
-    app::App,
-    cli::{self, Outcome},
-};
+use crate::plain::plain;
+use spectral_explorer::cli::{self, Outcome};
 
 /// What the command line makes of some words where nothing draws: result, output, errors.
 fn tell(args: &[&str]) -> (Outcome, String, String) {
@@ -19,7 +17,7 @@ fn tell(args: &[&str]) -> (Outcome, String, String) {
 /// What [`cli::without_display`] says: exit code, output, errors.
 fn instead(insist: bool) -> (u8, String, String) {
     let (mut out, mut err) = (Vec::new(), Vec::new());
-    let code = cli::without_display(&App::new(), insist, None, &mut out, &mut err);
+    let code = cli::without_display(&plain(), insist, None, &mut out, &mut err);
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
     (code, text(out), text(err))
 }

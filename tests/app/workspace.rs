@@ -4,6 +4,7 @@
 use std::{fs, path::PathBuf, sync::Arc};
 
 use crate::full::{D65, RED, awkward, full_document, full_preferences, preset, slope, spectrum};
+use crate::plain::plain;
 use serde_json::{Value, json};
 use spectral_explorer::{
     app::{
@@ -382,7 +383,7 @@ fn what_the_program_itself_wrote_is_never_a_loss() {
 
 /// More spectra than may be laid over.
 fn many() -> App {
-    let mut app = App::new();
+    let mut app = plain();
     let entries: Vec<_> = app.bundled()[..MOST_OVERLAYS + 20].to_vec();
     for entry in entries {
         app.apply(Command::ToggleOverlay(entry));

@@ -6,10 +6,11 @@ use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, View,
         document::FIRST_LIGHT,
+        document::Height,
         pages::{FieldChoice, Page, PageMemory, WaysShown},
         picture::{ImageMemory, Show, Spread},
         products::{
-            Link, Part, Products, ProductsMemory,
+            Link, Products, ProductsMemory,
             memory::{
                 AbsorptionMemory, BouncesMemory, ChainMemory, NarrowMemory, ResamplingMemory,
                 SameSurfaceMemory, TwoLightsMemory,
@@ -121,7 +122,7 @@ pub fn full_document() -> Document {
         residual: false,
         overlays: false,
         strip: false,
-        log_axis: true,
+        height: Height::Log,
         adapt_patches: true,
     }));
     let red = preset(&app, RED);
@@ -146,13 +147,13 @@ pub fn full_preferences() -> Preferences {
     Preferences {
         dark: false,
         zoom: 1.3,
-        projector: true,
+        present: true,
         recent: vec![PathBuf::from("a lamp.csv"), PathBuf::from("b.spdx")],
         window: Some([1280.0, 800.5]),
         curve: CurveQuantity::RmsBlurred,
         folded: vec!["LED".to_owned()],
-        spikes_below: true,
-        no_library: true,
+        pinned: true,
+        greeted: true,
         pages: PageMemory {
             page: Page::Race,
             partial_order: 5,
@@ -173,7 +174,6 @@ pub fn full_preferences() -> Preferences {
             },
             spend_goal: Some(Goal::SPECTRUM),
             products: ProductsMemory {
-                part: Part::TwoLights,
                 chain: ChainMemory {
                     stage: Some(1),
                     light: true,

@@ -11,8 +11,7 @@ use crate::{
 use spectral_explorer::{
     app::{
         open::{batch, folders},
-        pages::Page,
-        products::Part,
+        pages::{Page, Place},
     },
     io::{FORMATS, dialect, scan, text, write::WRITABLE},
 };
@@ -183,13 +182,16 @@ fn every_page_of_the_window_and_every_part_of_products_has_its_place() {
         .filter_map(|line| line.strip_prefix("## "))
         .filter(|heading| *heading != "Around the pages")
         .collect();
-    assert_eq!(headings, Page::ALL.map(Page::title));
-    let parts: Vec<&str> = section(&window, "## Products")
-        .lines()
-        .filter_map(|line| line.strip_prefix("- **")?.split_once("**"))
-        .map(|(title, _)| title)
-        .collect();
-    assert_eq!(parts, Part::ALL.map(Part::title));
+    assert_eq!(headings, Place::ALL.map(Place::title));
+    for place in Place::ALL {
+        let pages: Vec<&str> = section(&window, &format!("## {}", place.title()))
+            .lines()
+            .filter_map(|line| line.strip_prefix("- **")?.split_once("**"))
+            .map(|(title, _)| title)
+            .collect();
+        let there = Page::all().filter(|page| page.place() == place);
+        assert_eq!(pages, there.map(Page::title).collect::<Vec<_>>());
+    }
 }
 
 /// The README and every document, by their paths in the project.

@@ -6,7 +6,7 @@ use crate::{
     docs::{document, quoted, rows},
     root::root,
 };
-use spectral_explorer::app::{library::Library, pages::Page};
+use spectral_explorer::app::{library::Library, pages::Place};
 
 /// Most lines of a front door.
 const MOST_LINES: usize = 200;
@@ -57,7 +57,7 @@ fn it_shows_every_picture_and_tells_the_command_that_draws_it() {
 #[test]
 fn it_names_every_page_of_the_window_and_every_document() {
     let readme = readme();
-    for page in Page::ALL {
+    for page in Place::ALL {
         let start = format!("- **{}**: ", page.title());
         let is_its = |line: &str| line.starts_with(&start);
         assert!(readme.lines().any(is_its), "{} is missing", page.title());

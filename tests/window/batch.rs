@@ -10,12 +10,13 @@ use std::{
 use crate::driver::{
     LONGEST_WAIT, Ui, app, assert_written, at_rest, click, is_written, no_files, wait_until, words,
 };
+use crate::plain::plain;
 use eframe::egui;
 use egui::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
-        App, Command,
+        Command,
         open::{Came, Loader, Outcome, batch::read_all},
         state::Tone,
         workspace::Preferences,
@@ -28,12 +29,7 @@ use spectral_explorer::{
 };
 
 fn over(picker: Picker) -> Ui {
-    at_rest(Window::new(
-        App::new(),
-        Preferences::default(),
-        picker,
-        None,
-    ))
+    at_rest(Window::new(plain(), Preferences::default(), picker, None))
 }
 
 fn fresh() -> Ui {
@@ -428,7 +424,7 @@ fn a_file_beyond_the_limit_is_refused_unread() {
 #[test]
 fn projects_in_a_folder_do_not_put_everything_else_away() {
     let folder = tempfile::tempdir().unwrap();
-    let text = spectral_explorer::app::workspace::to_json(App::new().document(), None).unwrap();
+    let text = spectral_explorer::app::workspace::to_json(plain().document(), None).unwrap();
     fs::write(folder.path().join("a.json"), text).unwrap();
     fs::write(folder.path().join("b.csv"), LAMP).unwrap();
     let finished = read_all(&[folder.path().to_owned()]);

@@ -8,13 +8,13 @@ use std::{
 };
 
 use crate::driver::{harness, no_files, wait_until, words};
+use crate::plain::plain;
 use eframe::egui;
 use egui::{Modifiers, Pos2, Role, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use spectral_explorer::{
     app::{
-        App,
-        chart::{Cells, Chart, Dash, Marks, Panel, Scale, Series, Shape, Theme},
+        chart::{Cells, Chart, Dash, Marks, Panel, Scale, Series, Shape, Theme, root},
         workspace::Preferences,
     },
     ui::{
@@ -59,7 +59,7 @@ impl eframe::App for Page {
 type Ui = Harness<'static, Page>;
 
 fn over(chart: Chart, picker: Picker) -> Ui {
-    let window = Window::new(App::new(), Preferences::default(), picker, None);
+    let window = Window::new(plain(), Preferences::default(), picker, None);
     let page = Page {
         window,
         chart,
@@ -505,6 +505,7 @@ fn the_window_and_the_file_show_the_same_series_ranges_ticks_and_labels() {
         assert!(window.len() > 5, "{window:?}");
         let log = |range: [f64; 2], scale| match scale {
             Scale::Linear => range,
+            Scale::Root => range.map(root),
             Scale::Log10 => range.map(f64::log10),
         };
         let own = [

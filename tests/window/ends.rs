@@ -22,7 +22,6 @@ use spectral_explorer::{
         App, Command, Document, Scale, Settings, Subject,
         pages::{FieldChoice, Page},
         picture::{Show, Spread},
-        products::Part,
         settings::Detector,
         state::Message,
         workspace::{self, CurveQuantity, Preferences, Restored},
@@ -154,8 +153,7 @@ fn choices() -> Vec<Vec<Value>> {
         all.into_iter().map(word).collect()
     }
     vec![
-        words(Page::ALL),
-        words(Part::ALL),
+        words(Page::all()),
         words(Sampling::ALL),
         words(Observer::ALL),
         words(Scale::ALL),
@@ -197,28 +195,25 @@ fn ends(value: &Value) -> Vec<Value> {
 }
 
 /// The page on which a setting is seen.
-fn page_of(place: &Place) -> (Page, Option<Part>) {
+fn page_of(place: &Place) -> Page {
     let step = |index: usize| place.get(index).map_or("", String::as_str);
     if step(0) == "products" {
-        return (Page::Products, None);
+        return Page::Chain;
     }
     if (step(0), step(1)) != ("preferences", "pages") {
-        return (Page::Spectrum, None);
+        return Page::Spectrum;
     }
     match step(2) {
-        "partial_order" | "channel" => (Page::Coefficients, None),
-        "measure" | "ways" => (Page::Tradeoff, None),
-        "goal" | "auction_numbers" => (Page::Auction, None),
-        "field" | "race_numbers" | "race_measure" => (Page::Race, None),
+        "partial_order" | "channel" => Page::Coefficients,
+        "measure" | "ways" => Page::Tradeoff,
+        "goal" | "auction_numbers" => Page::Auction,
+        "field" | "race_numbers" | "race_measure" => Page::Race,
         "products" => {
-            let part = Part::ALL.into_iter().find(|part| {
-                let word = serde_json::to_value(part).expect("a word");
-                word == step(3)
-            });
-            (Page::Products, part)
+            // What a page of products remembers stands under the word of an earlier version.
+            Page::of_word(step(3)).unwrap_or(Page::Chain)
         }
-        "image" => (Page::Image, None),
-        _ => (Page::Spectrum, None),
+        "image" => Page::Image,
+        _ => Page::Spectrum,
     }
 }
 
@@ -240,12 +235,9 @@ fn grounds() -> [Value; 2] {
 fn draw(ui: &mut Ui, restored: Restored, place: &Place, case: &str) {
     println!("{case}");
     let (app, mut preferences, _) = Window::restored(restored);
-    let (page, part) = page_of(place);
+    let page = page_of(place);
     if place.last().is_none_or(|last| last != "page") {
         preferences.pages.page = page;
-    }
-    if let Some(part) = part {
-        preferences.pages.products.part = part;
     }
     start(ui, app, preferences);
     assert_sound(ui, case);
@@ -303,7 +295,7 @@ fn the_widest_range_is_drawn_on_every_page() {
     }));
     assert_eq!(app.document().settings.band.points(), 20_001);
     let mut ui = over(app.clone(), Preferences::default());
-    for page in Page::ALL {
+    for page in Page::all() {
         let mut preferences = Preferences::default();
         preferences.pages.page = page;
         start(&mut ui, app.clone(), preferences);

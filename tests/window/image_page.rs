@@ -9,13 +9,14 @@ use std::{
 };
 
 use crate::driver::{Shown, Ui, app, assert_written, harness, no_files, words};
+use crate::plain::plain;
 use crate::root::root;
 use eframe::egui;
 use egui::{Key, Pos2, Role, vec2};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        App, Command,
+        Command,
         library::Library,
         memo::ByAddress,
         open::{self, Loaded},
@@ -294,7 +295,7 @@ fn over(window: Window, size: [f32; 2]) -> Ui {
 fn fresh(size: [f32; 2]) -> Ui {
     let files = no_files();
     over(
-        Window::new(App::new(), Preferences::default(), files, None),
+        Window::new(plain(), Preferences::default(), files, None),
         size,
     )
 }
@@ -502,7 +503,7 @@ fn images_come_back_after_a_restart_and_what_is_gone_is_said() {
     let path = folder.path().join("workspace.json");
     let files = || no_files();
     let saver = Some(Saver::new(path.clone()));
-    let first = Window::new(App::new(), Preferences::default(), files(), saver);
+    let first = Window::new(plain(), Preferences::default(), files(), saver);
     let mut ui = over(first, [1280.0, 800.0]);
     open_file(&mut ui, &scene(folder.path()));
     let gone = write_cube(folder.path(), "gone", [8, 8], 7, "bil");
@@ -557,7 +558,7 @@ fn a_missing_image_is_looked_for_at_every_start_until_it_is_forgotten() {
     let path = folder.path().join("workspace.json");
     let saver = Some(Saver::new(path.clone()));
     let files = no_files();
-    let mut window = Window::new(App::new(), Preferences::default(), files, saver);
+    let mut window = Window::new(plain(), Preferences::default(), files, saver);
     let lost = StoredImage {
         choices: spectral_explorer::io::Choices::default(),
         key: "image/7".to_owned(),

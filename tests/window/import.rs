@@ -8,12 +8,13 @@ use std::{
 };
 
 use crate::driver::{Ui, app, at_rest, click, is_written, no_files, wait_until, words};
+use crate::plain::plain;
 use eframe::egui;
 use egui::{Key, Modifiers, Role};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        App, Command,
+        Command,
         makers::{Beside, beside},
         open::{Loaded, load_path},
         picture,
@@ -26,7 +27,7 @@ use spectral_explorer::{
 
 fn fresh() -> Ui {
     let preferences = Preferences::default();
-    at_rest(Window::new(App::new(), preferences, no_files(), None))
+    at_rest(Window::new(plain(), preferences, no_files(), None))
 }
 
 #[derive(Debug)]
@@ -443,7 +444,7 @@ fn real(name: &str) -> Option<Vec<Beside>> {
         eprintln!("skipped: {} is not there", path.display());
         return None;
     }
-    let mut app = App::new();
+    let mut app = plain();
     match load_path(&path) {
         Loaded::File(opened) => app.apply(Command::Open(vec![*opened])),
         other => panic!("{other:?}"),

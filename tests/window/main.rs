@@ -4,6 +4,8 @@
 mod driver;
 #[path = "../common/full.rs"]
 mod full;
+#[path = "../common/plain.rs"]
+mod plain;
 #[path = "../common/root.rs"]
 mod root;
 #[path = "../common/soft_renderer.rs"]

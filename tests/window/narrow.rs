@@ -8,7 +8,7 @@ use eframe::egui;
 use egui::{Rect, Role, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use spectral_explorer::{
-    app::{App, pages::Page, workspace::Preferences},
+    app::{App, pages::Place, workspace::Preferences},
     ui::{Window, files::Picked, model_view::names, theme},
 };
 
@@ -103,8 +103,8 @@ const MODEL: [(Role, &str); 12] = [
 ];
 
 /// The tabs of the pages.
-fn tabs() -> [(Role, &'static str); 8] {
-    Page::ALL.map(|page| (Role::Button, page.title()))
+fn tabs() -> [(Role, &'static str); 5] {
+    Place::ALL.map(|place| (Role::Button, place.title()))
 }
 
 fn rects(ui: &Ui, controls: &[(Role, &'static str)]) -> Vec<(&'static str, Rect)> {
@@ -133,9 +133,9 @@ fn assert_apart(controls: &[(&str, Rect)], screen: Rect, case: &str) {
 
 #[test]
 fn the_top_bars_controls_never_lie_over_one_another() {
-    for projector in [false, true] {
+    for present in [false, true] {
         let preferences = Preferences {
-            projector,
+            present,
             ..zoomed()
         };
         let mut ui = over(preferences, SMALL);
@@ -146,11 +146,7 @@ fn the_top_bars_controls_never_lie_over_one_another() {
             let bar = rects(&ui, &BAR);
             assert!(bar.len() >= BAR.len() - 1, "{width}: {bar:?}");
             let screen = Rect::from_min_size(pos2(0.0, 0.0), size);
-            assert_apart(
-                &bar,
-                screen,
-                &format!("{width} points, projector {projector}"),
-            );
+            assert_apart(&bar, screen, &format!("{width} points, present {present}"));
         }
     }
 }
@@ -209,7 +205,7 @@ fn at_250_percent_library_page_and_model_each_have_the_window_in_turn() {
     click(&mut ui, "Library");
     assert_eq!(shown(&ui), [false, true, false]);
     assert!(
-        !ui.state().0.preferences.no_library,
+        !ui.state().0.drawer.open,
         "a larger window has its library still"
     );
     ui.set_size(vec2(1280.0, 800.0));
@@ -221,7 +217,7 @@ fn at_250_percent_library_page_and_model_each_have_the_window_in_turn() {
 fn a_low_window_scrolls_its_page_instead_of_covering_the_plot() {
     for (size, scale) in [(SMALL, false), ([640.0, 400.0], false), (SMALL, true)] {
         let preferences = Preferences {
-            projector: scale,
+            present: scale,
             ..zoomed()
         };
         let ui = over(preferences, size);
@@ -231,6 +227,7 @@ fn a_low_window_scrolls_its_page_instead_of_covering_the_plot() {
         let frame = ui
             .state()
             .0
+            .look
             .spectrum
             .transform
             .expect("a plot")

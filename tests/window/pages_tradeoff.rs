@@ -8,6 +8,7 @@ use std::{
 use crate::driver::{
     LONGEST_WAIT, Shown, Ui, app, assert_written, harness, is_written, no_files, words,
 };
+use crate::plain::plain;
 use eframe::egui;
 use egui::Role;
 use egui_kittest::{Node, kittest::NodeT as _};
@@ -95,7 +96,7 @@ fn click(ui: &mut Ui, begins: &str) {
 }
 
 fn showing(key: &str) -> App {
-    let mut app = App::new();
+    let mut app = plain();
     let entry = app.entry(key).expect("a shipped spectrum");
     app.apply(Command::Show(entry));
     app.end_gesture();
@@ -108,7 +109,7 @@ fn fl2() -> App {
 
 /// A light of the user's own.
 fn own(name: &str, nm: Vec<f64>, values: Vec<f64>) -> App {
-    let mut app = App::new();
+    let mut app = plain();
     let light = NamedSpectrum {
         name: name.to_owned(),
         samples: Sampled::new(nm, values).expect("a table"),
@@ -120,7 +121,7 @@ fn own(name: &str, nm: Vec<f64>, values: Vec<f64>) -> App {
 }
 
 fn reflectance() -> App {
-    let mut app = App::new();
+    let mut app = plain();
     let mut all = app.bundled().iter();
     let factor = all.find(|e| e.kind() == Kind::Reflectance).cloned();
     app.apply(Command::Show(factor.expect("a shipped reflectance")));
@@ -260,7 +261,7 @@ fn more_lines_than_can_be_bought_singly_are_on_offer_all_the_same() {
 
 #[test]
 fn the_front_falls_and_is_of_what_is_shown() {
-    let app = App::new();
+    let app = plain();
     let ask = SweepAsk::of(app.document());
     let sweep = ask.answer(&Progress::default()).expect("it shines");
     let all = WaysShown::default();
@@ -339,7 +340,7 @@ fn every_point_of_the_charts_stands_for_its_model() {
 
 #[test]
 fn the_sentence_tells_the_cheapest_model_or_that_there_is_none() {
-    let app = App::new();
+    let app = plain();
     let ask = SweepAsk::of(app.document());
     let sweep = ask.answer(&Progress::default()).expect("it shines");
     let found = front(&sweep, Measure::Patches, &WaysShown::default());
@@ -359,7 +360,7 @@ fn the_sentence_tells_the_cheapest_model_or_that_there_is_none() {
 #[test]
 fn a_figure_that_does_not_exist_says_why() {
     let there = |app: &App| Measure::ALL.map(|measure| lack(app, measure).is_none());
-    assert_eq!(there(&App::new()), [true; 6]);
+    assert_eq!(there(&plain()), [true; 6]);
     assert_eq!(
         there(&reflectance()),
         [false, false, true, false, true, true]
@@ -372,7 +373,7 @@ fn a_figure_that_does_not_exist_says_why() {
 
 #[test]
 fn a_row_of_the_front_takes_its_model() {
-    let mut ui = on(App::new(), Page::Tradeoff);
+    let mut ui = on(plain(), Page::Tradeoff);
     assert_written(
         &ui,
         "To stay under ΔE00 1 on the patches (mean), FL11 needs 9 numbers",
@@ -547,7 +548,7 @@ fn the_goal_of_spending_is_a_plain_one_or_the_auctions() {
 
 #[test]
 fn what_any_lamps_auction_bought_can_be_had() {
-    let mut app = App::new();
+    let mut app = plain();
     let all = app.bundled().iter();
     let lights = all.filter(|e| e.kind() == Kind::Light).cloned();
     let lights: Vec<_> = lights.step_by(3).collect();

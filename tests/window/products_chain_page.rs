@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::driver::{Shown, Ui, about, app, copied, harness, no_files, with};
+use crate::plain::plain;
 use eframe::egui;
 use egui::{Pos2, Role, Vec2, pos2};
 use egui_kittest::kittest::Queryable as _;
@@ -13,7 +14,7 @@ use spectral_explorer::{
         charts::products::absorption::{absorption_chart, dip_rows},
         open::resolve,
         pages::Page,
-        products::{Link, Part, Products},
+        products::{Link, Products},
         workspace::Preferences,
     },
     spectrum::{Band, Kind, NamedSpectrum, Sampled, Sampling},
@@ -51,7 +52,7 @@ fn own(app: &mut App, name: &str, kind: Kind, values: impl Fn(f64) -> f64) {
 }
 
 fn all_sorts() -> Vec<(&'static str, App)> {
-    let mut dark = App::new();
+    let mut dark = plain();
     own(&mut dark, "dark", Kind::Light, |_| 0.0);
     let mut infrared = about("CIE A");
     infrared = with(infrared, |s| s.band = Band::new(800.0, 1000.0).unwrap());
@@ -77,10 +78,9 @@ fn all_sorts() -> Vec<(&'static str, App)> {
     ]
 }
 
-fn open(app: App, part: Part, size: [f32; 2]) -> Ui {
+fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
     let mut preferences = Preferences::default();
-    preferences.pages.page = Page::Products;
-    preferences.pages.products.part = part;
+    preferences.pages.page = page;
     let window = Window::new(app, preferences, no_files(), None);
     let mut ui = harness(Shown(window), size, 0.05, 40);
     ui.run();
@@ -118,9 +118,9 @@ fn drag(ui: &mut Ui, from: Pos2, to: Pos2) {
 #[test]
 fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
     for (_, app) in all_sorts() {
-        for part in [Part::Chain, Part::Absorption] {
+        for page in [Page::Chain, Page::Absorption] {
             for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
-                open(app.clone(), part, size);
+                open(app.clone(), page, size);
             }
         }
     }
@@ -129,7 +129,7 @@ fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
 #[test]
 fn a_card_is_dragged_below_another_and_undo_brings_it_back() {
     let keys = [GLASS, "colorchecker_ohta/red", "colorchecker_ohta/cyan"];
-    let mut ui = open(chained(about("FL2"), &keys), Part::Chain, [1280.0, 900.0]);
+    let mut ui = open(chained(about("FL2"), &keys), Page::Chain, [1280.0, 900.0]);
     let before = order(&ui);
     let (first, last) = (card(&ui, "Stage 1:"), card(&ui, "Stage 3:"));
     let from = pos2(first.left() + 12.0, first.top() + 14.0);
@@ -149,7 +149,7 @@ fn a_card_is_dragged_below_another_and_undo_brings_it_back() {
 #[test]
 fn arrows_move_a_stage_and_the_drawn_spectrum_goes_with_it() {
     let keys = [GLASS, "colorchecker_ohta/red"];
-    let mut ui = open(chained(about("FL2"), &keys), Part::Chain, [1280.0, 800.0]);
+    let mut ui = open(chained(about("FL2"), &keys), Page::Chain, [1280.0, 800.0]);
     let place = card(&ui, "Stage 1:");
     let click = pos2(place.left() + 30.0, place.top() + 14.0);
     ui.hover_at(click);
@@ -171,7 +171,7 @@ fn arrows_move_a_stage_and_the_drawn_spectrum_goes_with_it() {
 fn a_glass_of_2_mm_is_typed_in_mm_and_bounces_in_times() {
     let mut ui = open(
         chained(about("FL2"), &[GLASS]),
-        Part::Chain,
+        Page::Chain,
         [1280.0, 800.0],
     );
     for (name, typed) in [("Thickness of stage 1", "5"), ("Bounces of stage 1", "3")] {
@@ -189,7 +189,7 @@ fn a_glass_of_2_mm_is_typed_in_mm_and_bounces_in_times() {
 
 #[test]
 fn the_ways_of_forming_are_those_of_the_settings() {
-    let mut ui = open(about("FL2"), Part::Chain, [1280.0, 800.0]);
+    let mut ui = open(about("FL2"), Page::Chain, [1280.0, 800.0]);
     ui.get_by_role_and_label(Role::ComboBox, chain::names::WAY)
         .click();
     ui.run();
@@ -201,7 +201,7 @@ fn the_ways_of_forming_are_those_of_the_settings() {
 
 #[test]
 fn stages_and_spikes_are_copied_as_tables() {
-    let mut ui = open(about("FL2"), Part::Chain, [1280.0, 800.0]);
+    let mut ui = open(about("FL2"), Page::Chain, [1280.0, 800.0]);
     let stages = copied(&mut ui, chain::names::COPY_STAGES).expect("a table");
     let rows: Vec<&str> = stages.lines().filter(|l| !l.starts_with('#')).collect();
     assert_eq!(rows.len(), 1 + 1 + 2, "{stages}");
@@ -221,13 +221,13 @@ fn what_goes_wrong_at_a_stage_is_told_on_its_card() {
     let app = with(chained(about("FL2"), &[GLASS]), |s| {
         s.sampling = Sampling::Double
     });
-    let ui = open(app, Part::Chain, [1280.0, 800.0]);
+    let ui = open(app, Page::Chain, [1280.0, 800.0]);
     ui.get_by_label_contains("turns the line there negative");
 }
 
 #[test]
 fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
-    let mut ui = open(about("FL11"), Part::Absorption, [1280.0, 800.0]);
+    let mut ui = open(about("FL11"), Page::Absorption, [1280.0, 800.0]);
     ui.get_by_label_contains(absorption::names::OFF);
     ui.get_by_label("Sun on the ground").click();
     ui.run();
@@ -256,7 +256,7 @@ fn an_example_of_the_sun_is_one_click_and_its_lines_have_their_names() {
 
 #[test]
 fn every_example_is_there_and_shows_dips_that_have_names() {
-    let titles: Vec<&str> = absorption::example_entries(&App::new())
+    let titles: Vec<&str> = absorption::example_entries(&plain())
         .into_iter()
         .map(|(title, entry)| {
             assert!(entry.is_some(), "{title}");
@@ -264,7 +264,7 @@ fn every_example_is_there_and_shows_dips_that_have_names() {
         })
         .collect();
     for title in titles {
-        let mut ui = open(about("FL11"), Part::Absorption, [1280.0, 800.0]);
+        let mut ui = open(about("FL11"), Page::Absorption, [1280.0, 800.0]);
         ui.get_by_label(title).click();
         ui.run();
         let rows = dip_rows(app(&ui));
@@ -295,7 +295,7 @@ fn a_line_on_a_dip_is_told_in_a_sentence_and_a_dip_below_zero_is_warned_of() {
         chain: vec![Link::once(notch)],
         ..app.document().products.clone()
     }));
-    let ui = open(app.clone(), Part::Absorption, [1280.0, 800.0]);
+    let ui = open(app.clone(), Page::Absorption, [1280.0, 800.0]);
     ui.get_by_label_contains("FL2 in notch: the line at 57");
     // The mean alone is far below the hill that the dip is cut into.
     own(&mut app, "gap", Kind::Light, |nm| {
@@ -305,6 +305,6 @@ fn a_line_on_a_dip_is_told_in_a_sentence_and_a_dip_below_zero_is_warned_of() {
     let app = with(app, |s| s.order = 0);
     let rows = dip_rows(&app);
     assert!(rows.iter().any(|row| row.below_zero), "{rows:?}");
-    let ui = open(app, Part::Absorption, [1280.0, 800.0]);
+    let ui = open(app, Page::Absorption, [1280.0, 800.0]);
     ui.get_by_label_contains("goes below zero at");
 }

@@ -17,7 +17,7 @@ use spectral_explorer::{
         },
         open::resolve,
         pages::{Page, PageMemory},
-        products::{Part, Products, ProductsMemory},
+        products::Products,
         workspace::Preferences,
     },
     spectrum::{Band, Basis, Sampling},
@@ -152,28 +152,24 @@ fn behind_narrow_filters_spikes_are_worth_more_than_orders_to_a_lamp_of_lines() 
     }
 }
 
-fn preferences(part: Part) -> Preferences {
+fn preferences(page: Page) -> Preferences {
     Preferences {
         pages: PageMemory {
-            page: Page::Products,
-            products: ProductsMemory {
-                part,
-                ..ProductsMemory::default()
-            },
+            page,
             ..PageMemory::default()
         },
         ..Preferences::default()
     }
 }
 
-fn window(app: App, part: Part, size: [f32; 2], quiet: bool) -> Ui {
-    let mut window = Window::new(app, preferences(part), no_files(), None);
+fn window(app: App, page: Page, size: [f32; 2], quiet: bool) -> Ui {
+    let mut window = Window::new(app, preferences(page), no_files(), None);
     window.quiet = quiet;
     harness(Shown(window), size, 0.05, 60)
 }
 
-fn open(app: App, part: Part, size: [f32; 2]) -> Ui {
-    let mut ui = window(app, part, size, true);
+fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
+    let mut ui = window(app, page, size, true);
     settled(&mut ui);
     ui
 }
@@ -195,21 +191,21 @@ const LARGE: [f32; 2] = [1920.0, 1080.0];
 #[test]
 fn the_parts_open_on_whatever_there_is_in_small_and_large_windows() {
     for (_, app) in all_sorts() {
-        for part in [Part::Resampling, Part::Bounces, Part::Narrow] {
+        for page in [Page::Resampling, Page::Bounces, Page::Narrow] {
             for size in [[1280.0, 800.0], [900.0, 500.0]] {
-                open(app.clone(), part, size);
+                open(app.clone(), page, size);
             }
         }
     }
-    for part in [Part::Resampling, Part::Bounces, Part::Narrow] {
-        open(about("FL11"), part, LARGE);
+    for page in [Page::Resampling, Page::Bounces, Page::Narrow] {
+        open(about("FL11"), page, LARGE);
     }
 }
 
 #[test]
 fn a_click_on_a_way_forms_all_products_so_and_undo_takes_it_back() {
-    for part in [Part::Resampling, Part::Bounces] {
-        let mut ui = open(about("FL11"), part, LARGE);
+    for page in [Page::Resampling, Page::Bounces] {
+        let mut ui = open(about("FL11"), page, LARGE);
         let row = |label: &str| label.starts_with("3N+1 points: ");
         ui.get_by_role_and_label(Role::Button, &label_of(&ui, row))
             .click();
@@ -232,7 +228,7 @@ fn label_of(ui: &Ui, wanted: impl Fn(&str) -> bool) -> String {
 
 #[test]
 fn a_way_that_is_not_wanted_leaves_the_chart_and_comes_back() {
-    let mut ui = open(about("FL11"), Part::Resampling, LARGE);
+    let mut ui = open(about("FL11"), Page::Resampling, LARGE);
     let hidden = |ui: &Ui| {
         let pages = &ui.state().0.preferences.pages;
         pages.products.resampling.hidden.clone()
@@ -247,7 +243,7 @@ fn a_way_that_is_not_wanted_leaves_the_chart_and_comes_back() {
 
 #[test]
 fn times_are_measured_in_the_window_and_again_when_asked_and_never_for_a_picture() {
-    let mut ui = window(about("FL11"), Part::Resampling, LARGE, false);
+    let mut ui = window(about("FL11"), Page::Resampling, LARGE, false);
     settled(&mut ui);
     let turn = |ui: &Ui| {
         let (ask, times) = ui.state().0.studies.timing.answer().expect("measured");
@@ -259,25 +255,25 @@ fn times_are_measured_in_the_window_and_again_when_asked_and_never_for_a_picture
     ui.run_steps(2);
     settled(&mut ui);
     assert_eq!(turn(&ui), first + 1);
-    let ui = open(about("FL11"), Part::Resampling, LARGE);
+    let ui = open(about("FL11"), Page::Resampling, LARGE);
     assert!(ui.state().0.studies.timing.answer().is_none());
-    let picture = || window_image(&about("FL11"), &preferences(Part::Resampling), [1280, 800]);
+    let picture = || window_image(&about("FL11"), &preferences(Page::Resampling), [1280, 800]);
     assert!(picture() == picture());
 }
 
 #[test]
 fn every_table_is_copied() {
-    for (part, button, head) in [
-        (Part::Resampling, resampling::names::COPY, "way,points,"),
+    for (page, button, head) in [
+        (Page::Resampling, resampling::names::COPY, "way,points,"),
         (
-            Part::Resampling,
+            Page::Resampling,
             resampling::names::COPY_SPIKES,
             "at_nm,weight,",
         ),
-        (Part::Bounces, bounces::names::COPY, "way,bounces,"),
-        (Part::Narrow, narrow::names::COPY, "filter,luminance_share,"),
+        (Page::Bounces, bounces::names::COPY, "way,bounces,"),
+        (Page::Narrow, narrow::names::COPY, "filter,luminance_share,"),
     ] {
-        let mut ui = open(about("FL11"), part, LARGE);
+        let mut ui = open(about("FL11"), page, LARGE);
         let text = copied(&mut ui, button).expect("a table");
         assert!(text.lines().any(|line| line.starts_with(head)), "{text}");
     }
@@ -285,7 +281,7 @@ fn every_table_is_copied() {
 
 #[test]
 fn bounces_are_told_in_total_and_as_added() {
-    let mut ui = open(about("CIE D65"), Part::Bounces, LARGE);
+    let mut ui = open(about("CIE D65"), Page::Bounces, LARGE);
     ui.get_by_label(bounces::names::ADDED).click();
     ui.run();
     let memory = ui.state().0.preferences.pages.products.bounces;
@@ -307,7 +303,7 @@ fn narrow_memory(ui: &Ui) -> spectral_explorer::app::products::memory::NarrowMem
 
 #[test]
 fn the_band_pass_moves_by_its_slider_and_by_hand() {
-    let mut ui = open(about("FL11"), Part::Narrow, LARGE);
+    let mut ui = open(about("FL11"), Page::Narrow, LARGE);
     ui.get_by_role_and_label(Role::Slider, narrow::names::CENTRE)
         .set_value_accesskit(600.0);
     ui.run();
@@ -334,7 +330,7 @@ fn the_band_pass_moves_by_its_slider_and_by_hand() {
 
 #[test]
 fn an_edge_of_the_band_pass_makes_it_wider() {
-    let mut app = preferences(Part::Narrow);
+    let mut app = preferences(Page::Narrow);
     app.pages.products.narrow.centre_nm = 580.0;
     app.pages.products.narrow.width_nm = 100.0;
     let mut window = Window::new(about("FL11"), app, no_files(), None);
@@ -370,7 +366,7 @@ fn an_edge_of_the_band_pass_makes_it_wider() {
 
 #[test]
 fn a_measured_filter_takes_the_place_of_the_gaussian_until_it_is_moved() {
-    let mut ui = open(about("FL11"), Part::Narrow, LARGE);
+    let mut ui = open(about("FL11"), Page::Narrow, LARGE);
     let label = label_of(&ui, |label| {
         label.starts_with("Filter ") && label.contains("IVG550")
     });
@@ -385,7 +381,7 @@ fn a_measured_filter_takes_the_place_of_the_gaussian_until_it_is_moved() {
     ui.run();
     assert_eq!(narrow_memory(&ui).filter, None);
     // A filter that left the library is no filter.
-    let mut nowhere = preferences(Part::Narrow);
+    let mut nowhere = preferences(Page::Narrow);
     nowhere.pages.products.narrow.filter = Some("own/77".to_owned());
     window_image(&about("FL11"), &nowhere, [1280, 800]);
 }

@@ -4,6 +4,7 @@
 use std::{ffi::OsString, sync::Arc, time::Instant};
 
 use crate::driver::{Shown, Ui, about, harness, no_files, with};
+use crate::plain::plain;
 use eframe::egui;
 use egui::Role;
 use egui_kittest::kittest::Queryable as _;
@@ -21,7 +22,7 @@ use spectral_explorer::{
         open::resolve,
         pages::Page,
         products::{
-            Part, Products,
+            Products,
             same_surface::{SameSurfaceSheet, example},
             two_lights::{Made, NoMetamer, TwoLightsSheet},
         },
@@ -48,7 +49,7 @@ fn choosing(mut app: App, change: impl FnOnce(&mut Products)) -> App {
 }
 
 fn entry(key: &str) -> Arc<spectral_explorer::app::Entry> {
-    App::new().entry(key).expect(key)
+    plain().entry(key).expect(key)
 }
 
 /// A light off a surface taken as the outgoing spectrum of the check.
@@ -312,15 +313,14 @@ fn charts_hold_no_number_that_is_none() {
     }
 }
 
-fn preferences(part: Part) -> Preferences {
+fn preferences(page: Page) -> Preferences {
     let mut preferences = Preferences::default();
-    preferences.pages.page = Page::Products;
-    preferences.pages.products.part = part;
+    preferences.pages.page = page;
     preferences
 }
 
-fn open(app: App, part: Part, size: [f32; 2]) -> Ui {
-    let window = Window::new(app, preferences(part), no_files(), None);
+fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
+    let window = Window::new(app, preferences(page), no_files(), None);
     let mut ui = harness(Shown(window), size, 0.05, 40);
     settle(&mut ui);
     ui
@@ -342,12 +342,12 @@ fn settle(ui: &mut Ui) {
 fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
     for (_, app) in all_sorts() {
         for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
-            open(app.clone(), Part::TwoLights, size);
-            open(app.clone(), Part::SameSurface, size);
+            open(app.clone(), Page::TwoLights, size);
+            open(app.clone(), Page::SameSurface, size);
         }
         open(
             with_example(app, "colorchecker_ohta/red", false),
-            Part::SameSurface,
+            Page::SameSurface,
             [1280.0, 800.0],
         );
     }
@@ -355,7 +355,7 @@ fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
 
 #[test]
 fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
-    let mut ui = open(about("FL2"), Part::TwoLights, [1920.0, 1080.0]);
+    let mut ui = open(about("FL2"), Page::TwoLights, [1920.0, 1080.0]);
     let fields = ui.query_all_by_label_contains(": shift ").count();
     assert_eq!(fields, 24);
     ui.query_all_by_label_contains("moderate red: shift ")
@@ -378,7 +378,7 @@ fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
 
 #[test]
 fn found_pairs_are_listed_and_a_click_draws_one() {
-    let mut ui = open(about("FL11"), Part::TwoLights, [1920.0, 1080.0]);
+    let mut ui = open(about("FL11"), Page::TwoLights, [1920.0, 1080.0]);
     ui.get_by_label_contains("metamerism index");
     let rows: Vec<_> = ui
         .query_all_by_label_contains("Pair: ")
@@ -395,7 +395,7 @@ fn found_pairs_are_listed_and_a_click_draws_one() {
 
 #[test]
 fn a_teacher_makes_an_example_and_reads_the_verdict() {
-    let mut ui = open(about("FL2"), Part::SameSurface, [1920.0, 1080.0]);
+    let mut ui = open(about("FL2"), Page::SameSurface, [1920.0, 1080.0]);
     ui.get_by_label_contains("There is no outgoing spectrum S3 yet");
     ui.get_by_label(same_surface::names::MAKE).click();
     ui.run_steps(4);

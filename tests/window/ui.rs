@@ -7,6 +7,7 @@ use std::{
 };
 
 use crate::driver::{Shown, Ui, app, assert_written, at_rest, click, no_files, wait_until, words};
+use crate::plain::plain;
 use crate::soft_renderer::SoftRenderer;
 use eframe::egui;
 use egui::{Key, Modifiers, Pos2, Role, Vec2, vec2};
@@ -18,6 +19,7 @@ use egui_plot::{PlotPoint, PlotTransform};
 use spectral_explorer::{
     app::{
         App, Command, Scale, Settings, Subject, View, chart, charts,
+        document::Height,
         export::Export,
         state::Tone,
         workspace::{self, CurveQuantity, Preferences},
@@ -30,6 +32,7 @@ use spectral_explorer::{
         model_view::names,
         saver::Saver,
         theme,
+        verdict_view::Side,
     },
 };
 
@@ -43,7 +46,7 @@ fn window(app: App, picker: Picker) -> Window {
 }
 
 fn fresh() -> Ui {
-    at_rest(window(App::new(), no_files()))
+    at_rest(window(plain(), no_files()))
 }
 
 fn settings(ui: &Ui) -> Settings {
@@ -230,7 +233,7 @@ fn a_number_can_be_typed_and_reach_further_than_the_slider() {
 
 #[test]
 fn the_exported_plot_ends_where_the_table_does() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(light(&app, "cie_fluorescent_1nm/FL2"));
     let settings = app.document().settings;
     let chart_on = |app: &mut App, low, high| {
@@ -252,7 +255,7 @@ fn the_exported_plot_ends_where_the_table_does() {
 
 #[test]
 fn a_range_in_which_nothing_was_measured_is_said_to_be_empty() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(light(&app, "cie_fluorescent_1nm/FL2"));
     let settings = app.document().settings;
     app.apply(Command::Edit(Settings {
@@ -437,8 +440,16 @@ fn a_click_on_a_patch_shows_its_product_and_a_second_hides_it() {
 
 // ----------------------------------------------------------------------------- spikes in the plot
 
+fn height(is_log: bool) -> Height {
+    if is_log { Height::Log } else { Height::Even }
+}
+
 fn transform(ui: &Ui) -> PlotTransform {
-    ui.state().spectrum.transform.expect("the plot was drawn")
+    ui.state()
+        .look
+        .spectrum
+        .transform
+        .expect("the plot was drawn")
 }
 
 /// Where a spike's tip stands on screen.
@@ -564,7 +575,13 @@ fn a_spike_is_dragged_to_the_same_place_under_another_scale_and_a_log_axis() {
         let mut ui = fresh();
         let view = app(&ui).document().view;
         apply(&mut ui, Command::Scale(Scale::HundredLux));
-        apply(&mut ui, Command::View(View { log_axis, ..view }));
+        apply(
+            &mut ui,
+            Command::View(View {
+                height: height(log_axis),
+                ..view
+            }),
+        );
         let spike = strongest(&ui);
         let factor = app(&ui).scale_factor();
         let place = |ui: &Ui, spike: Spike| {
@@ -673,7 +690,13 @@ fn the_plot_in_a_file_shows_what_the_window_shows() {
     }
     apply(&mut ui, Command::Patch(Some(4)));
     for log_axis in [false, true] {
-        apply(&mut ui, Command::View(View { log_axis, ..view }));
+        apply(
+            &mut ui,
+            Command::View(View {
+                height: height(log_axis),
+                ..view
+            }),
+        );
         ui.run();
         let chart = charts::spectrum::spectrum_chart(app(&ui), chart::Theme::Dark);
         let log = |y: f64| if log_axis { y.log10() } else { y };
@@ -816,7 +839,7 @@ fn a_dropped_file_that_is_no_spectrum_leaves_everything_and_is_named() {
 
 #[test]
 fn a_dropped_project_is_opened_and_can_be_undone() {
-    let mut other = App::new();
+    let mut other = plain();
     other.apply(light(&other, "cie_illuminants/CIE A"));
     other.apply(Command::Scale(Scale::OneWatt));
     let text = workspace::to_json(other.document(), None).unwrap();
@@ -834,7 +857,7 @@ fn the_open_button_asks_the_picker_and_shows_what_it_gave() {
     let path = folder.path().join("my lamp.csv");
     fs::write(&path, LAMP).expect("written");
     let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     click(&mut ui, "Open");
     control(&ui, Role::Button, "Open files…").click();
     wait_until(&mut ui, "the file", |ui| !app(ui).document().own.is_empty());
@@ -853,7 +876,7 @@ fn the_open_button_asks_the_picker_and_shows_what_it_gave() {
 #[test]
 fn a_cancelled_dialog_changes_nothing() {
     let (picker, asked) = picker(Picked::Cancelled);
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     let before = app(&ui).document().clone();
     shortcut(&mut ui, Modifiers::COMMAND, Key::O);
     wait_until(&mut ui, "an answer", |ui| !ui.state().is_busy());
@@ -867,7 +890,7 @@ fn without_a_dialog_the_path_is_typed() {
     let path = folder.path().join("lamp.csv");
     fs::write(&path, LAMP).expect("written");
     let (picker, _) = picker(Picked::NoDialog);
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     click(&mut ui, "Open");
     control(&ui, Role::Button, "Open files…").click();
     wait_until(&mut ui, "the path field", |ui| {
@@ -914,7 +937,7 @@ fn everything_in_the_save_menu_is_written_where_the_picker_says() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("saved");
     let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     for export in Export::ALL {
         click(&mut ui, "Save");
         control(&ui, Role::Button, export.title()).click();
@@ -948,7 +971,7 @@ fn the_error_curve_is_saved_as_a_picture_of_pixels_too() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("curve.png");
     let (picker, asked) = picker(Picked::Paths(vec![path.clone()]));
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     click(&mut ui, "Save");
     control(&ui, Role::Button, "Error against order (PNG)").click();
     ui.step();
@@ -971,7 +994,7 @@ fn a_saved_composite_can_be_opened_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("fl11.json");
     let (picker, _) = picker(Picked::NoDialog);
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     click(&mut ui, "Save");
     control(&ui, Role::Button, Export::CompositeJson.title()).click();
     wait_until(&mut ui, "the path field", |ui| {
@@ -994,7 +1017,7 @@ fn a_typed_path_replaces_a_file_only_by_the_button_that_says_so() {
     let path = folder.path().join("kept.json");
     fs::write(&path, "kept").expect("written");
     let (picker, _) = picker(Picked::NoDialog);
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     click(&mut ui, "Save");
     control(&ui, Role::Button, Export::CompositeJson.title()).click();
     wait_until(&mut ui, "the path field", |ui| {
@@ -1019,7 +1042,7 @@ fn a_place_that_cannot_be_written_is_told_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("no such folder").join("x.csv");
     let (picker, _) = picker(Picked::Paths(vec![path]));
-    let mut ui = at_rest(window(App::new(), picker));
+    let mut ui = at_rest(window(plain(), picker));
     shortcut(&mut ui, Modifiers::COMMAND, Key::S);
     wait_until(&mut ui, "a refusal", |ui| {
         app(ui).message().is_some_and(|m| m.tone == Tone::Problem)
@@ -1044,7 +1067,7 @@ fn theme_projector_and_zoom_change_by_button_and_by_key() {
     let size = |ui: &Ui| egui::TextStyle::Body.resolve(&ui.ctx.global_style()).size;
     let before = size(&ui);
     click(&mut ui, "Projector");
-    assert!(ui.state().preferences.projector && size(&ui) > 1.2 * before);
+    assert!(ui.state().preferences.present && size(&ui) > 1.2 * before);
     shortcut(&mut ui, Modifiers::COMMAND, Key::P);
     assert_eq!(size(&ui), before);
     click(&mut ui, "Larger");
@@ -1076,11 +1099,11 @@ fn the_list_of_shortcuts_opens_by_key_and_keeps_keys_to_itself() {
 /// Windows that show something out of the ordinary, by name.
 fn subjects() -> Vec<(&'static str, App)> {
     let with = |spectrum: NamedSpectrum| {
-        let mut app = App::new();
+        let mut app = plain();
         app.apply(Command::Adopt(vec![spectrum]));
         app
     };
-    let mut reflectance = App::new();
+    let mut reflectance = plain();
     reflectance.apply(light(&reflectance, "colorchecker_ohta/red"));
     let mut infrared = with(heater());
     let settings = infrared.document().settings;
@@ -1093,7 +1116,7 @@ fn subjects() -> Vec<(&'static str, App)> {
         band: Band::new(850.0, 1100.0).expect("a range"),
         ..settings
     }));
-    let mut overlaid = App::new();
+    let mut overlaid = plain();
     for key in [
         "cie_illuminants/CIE A",
         "colorchecker_ohta/red",
@@ -1104,12 +1127,12 @@ fn subjects() -> Vec<(&'static str, App)> {
         ));
     }
     overlaid.apply(Command::Patch(Some(2)));
-    let mut paper = App::new();
+    let mut paper = plain();
     paper.apply(light(&paper, "paper/Mercury"));
-    let mut line = App::new();
+    let mut line = plain();
     line.apply(light(&line, "lamps_nist_traditional/LPS"));
     vec![
-        ("FL11", App::new()),
+        ("FL11", plain()),
         ("reflectance", reflectance),
         ("all zero", with(darkness())),
         ("infrared 780-1100", infrared),
@@ -1134,12 +1157,15 @@ fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
         let is_dark = app.derived().errors.is_none();
         let mut ui = at_rest(window(app, no_files()));
         let mut look = 0;
-        for (dark, projector) in [(true, false), (true, true), (false, false), (false, true)] {
+        for (dark, present) in [(true, false), (true, true), (false, false), (false, true)] {
             for spikes_below in [false, true] {
+                ui.state_mut().side = match spikes_below {
+                    true => Side::Figures,
+                    false => Side::Verdict,
+                };
                 let preferences = &mut ui.state_mut().preferences;
                 preferences.dark = dark;
-                preferences.projector = projector;
-                preferences.spikes_below = spikes_below;
+                preferences.present = present;
                 preferences.curve = CURVES[look % CURVES.len()];
                 look += 1;
                 ui.run();
@@ -1157,7 +1183,7 @@ fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
             apply(
                 &mut ui,
                 Command::View(View {
-                    log_axis: !view.log_axis && !is_dark,
+                    height: if is_dark { Height::Even } else { Height::Log },
                     model: true,
                     ..view
                 }),
@@ -1176,14 +1202,14 @@ fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
 
 #[test]
 fn darkness_is_drawn_on_a_logarithmic_axis_too() {
-    let mut ui = at_rest(window(App::new(), no_files()));
+    let mut ui = at_rest(window(plain(), no_files()));
     apply(&mut ui, Command::Adopt(vec![darkness()]));
     let view = app(&ui).document().view;
     for model in [false, true] {
         apply(
             &mut ui,
             Command::View(View {
-                log_axis: true,
+                height: Height::Log,
                 model,
                 ..view
             }),
@@ -1197,10 +1223,10 @@ fn darkness_is_drawn_on_a_logarithmic_axis_too() {
 
 #[test]
 fn a_spike_set_in_the_dark_is_listed_without_nan() {
-    let mut dark = App::new();
+    let mut dark = plain();
     dark.apply(Command::Adopt(vec![darkness()]));
     let mut ui = at_rest(window(dark, no_files()));
-    ui.state_mut().preferences.spikes_below = true;
+    ui.state_mut().side = Side::Figures;
     let act = spectral_explorer::app::spike_hand::SpikeAct::Add {
         at_nm: 500.0,
         weight: 1.0,
@@ -1212,10 +1238,10 @@ fn a_spike_set_in_the_dark_is_listed_without_nan() {
 
 #[test]
 fn every_small_window_and_menu_is_drawn_with_names() {
-    for (dark, projector) in [(true, false), (false, true)] {
+    for (dark, present) in [(true, false), (false, true)] {
         let mut ui = fresh();
         ui.state_mut().preferences.dark = dark;
-        ui.state_mut().preferences.projector = projector;
+        ui.state_mut().preferences.present = present;
         ui.run();
         press(&mut ui, Key::F1);
         assert_written(&ui, "Undo");
@@ -1304,7 +1330,7 @@ fn a_window_is_restored_as_it_was_left() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("workspace.json");
     let saver = Saver::new(path.clone());
-    let first = Window::new(App::new(), Preferences::default(), no_files(), Some(saver));
+    let first = Window::new(plain(), Preferences::default(), no_files(), Some(saver));
     let mut ui = at_rest(first);
     drop_file(&mut ui, "lamp.csv", LAMP.as_bytes());
     control(&ui, Role::Slider, names::ORDER).set_value_accesskit(11.0);
@@ -1327,7 +1353,7 @@ fn a_window_is_restored_as_it_was_left() {
 
 #[test]
 fn what_could_not_be_restored_is_said_in_the_window() {
-    let document = App::new().document().clone();
+    let document = plain().document().clone();
     let text = workspace::to_json(&document, None)
         .unwrap()
         .replace("cie_fluorescent_1nm/FL11", "gone/FL11");
@@ -1342,8 +1368,13 @@ fn what_could_not_be_restored_is_said_in_the_window() {
 
 /// The window as it looks, without what changes from run to run.
 fn picture(name: &str, app: App, preferences: Preferences, size: [f32; 2]) {
+    pictured(name, app, preferences, size, Side::Verdict);
+}
+
+fn pictured(name: &str, app: App, preferences: Preferences, size: [f32; 2], side: Side) {
     let mut window = Window::new(app, preferences, no_files(), None);
     window.quiet = true;
+    window.side = side;
     let mut ui: Ui = Harness::builder()
         .with_size(size)
         .with_step_dt(FRAME)
@@ -1372,18 +1403,13 @@ fn the_window_looks_as_it_did_light() {
 
 #[test]
 fn the_window_looks_as_it_did_on_a_large_screen() {
-    picture(
-        "large",
-        App::new(),
-        Preferences::default(),
-        [1920.0, 1080.0],
-    );
+    picture("large", plain(), Preferences::default(), [1920.0, 1080.0]);
 }
 
 #[test]
 fn the_window_looks_as_it_did_on_a_projector() {
     let preferences = Preferences {
-        projector: true,
+        present: true,
         ..Preferences::default()
     };
     picture("projector", App::new(), preferences, [1280.0, 800.0]);
@@ -1391,16 +1417,19 @@ fn the_window_looks_as_it_did_on_a_projector() {
 
 #[test]
 fn the_window_looks_as_it_did_with_the_spike_table() {
-    let preferences = Preferences {
-        spikes_below: true,
-        ..Preferences::default()
-    };
-    picture("spikes", App::new(), preferences, [1280.0, 800.0]);
+    let size = [1280.0, 800.0];
+    pictured(
+        "spikes",
+        plain(),
+        Preferences::default(),
+        size,
+        Side::Figures,
+    );
 }
 
 #[test]
 fn the_window_looks_as_it_did_with_a_reflectance() {
-    let mut app = App::new();
+    let mut app = plain();
     app.apply(light(&app, "cie_illuminants/CIE D65"));
     app.apply(light(&app, "colorchecker_ohta/red"));
     picture("reflectance", app, Preferences::default(), [1280.0, 800.0]);

@@ -1,9 +1,9 @@
 //! The page "Race" in the real window, driven without a display.
 
 use crate::driver::{Shown, Ui, assert_written, click, harness, no_files, words};
+use crate::plain::plain;
 use spectral_explorer::{
     app::{
-        App,
         pages::{FieldChoice, Page, PageMemory},
         studies::Stage,
         workspace::Preferences,
@@ -20,7 +20,7 @@ fn race_of(field: FieldChoice) -> Ui {
         },
         ..Preferences::default()
     };
-    let window = Window::new(App::new(), preferences, no_files(), None);
+    let window = Window::new(plain(), preferences, no_files(), None);
     let mut ui = harness(Shown(window), [1920.0, 2600.0], 0.02, 40);
     ui.step();
     ui.state_mut().0.studies.finish();

@@ -59,9 +59,10 @@ pub struct Window {
     /// The first screen: plot, knobs and patches.
     pub look: LookView,
     library: LibraryView,
-    drawer: Drawer,
+    /// The library.
+    pub drawer: Drawer,
     /// What of the model's column is shown.
-    side: Side,
+    pub side: Side,
     /// Whether the column is open: by itself where there is room, else as a hand left it.
     side_open: Option<bool>,
     /// The plot alone.

@@ -1,0 +1,30 @@
+//! The program about a lamp of many lines with the paper's plain series: what most tests of figures
+//! are about.
+
+use spectral_explorer::app::{
+    App, Document, Settings, View,
+    document::{Height, first_light},
+    entry::bundled_entries,
+};
+
+/// The lamp.
+pub const FL11: &str = "cie_fluorescent_1nm/FL11";
+
+/// FL11 modelled by a plain Fourier series, every layer drawn, patches as they are.
+pub fn plain() -> App {
+    let bundled = bundled_entries();
+    let lamp = bundled.iter().find(|entry| entry.key == FL11);
+    let lamp = lamp.cloned().unwrap_or_else(|| first_light(&bundled));
+    App::with_document(Document {
+        settings: Settings::plain(),
+        view: View {
+            model: false,
+            smooth: true,
+            residual: true,
+            height: Height::Even,
+            adapt_patches: false,
+            ..View::default()
+        },
+        ..Document::about(lamp)
+    })
+}
