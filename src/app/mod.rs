@@ -10,6 +10,7 @@ pub mod derived;
 pub mod document;
 pub mod entry;
 pub mod export;
+pub mod figures;
 pub mod history;
 pub mod import;
 pub mod library;

@@ -12,10 +12,7 @@ use crate::{
     app::{
         App, Command,
         charts::{
-            auction::{
-                MEANINGS, MEASURES, NAMES, error_words, goal_error, goal_within, goal_words,
-                model_words,
-            },
+            auction::{NAMES, error_words, goal_error, goal_within, goal_words, model_words},
             tradeoff::{lack, reference, verdict_now},
         },
         pages::PageMemory,
@@ -129,7 +126,7 @@ fn under_way(ui: &mut Ui, studies: &mut Studies) {
 
 /// Button, count and goal; whether the button was pressed.
 fn row(ui: &mut Ui, app: &App, memory: &mut PageMemory) -> bool {
-    let lacks = MEASURES.map(|measure| lack(app, measure));
+    let lacks = Goal::MEASURES.map(|measure| lack(app, measure));
     let possible = lacks.iter().any(Option::is_none);
     let button = ui.add_enabled(possible, egui::Button::new("Spend"));
     let pressed = button.clicked();
@@ -171,7 +168,7 @@ fn goals(ui: &mut Ui, app: &App, memory: &mut PageMemory, lacks: [Option<&'stati
                 memory.spend_goal = Some(plain);
             }
             response
-                .on_hover_text(MEANINGS[i])
+                .on_hover_text(Goal::MEASURES[i].figure().meaning)
                 .on_disabled_hover_text(lacks[i].unwrap_or_default());
         }
         let goal = goal_within(app, memory.goal);

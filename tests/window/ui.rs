@@ -18,12 +18,14 @@ use egui_plot::{PlotPoint, PlotTransform};
 use spectral_explorer::{
     app::{
         App, Command, Scale, Settings, Subject, View, chart, charts,
+        derived::OF_CURVE,
         export::Export,
         state::Tone,
-        workspace::{self, CurveQuantity, Preferences},
+        workspace::{self, Preferences},
     },
     io::read_bytes,
     spectrum::{Band, Kind, NamedSpectrum, Sampled, Sampling, Spike},
+    study::Measure,
     ui::{
         Window,
         files::{Ask, Picked, Picker},
@@ -189,8 +191,8 @@ fn a_slider_moves_everything_in_the_same_frame() {
             control(&ui, Role::Button, &name);
         }
         assert_written(&ui, &format!("{:.3}", patches.mean));
-        let errors = app(&ui).derived().errors.expect("not dark");
-        assert_written(&ui, &format!("{:.2} %", 100.0 * errors.relative_rms));
+        let rms = app(&ui).derived().figures[Measure::Rms].expect("not dark");
+        assert_written(&ui, &format!("{:.2} %", 100.0 * rms));
         let numbers = app(&ui).derived().numbers();
         assert_written(&ui, &format!("Spectrum of FL11: {numbers} numbers"));
     }
@@ -1120,18 +1122,10 @@ fn subjects() -> Vec<(&'static str, App)> {
     ]
 }
 
-const CURVES: [CurveQuantity; 5] = [
-    CurveQuantity::Own,
-    CurveQuantity::Patches,
-    CurveQuantity::PatchesWorst,
-    CurveQuantity::Rms,
-    CurveQuantity::RmsBlurred,
-];
-
 #[test]
 fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
     for (name, app) in subjects() {
-        let is_dark = app.derived().errors.is_none();
+        let is_dark = !app.derived().has_errors();
         let mut ui = at_rest(window(app, no_files()));
         let mut look = 0;
         for (dark, projector) in [(true, false), (true, true), (false, false), (false, true)] {
@@ -1140,13 +1134,13 @@ fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
                 preferences.dark = dark;
                 preferences.projector = projector;
                 preferences.spikes_below = spikes_below;
-                preferences.curve = CURVES[look % CURVES.len()];
+                preferences.curve = OF_CURVE[look % OF_CURVE.len()];
                 look += 1;
                 ui.run();
                 assert_sound(&ui, name);
             }
         }
-        for curve in CURVES {
+        for curve in OF_CURVE {
             ui.state_mut().preferences.curve = curve;
             ui.run();
             assert_sound(&ui, name);
