@@ -219,34 +219,39 @@ impl Measure {
                 goal: "rms behind a 10 nm blur",
                 ..SHARE
             },
-            Self::MaxAbs => Figure {
-                key: "max_abs",
-                title: "largest",
-                short: "largest",
-                meaning: "Largest difference over the largest value.",
-                said: ", {} at most",
-                ..SHARE
-            },
+            Self::MaxAbs => share(
+                ["max_abs", "largest"],
+                "Largest difference over the largest value.",
+                ", {} at most",
+            ),
             Self::Energy => Figure {
-                key: "energy",
-                title: "energy",
-                short: "energy",
                 digits: 3,
                 signed: true,
-                meaning: "Power of the model over that of the spectrum, less one.",
-                said: ", energy {}",
-                ..SHARE
+                ..share(
+                    ["energy", "energy"],
+                    "Power of the model over that of the spectrum, less one.",
+                    ", energy {}",
+                )
             },
-            Self::Lowest => Figure {
-                key: "lowest",
-                title: "lowest",
-                short: "lowest",
-                meaning: "Lowest value of the smooth part over the largest value; negative is a \
-                          lobe below zero.",
-                said: ", lowest {}",
-                ..SHARE
-            },
+            Self::Lowest => share(
+                ["lowest", "lowest"],
+                "Lowest value of the smooth part over the largest value; negative is a lobe below \
+                 zero.",
+                ", lowest {}",
+            ),
         }
+    }
+}
+
+/// A share that no model is chosen by.
+fn share([key, name]: [&'static str; 2], meaning: &'static str, said: &'static str) -> Figure {
+    Figure {
+        key,
+        title: name,
+        short: name,
+        meaning,
+        said,
+        ..SHARE
     }
 }
 
