@@ -40,6 +40,7 @@ use spectral_explorer::{
         gradient::{self, DEFAULT_GRADIENT},
         spikes::{Wishes, detect},
     },
+    study::Measure,
     ui::{Window, files::Picked},
 };
 
@@ -174,10 +175,10 @@ fn all_that_the_window_derives(criterion: &mut Criterion) {
         let near = |found: Option<f64>, plain: f64| {
             assert!((found.expect("a light") - plain).abs() <= 1e-9);
         };
-        near(point.own, moved.own);
-        near(point.patches_mean, moved.mean);
-        near(point.relative_rms, moved.relative_rms);
-        near(point.relative_rms_10nm, moved.relative_rms_10nm);
+        near(point.figures[Measure::Own], moved.own);
+        near(point.figures[Measure::Patches], moved.mean);
+        near(point.figures[Measure::Rms], moved.relative_rms);
+        near(point.figures[Measure::RmsBlurred], moved.relative_rms_10nm);
     }
     let mut group = criterion.benchmark_group("all that the window derives (target 2 ms)");
     group.bench_function("this program", |b| {

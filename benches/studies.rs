@@ -26,7 +26,7 @@ use spectral_explorer::{
     },
     spectrum::basis::numbers_of_order,
     study::{
-        Goal, Progress, Way,
+        Goal, Measure, Progress, Way,
         race::{self, Lamp},
         sweep::Examined,
     },
@@ -89,8 +89,9 @@ fn an_auction(criterion: &mut Criterion) {
                     let numbers = numbers_of_order(count - lines.len());
                     let (model, _) = projected.model(numbers, &lines, false);
                     let smooth = projected.smooth(&model);
-                    let found = examined.reference.patches(&smooth, &model.spikes);
-                    best = best.min(found.map_or(f64::INFINITY, |f| f.0));
+                    let reference = &examined.reference;
+                    let found = reference.figure(Measure::Patches, &smooth, &model.spikes);
+                    best = best.min(found.unwrap_or(f64::INFINITY));
                 }
             }
             black_box(best)

@@ -105,7 +105,7 @@ impl Worst {
 pub fn not_seen_from(app: &App) -> Option<usize> {
     let curve = &app.derived().curve;
     let seen = |point: &&crate::app::derived::OrderPoint| {
-        let worst = point.patches_max.or(point.own);
+        let worst = point.figures[Measure::PatchesWorst].or(point.figures[Measure::Own]);
         worst.is_none_or(|error| error >= 1.0)
     };
     match curve.iter().rfind(seen) {
@@ -177,10 +177,10 @@ pub fn automatic(settings: Settings, sweep: &Sweep, numbers: usize) -> Option<Se
     let affordable = || sweep.points.iter().filter(|point| point.numbers <= numbers);
     let measures = [Measure::Patches, Measure::Own, Measure::RmsBlurred];
     measures.into_iter().find_map(|measure| {
-        let known = affordable().filter_map(|point| Some((point, measure.of(&point.verdict)?)));
+        let known = affordable().filter_map(|point| Some((point, point.verdict[measure]?)));
         // Equal colours: the one whose spectrum is nearer.
         let best = known.min_by(|(a, one), (b, other)| {
-            let near = |v: &crate::study::Verdict| Measure::RmsBlurred.of(v).unwrap_or(f64::MAX);
+            let near = |v: &crate::study::Verdict| v[Measure::RmsBlurred].unwrap_or(f64::MAX);
             let equal = (one - other).abs() < 1e-6;
             match equal {
                 true => near(&a.verdict).total_cmp(&near(&b.verdict)),

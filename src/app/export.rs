@@ -6,7 +6,7 @@ use super::{
     cells::{line, number, words},
     chart::Theme,
     charts::spectrum::{curve_chart, spectrum_chart},
-    derived::PatchPair,
+    derived::{OF_CURVE, PatchPair},
     settings::Detector,
     state::App,
     workspace,
@@ -349,17 +349,13 @@ pub fn spikes_csv(app: &App) -> String {
 /// The whole order curve as a table.
 pub fn curve_csv(app: &App) -> String {
     let mut out = table_head(app);
-    out.push_str("order,numbers,delta_e_own,delta_e_patches_mean,delta_e_patches_max,relative_rms,relative_rms_10nm\n");
+    let keys = OF_CURVE.map(|measure| measure.figure().key.to_owned());
+    let head = ["order", "numbers"].map(str::to_owned);
+    out.push_str(&line(head.into_iter().chain(keys)));
     for point in &app.derived().curve {
-        out.push_str(&line([
-            point.order.to_string(),
-            point.numbers.to_string(),
-            number(point.own),
-            number(point.patches_mean),
-            number(point.patches_max),
-            number(point.relative_rms),
-            number(point.relative_rms_10nm),
-        ]));
+        let cells = OF_CURVE.map(|measure| number(point.figures[measure]));
+        let head = [point.order, point.numbers].map(|n| n.to_string());
+        out.push_str(&line(head.into_iter().chain(cells)));
     }
     out
 }

@@ -6,7 +6,9 @@
 
 use super::{
     cells,
+    derived::Colour,
     entry::Entry,
+    figures::of_quantity,
     photons::JOULE_NM_PER_MICROMOLE,
     scale::LUMENS_PER_WATT,
     spectral_unit::{Counted, SpectralUnit},
@@ -14,8 +16,6 @@ use super::{
 use crate::{
     color::{
         Observer, Xyz,
-        cct::cct_from_xyz,
-        chromaticity::{uv_1976_from_xyz, xy_from_xyz},
         xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },
     io::{MakersResult, Quantity},
@@ -168,16 +168,13 @@ impl<'a> Light<'a> {
         if !self.is_light {
             return Err("the values are no light");
         }
-        let xy = || xy_from_xyz(self.xyz).ok_or(DARK);
-        let uv = || uv_1976_from_xyz(self.xyz).ok_or(DARK);
-        let cct = || cct_from_xyz(self.xyz).map_err(|_| "too far from the blackbody locus");
+        if let Some(figure) = of_quantity(quantity) {
+            // Of a light's white nothing but that there is one is asked.
+            let white = Xyz::new(0.0, 100.0, 0.0);
+            let colour = Colour::of(self.xyz, self.xyz, white, true).ok_or(DARK)?;
+            return (figure.of)(&colour).ok_or("too far from the blackbody locus");
+        }
         match quantity {
-            Quantity::Cct => Ok(cct()?.kelvin),
-            Quantity::Duv => Ok(cct()?.duv),
-            Quantity::ChromaticityX => Ok(xy()?[0]),
-            Quantity::ChromaticityY => Ok(xy()?[1]),
-            Quantity::UPrime => Ok(uv()?[0]),
-            Quantity::VPrime => Ok(uv()?[1]),
             // Meters write 683 lm/W x the sums; Y is the lux.
             Quantity::TristimulusX => finite(self.photometric(false)? * self.xyz.x),
             Quantity::TristimulusY => finite(self.photometric(false)? * self.xyz.y),
@@ -188,13 +185,7 @@ impl<'a> Light<'a> {
             Quantity::Ppfd => self.total(Counted::Micromoles, unit, Some([400.0, 700.0])),
             Quantity::Pfd => self.total(Counted::Micromoles, unit, None),
             Quantity::Other(words) => self.other(words, unit),
-            Quantity::DominantNm
-            | Quantity::Purity
-            | Quantity::Ra
-            | Quantity::R(_)
-            | Quantity::Rf
-            | Quantity::Rg => Err(NOT_YET),
-            Quantity::PeakNm => Err("no values"),
+            _ => Err(NOT_YET),
         }
     }
 

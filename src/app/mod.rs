@@ -11,6 +11,7 @@ pub mod derived;
 pub mod document;
 pub mod entry;
 pub mod export;
+pub mod figures;
 pub mod glossary;
 pub mod history;
 pub mod import;

@@ -6,16 +6,18 @@
 
 use std::fmt::Write as _;
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::{
     derived::{Colour, Derived},
+    figures::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key},
     makers::{Beside, beside},
     state::App,
 };
 use crate::{
     io::many::{many, numbers},
     spectrum::{Basis, Exactness},
+    study::Measure,
 };
 
 /// The report as JSON.
@@ -40,13 +42,9 @@ pub fn json(app: &App) -> Value {
         },
         "settings": settings_json(app),
         "model": model_json(app, derived),
-        "error": {
-            "relative_rms": derived.errors.map(|e| e.relative_rms),
-            "relative_rms_10nm": derived.errors.map(|e| e.relative_rms_10nm),
-            "max_abs": derived.errors.map(|e| e.max_abs),
-            "energy": derived.errors.map(|e| e.energy),
-            "lowest": derived.errors.map(|e| e.lowest),
-        },
+        "error": shares()
+            .map(|measure| (measure.figure().key.to_owned(), json!(derived.figures[measure])))
+            .collect::<Map<_, _>>(),
         "colour": {
             "exact": colour_json(derived.colour.exact),
             "model": colour_json(derived.colour.model),
@@ -67,6 +65,13 @@ pub fn json(app: &App) -> Value {
             })).collect::<Vec<_>>(),
         })),
     })
+}
+
+/// The figures that are shares of the spectrum, in the order of files.
+fn shares() -> impl Iterator<Item = Measure> {
+    Measure::ALL
+        .into_iter()
+        .filter(|measure| !measure.is_colour())
 }
 
 /// The settings in force.
@@ -143,16 +148,20 @@ fn makers_json(row: &Beside) -> Value {
 
 fn colour_json(colour: Option<Colour>) -> Value {
     let cct = colour.and_then(|c| c.cct);
-    json!({
-        "xyz": colour.map(|c| c.xyz.to_array()),
-        "xy": colour.map(|c| c.xy),
-        "uv": colour.map(|c| c.uv),
+    let mut all = json!({
         "srgb_hex": colour.map(|c| c.swatch.hex()),
         "in_srgb_gamut": colour.map(|c| c.swatch.in_gamut),
-        "cct": cct.and_then(Result::ok).map(|c| c.kelvin),
-        "duv": cct.and_then(Result::ok).map(|c| c.duv),
         "no_cct_because": cct.and_then(Result::err).map(|why| why.to_string()),
-    })
+    });
+    for figures in by_key(&OF_COLOUR).chain(by_key(&OF_LIGHT)) {
+        let values = figures.iter().map(|f| (f.of)(&colour?));
+        let values: Option<Vec<f64>> = values.collect();
+        all[figures[0].figure.key] = match values.as_deref() {
+            Some([value]) => json!(value),
+            values => json!(values),
+        };
+    }
+    all
 }
 
 fn share_words(share: Option<f64>) -> String {
@@ -211,40 +220,35 @@ pub fn text(app: &App) -> String {
                 .unwrap_or_default()
         ));
     }
-    match derived.errors {
-        Some(e) => line(format!(
-            "Error     {:.2} % rms at 1 nm, {:.2} % behind a 10 nm blur, {:.2} % at most, energy {:+.3} %, lowest {:.2} %",
-            100.0 * e.relative_rms,
-            100.0 * e.relative_rms_10nm,
-            100.0 * e.max_abs,
-            // Adding zero turns -0 into 0.
-            (1e5 * e.energy).round() / 1e3 + 0.0,
-            100.0 * e.lowest
-        )),
-        None => line("Error     none to speak of: there is nothing in the range".to_owned()),
-    }
+    let errors: Option<String> = shares()
+        .map(|measure| Some(measure.figure().say(derived.figures[measure]?)))
+        .collect();
+    let none = "none to speak of: there is nothing in the range";
+    line(format!("Error     {}", errors.as_deref().unwrap_or(none)));
     let mut colour_line = |what: &str, colour: Option<Colour>| {
         let Some(c) = colour else {
             return;
         };
-        let cct = match c.cct {
-            Some(Ok(cct)) => format!("{:.0} K, Duv {:+.4}", cct.kelvin, cct.duv),
-            Some(Err(why)) => why.to_string(),
-            None => format!("under {}", document.light.name()),
+        let figures = |all: &[ColourFigure]| -> String {
+            all.iter()
+                .filter_map(|row| Some(row.figure.say((row.of)(&c)?)))
+                .collect()
+        };
+        let why = match c.cct {
+            Some(Ok(_)) => String::new(),
+            Some(Err(why)) => format!(", {why}"),
+            None => format!(", under {}", document.light.name()),
         };
         line(format!(
-            "{what}XYZ {:.3} {:.3} {:.3}, xy {:.4} {:.4}, {}{}, {cct}",
-            c.xyz.x,
-            c.xyz.y,
-            c.xyz.z,
-            c.xy[0],
-            c.xy[1],
+            "{what}{}, {}{}{why}{}",
+            figures(&OF_COLOUR),
             c.swatch.hex(),
             if c.swatch.in_gamut {
                 ""
             } else {
                 " (out of sRGB)"
             },
+            figures(&OF_LIGHT),
         ));
     };
     colour_line("Measured  ", derived.colour.exact);

@@ -21,56 +21,28 @@ use crate::{
     },
     spectrum::{Kind, SpikeSettings},
     study::{
-        Auction, Measure, Race, Spread, Sweep, Verdict,
+        Auction, Measure, Race, Spread, Sweep,
         auction::{Bid, Ended, Purchase, Step},
         race::{Racer, Row},
     },
 };
 
-/// The figures of a verdict with the keys that files use.
-fn figures(verdict: &Verdict) -> [(&'static str, Option<f64>); 6] {
-    let Verdict {
-        own,
-        patches_mean,
-        patches_worst,
-        filters,
-        relative_rms,
-        relative_rms_10nm,
-        lowest: _,
-    } = *verdict;
-    [
-        ("delta_e_own", own),
-        ("delta_e_patches_mean", patches_mean),
-        ("delta_e_patches_max", patches_worst),
-        ("delta_e_filters", filters),
-        ("relative_rms", relative_rms),
-        ("relative_rms_10nm", relative_rms_10nm),
-    ]
+/// The errors that models are compared by, with the keys that files use.
+fn errors() -> impl Iterator<Item = (&'static str, Measure)> {
+    Measure::in_files().map(|measure| (measure.figure().key, measure))
 }
 
 /// The figure that decides which models of a sweep are on the front: the patches' mean, or the own
 /// colour of a spectrum that has no patches, or the spectrum itself where nothing is seen of it.
 pub fn front_measure(sweep: &Sweep) -> Measure {
     let has = |measure: &Measure| {
-        let found = |p: &crate::study::sweep::SweepPoint| measure.of(&p.verdict).is_some();
-        sweep.points.iter().any(found)
+        let points = &sweep.points;
+        points.iter().any(|point| point.verdict[*measure].is_some())
     };
     [Measure::Patches, Measure::Own, Measure::RmsBlurred]
         .into_iter()
         .find(has)
         .unwrap_or_default()
-}
-
-/// The key of a measure in files.
-pub fn measure_key(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Own => "delta_e_own",
-        Measure::Patches => "delta_e_patches_mean",
-        Measure::PatchesWorst => "delta_e_patches_max",
-        Measure::Filters => "delta_e_filters",
-        Measure::Rms => "relative_rms",
-        Measure::RmsBlurred => "relative_rms_10nm",
-    }
 }
 
 fn program() -> Value {
@@ -159,8 +131,8 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
             entry.insert("colour_exact".into(), json!(way.colour_exact));
             entry.insert("order".into(), json!(point.order));
             entry.insert("numbers".into(), json!(point.numbers));
-            for (key, value) in figures(&point.verdict) {
-                entry.insert(key.into(), json!(value));
+            for (key, measure) in errors() {
+                entry.insert(key.into(), json!(point.verdict[measure]));
             }
             let on_front = front.contains(&index);
             entry.insert("on_front".into(), json!(on_front));
@@ -168,13 +140,9 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
         })
         .collect();
     let map = &sweep.map;
-    let rows = |key_at: usize| -> Vec<Vec<Option<f64>>> {
-        (0..map.thresholds_percent.len())
-            .map(|row| {
-                (0..=map.highest_order)
-                    .map(|order| figures(map.at(row, order))[key_at].1)
-                    .collect()
-            })
+    let rows = |measure: Measure| -> Vec<Vec<Option<f64>>> {
+        let rows = map.verdicts.chunks(map.highest_order + 1);
+        rows.map(|row| row.iter().map(|verdict| verdict[measure]).collect())
             .collect()
     };
     let mut threshold_map = json!({
@@ -184,14 +152,14 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
         "spikes": map.spikes,
         "orders": (0..=map.highest_order).collect::<Vec<_>>(),
     });
-    for (at, (key, _)) in figures(&Verdict::default()).into_iter().enumerate() {
-        threshold_map[key] = json!(rows(at));
+    for (key, measure) in errors() {
+        threshold_map[key] = json!(rows(measure));
     }
     json!({
         "program": program(),
         "input": input_json(app),
         "settings": about_json(&ask.about),
-        "front_of": measure_key(measure),
+        "front_of": measure.figure().key,
         "points": points,
         "threshold_map": threshold_map,
     })
@@ -201,10 +169,10 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
 pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
     let measure = front_measure(sweep);
     let front = sweep.front(measure, |_| true);
-    let more = format!("; on_front is by {}", measure_key(measure));
+    let more = format!("; on_front is by {}", measure.figure().key);
     let mut out = head(app, &ask.about, "error against numbers", &more);
     out.push_str("way,basis,spikes,spike_count,colour_exact,order,numbers");
-    for (key, _) in figures(&Verdict::default()) {
+    for (key, _) in errors() {
         let _ = write!(out, ",{key}");
     }
     out.push_str(",on_front\n");
@@ -220,7 +188,7 @@ pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
             point.order.to_string(),
             point.numbers.to_string(),
         ];
-        cells.extend(figures(&point.verdict).map(|(_, value)| number(value)));
+        cells.extend(errors().map(|(_, measure)| number(point.verdict[measure])));
         cells.push(on_front.to_string());
         out.push_str(&line(cells));
     }
@@ -319,8 +287,8 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
             entry.insert("order_now".into(), json!(step.order));
             entry.insert("spikes_nm_now".into(), json!(places(step)));
             entry.insert("gave_back".into(), json!(gave_back));
-            for (key, value) in figures(&step.verdict) {
-                entry.insert(key.into(), json!(value));
+            for (key, measure) in errors() {
+                entry.insert(key.into(), json!(step.verdict[measure]));
             }
             Value::Object(entry)
         })
@@ -371,7 +339,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
     );
     let mut out = head(app, &ask.about, "auction", &more);
     out.push_str("step,bought,at_nm,weight,order,numbers,error,order_now,spikes_now,gave_back");
-    for (key, _) in figures(&Verdict::default()) {
+    for (key, _) in errors() {
         let _ = write!(out, ",{key}");
     }
     out.push('\n');
@@ -414,7 +382,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
             step.lines.len().to_string(),
             words(&back.join(" and ")),
         ]);
-        cells.extend(figures(&step.verdict).map(|(_, value)| number(value)));
+        cells.extend(errors().map(|(_, measure)| number(step.verdict[measure])));
         out.push_str(&line(cells));
     }
     out
@@ -460,16 +428,16 @@ pub fn wins(
         .collect()
 }
 
-/// The spreads of a row with the keys that files use.
-fn spreads(row: &Row) -> [(&'static str, Option<Spread>); 6] {
-    [
-        ("delta_e_patches", row.patches),
-        ("delta_e_check", row.check),
-        ("delta_e_own", row.own),
-        ("delta_e_filters", row.filters),
-        ("relative_rms", row.relative_rms),
-        ("relative_rms_10nm", row.relative_rms_10nm),
-    ]
+/// The spreads of a row with the keys that files use: first what decides wins, and what took no
+/// part in a choice.
+fn spreads(row: &Row) -> Vec<(&'static str, Option<Spread>)> {
+    let patches = ("delta_e_patches", row.spreads[Measure::Patches]);
+    let others = errors()
+        .filter(|(_, measure)| !matches!(measure, Measure::Patches | Measure::PatchesWorst))
+        .map(|(key, measure)| (key, row.spreads[measure]));
+    let mut all = vec![patches, ("delta_e_check", row.check)];
+    all.extend(others);
+    all
 }
 
 /// All numbers of a row with the names of their columns.

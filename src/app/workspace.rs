@@ -17,7 +17,7 @@ use super::document::Document;
 pub use file::{default_path, load, no_file_at, save, sweep_leftovers};
 pub use gathering::{Begun, begin};
 pub use place::Place;
-pub use preferences::{CurveQuantity, FOLDED_AT_FIRST, Preferences, ZOOMS};
+pub use preferences::{FOLDED_AT_FIRST, Preferences, ZOOMS};
 pub use reading::from_json;
 pub use stored::StoredImage;
 

@@ -107,8 +107,8 @@ pub struct Sweep {
     /// The model: basis and fit are those of the threshold map.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON instead of CSV; its keys are stable. In both relative_rms and relative_rms_10nm
-    /// are fractions of 1 and not per cent.
+    /// Print JSON instead of CSV; its keys are stable. In both relative errors are fractions of 1
+    /// and not per cent.
     #[arg(long)]
     pub json: bool,
 }
@@ -133,8 +133,8 @@ pub struct Auction {
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON instead of CSV; its keys are stable. In both relative_rms and relative_rms_10nm
-    /// are fractions of 1 and not per cent.
+    /// Print JSON instead of CSV; its keys are stable. In both relative errors are fractions of 1
+    /// and not per cent.
     #[arg(long)]
     pub json: bool,
 }
@@ -160,8 +160,8 @@ pub struct Race {
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// Print JSON instead of CSV; its keys are stable. In both relative_rms, relative_rms_10nm and
-    /// negative_lobes are fractions of 1 and not per cent.
+    /// Print JSON instead of CSV; its keys are stable. In both relative errors and negative_lobes
+    /// are fractions of 1 and not per cent.
     #[arg(long)]
     pub json: bool,
 }

@@ -134,7 +134,7 @@ fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, 
     let (name, spectrum) = named_spectrum(word);
     let app = subject::about_light(light("LIGHT", name, spectrum, inputs)?, model);
     let derived = app.derived();
-    if derived.errors.is_some() {
+    if derived.has_errors() {
         return Ok(app);
     }
     Err(Refusal::File(format!(

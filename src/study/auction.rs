@@ -15,9 +15,10 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::{
+    measure::{Measure, Verdict},
     progress::Progress,
     projected_spectrum::ProjectedSpectrum,
-    reference::{Reference, Verdict},
+    reference::Reference,
     sweep::{Examined, Subject},
 };
 use crate::spectrum::{Basis, Composite, Spike, basis::numbers_of_order};
@@ -78,6 +79,14 @@ impl Goal {
         ("filters", Self::FILTERS),
     ];
 
+    /// What the plain goals make small, in the order of [`Goal::PLAIN`].
+    pub const MEASURES: [Measure; 4] = [
+        Measure::Own,
+        Measure::Patches,
+        Measure::RmsBlurred,
+        Measure::Filters,
+    ];
+
     /// Every weight finite and not negative; the patches' mean when nothing is wanted.
     #[must_use]
     pub fn clamped(self) -> Self {
@@ -126,19 +135,12 @@ impl Goal {
 
     /// The errors that the goal needs of a model, in the order of [`Goal::PLAIN`].
     fn errors(self, reference: &Reference, smooth: &[f64], spikes: &[Spike]) -> [Option<f64>; 4] {
-        let wanted = |weight: f64, error: &dyn Fn() -> Option<f64>| {
-            if weight > 0.0 { error() } else { None }
-        };
-        [
-            wanted(self.own, &|| reference.own(smooth, spikes)),
-            wanted(self.patches, &|| {
-                reference.patches(smooth, spikes).map(|p| p.0)
-            }),
-            wanted(self.spectrum, &|| {
-                reference.relative_rms_10nm(smooth, spikes)
-            }),
-            wanted(self.filters, &|| reference.filters(smooth, spikes)),
-        ]
+        let weights = self.weights();
+        std::array::from_fn(|i| {
+            (weights[i] > 0.0)
+                .then(|| reference.figure(Self::MEASURES[i], smooth, spikes))
+                .flatten()
+        })
     }
 }
 

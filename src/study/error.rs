@@ -4,30 +4,20 @@
 //! over its two neighbouring nm) minus `m`:
 //!
 //! ```text
-//! relative_rms       sqrt(int d^2 / int m^2)
-//! relative_rms_10nm  the same after a Gaussian blur of 10 nm full width, zero outside the range,
-//!                    spikes blurred analytically
-//! max_abs            max |d| / max |m|
-//! energy             int d / int |m|
-//! lowest             min(smooth) / max |m|
+//! Rms         sqrt(int d^2 / int m^2)
+//! RmsBlurred  the same after a Gaussian blur of 10 nm full width, zero outside the range, spikes
+//!             blurred analytically
+//! MaxAbs      max |d| / max |m|
+//! Energy      int d / int |m|
+//! Lowest      min(smooth) / max |m|
+//! Displacement  see displacement.rs
 //! ```
 
+use super::{
+    displacement::displacement_nm,
+    measure::{Measure, Verdict},
+};
 use crate::spectrum::{Band, Spike, composite::add_spikes, spikes::absolute_power};
-
-/// The figures of merit of one model on one spectrum; all are shares, none has a unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpectrumErrors {
-    /// Root mean square of the difference over that of the spectrum.
-    pub relative_rms: f64,
-    /// The same behind a 10 nm blur: what a spectrometer of that bandwidth would see.
-    pub relative_rms_10nm: f64,
-    /// Largest difference over the largest value.
-    pub max_abs: f64,
-    /// Power gained (positive) or lost over the spectrum's.
-    pub energy: f64,
-    /// Lowest value of the smooth part over the largest value: negative when it dips below zero.
-    pub lowest: f64,
-}
 
 /// Full width at half maximum of the blur, nm.
 pub const BLUR_NM: f64 = 10.0;
@@ -97,7 +87,7 @@ fn density(distance_nm: f64, sigma_nm: f64) -> f64 {
     (-0.5 * t * t).exp() / (sigma_nm * (2.0 * std::f64::consts::PI).sqrt())
 }
 
-/// Compares a model with the measured spectrum; `None` for an all-zero spectrum.
+/// Compares a model with the measured spectrum, by shares alone; `None` for an all-zero spectrum.
 ///
 /// `measured` and `smooth` are values on the band's grid.
 pub fn spectrum_errors(
@@ -105,7 +95,7 @@ pub fn spectrum_errors(
     measured: &[f64],
     smooth: &[f64],
     spikes: &[Spike],
-) -> Option<SpectrumErrors> {
+) -> Option<Verdict> {
     let band = blur.band;
     let unit = height(measured)?;
     // Everything as a share of the largest value, so that no square overflows or vanishes.
@@ -120,13 +110,15 @@ pub fn spectrum_errors(
     blur.add_spikes(spikes, &mut blurred);
     let blurred_measured = blur.values(measured);
     let blurred_square = band.inner(&blurred_measured, &blurred_measured);
-    Some(SpectrumErrors {
-        relative_rms: (band.inner(&whole, &whole) / square).sqrt(),
-        relative_rms_10nm: (band.inner(&blurred, &blurred) / blurred_square).sqrt(),
-        max_abs: whole.iter().fold(0.0_f64, |m, v| m.max(v.abs())),
-        energy: band.integral(&whole) / absolute_power(band, measured),
-        lowest: smooth.iter().copied().fold(f64::INFINITY, f64::min),
-    })
+    Some(Verdict::from_fn(|measure| match measure {
+        Measure::Own | Measure::Patches | Measure::PatchesWorst | Measure::Filters => None,
+        Measure::Rms => Some((band.inner(&whole, &whole) / square).sqrt()),
+        Measure::RmsBlurred => Some((band.inner(&blurred, &blurred) / blurred_square).sqrt()),
+        Measure::MaxAbs => Some(whole.iter().fold(0.0_f64, |m, v| m.max(v.abs()))),
+        Measure::Energy => Some(band.integral(&whole) / absolute_power(band, measured)),
+        Measure::Lowest => Some(smooth.iter().copied().fold(f64::INFINITY, f64::min)),
+        Measure::Displacement => displacement_nm(band, measured, smooth, spikes),
+    }))
 }
 
 /// One over the largest absolute value; `None` for an all-zero spectrum.

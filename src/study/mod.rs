@@ -1,8 +1,10 @@
 //! Accuracy against numbers: what a model costs, what it is off by, and what to buy next.
 
 pub mod auction;
+pub mod displacement;
 pub mod error;
 pub mod harmonics;
+pub mod measure;
 pub mod products;
 pub mod progress;
 pub mod projected_spectrum;
@@ -16,9 +18,10 @@ pub mod way;
 
 pub use auction::{Auction, Goal};
 pub use error::Spread;
+pub use measure::{ByMeasure, Measure, Verdict};
 pub use progress::Progress;
 pub use projected_spectrum::{FitBasis, ProjectedSpectrum};
 pub use race::Race;
-pub use reference::{Measure, Measures, Reference, Verdict};
+pub use reference::{Measures, Reference};
 pub use sweep::Sweep;
 pub use way::Way;

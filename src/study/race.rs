@@ -19,9 +19,10 @@ use std::{
 
 use super::{
     error::Spread,
+    measure::{ByMeasure, Measure, Verdict},
     progress::Progress,
     projected_spectrum::{FitBasis, ProjectedSpectrum},
-    reference::{Measure, Measures, Reference, Verdict, scaled_to_one},
+    reference::{Measures, Reference, scaled_to_one},
     training::Training,
     way::Way,
 };
@@ -172,18 +173,10 @@ pub struct Row {
     pub numbers: usize,
     /// Lights counted.
     pub lamps: usize,
-    /// The light's own colour.
-    pub own: Option<Spread>,
-    /// Mean of the patches.
-    pub patches: Option<Spread>,
+    /// Every figure over the lights.
+    pub spreads: ByMeasure<Option<Spread>>,
     /// Mean of the check reflectances.
     pub check: Option<Spread>,
-    /// Behind narrow filters.
-    pub filters: Option<Spread>,
-    /// Relative RMS at 1 nm.
-    pub relative_rms: Option<Spread>,
-    /// Relative RMS behind a 10 nm blur.
-    pub relative_rms_10nm: Option<Spread>,
     /// Share of the lights that dip below -0.1 % of their peak.
     pub negative_lobes: f64,
     /// What it costs; nothing of its own for [`Racer::Chosen`].
@@ -221,31 +214,45 @@ impl Race {
         (0..self.lamps.len()).filter(move |i| wanted(&self.lamps[*i].1))
     }
 
+    /// A racer's runs over a class (or all) at a count.
+    fn runs<'a>(
+        &'a self,
+        class: Option<&'a str>,
+        budget: usize,
+        racer: usize,
+    ) -> impl Iterator<Item = &'a Run> {
+        let lamps = self.of_class(class);
+        lamps.map(move |lamp| self.run(lamp, budget, racer))
+    }
+
+    /// A figure over a class (or all) at a count; `None` where no light has it.
+    pub fn spread(
+        &self,
+        class: Option<&str>,
+        budget: usize,
+        racer: usize,
+        measure: Measure,
+    ) -> Option<Spread> {
+        let runs = self.runs(class, budget, racer);
+        Spread::of(
+            &runs
+                .filter_map(|run| run.verdict[measure])
+                .collect::<Vec<_>>(),
+        )
+    }
+
     /// A racer's line over a class (or all) at a count.
     pub fn row(&self, class: Option<&str>, budget: usize, racer: usize) -> Row {
-        let runs: Vec<&Run> = self
-            .of_class(class)
-            .map(|lamp| self.run(lamp, budget, racer))
-            .collect();
-        let spread = |of: &dyn Fn(&Run) -> Option<f64>| {
-            Spread::of(&runs.iter().filter_map(|run| of(run)).collect::<Vec<_>>())
-        };
-        let of = |measure: Measure| spread(&|run| measure.of(&run.verdict));
-        let dips = runs
-            .iter()
-            .filter(|run| run.verdict.lowest.is_some_and(|lowest| lowest < -A_LOBE))
-            .count();
+        let runs = || self.runs(class, budget, racer);
+        let lamps = runs().count();
+        let dips = |run: &&Run| run.verdict[Measure::Lowest].is_some_and(|low| low < -A_LOBE);
         Row {
             racer: self.racers[racer],
             numbers: self.budgets[budget],
-            lamps: runs.len(),
-            own: of(Measure::Own),
-            patches: of(Measure::Patches),
-            check: spread(&|run| run.check),
-            filters: of(Measure::Filters),
-            relative_rms: of(Measure::Rms),
-            relative_rms_10nm: of(Measure::RmsBlurred),
-            negative_lobes: dips as f64 / runs.len().max(1) as f64,
+            lamps,
+            spreads: ByMeasure::from_fn(|measure| self.spread(class, budget, racer, measure)),
+            check: Spread::of(&runs().filter_map(|run| run.check).collect::<Vec<_>>()),
+            negative_lobes: runs().filter(dips).count() as f64 / lamps.max(1) as f64,
             cost: self.cost(budget, racer),
         }
     }
@@ -253,17 +260,14 @@ impl Race {
     /// The racer with the least error on one light; [`Racer::Chosen`] is one of the others again
     /// and does not count.
     pub fn winner_on(&self, lamp: usize, budget: usize, measure: Measure) -> Option<Racer> {
-        self.best(|racer| measure.of(&self.run(lamp, budget, racer).verdict))
+        self.best(|racer| self.run(lamp, budget, racer).verdict[measure])
     }
 
     /// The racer with the least median over a class (or all).
     pub fn winner_of(&self, class: Option<&str>, budget: usize, measure: Measure) -> Option<Racer> {
         self.best(|racer| {
-            let runs = self
-                .of_class(class)
-                .map(|lamp| self.run(lamp, budget, racer));
-            let errors: Vec<f64> = runs.filter_map(|run| measure.of(&run.verdict)).collect();
-            Spread::of(&errors).map(|spread| spread.median)
+            let spread = self.spread(class, budget, racer, measure);
+            spread.map(|spread| spread.median)
         })
     }
 
@@ -372,7 +376,7 @@ pub fn run(course: &Course, lamps: &[Lamp], progress: &Progress) -> Option<Race>
 
 /// The composite that is best on the patches.
 fn chosen<'a>(racers: &[Racer], run: impl Fn(usize) -> Option<&'a Run>) -> Option<&'a Run> {
-    let error = |run: &Run| run.verdict.patches_mean.unwrap_or(f64::INFINITY);
+    let error = |run: &Run| run.verdict[Measure::Patches].unwrap_or(f64::INFINITY);
     (0..racers.len())
         .filter(|racer| matches!(racers[*racer], Racer::Composite(_)))
         .filter_map(run)
@@ -455,8 +459,7 @@ impl<'a> Stable<'a> {
                 Run {
                     numbers,
                     spikes: spikes.len(),
-                    check: verdict
-                        .own
+                    check: verdict[Measure::Own]
                         .filter(|_| !self.check.is_empty())
                         .map(|_| difference(&runner.check, &labs).mean),
                     verdict,
@@ -613,7 +616,9 @@ fn best_count(
         let lines: Vec<usize> = (0..count).collect();
         let (model, _) = projected.model(numbers - 2 * count, &lines, colour_exact);
         let smooth = projected.smooth(&model);
-        let error = runner.reference.relative_rms_10nm(&smooth, &model.spikes);
+        let error = runner
+            .reference
+            .figure(Measure::RmsBlurred, &smooth, &model.spikes);
         error.unwrap_or(f64::INFINITY)
     };
     (0..=most)

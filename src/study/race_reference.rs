@@ -4,6 +4,7 @@
 //! 780 nm for the CIE 1931 observer and the 24 patches of the ColorChecker.
 
 use super::{
+    measure::Measure,
     race::{Race, Racer},
     way::Way,
 };
@@ -285,7 +286,7 @@ pub struct Otherwise {
     /// Mean CIEDE2000 behind narrow filters.
     pub filters: [f64; 3],
     /// Relative RMS behind a 10 nm blur.
-    pub relative_rms_10nm: [f64; 2],
+    pub rms_blurred: [f64; 2],
 }
 
 /// Fluorescent lights at [`CHECKED_NUMBERS`].
@@ -293,17 +294,17 @@ pub const OTHER_HALF: [Otherwise; 3] = [
     Otherwise {
         racer: Racer::Chosen,
         filters: [1.3, 8.3, 12.0],
-        relative_rms_10nm: [0.078, 0.26],
+        rms_blurred: [0.078, 0.26],
     },
     Otherwise {
         racer: Racer::Rival(Family::Principal),
         filters: [0.37, 1.2, 8.7],
-        relative_rms_10nm: [0.015, 0.052],
+        rms_blurred: [0.015, 0.052],
     },
     Otherwise {
         racer: Racer::Rival(Family::Moments),
         filters: [3.0, 5.1, 8.4],
-        relative_rms_10nm: [0.18, 0.22],
+        rms_blurred: [0.18, 0.22],
     },
 ];
 
@@ -341,7 +342,7 @@ impl Line {
         std::array::from_fn(|i| {
             let column = COLUMNS[i];
             let budget = race.budgets.iter().position(|n| *n == column.numbers)?;
-            let ours = race.row(Some(column.class), budget, racer?).patches?;
+            let ours = race.spread(Some(column.class), budget, racer?, Measure::Patches)?;
             Some(Beside {
                 column,
                 theirs: self.figures[i],

@@ -7,9 +7,10 @@
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
-use super::error::{BLUR_NM, Blur, height};
+use super::{
+    error::{BLUR_NM, Blur, height},
+    measure::{Measure, Verdict},
+};
 use crate::{
     color::{
         Lab, Observer, Xyz,
@@ -73,85 +74,6 @@ impl Measures {
     /// The band of all of them.
     pub fn band(&self) -> Band {
         self.patches.band()
-    }
-}
-
-/// What one model is off by; a figure that does not exist is `None`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Verdict {
-    /// CIEDE2000 of the spectrum's own colour.
-    pub own: Option<f64>,
-    /// Mean CIEDE2000 of the patches.
-    pub patches_mean: Option<f64>,
-    /// Largest CIEDE2000 of the patches.
-    pub patches_worst: Option<f64>,
-    /// Mean CIEDE2000 behind narrow filters.
-    pub filters: Option<f64>,
-    /// Relative RMS on the 1 nm grid.
-    pub relative_rms: Option<f64>,
-    /// Relative RMS behind a 10 nm blur.
-    pub relative_rms_10nm: Option<f64>,
-    /// Lowest value of the smooth part over the largest measured one.
-    pub lowest: Option<f64>,
-}
-
-/// One figure of a [`Verdict`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Measure {
-    /// CIEDE2000 of the spectrum's own colour.
-    Own,
-    /// Mean CIEDE2000 of the patches.
-    #[default]
-    Patches,
-    /// Largest CIEDE2000 of the patches.
-    PatchesWorst,
-    /// Mean CIEDE2000 behind narrow filters.
-    Filters,
-    /// Relative RMS at 1 nm.
-    Rms,
-    /// Relative RMS behind a 10 nm blur.
-    RmsBlurred,
-}
-
-impl Measure {
-    /// Every measure, in the order of menus.
-    pub const ALL: [Self; 6] = [
-        Self::Patches,
-        Self::PatchesWorst,
-        Self::Own,
-        Self::Filters,
-        Self::RmsBlurred,
-        Self::Rms,
-    ];
-
-    /// The figure of a verdict.
-    pub fn of(self, verdict: &Verdict) -> Option<f64> {
-        match self {
-            Self::Own => verdict.own,
-            Self::Patches => verdict.patches_mean,
-            Self::PatchesWorst => verdict.patches_worst,
-            Self::Filters => verdict.filters,
-            Self::Rms => verdict.relative_rms,
-            Self::RmsBlurred => verdict.relative_rms_10nm,
-        }
-    }
-
-    /// In words for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Own => "own colour",
-            Self::Patches => "patches, mean",
-            Self::PatchesWorst => "worst patch",
-            Self::Filters => "behind narrow filters",
-            Self::Rms => "rms at 1 nm",
-            Self::RmsBlurred => "rms behind 10 nm",
-        }
-    }
-
-    /// Whether it counts CIEDE2000; otherwise it is a share of the spectrum.
-    pub fn is_colour(self) -> bool {
-        !matches!(self, Self::Rms | Self::RmsBlurred)
     }
 }
 
@@ -266,29 +188,38 @@ impl Reference {
     /// Every figure, the patches' reflectances approximated too: `patches` are the same patches
     /// as a representation has them.
     pub fn verdict_through(&self, smooth: &[f64], spikes: &[Spike], patches: &PatchSet) -> Verdict {
-        let (patches_mean, patches_worst) = self.patches_with(smooth, spikes, patches).unzip();
-        Verdict {
-            own: self.own(smooth, spikes),
-            patches_mean,
-            patches_worst,
-            filters: self.filters(smooth, spikes),
-            relative_rms: self.relative_rms(smooth, spikes),
-            relative_rms_10nm: self.relative_rms_10nm(smooth, spikes),
-            lowest: (self.top > 0.0)
+        let (mean, worst) = self.patches_with(smooth, spikes, patches).unzip();
+        Verdict::from_fn(|measure| match measure {
+            Measure::Patches => mean,
+            Measure::PatchesWorst => worst,
+            _ => self.figure(measure, smooth, spikes),
+        })
+    }
+
+    /// One figure of a model. Those that no study compares by are the main page's alone, but for
+    /// the lowest value.
+    pub fn figure(&self, measure: Measure, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+        match measure {
+            Measure::Own => self.own(smooth, spikes),
+            Measure::Patches => self.patches(smooth, spikes).map(|found| found.0),
+            Measure::PatchesWorst => self.patches(smooth, spikes).map(|found| found.1),
+            Measure::Filters => self.filters(smooth, spikes),
+            Measure::Rms => self.rms(smooth, spikes),
+            Measure::RmsBlurred => self.rms_blurred(smooth, spikes),
+            Measure::Lowest => (self.top > 0.0)
                 .then(|| smooth.iter().copied().fold(f64::INFINITY, f64::min) / self.top),
+            Measure::MaxAbs | Measure::Energy | Measure::Displacement => None,
         }
     }
 
-    /// CIEDE2000 of the model's own colour.
-    pub fn own(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    fn own(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
         let exact = self.own?;
         let band = self.measures.band();
         let xyz = xyz_of_parts(band, smooth, spikes, &self.seen);
         Some(delta_e_2000(exact, lab_from_xyz(xyz, self.white)))
     }
 
-    /// Mean and largest CIEDE2000 of the exact patches under the model.
-    pub fn patches(&self, smooth: &[f64], spikes: &[Spike]) -> Option<(f64, f64)> {
+    fn patches(&self, smooth: &[f64], spikes: &[Spike]) -> Option<(f64, f64)> {
         self.patches_with(smooth, spikes, &self.measures.patches)
     }
 
@@ -315,8 +246,7 @@ impl Reference {
         labs
     }
 
-    /// Mean CIEDE2000 behind the narrow filters.
-    pub fn filters(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    fn filters(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
         let (exact, gains) = self.filters.as_ref().filter(|f| !f.0.is_empty())?;
         let filters = &self.measures.filters;
         let mut xyz = filters.buffer();
@@ -336,8 +266,7 @@ impl Reference {
         labs
     }
 
-    /// Root mean square of the difference over that of the spectrum, on the 1 nm grid.
-    pub fn relative_rms(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    fn rms(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
         let band = self.measures.band();
         let mut rest: Vec<f64> = smooth
             .iter()
@@ -348,8 +277,8 @@ impl Reference {
         share(band.inner(&rest, &rest), self.square)
     }
 
-    /// The same behind a 10 nm blur, spikes blurred analytically.
-    pub fn relative_rms_10nm(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
+    /// Spikes are blurred analytically.
+    fn rms_blurred(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
         let band = self.measures.band();
         let mut rest = self.measures.blur.values(smooth);
         for (r, m) in rest.iter_mut().zip(&self.blurred) {
@@ -395,10 +324,10 @@ mod tests {
     fn a_model_that_is_the_spectrum_is_off_by_nothing() {
         let reference = Reference::of_light(&measures(), &light());
         let verdict = reference.verdict(&light(), &[]);
-        for measure in Measure::ALL {
-            assert_eq!(measure.of(&verdict), Some(0.0), "{measure:?}");
+        for measure in Measure::COMPARED {
+            assert_eq!(verdict[measure], Some(0.0), "{measure:?}");
         }
-        assert!(verdict.lowest.is_some_and(|lowest| lowest > 0.3));
+        assert!(verdict[Measure::Lowest].is_some_and(|lowest| lowest > 0.3));
     }
 
     #[test]
@@ -414,8 +343,8 @@ mod tests {
             reference.verdict(&nm_of_light, &[]),
             reference.verdict(&light(), &[spike]),
         );
-        for measure in Measure::ALL {
-            let (a, b) = (measure.of(&a), measure.of(&b));
+        for measure in Measure::COMPARED {
+            let (a, b) = (a[measure], b[measure]);
             let (a, b) = (a.expect("a light"), b.expect("a light"));
             // The blur adds spikes by the formula that its taps are values of; everything else
             // sums the same products in another order.
@@ -434,13 +363,9 @@ mod tests {
         let blur = &reference.measures().blur;
         let shown = spectrum_errors(blur, &light(), &smooth, &spikes).expect("it shines");
         let verdict = reference.verdict(&smooth, &spikes);
-        for (found, shown) in [
-            (verdict.relative_rms, shown.relative_rms),
-            (verdict.relative_rms_10nm, shown.relative_rms_10nm),
-            (verdict.lowest, shown.lowest),
-        ] {
+        for measure in [Measure::Rms, Measure::RmsBlurred, Measure::Lowest] {
             // The main page scales by the largest value first.
-            let found = found.expect("it shines");
+            let [found, shown] = [verdict, shown].map(|v| v[measure].expect("it shines"));
             assert!((found - shown).abs() < 1e-12, "{found} {shown}");
         }
     }
@@ -468,7 +393,7 @@ mod tests {
         let filters = reference.filters(&outside, &[]).expect("a light");
         // 400 nm is two widths from the first filter's centre: exp(-4 ln2 4) is 1e-5.
         assert!(filters < 1e-3, "{filters}");
-        assert!(reference.relative_rms(&outside, &[]).expect("a light") > 0.05);
+        assert!(reference.rms(&outside, &[]).expect("a light") > 0.05);
     }
 
     #[test]
@@ -484,8 +409,8 @@ mod tests {
             Observer::Cie1931,
         );
         let verdict = reference.verdict_through(&light(), &[], &darker);
-        assert_eq!(verdict.own, Some(0.0));
-        assert!(verdict.patches_mean.expect("a light") > 0.5);
+        assert_eq!(verdict[Measure::Own], Some(0.0));
+        assert!(verdict[Measure::Patches].expect("a light") > 0.5);
     }
 
     #[test]
@@ -519,16 +444,10 @@ mod tests {
         );
         let reference = Reference::of_light(&Arc::new(Measures::new(set)), &white);
         let verdict = reference.verdict(&vec![0.5; band.points()], &[]);
-        assert_eq!(
-            (verdict.own, verdict.patches_mean, verdict.filters),
-            (None, None, None)
-        );
+        let mut seen = Measure::ALL.into_iter().filter(|m| m.is_colour());
+        assert!(seen.all(|measure| verdict[measure].is_none()));
         // Half the light is off by half.
-        assert!(
-            verdict
-                .relative_rms
-                .is_some_and(|e| (e - 0.5).abs() < 1e-12)
-        );
+        assert!(verdict[Measure::Rms].is_some_and(|e| (e - 0.5).abs() < 1e-12));
         assert_eq!(scaled_to_one(&[0.0, 0.0]), None);
         assert_eq!(scaled_to_one(&[1e300, -2e300]), Some(vec![0.5, -1.0]));
     }

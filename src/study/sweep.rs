@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use super::{
     error::{height, times},
+    measure::{Measure, Verdict},
     progress::Progress,
     projected_spectrum::{FitBasis, ProjectedSpectrum},
-    reference::{Measure, Measures, Reference, Verdict, scaled_to_one},
+    reference::{Measures, Reference, scaled_to_one},
     way::Way,
 };
 use crate::spectrum::{
@@ -213,7 +214,7 @@ impl Sweep {
             .iter()
             .enumerate()
             .filter(|(_, point)| counts(point.way))
-            .filter_map(|(i, p)| Some((i, p.numbers, measure.of(&p.verdict)?)))
+            .filter_map(|(i, p)| Some((i, p.numbers, p.verdict[measure]?)))
             .collect();
         by_cost.sort_by(|a, b| a.1.cmp(&b.1).then(a.2.total_cmp(&b.2)));
         let mut best = f64::INFINITY;

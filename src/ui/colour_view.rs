@@ -8,8 +8,13 @@ use super::{
     theme::{Theme, section},
 };
 use crate::{
-    app::{App, derived::Colour},
+    app::{
+        App,
+        derived::Colour,
+        figures::{OF_COLOUR, OF_LIGHT, SHARES, by_key},
+    },
     color::Swatch,
+    study::Measure,
 };
 
 /// Draws the panel; `is_titled` where a tab above says already what it is.
@@ -60,7 +65,7 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
             );
         });
     });
-    numbers(ui, app, exact, model, colour.full);
+    numbers(ui, exact, model, colour.full);
     errors(ui, app);
     warnings(ui, app, theme);
 }
@@ -93,8 +98,7 @@ fn differences(ui: &mut Ui, app: &App) {
     );
 }
 
-fn numbers(ui: &mut Ui, app: &App, exact: Colour, model: Colour, full: Option<Colour>) {
-    let observer = app.document().settings.observer.title();
+fn numbers(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
     egui::Grid::new("colour numbers")
         .num_columns(4)
         .min_row_height(ROW)
@@ -107,46 +111,23 @@ fn numbers(ui: &mut Ui, app: &App, exact: Colour, model: Colour, full: Option<Co
             ui.weak("360-830")
                 .on_hover_text("The measured spectrum by plain 1 nm sums over 360 to 830 nm.");
             ui.end_row();
-            let mut row = |name: &str, hint: String, of: &dyn Fn(Colour) -> String| {
-                ui.label(name).on_hover_text(hint);
+            let of_light = by_key(&OF_LIGHT).filter(|_| exact.cct.is_some());
+            // Two of a kind stand in one row; for three there is no room.
+            for figures in by_key(&OF_COLOUR)
+                .chain(of_light)
+                .flat_map(|kind| kind.chunks(if kind.len() > 2 { 1 } else { 2 }))
+            {
+                let titles: Vec<&str> = figures.iter().map(|f| f.figure.title).collect();
+                ui.label(titles.join(", "))
+                    .on_hover_text(figures[0].figure.meaning);
                 for colour in [Some(exact), Some(model), full] {
-                    ui.monospace(colour.map_or_else(|| "–".to_owned(), of));
+                    let written = figures
+                        .iter()
+                        .map(|row| Some(row.figure.written((row.of)(&colour?)?)));
+                    let written: Option<Vec<String>> = written.collect();
+                    ui.monospace(written.map_or_else(|| "–".to_owned(), |w| w.join(" ")));
                 }
                 ui.end_row();
-            };
-            let tristimulus = |what: &str| {
-                format!(
-                    "Tristimulus value {what} ({observer}); 100 is the Y of the measured light."
-                )
-            };
-            row("X", tristimulus("X"), &|c| format!("{:.3}", c.xyz.x));
-            row("Y", tristimulus("Y"), &|c| format!("{:.3}", c.xyz.y));
-            row("Z", tristimulus("Z"), &|c| format!("{:.3}", c.xyz.z));
-            let chromaticity = "Chromaticity, no unit.".to_owned();
-            row("x, y", chromaticity.clone(), &|c| {
-                format!("{:.4} {:.4}", c.xy[0], c.xy[1])
-            });
-            row("u′, v′", chromaticity, &|c| {
-                format!("{:.4} {:.4}", c.uv[0], c.uv[1])
-            });
-            if exact.cct.is_some() {
-                row(
-                    "CCT",
-                    "Correlated colour temperature after Ohno 2013, CIE 1931.".to_owned(),
-                    &|c| match c.cct {
-                        Some(Ok(cct)) => format!("{:.0} K", cct.kelvin),
-                        _ => "–".to_owned(),
-                    },
-                );
-                row(
-                    "Duv",
-                    "Distance from the blackbody locus in CIE 1960 uv; above it is positive."
-                        .to_owned(),
-                    &|c| match c.cct {
-                        Some(Ok(cct)) => format!("{:+.4}", cct.duv),
-                        _ => "–".to_owned(),
-                    },
-                );
             }
         });
     if let Some(Err(why)) = exact.cct {
@@ -155,56 +136,27 @@ fn numbers(ui: &mut Ui, app: &App, exact: Colour, model: Colour, full: Option<Co
 }
 
 fn errors(ui: &mut Ui, app: &App) {
-    let Some(errors) = app.derived().errors else {
+    if !app.derived().has_errors() {
         return;
-    };
-    let percent = |share: f64| format!("{:.2} %", 100.0 * share);
+    }
     egui::Grid::new("errors")
         .num_columns(4)
         .min_row_height(ROW)
         .spacing([10.0, 2.0])
         .show(ui, |ui| {
-            let cell = |ui: &mut Ui, name: &str, hint: &str, value: String| {
-                ui.label(name).on_hover_text(hint);
-                ui.monospace(value);
-            };
-            cell(
-                ui,
-                "rms 10 nm",
-                "Root mean square of model minus measured over that of the spectrum, both behind a \
-                 Gaussian blur of 10 nm full width at half maximum.",
-                percent(errors.relative_rms_10nm),
-            );
-            cell(
-                ui,
-                "1 nm",
-                "The same on the 1 nm grid. A spike has no width: there it stands against a line \
-                 of several nm, so lamps with broad lines show large numbers.",
-                percent(errors.relative_rms),
-            );
-            ui.end_row();
-            cell(
-                ui,
-                "largest",
-                "Largest difference over the largest value.",
-                percent(errors.max_abs),
-            );
-            cell(
-                ui,
-                "lowest",
-                "Lowest value of the smooth part over the largest value; negative is a lobe below \
-                 zero.",
-                percent(errors.lowest),
-            );
-            ui.end_row();
-            cell(
-                ui,
-                "energy",
-                "Power of the model over that of the spectrum, less one.",
-                // Adding zero turns -0 into 0.
-                format!("{:+.3} %", (1e5 * errors.energy).round() / 1e3 + 0.0),
-            );
-            ui.end_row();
+            for pair in SHARES.chunks(2) {
+                for measure in pair {
+                    let (figure, value) = (measure.figure(), app.derived().figures[*measure]);
+                    let name = match measure {
+                        // Behind its like it need not say of what.
+                        Measure::Rms => "1 nm",
+                        _ => figure.short,
+                    };
+                    ui.label(name).on_hover_text(figure.meaning);
+                    ui.monospace(value.map_or_else(String::new, |v| figure.written(v)));
+                }
+                ui.end_row();
+            }
         });
 }
 

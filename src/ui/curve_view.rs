@@ -10,13 +10,11 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Settings,
-        chart::Marks,
-        charts::spectrum::order_chart,
-        ticks,
-        workspace::{CurveQuantity, Preferences},
+        App, Command, Settings, chart::Marks, charts::spectrum::order_chart, derived::OF_CURVE,
+        ticks, workspace::Preferences,
     },
     io::many::numbers,
+    study::Measure,
 };
 
 /// The curve in a height, with the choice of its quantity; clicking it goes to that order.
@@ -34,41 +32,17 @@ pub fn show(
     plot(ui, app, preferences.curve, (height, theme), commands);
 }
 
-fn quantity_words(quantity: CurveQuantity) -> (&'static str, &'static str) {
-    match quantity {
-        CurveQuantity::Own => ("own colour ΔE", "CIEDE2000 of the spectrum's own colour."),
-        CurveQuantity::Patches => (
-            "patches' mean ΔE",
-            "Mean CIEDE2000 of the patches under the light, products at 1 nm.",
-        ),
-        CurveQuantity::PatchesWorst => (
-            "worst patch ΔE",
-            "Largest CIEDE2000 of the patches under the light, products at 1 nm.",
-        ),
-        CurveQuantity::Rms => (
-            "rms at 1 nm",
-            "Root mean square of model minus measured over that of the spectrum.",
-        ),
-        CurveQuantity::RmsBlurred => (
-            "rms behind 10 nm",
-            "The same after a Gaussian blur of 10 nm full width.",
-        ),
-    }
+/// An error's name, with a sign of what it counts.
+fn name(measure: Measure) -> String {
+    let delta_e = if measure.is_colour() { " ΔE" } else { "" };
+    format!("{}{delta_e}", measure.figure().title)
 }
 
-const QUANTITIES: [CurveQuantity; 5] = [
-    CurveQuantity::Own,
-    CurveQuantity::Patches,
-    CurveQuantity::PatchesWorst,
-    CurveQuantity::Rms,
-    CurveQuantity::RmsBlurred,
-];
-
 /// The chosen quantity where it exists: a reflectance has no patches.
-fn shown(app: &App, chosen: CurveQuantity) -> CurveQuantity {
-    let of_patches = matches!(chosen, CurveQuantity::Patches | CurveQuantity::PatchesWorst);
+fn shown(app: &App, chosen: Measure) -> Measure {
+    let of_patches = matches!(chosen, Measure::Patches | Measure::PatchesWorst);
     if of_patches && app.derived().patches.is_none() {
-        CurveQuantity::Own
+        Measure::Own
     } else {
         chosen
     }
@@ -79,14 +53,13 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     ui.horizontal(|ui| {
         ui.label("Error against order");
         let combo = egui::ComboBox::from_id_salt("curve quantity")
-            .selected_text(quantity_words(now).0)
+            .selected_text(name(now))
             .width(ui.available_width() - 8.0)
             .show_ui(ui, |ui| {
-                for quantity in QUANTITIES {
-                    if shown(app, quantity) == quantity {
-                        let (name, meaning) = quantity_words(quantity);
-                        ui.selectable_value(&mut preferences.curve, quantity, name)
-                            .on_hover_text(meaning);
+                for measure in OF_CURVE {
+                    if shown(app, measure) == measure {
+                        ui.selectable_value(&mut preferences.curve, measure, name(measure))
+                            .on_hover_text(measure.figure().meaning);
                     }
                 }
             });
@@ -95,25 +68,25 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
             egui::Role::ComboBox,
             "What the curve shows",
         );
-        combo.response.on_hover_text(quantity_words(now).1);
+        combo.response.on_hover_text(now.figure().meaning);
     });
 }
 
 fn plot(
     ui: &mut Ui,
     app: &App,
-    chosen: CurveQuantity,
+    chosen: Measure,
     (height, theme): (f32, Theme),
     commands: &mut Vec<Command>,
 ) {
-    let quantity = shown(app, chosen);
+    let measure = shown(app, chosen);
     let derived = app.derived();
     let order = derived.model.smooth.order();
     let size = vec2(
         ui.available_width(),
         height.clamp(60.0, 240.0 * theme.scale),
     );
-    let Some(mut chart) = order_chart(app, quantity, theme.of_charts()) else {
+    let Some(mut chart) = order_chart(app, measure, theme.of_charts()) else {
         ui.allocate_ui(size, |ui| {
             ui.weak("There is no colour to compare in this range.");
         });

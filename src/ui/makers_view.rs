@@ -8,6 +8,7 @@ use crate::{
     app::{
         App,
         entry::Entry,
+        figures::of_quantity,
         makers::{Beside, NOT_YET, beside, to_csv},
         memo::{ByAddress, Memo},
         spectral_unit::{Counted, SpectralUnit},
@@ -118,7 +119,9 @@ fn line(ui: &mut Ui, row: &Beside) {
         "" => quantity,
         unit => format!("{quantity}, {}", unit_words(unit)),
     };
-    ui.label(name).on_hover_text(meaning(&row.quantity));
+    let figure = of_quantity(&row.quantity).map(|known| &known.figure);
+    ui.label(name)
+        .on_hover_text(figure.map_or_else(|| meaning(&row.quantity), |f| f.meaning));
     ui.monospace(written(row.theirs));
     match row.ours {
         Ok(ours) => {
@@ -166,12 +169,6 @@ fn signed(value: f64, decimals: usize) -> String {
 /// Decimals of quantities whose differences are told as such; others differ by per cent.
 fn decimals(quantity: &Quantity) -> Option<usize> {
     match quantity {
-        Quantity::Cct => Some(0),
-        Quantity::Duv
-        | Quantity::ChromaticityX
-        | Quantity::ChromaticityY
-        | Quantity::UPrime
-        | Quantity::VPrime => Some(4),
         Quantity::PeakNm
         | Quantity::DominantNm
         | Quantity::Purity
@@ -179,22 +176,12 @@ fn decimals(quantity: &Quantity) -> Option<usize> {
         | Quantity::R(_)
         | Quantity::Rf
         | Quantity::Rg => Some(1),
-        Quantity::Illuminance
-        | Quantity::Luminance
-        | Quantity::Irradiance
-        | Quantity::Ppfd
-        | Quantity::Pfd
-        | Quantity::TristimulusX
-        | Quantity::TristimulusY
-        | Quantity::TristimulusZ
-        | Quantity::Other(_) => None,
+        known => of_quantity(known).map(|known| known.figure.digits),
     }
 }
 
 fn meaning(quantity: &Quantity) -> &'static str {
     match quantity {
-        Quantity::Cct => "Correlated colour temperature, K (Ohno 2013, CIE 1931).",
-        Quantity::Duv => "Distance from the blackbody locus in CIE 1960 uv.",
         Quantity::Ra | Quantity::R(_) => "Colour rendering index of CIE 13.3.",
         Quantity::Rf | Quantity::Rg => "Colour fidelity and gamut of TM-30.",
         Quantity::Illuminance => "Illuminance: 683 lm/W times the sum with y-bar, lx.",
@@ -205,12 +192,10 @@ fn meaning(quantity: &Quantity) -> &'static str {
         Quantity::TristimulusX | Quantity::TristimulusY | Quantity::TristimulusZ => {
             "Tristimulus value of CIE 1931, Y in lx."
         }
-        Quantity::ChromaticityX | Quantity::ChromaticityY => "Chromaticity of CIE 1931.",
-        Quantity::UPrime | Quantity::VPrime => "Chromaticity of CIE 1976.",
         Quantity::PeakNm => "Wavelength of the largest value of the table, nm.",
         Quantity::DominantNm => "Dominant wavelength, nm.",
         Quantity::Purity => "Excitation purity, per cent.",
-        Quantity::Other(_) => "A number of the maker's own, in the maker's words.",
+        _ => "A number of the maker's own, in the maker's words.",
     }
 }
 

@@ -16,6 +16,7 @@ use crate::app::{
     answers::{Seen, Worst, white_words},
     workspace::Preferences,
 };
+use crate::study::Measure;
 
 /// What of the column is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -288,18 +289,23 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
             });
         });
     };
-    match derived.errors {
-        Some(errors) => row(
-            "What does a 10 nm slit see?",
-            format!("{} % off", two_digits(100.0 * errors.relative_rms_10nm)),
-            "Root mean square of model minus measured over that of the spectrum, both behind a \
-             Gaussian slit of 10 nm.",
-        ),
-        None => row(
-            "The spectrum",
-            "nothing to compare".to_owned(),
-            derived.why_no_errors(),
-        ),
+    let figure = |measure: Measure| Some((measure.figure(), derived.figures[measure]?));
+    for (question, measure) in [
+        ("Is the light in the right place?", Measure::Displacement),
+        ("What does a 10 nm slit see?", Measure::RmsBlurred),
+    ] {
+        if let Some((figure, value)) = figure(measure) {
+            let words = format!(
+                "{}{} off",
+                two_digits(figure.shown(value)),
+                figure.unit.tail()
+            );
+            row(question, words, figure.meaning);
+        }
+    }
+    if !derived.has_errors() {
+        let nothing = "nothing to compare".to_owned();
+        row("The spectrum", nothing, derived.why_no_errors());
     }
     if let Some(Ok(cct)) = derived.colour.exact.and_then(|colour| colour.cct) {
         row(

@@ -23,6 +23,7 @@ use spectral_explorer::{
         chart::Theme,
         charts::tradeoff,
         command::MadeFor,
+        derived::OF_CURVE,
         document::{FIRST_LIGHT, FIRST_PATCH_SET, Height},
         export::Export,
         library::Library,
@@ -93,16 +94,8 @@ fn numbers_shown(app: &App) -> Vec<(&'static str, f64)> {
     for spike in &d.model.spikes {
         all.extend(list("spike", &[spike.at_nm, spike.weight]));
     }
-    if let Some(e) = d.errors {
-        let errors = [
-            e.relative_rms,
-            e.relative_rms_10nm,
-            e.max_abs,
-            e.energy,
-            e.lowest,
-        ];
-        all.extend(list("error", &errors));
-    }
+    let figures = Measure::ALL.map(|measure| d.figures[measure]);
+    all.extend(figures.into_iter().flatten().map(|v| ("figure", v)));
     all.push(("missing luminance", d.colour.missing_luminance));
     for colour in [d.colour.exact, d.colour.model, d.colour.full]
         .into_iter()
@@ -122,13 +115,7 @@ fn numbers_shown(app: &App) -> Vec<(&'static str, f64)> {
         all.extend(patches.items.iter().map(|p| ("patch", p.delta_e_2000)));
     }
     for point in &d.curve {
-        let values = [
-            point.own,
-            point.patches_mean,
-            point.patches_max,
-            point.relative_rms,
-            point.relative_rms_10nm,
-        ];
+        let values = OF_CURVE.map(|measure| point.figures[measure]);
         all.extend(values.into_iter().flatten().map(|v| ("curve", v)));
     }
     all
@@ -211,19 +198,16 @@ fn the_order_moves_the_numbers_and_the_errors_along_the_curve() {
         last = rest;
         // The curve holds the same figures by a shorter way: sums in another order, so 1e-9.
         let point = derived.curve[order];
-        let errors = derived.errors.expect("FL11 is not dark");
-        let patches = derived.patches.as_ref().expect("a light");
         assert_eq!((point.order, point.numbers), (order, derived.numbers()));
-        for (curve, figure) in [
-            (point.relative_rms, errors.relative_rms),
-            (point.relative_rms_10nm, errors.relative_rms_10nm),
-            (point.patches_mean, patches.mean),
-            (point.patches_max, patches.max),
-        ] {
-            assert_relative_eq!(curve.expect("FL11 has all"), figure, max_relative = 1e-9);
+        for measure in OF_CURVE {
+            let [curve, figure] =
+                [point.figures, derived.figures].map(|f| f[measure].expect("FL11 has all"));
+            if measure == Measure::Own {
+                assert_abs_diff_eq!(curve, figure, epsilon = 1e-9);
+            } else {
+                assert_relative_eq!(curve, figure, max_relative = 1e-9);
+            }
         }
-        let own = derived.colour.delta_e_2000.expect("FL11 has a colour");
-        assert_abs_diff_eq!(point.own.expect("a colour"), own, epsilon = 1e-9);
     }
 }
 
@@ -651,7 +635,7 @@ fn a_reflectance_is_looked_at_under_the_light() {
         derived
             .curve
             .iter()
-            .all(|p| p.patches_mean.is_none() && p.own.is_some())
+            .all(|p| p.figures[Measure::Patches].is_none() && p.figures[Measure::Own].is_some())
     );
     let exact = derived.colour.exact.expect("red has a colour");
     assert!(
@@ -1686,7 +1670,11 @@ fn exported_tables_hold_what_the_window_shows() {
     );
     assert_eq!(rows[2].last().map(String::as_str), Some("false"));
     let rows = table(&text_of(Export::CurveCsv, &app));
-    let means: Vec<_> = derived.curve.iter().map(|p| p.patches_mean).collect();
+    let means: Vec<_> = derived
+        .curve
+        .iter()
+        .map(|p| p.figures[Measure::Patches])
+        .collect();
     assert_eq!(column(&rows, "delta_e_patches_mean"), means);
 }
 
@@ -1709,9 +1697,7 @@ fn the_plot_is_sound_xml() {
 fn an_all_zero_light_is_told_in_words_and_never_as_nan() {
     let mut app = app_with(all_zero());
     let derived = app.derived();
-    assert!(
-        derived.errors.is_none() && derived.colour.exact.is_none() && derived.patches.is_none()
-    );
+    assert!(!derived.has_errors() && derived.colour.exact.is_none() && derived.patches.is_none());
     assert!(
         derived.warnings.iter().any(|w| w.contains("zero")),
         "{:?}",
@@ -1742,13 +1728,13 @@ fn values_too_small_to_compute_with_are_called_that_and_not_zero() {
     };
     let too_small = tiny(1e-320);
     let derived = too_small.derived();
-    assert!(derived.errors.is_none() && derived.colour.exact.is_none());
+    assert!(!derived.has_errors() && derived.colour.exact.is_none());
     let said = "The spectrum's values are too small to compute with: none reaches 1e-308.";
     assert_eq!(derived.warnings[0], said);
     let lack = tradeoff::lack(&too_small, Measure::Rms);
     assert_eq!(lack, Some(said));
     let derived = tiny(1e-307).derived().clone();
-    assert!(derived.errors.is_some() && derived.colour.exact.is_some());
+    assert!(derived.has_errors() && derived.colour.exact.is_some());
     assert_eq!(derived.warnings, [""; 0]);
 }
 
@@ -1785,7 +1771,7 @@ fn light_that_nobody_sees_has_errors_but_no_colour() {
         s.band = Band::new(850.0, 1100.0).expect("a range")
     });
     let derived = app.derived();
-    assert!(derived.errors.is_some());
+    assert!(derived.has_errors());
     assert!(derived.colour.exact.is_none() && derived.patches.is_none());
     assert!(
         derived.warnings.iter().any(|w| w.contains("no colour")),
@@ -1796,7 +1782,7 @@ fn light_that_nobody_sees_has_errors_but_no_colour() {
         derived
             .curve
             .iter()
-            .all(|p| p.own.is_none() && p.relative_rms.is_some())
+            .all(|p| p.figures[Measure::Own].is_none() && p.figures[Measure::Rms].is_some())
     );
     for observer in Observer::ALL {
         for colour_exact in [false, true] {
@@ -2038,24 +2024,25 @@ fn huge_and_tiny_numbers_have_the_errors_of_ordinary_ones() {
             .map(|i| factor * (1.0 + (f64::from(i) / 40.0).sin().abs()))
             .collect()
     };
-    let ordinary = own_light(shape(1.0)).derived().errors.expect("an error");
+    let ordinary = own_light(shape(1.0)).derived().figures;
     for factor in [1e-250, 1e-120, 1e160, 1e290] {
         let app = own_light(shape(factor));
-        let errors = app.derived().errors.expect("not zero");
+        let found = app.derived().figures;
         // The same numbers in another unit: only rounding differs.
-        for (a, b) in [
-            (errors.relative_rms, ordinary.relative_rms),
-            (errors.relative_rms_10nm, ordinary.relative_rms_10nm),
-            (errors.max_abs, ordinary.max_abs),
-            (errors.lowest, ordinary.lowest),
+        for measure in [
+            Measure::Rms,
+            Measure::RmsBlurred,
+            Measure::MaxAbs,
+            Measure::Lowest,
         ] {
+            let [a, b] = [found, ordinary].map(|f| f[measure].expect("not zero"));
             assert!((a - b).abs() < 1e-9, "{factor}: {a} {b}");
         }
         let curve = &app.derived().curve;
         assert!(
             curve
                 .iter()
-                .all(|p| p.relative_rms.is_some_and(f64::is_finite))
+                .all(|p| p.figures[Measure::Rms].is_some_and(f64::is_finite))
         );
     }
 }

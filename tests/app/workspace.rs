@@ -248,12 +248,7 @@ fn whatever_is_damaged_about_one_own_spectrum_the_other_and_all_settings_stay() 
             }
             let stands = found(&now["own"], &place) == Some(&damage());
             assert!(stands || !restored.losses.is_empty(), "{words}");
-            assert!(
-                App::with_document(restored.document)
-                    .derived()
-                    .errors
-                    .is_some()
-            );
+            assert!(App::with_document(restored.document).derived().has_errors());
         }
     }
 }

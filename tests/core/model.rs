@@ -10,8 +10,8 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use serde::Deserialize;
 use spectral_explorer::{
     app::{
-        App, Command, Derived, Entry, Settings, entry::composite_from_preset, library::Library,
-        tables::CURVE_ORDER,
+        App, Command, Derived, Entry, Settings, derived::OF_CURVE, entry::composite_from_preset,
+        library::Library, tables::CURVE_ORDER,
     },
     color::{
         Observer, Xyz,
@@ -23,6 +23,7 @@ use spectral_explorer::{
         basis::numbers_of_order,
         spikes::{SpikeSettings, detect},
     },
+    study::Measure,
 };
 
 const BAND: Band = Band::VISIBLE;
@@ -168,7 +169,7 @@ fn taking_lines_out_neither_loses_nor_invents_energy() {
                 ..Settings::default()
             };
             let app = app_about(name, settings);
-            let energy = app.derived().errors.expect("a light").energy;
+            let energy = app.derived().figures[Measure::Energy].expect("a light");
             // Both bases hold a constant, so every order has the target's integral.
             assert_abs_diff_eq!(energy, 0.0, epsilon = 1e-13);
         }
@@ -804,18 +805,9 @@ fn same_as_on_the_curve(derived: &Derived, order: usize, what: &str) {
     assert_eq!(curve.len(), CURVE_ORDER + 1);
     let point = curve[order];
     assert_eq!((point.order, point.numbers), (order, derived.numbers()));
-    let patches = derived.patches.as_ref();
-    let errors = derived.errors.as_ref();
-    let pairs = [
-        (point.own, derived.colour.delta_e_2000),
-        (point.patches_mean, patches.map(|p| p.mean)),
-        (point.patches_max, patches.map(|p| p.max)),
-        (point.relative_rms, errors.map(|e| e.relative_rms)),
-        (point.relative_rms_10nm, errors.map(|e| e.relative_rms_10nm)),
-    ];
-    for (curve, single) in pairs {
+    for measure in OF_CURVE {
         // The same sums in another order; dE00 of nearly equal colours is the least steady.
-        match (curve, single) {
+        match (point.figures[measure], derived.figures[measure]) {
             (Some(curve), Some(single)) => assert!((curve - single).abs() < 1e-9, "{what}"),
             (curve, single) => assert_eq!(curve, single, "{what}"),
         }

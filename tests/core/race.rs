@@ -6,7 +6,8 @@ use spectral_explorer::{
     app::{
         Document, Entry,
         chart::{Marks, Theme},
-        charts::race::{SMALLEST_ERROR, error_chart, table_chart},
+        charts::race::{error_chart, table_chart},
+        figures::SMALLEST,
         library::Library,
         memo::ByAddress,
         pages::RACE_BUDGETS,
@@ -52,7 +53,7 @@ fn budget(race: &Race, numbers: usize) -> usize {
 
 fn median(race: &Race, class: &str, numbers: usize, racer: Racer) -> f64 {
     let row = race.row(Some(class), budget(race, numbers), place(race, racer));
-    row.patches.expect("visible light").median
+    row.spreads[Measure::Patches].expect("visible light").median
 }
 
 fn teachers(lamps: &[Lamp]) -> Vec<Teacher> {
@@ -99,7 +100,7 @@ fn the_choice_is_never_worse_on_the_patches_than_any_composite() {
     let chosen = place(race, Racer::Chosen);
     for lamp in 0..race.lamps.len() {
         for b in 0..race.budgets.len() {
-            let of = |r: usize| race.run(lamp, b, r).verdict.patches_mean.expect("visible");
+            let of = |r: usize| race.run(lamp, b, r).verdict[Measure::Patches].expect("visible");
             for (r, racer) in race.racers.iter().enumerate() {
                 if matches!(racer, Racer::Composite(_)) {
                     assert!(
@@ -121,11 +122,11 @@ fn a_row_is_the_spread_of_its_runs_by_hand() {
     let row = race.row(Some("discharge"), b, r);
     let mut errors: Vec<f64> = race
         .of_class(Some("discharge"))
-        .map(|lamp| race.run(lamp, b, r).verdict.filters.expect("visible"))
+        .map(|lamp| race.run(lamp, b, r).verdict[Measure::Filters].expect("visible"))
         .collect();
     errors.sort_by(f64::total_cmp);
     assert_eq!((row.lamps, errors.len()), (18, 18));
-    let filters = row.filters.expect("visible");
+    let filters = row.spreads[Measure::Filters].expect("visible");
     assert!((filters.median - 0.5 * (errors[8] + errors[9])).abs() < 1e-12);
     // 95 % of 17 steps is 16.15 steps.
     let p95 = errors[16] + 0.15 * (errors[17] - errors[16]);
@@ -133,7 +134,7 @@ fn a_row_is_the_spread_of_its_runs_by_hand() {
     assert_eq!(filters.worst, errors[17]);
     let lobes = race
         .of_class(Some("discharge"))
-        .filter(|lamp| race.run(*lamp, b, r).verdict.lowest.expect("lit") < -1e-3)
+        .filter(|lamp| race.run(*lamp, b, r).verdict[Measure::Lowest].expect("lit") < -1e-3)
         .count();
     assert_eq!(row.negative_lobes, lobes as f64 / 18.0);
 }
@@ -145,7 +146,7 @@ fn a_winner_has_the_least_error_and_the_choice_wins_nothing() {
     for lamp in 0..race.lamps.len() {
         let winner = race.winner_on(lamp, b, Measure::Filters).expect("visible");
         assert_ne!(winner, Racer::Chosen);
-        let of = |r: usize| race.run(lamp, b, r).verdict.filters.expect("visible");
+        let of = |r: usize| race.run(lamp, b, r).verdict[Measure::Filters].expect("visible");
         let least = (0..race.racers.len()).map(of).fold(f64::INFINITY, f64::min);
         assert_eq!(of(place(race, winner)), least);
     }
@@ -172,7 +173,7 @@ fn every_light_runs_as_it_would_alone_so_the_time_is_linear_in_lights() {
                 }
                 let (here, there) = (race.run(i, b, r), all.run(lamp, budget(all, *numbers), r));
                 assert_eq!(here.numbers, there.numbers, "{}", racer.word());
-                let [here, there] = [here, there].map(|run| run.verdict.patches_mean);
+                let [here, there] = [here, there].map(|run| run.verdict[Measure::Patches]);
                 let off = (here.expect("visible") - there.expect("visible")).abs();
                 assert!(off < 1e-6, "{} {}: {off}", race.lamps[i].0, racer.word());
             }
@@ -309,7 +310,7 @@ fn blackbodies_alone_are_as_smooth_as_the_larger_collection() {
         .expect("shipped");
     let run = |numbers: usize, word: &str| {
         let run = all.run(d65, budget(all, numbers), place(all, find(word)));
-        run.verdict.patches_mean.expect("visible")
+        run.verdict[Measure::Patches].expect("visible")
     };
     close(run(11, "cosine"), 0.44);
     close(run(20, "cosine-exact"), 0.0069);
@@ -393,7 +394,7 @@ fn the_cie_lamps_are_easier_than_the_other_fluorescents() {
             let mut errors: Vec<f64> = all
                 .of_class(Some("fluorescent"))
                 .filter(|lamp| all.lamps[*lamp].0.starts_with("FL") == cie)
-                .map(|lamp| all.run(lamp, b, r).verdict.patches_mean.expect("visible"))
+                .map(|lamp| all.run(lamp, b, r).verdict[Measure::Patches].expect("visible"))
                 .collect();
             errors.sort_by(f64::total_cmp);
             (errors.len(), errors[errors.len() / 2])
@@ -449,7 +450,9 @@ fn the_tables_file_has_a_line_for_everybody_with_the_figures_of_its_row() {
     for (r, (racer, cells)) in race.racers.iter().zip(&rows).enumerate() {
         assert_eq!(cells.len(), titles.len(), "{cells:?}");
         assert_eq!(cells[0], racer.title());
-        let median = race.row(Some("LED"), b, r).patches.expect("visible").median;
+        let median = race.row(Some("LED"), b, r).spreads[Measure::Patches]
+            .expect("visible")
+            .median;
         let found: f64 = cells[at("delta_e_patches_median")]
             .parse()
             .expect("a number");
@@ -460,13 +463,13 @@ fn the_tables_file_has_a_line_for_everybody_with_the_figures_of_its_row() {
 #[test]
 fn every_racer_looks_different_in_the_chart() {
     let (ask, race) = &*ALL;
-    for measure in Measure::ALL {
+    for measure in Measure::COMPARED {
         let chart = error_chart(ask, race, None, measure, Theme::Dark);
         let mut looks = Vec::new();
         for series in &chart.series {
             if let Marks::Points { points, shape, .. } = &series.marks {
                 assert_eq!(points.len(), RACE_BUDGETS.len());
-                assert!(points.iter().all(|p| p[1] >= SMALLEST_ERROR));
+                assert!(points.iter().all(|p| p[1] >= SMALLEST));
                 let look = (series.colour, *shape);
                 assert!(!looks.contains(&look), "{} {look:?}", series.name);
                 looks.push(look);
@@ -486,7 +489,8 @@ fn low_pressure_sodium_is_the_worst_of_whatever_has_no_spikes_but_box_bins() {
             Racer::Rival(family) => *family != Family::Bins,
             Racer::Chosen => false,
         };
-        let error = |lamp: &usize| race.run(*lamp, b, r).verdict.patches_mean.expect("visible");
+        let error =
+            |lamp: &usize| race.run(*lamp, b, r).verdict[Measure::Patches].expect("visible");
         let worst = race
             .of_class(Some("discharge"))
             .max_by(|a, b| error(a).total_cmp(&error(b)))

@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use spectral_explorer::{
     app::{
         App, Command, Entry, Settings,
+        derived::OF_CURVE,
         library::Library,
         studies::{AuctionAsk, SweepAsk, take},
     },
@@ -121,18 +122,19 @@ fn every_point_of_the_sweep_is_what_the_main_page_shows_for_that_model() {
             assert_eq!(points.len(), app.derived().curve.len());
             for (point, shown) in points.iter().zip(&app.derived().curve) {
                 let place = format!("{name} {} N = {}", way.word(), point.order);
-                let verdict = point.verdict;
                 assert_eq!((point.order, point.numbers), (shown.order, shown.numbers));
-                assert!(close(verdict.own, shown.own), "{place}");
-                assert!(close(verdict.patches_mean, shown.patches_mean), "{place}");
-                assert!(close(verdict.patches_worst, shown.patches_max), "{place}");
-                assert!(close(verdict.relative_rms, shown.relative_rms), "{place}");
-                let blurred = (verdict.relative_rms_10nm, shown.relative_rms_10nm);
-                assert!(close(blurred.0, blurred.1), "{place} {blurred:?}");
+                for measure in OF_CURVE {
+                    let (found, shown) = (point.verdict[measure], shown.figures[measure]);
+                    assert!(
+                        close(found, shown),
+                        "{place} {measure:?} {found:?} {shown:?}"
+                    );
+                }
             }
             let order = app.document().settings.order;
-            let lowest = app.derived().errors.map(|e| e.lowest);
-            assert!(close(points[order].verdict.lowest, lowest), "{name}");
+            let lowest = app.derived().figures[Measure::Lowest];
+            let found = points[order].verdict[Measure::Lowest];
+            assert!(close(found, lowest), "{name}");
         }
     }
 }
@@ -170,14 +172,14 @@ fn the_front_is_what_no_cheaper_model_reaches() {
     let subject = subject(on_band("FL2", BAND));
     let sweep = Sweep::of(&subject, 30, Basis::Fourier, false, &Progress::default());
     let sweep = sweep.expect("it shines");
-    for measure in Measure::ALL {
+    for measure in Measure::COMPARED {
         let front: Vec<_> = sweep
             .front(measure, |_| true)
             .into_iter()
             .map(|index| &sweep.points[index])
             .collect();
         let error = |p: &spectral_explorer::study::sweep::SweepPoint| {
-            measure.of(&p.verdict).expect("a light has every figure")
+            p.verdict[measure].expect("a light has every figure")
         };
         assert!(!front.is_empty());
         for pair in front.windows(2) {
@@ -207,12 +209,12 @@ fn a_reflectance_is_swept_under_its_light_without_patches_and_filters() {
         .of_way(Way::new(Basis::Fourier, true, false))
         .collect();
     for (point, shown) in points.iter().zip(&app.derived().curve) {
-        let (found, shown) = (point.verdict.own, shown.own);
+        let (found, shown) = (point.verdict[Measure::Own], shown.figures[Measure::Own]);
         let (found, shown) = (found.expect("a colour"), shown.expect("a colour"));
         // As above: the same sums at another scale.
         assert!((found - shown).abs() < 1e-6);
-        assert_eq!(point.verdict.patches_mean, None);
-        assert_eq!(point.verdict.filters, None);
+        assert_eq!(point.verdict[Measure::Patches], None);
+        assert_eq!(point.verdict[Measure::Filters], None);
     }
     assert!(sweep.front(Measure::Patches, |_| true).is_empty());
     for (goal, exists) in [(Goal::OWN, true), (Goal::PATCHES, false)] {

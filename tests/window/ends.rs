@@ -24,7 +24,7 @@ use spectral_explorer::{
         picture::{Show, Spread},
         settings::Detector,
         state::Message,
-        workspace::{self, CurveQuantity, Preferences, Restored},
+        workspace::{self, Preferences, Restored},
     },
     color::Observer,
     spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, Sampling},
@@ -163,14 +163,7 @@ fn choices() -> Vec<Vec<Value>> {
         words([Basis::Fourier, Basis::Cosine]),
         words([Detector::Energy, Detector::Gradient]),
         words([Subject::Light, Subject::Factor]),
-        words(Measure::ALL),
-        words([
-            CurveQuantity::Own,
-            CurveQuantity::Patches,
-            CurveQuantity::PatchesWorst,
-            CurveQuantity::Rms,
-            CurveQuantity::RmsBlurred,
-        ]),
+        words(Measure::COMPARED),
     ]
 }
 

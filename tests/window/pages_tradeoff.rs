@@ -177,13 +177,13 @@ fn verdict_now(app: &App) -> Verdict {
 /// Figures agree but for the order of sums: 1e-9 of an error, and what ΔE00 makes of rounding.
 #[track_caller]
 fn assert_same(found: &Verdict, expected: &Verdict, what: &str) {
-    for measure in Measure::ALL {
-        match (measure.of(found), measure.of(expected)) {
+    for measure in Measure::COMPARED {
+        match (found[measure], expected[measure]) {
             (Some(a), Some(b)) => {
                 let off = (a - b).abs();
-                assert!(off < 1e-6 + 1e-6 * b, "{what}: {} {a} {b}", measure.title());
+                assert!(off < 1e-6 + 1e-6 * b, "{what}: {measure:?} {a} {b}");
             }
-            (a, b) => assert_eq!(a.is_some(), b.is_some(), "{what}: {}", measure.title()),
+            (a, b) => assert_eq!(a.is_some(), b.is_some(), "{what}: {measure:?}"),
         }
     }
 }
@@ -265,16 +265,15 @@ fn the_front_falls_and_is_of_what_is_shown() {
     let ask = SweepAsk::of(app.document());
     let sweep = ask.answer(&Progress::default()).expect("it shines");
     let all = WaysShown::default();
-    for measure in Measure::ALL {
+    for measure in Measure::COMPARED {
         let found = front(&sweep, measure, &all);
-        let errors = found.iter().map(|i| measure.of(&sweep.points[*i].verdict));
+        let errors = found.iter().map(|i| sweep.points[*i].verdict[measure]);
         assert!(errors.collect::<Vec<_>>().windows(2).all(|w| w[0] > w[1]));
         // No model that is no dearer is better, but for what nobody can see.
         for index in &found {
             let point = sweep.points[*index];
             let better = sweep.points.iter().any(|other| {
-                other.numbers <= point.numbers
-                    && measure.of(&other.verdict) < measure.of(&point.verdict)
+                other.numbers <= point.numbers && other.verdict[measure] < point.verdict[measure]
             });
             assert!(!better, "{point:?}");
         }
@@ -298,7 +297,7 @@ fn every_point_of_the_charts_stands_for_its_model() {
         fourier: false,
         ..WaysShown::default()
     };
-    for measure in Measure::ALL {
+    for measure in Measure::COMPARED {
         let mut tradeoff = Tradeoff::of(&ask, &sweep, measure, &shown, Theme::Dark);
         tradeoff.mark(&app, Some(&verdict_now(&app)), measure);
         let series = &tradeoff.chart.series;
@@ -315,13 +314,8 @@ fn every_point_of_the_charts_stands_for_its_model() {
                 // A corner of the staircase belongs to the model whose error still holds.
                 let numbers = sweep.points[model].numbers as f64;
                 assert!(at[0] == numbers || s == 0 && at[0] > numbers);
-                let error = measure
-                    .of(&sweep.points[model].verdict)
-                    .expect("it is drawn");
-                assert_eq!(
-                    at[1],
-                    (error * tradeoff::factor(measure)).max(tradeoff::SMALLEST)
-                );
+                let error = sweep.points[model].verdict[measure].expect("it is drawn");
+                assert_eq!(at[1], measure.figure().drawn(error));
             }
         }
     }
@@ -359,7 +353,7 @@ fn the_sentence_tells_the_cheapest_model_or_that_there_is_none() {
 
 #[test]
 fn a_figure_that_does_not_exist_says_why() {
-    let there = |app: &App| Measure::ALL.map(|measure| lack(app, measure).is_none());
+    let there = |app: &App| Measure::COMPARED.map(|measure| lack(app, measure).is_none());
     assert_eq!(there(&plain()), [true; 6]);
     assert_eq!(
         there(&reflectance()),
@@ -390,7 +384,7 @@ fn a_row_of_the_front_takes_its_model() {
 #[test]
 fn ways_and_figures_are_switched_and_remembered() {
     let mut ui = on(fl2(), Page::Tradeoff);
-    click(&mut ui, "rms 10 nm");
+    click(&mut ui, "rms behind 10 nm");
     assert_eq!(ui.state().0.preferences.pages.measure, Measure::RmsBlurred);
     assert_written(&ui, "To stay under 10 % rms behind a 10 nm blur, FL2 needs");
     control(&ui, Role::CheckBox, "Fourier").click();
@@ -491,7 +485,7 @@ fn spending_buys_once_says_so_and_is_one_step_of_undo() {
         "{message}"
     );
     assert!(
-        message.contains("patches' mean ΔE00") && message.contains("(was "),
+        message.contains("ΔE00 on the patches (mean)") && message.contains("(was "),
         "{message}"
     );
     let said = app(&ui).messages().len();
@@ -567,8 +561,8 @@ fn what_any_lamps_auction_bought_can_be_had() {
             app.apply(studies::take(settings(&app), &ask, &auction, step));
             let what = format!("{} at {}", light.key, step.numbers);
             assert_eq!(app.derived().numbers(), step.numbers, "{what}");
-            let now = verdict_now(&app).relative_rms_10nm.unwrap_or(0.0);
-            let bought = step.verdict.relative_rms_10nm.unwrap_or(0.0);
+            let now = verdict_now(&app)[Measure::RmsBlurred].unwrap_or(0.0);
+            let bought = step.verdict[Measure::RmsBlurred].unwrap_or(0.0);
             steps += 1;
             off += usize::from((now - bought).abs() > 1e-6);
         }

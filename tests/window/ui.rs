@@ -19,13 +19,15 @@ use egui_plot::{PlotPoint, PlotTransform};
 use spectral_explorer::{
     app::{
         App, Command, Scale, Settings, Subject, View, chart, charts,
+        derived::OF_CURVE,
         document::Height,
         export::Export,
         state::Tone,
-        workspace::{self, CurveQuantity, Preferences},
+        workspace::{self, Preferences},
     },
     io::read_bytes,
     spectrum::{Band, Kind, NamedSpectrum, Sampled, Sampling, Spike},
+    study::Measure,
     ui::{
         Window,
         files::{Ask, Picked, Picker},
@@ -192,8 +194,8 @@ fn a_slider_moves_everything_in_the_same_frame() {
             control(&ui, Role::Button, &name);
         }
         assert_written(&ui, &format!("{:.3}", patches.mean));
-        let errors = app(&ui).derived().errors.expect("not dark");
-        assert_written(&ui, &format!("{:.2} %", 100.0 * errors.relative_rms));
+        let rms = app(&ui).derived().figures[Measure::Rms].expect("not dark");
+        assert_written(&ui, &format!("{:.2} %", 100.0 * rms));
         let numbers = app(&ui).derived().numbers();
         assert_written(&ui, &format!("Spectrum of FL11: {numbers} numbers"));
     }
@@ -1143,18 +1145,10 @@ fn subjects() -> Vec<(&'static str, App)> {
     ]
 }
 
-const CURVES: [CurveQuantity; 5] = [
-    CurveQuantity::Own,
-    CurveQuantity::Patches,
-    CurveQuantity::PatchesWorst,
-    CurveQuantity::Rms,
-    CurveQuantity::RmsBlurred,
-];
-
 #[test]
 fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
     for (name, app) in subjects() {
-        let is_dark = app.derived().errors.is_none();
+        let is_dark = !app.derived().has_errors();
         let mut ui = at_rest(window(app, no_files()));
         let mut look = 0;
         for (dark, present) in [(true, false), (true, true), (false, false), (false, true)] {
@@ -1166,13 +1160,13 @@ fn every_view_of_every_kind_of_spectrum_is_drawn_with_names_and_without_nan() {
                 let preferences = &mut ui.state_mut().preferences;
                 preferences.dark = dark;
                 preferences.present = present;
-                preferences.curve = CURVES[look % CURVES.len()];
+                preferences.curve = OF_CURVE[look % OF_CURVE.len()];
                 look += 1;
                 ui.run();
                 assert_sound(&ui, name);
             }
         }
-        for curve in CURVES {
+        for curve in OF_CURVE {
             ui.state_mut().preferences.curve = curve;
             ui.run();
             assert_sound(&ui, name);

@@ -1,11 +1,12 @@
 //! The auction as a chart, as a table and as a model for the document.
 
-use super::tradeoff::{SMALLEST, all_figures, factor, lack, origin, spikes_words, stairs, three};
+use super::tradeoff::{all_figures, lack, origin, spikes_words, stairs};
 use crate::{
     app::{
         App,
         chart::Inks,
         chart::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
+        figures::{SMALLEST, Unit, brief},
         line_names::{ElementLine, LineName, name_spikes},
         studies::AuctionAsk,
     },
@@ -18,31 +19,15 @@ use crate::{
     },
 };
 
-/// The figures that the plain goals make small, in the order of [`Goal::PLAIN`].
-pub const MEASURES: [Measure; 4] = [
-    Measure::Own,
-    Measure::Patches,
-    Measure::RmsBlurred,
-    Measure::Filters,
-];
-
 /// Names of the plain goals for people, in the order of [`Goal::PLAIN`].
 pub const NAMES: [&str; 4] = ["own colour", "patches", "spectrum", "narrow filters"];
-
-/// What the plain goals mean, in the order of [`Goal::PLAIN`].
-pub const MEANINGS: [&str; 4] = [
-    "CIEDE2000 of the light's own colour.",
-    "Mean CIEDE2000 of the patches under the light.",
-    "Relative rms of the spectrum behind a 10 nm blur.",
-    "Mean CIEDE2000 behind 26 Gaussian band-passes of 10 nm, centred at 420 to 670 nm.",
-];
 
 /// The figure of a goal that wants one thing only.
 pub fn plain_measure(goal: Goal) -> Option<Measure> {
     let mut wanted = goal
         .weights()
         .into_iter()
-        .zip(MEASURES)
+        .zip(Goal::MEASURES)
         .filter(|(weight, _)| *weight > 0.0);
     let (_, measure) = wanted.next()?;
     wanted.next().is_none().then_some(measure)
@@ -51,7 +36,7 @@ pub fn plain_measure(goal: Goal) -> Option<Measure> {
 /// The goal without what does not exist for the document's subject; when nothing is left, the
 /// first figure that does exist.
 pub fn goal_within(app: &App, goal: Goal) -> Goal {
-    let lacks = MEASURES.map(|measure| lack(app, measure).is_some());
+    let lacks = Goal::MEASURES.map(|measure| lack(app, measure).is_some());
     let kept = |weight: f64, i: usize| if lacks[i] { 0.0 } else { weight };
     let left = Goal {
         own: kept(goal.own, 0),
@@ -66,46 +51,33 @@ pub fn goal_within(app: &App, goal: Goal) -> Goal {
     first.map_or(goal, |((_, plain), _)| *plain)
 }
 
-/// The goal in words: "the patches' mean ΔE00", "a mix (own 1, filters 2)".
+/// The goal in words: "ΔE00 on the patches (mean)", "mix of errors (own 1, filters 2)".
 pub fn goal_words(goal: Goal) -> String {
     match plain_measure(goal) {
-        Some(Measure::Own) => "ΔE00 of the own colour".to_owned(),
-        Some(Measure::Patches) => "patches' mean ΔE00".to_owned(),
-        Some(Measure::Filters) => "mean ΔE00 behind narrow filters".to_owned(),
-        Some(_) => "rms behind a 10 nm blur".to_owned(),
+        Some(measure) => measure.figure().goal_words(),
         None => format!("mix of errors ({})", goal.words()),
     }
 }
 
-/// What a goal's error is multiplied by to be shown, and its unit.
-pub fn goal_unit(goal: Goal) -> (f64, &'static str) {
-    match plain_measure(goal) {
-        Some(measure) if measure.is_colour() => (1.0, "ΔE00"),
-        Some(measure) => (factor(measure), "%"),
-        None => (100.0, "%"),
-    }
+/// What a goal's error is shown in.
+fn goal_unit(goal: Goal) -> Unit {
+    plain_measure(goal).map_or(Unit::Percent, |measure| measure.figure().unit)
 }
 
 /// A goal's error in words.
 pub fn error_words(goal: Goal, error: f64) -> String {
-    let (factor, unit) = goal_unit(goal);
-    let tail = if unit == "%" { " %" } else { "" };
-    let shown = error * factor;
-    if shown < SMALLEST {
-        format!("<{SMALLEST}{tail}")
-    } else {
-        format!("{}{tail}", three(shown))
-    }
+    let unit = goal_unit(goal);
+    brief(error * unit.factor(), unit)
 }
 
 /// The goal's error of any model, from its figures and those at order 0.
 pub fn goal_error(goal: Goal, verdict: &Verdict, at_start: &Verdict) -> Option<f64> {
     if let Some(measure) = plain_measure(goal) {
-        return measure.of(verdict);
+        return verdict[measure];
     }
     let (mut sum, mut whole) = (0.0, 0.0);
-    for (weight, measure) in goal.weights().into_iter().zip(MEASURES) {
-        if let (Some(error), Some(start)) = (measure.of(verdict), measure.of(at_start)) {
+    for (weight, measure) in goal.weights().into_iter().zip(Goal::MEASURES) {
+        if let (Some(error), Some(start)) = (verdict[measure], at_start[measure]) {
             whole += weight;
             sum += if start > 0.0 {
                 weight * error / start
@@ -227,8 +199,9 @@ impl AuctionChart {
     /// The chart of an auction.
     pub fn of(ask: &AuctionAsk, auction: &Auction, names: &[LineName], theme: Theme) -> Self {
         let (terms, inks) = (ask.terms, Inks::of(theme));
-        let (times, unit) = goal_unit(terms.goal);
-        let at = |numbers: usize, error: f64| [numbers as f64, (error * times).max(SMALLEST)];
+        let unit = goal_unit(terms.goal);
+        let at =
+            |numbers: usize, error: f64| [numbers as f64, (error * unit.factor()).max(SMALLEST)];
         let bids = |bids: &[Bid]| bids.iter().map(|b| at(b.numbers, b.error)).collect();
         let points: Vec<[f64; 2]> = auction
             .steps
@@ -281,7 +254,7 @@ impl AuctionChart {
         ];
         let way = Way::new(terms.basis, false, terms.colour_exact);
         let y_label = match plain_measure(terms.goal) {
-            Some(_) if unit == "ΔE00" => goal_words(terms.goal),
+            Some(_) if unit == Unit::DeltaE => goal_words(terms.goal),
             Some(_) => format!("{}, %", goal_words(terms.goal)),
             None => "Mix of errors, each in % of its value at N = 0".to_owned(),
         };
@@ -327,7 +300,7 @@ impl AuctionChart {
         if let Some(error) = goal_error(goal, now, start)
             && numbers <= self.chart.x_range[1]
         {
-            let at = [numbers, (error * goal_unit(goal).0).max(SMALLEST)];
+            let at = [numbers, (error * goal_unit(goal).factor()).max(SMALLEST)];
             let note = format!("{}\n{}", super::tradeoff::words_now(app), all_figures(now));
             let mark = super::tradeoff::mark_now(vec![at], self.chart.theme);
             self.chart.series.push(mark.with_notes(vec![note]));

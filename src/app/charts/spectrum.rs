@@ -3,17 +3,18 @@
 use crate::{
     app::{
         chart::{Chart, Dash, Inks, Marks, Palette, Panel, Rgb, Scale, Series, Shape, Theme},
-        derived::OrderPoint,
+        derived::{OF_CURVE, OrderPoint},
         document::Height,
         entry::Entry,
+        figures::SMALLEST,
         line_names::LineName,
         state::App,
         ticks::{extent, short},
-        workspace::CurveQuantity,
     },
     color::{srgb_of_fill, xyz::xyz_from_light},
     io::many::{many, numbers},
     spectrum::{Kind, NamedSpectrum, Outside, Spike},
+    study::Measure,
 };
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
@@ -354,28 +355,13 @@ fn nothing_here(app: &App) -> String {
     )
 }
 
-/// Errors below this are drawn at it: the axis is logarithmic.
-const SMALLEST_ERROR: f64 = 1e-4;
-
 /// A just noticeable colour difference, about; the line drawn for orientation.
 const NOTICEABLE: f64 = 1.0;
 
-/// Whether a quantity is told in percent instead of CIEDE2000.
-fn is_percent(quantity: CurveQuantity) -> bool {
-    matches!(quantity, CurveQuantity::Rms | CurveQuantity::RmsBlurred)
-}
-
-/// A quantity of every order: CIEDE2000, or percent.
-fn errors(app: &App, quantity: CurveQuantity) -> Vec<[f64; 2]> {
-    let factor = if is_percent(quantity) { 100.0 } else { 1.0 };
-    let of = |p: &OrderPoint| match quantity {
-        CurveQuantity::Own => p.own,
-        CurveQuantity::Patches => p.patches_mean,
-        CurveQuantity::PatchesWorst => p.patches_max,
-        CurveQuantity::Rms => p.relative_rms,
-        CurveQuantity::RmsBlurred => p.relative_rms_10nm,
-    };
-    let point = |p: &OrderPoint| Some([p.order as f64, (factor * of(p)?).max(SMALLEST_ERROR)]);
+/// An error at every order: CIEDE2000, or percent.
+fn errors(app: &App, measure: Measure) -> Vec<[f64; 2]> {
+    let drawn = |error: f64| measure.figure().drawn(error);
+    let point = |p: &OrderPoint| Some([p.order as f64, drawn(p.figures[measure]?)]);
     app.derived().curve.iter().filter_map(point).collect()
 }
 
@@ -383,22 +369,17 @@ fn errors(app: &App, quantity: CurveQuantity) -> Vec<[f64; 2]> {
 pub fn curve_chart(app: &App, theme: Theme) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let inks = Inks::of(theme);
-    let series = [
-        ("own colour, dE00", inks.measured, CurveQuantity::Own),
-        ("patches' mean, dE00", inks.smooth, CurveQuantity::Patches),
-        (
-            "worst patch, dE00",
-            inks.product,
-            CurveQuantity::PatchesWorst,
-        ),
-        ("rms at 1 nm, %", inks.spikes, CurveQuantity::Rms),
-        (
-            "rms behind 10 nm, %",
-            inks.residual,
-            CurveQuantity::RmsBlurred,
-        ),
-    ]
-    .map(|(name, ink, quantity)| Series::line(name, ink, errors(app, quantity)));
+    let of_series = [
+        inks.measured,
+        inks.smooth,
+        inks.product,
+        inks.spikes,
+        inks.residual,
+    ];
+    let series = OF_CURVE.iter().zip(of_series).map(|(measure, ink)| {
+        let name = measure.figure().with_unit();
+        Series::line(name, ink, errors(app, *measure))
+    });
     Chart {
         title: format!(
             "{}: error against order ({}, {})",
@@ -413,10 +394,7 @@ pub fn curve_chart(app: &App, theme: Theme) -> Chart {
             derived.curve.last().map_or(1.0, |p| p.order.max(1) as f64),
         ],
         y_scale: Scale::Log10,
-        series: series
-            .into_iter()
-            .filter(|s| !s.marks.points().is_empty())
-            .collect(),
+        series: series.filter(|s| !s.marks.points().is_empty()).collect(),
         notes: provenance(app),
         theme,
         ..Chart::default()
@@ -424,14 +402,11 @@ pub fn curve_chart(app: &App, theme: Theme) -> Chart {
 }
 
 /// One of the errors against the order with the order in force marked; `None` where there is none.
-pub fn order_chart(app: &App, quantity: CurveQuantity, theme: Theme) -> Option<Chart> {
+pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
     let inks = Inks::of(theme);
-    let points = errors(app, quantity);
+    let points = errors(app, measure);
     let [lowest, highest] = extent(points.iter().map(|p| p[1].log10()))?;
-    let decades = [
-        (lowest - 0.1).floor().max(SMALLEST_ERROR.log10()),
-        highest.ceil(),
-    ];
+    let decades = [(lowest - 0.1).floor().max(SMALLEST.log10()), highest.ceil()];
     let air = 0.08 * (decades[1] - decades[0]);
     let y_range = [decades[0] - air, decades[1] + air].map(|log| 10_f64.powf(log));
     let last = points.last().map_or(1.0, |p| p[0].max(1.0));
@@ -449,7 +424,7 @@ pub fn order_chart(app: &App, quantity: CurveQuantity, theme: Theme) -> Option<C
     };
     let now = points.iter().copied().filter(|p| p[0] == order).collect();
     let mut series = vec![thin(y_range.map(|y| [order, y]))];
-    if !is_percent(quantity) {
+    if measure.is_colour() {
         let below = x_range.map(|x| [x, NOTICEABLE.min(y_range[1])]).to_vec();
         let marks = Marks::Area {
             points: below,
@@ -468,7 +443,7 @@ pub fn order_chart(app: &App, quantity: CurveQuantity, theme: Theme) -> Option<C
         x_range,
         y_range: Some(y_range),
         y_scale: Scale::Log10,
-        y_unit: if is_percent(quantity) { " %" } else { "" }.to_owned(),
+        y_unit: measure.figure().unit.tail().to_owned(),
         series,
         theme,
         ..Chart::default()

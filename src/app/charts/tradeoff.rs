@@ -6,10 +6,10 @@ use crate::{
         App, Command, Settings,
         chart::Inks,
         chart::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
+        figures::Unit,
         pages::WaysShown,
         settings::Detector,
         studies::{About, SweepAsk},
-        ticks::short,
     },
     io::many::numbers,
     spectrum::{Basis, SpikeEdits},
@@ -21,59 +21,24 @@ use crate::{
     },
 };
 
-/// Errors below this are drawn at it, in ΔE00 or in percent: the axis is logarithmic, and less
-/// than this nobody can tell from nothing.
-pub const SMALLEST: f64 = 1e-4;
-
-/// What a figure is counted in.
-pub fn unit(measure: Measure) -> &'static str {
-    if measure.is_colour() { "ΔE00" } else { "%" }
-}
-
-/// What a figure of a verdict is multiplied by to be counted in [`unit`].
-pub fn factor(measure: Measure) -> f64 {
-    if measure.is_colour() { 1.0 } else { 100.0 }
-}
-
-/// A figure in words: `0.0123`, `12.3 %`, a dash where there is none.
-pub fn figure(measure: Measure, verdict: &Verdict) -> String {
-    match measure.of(verdict).map(|error| error * factor(measure)) {
-        None => "–".to_owned(),
-        Some(error) if error < SMALLEST => format!("<{SMALLEST}{}", tail(measure)),
-        Some(error) => format!("{}{}", three(error), tail(measure)),
-    }
-}
-
-fn tail(measure: Measure) -> &'static str {
-    if measure.is_colour() { "" } else { " %" }
-}
-
-/// Three digits are what an error is good for.
-pub fn three(error: f64) -> String {
-    let rounded: f64 = format!("{error:.2e}").parse().unwrap_or(error);
-    short(rounded)
-}
-
-/// Every figure of a verdict, three lines for hover.
+/// Every error that models are compared by, in two lines for hover.
 pub fn all_figures(verdict: &Verdict) -> String {
-    let of = |measure| figure(measure, verdict);
-    format!(
-        "ΔE00: own colour {}, patches {} (worst {}), narrow filters {}\nrms: {} at 1 nm, {} behind \
-         10 nm",
-        of(Measure::Own),
-        of(Measure::Patches),
-        of(Measure::PatchesWorst),
-        of(Measure::Filters),
-        of(Measure::Rms),
-        of(Measure::RmsBlurred),
-    )
+    let line = |of_colour: bool| -> String {
+        let wanted = Measure::in_files().filter(|measure| measure.is_colour() == of_colour);
+        let told = wanted.map(|measure| {
+            let figure = measure.figure();
+            format!("{} {}", figure.title, figure.brief(verdict[measure]))
+        });
+        told.collect::<Vec<_>>().join(", ")
+    };
+    format!("ΔE00: {}\n{}", line(true), line(false))
 }
 
 /// Why a figure does not exist for the document's subject; `None` when it does.
 pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
     let (document, derived) = (app.document(), app.derived());
     let is_light = document.is_about_light();
-    if derived.errors.is_none() {
+    if !derived.has_errors() {
         return Some(derived.why_no_errors());
     }
     if !measure.is_colour() {
@@ -104,7 +69,7 @@ pub fn lack(app: &App, measure: Measure) -> Option<&'static str> {
 /// The chosen figure where it exists, else the first that does.
 pub fn measure_within(app: &App, chosen: Measure) -> Measure {
     std::iter::once(chosen)
-        .chain(Measure::ALL)
+        .chain(Measure::COMPARED)
         .find(|measure| lack(app, *measure).is_none())
         .unwrap_or(chosen)
 }
@@ -267,10 +232,10 @@ impl Tradeoff {
             title: format!(
                 "{}: {} against numbers",
                 ask.about.subject.0.name(),
-                measure.title()
+                measure.figure().title
             ),
             x_label: "Numbers, 2N + 1 and two for each spike".to_owned(),
-            y_label: axis(measure),
+            y_label: measure.figure().with_unit(),
             x_range: [1.0, (most as f64 * 1.05).max(2.0)],
             x_scale: Scale::Log10,
             y_scale: Scale::Log10,
@@ -294,11 +259,11 @@ impl Tradeoff {
     /// Marks the present model in place of the one that was marked.
     pub fn mark(&mut self, app: &App, verdict: Option<&Verdict>, measure: Measure) {
         self.chart.series.truncate(self.models.len());
-        let Some((verdict, error)) = verdict.and_then(|v| Some((v, measure.of(v)?))) else {
+        let Some((verdict, error)) = verdict.and_then(|v| Some((v, v[measure]?))) else {
             return;
         };
         let numbers = app.derived().numbers();
-        let at = [numbers as f64, (error * factor(measure)).max(SMALLEST)];
+        let at = [numbers as f64, measure.figure().drawn(error)];
         let note = format!("{}\n{}", words_now(app), all_figures(verdict));
         let mark = mark_now(vec![at], self.chart.theme).with_notes(vec![note]);
         self.chart.series.push(mark);
@@ -333,17 +298,9 @@ pub fn words_now(app: &App) -> String {
     )
 }
 
-fn axis(measure: Measure) -> String {
-    if measure.is_colour() {
-        format!("ΔE00, {}", measure.title())
-    } else {
-        format!("Relative {}, %", measure.title())
-    }
-}
-
 fn place(point: &SweepPoint, measure: Measure) -> Option<[f64; 2]> {
-    let error = measure.of(&point.verdict)? * factor(measure);
-    Some([point.numbers as f64, error.max(SMALLEST)])
+    let error = measure.figure().drawn(point.verdict[measure]?);
+    Some([point.numbers as f64, error])
 }
 
 /// "1 spike", "4 spikes".
@@ -418,7 +375,7 @@ pub fn take(settings: Settings, point: &SweepPoint) -> Command {
     }
 }
 
-/// The two errors that the sentences ask about, in [`unit`].
+/// The two errors that the sentences ask about, in the figure's unit.
 pub fn limits(measure: Measure) -> [f64; 2] {
     if measure.is_colour() {
         [1.0, 0.1]
@@ -435,18 +392,15 @@ pub fn needs(
     measure: Measure,
     limit: f64,
 ) -> String {
-    let goal = match measure {
-        Measure::Own => format!("ΔE00 {limit} in its own colour"),
-        Measure::Patches => format!("ΔE00 {limit} on the patches (mean)"),
-        Measure::PatchesWorst => format!("ΔE00 {limit} on every patch"),
-        Measure::Filters => format!("ΔE00 {limit} behind narrow filters (mean)"),
-        Measure::Rms => format!("{limit} % rms at 1 nm"),
-        Measure::RmsBlurred => format!("{limit} % rms behind a 10 nm blur"),
+    let figure = measure.figure();
+    let goal = match figure.unit {
+        Unit::DeltaE => format!("ΔE00 {limit} {}", figure.goal),
+        unit => format!("{limit}{} {}", unit.tail(), figure.goal),
     };
     let name = ask.about.subject.0.name();
     let enough = front.iter().map(|i| &sweep.points[*i]).find(|point| {
-        let error = measure.of(&point.verdict).map(|e| e * factor(measure));
-        error.is_some_and(|error| error < limit)
+        let error = point.verdict[measure];
+        error.is_some_and(|error| figure.shown(error) < limit)
     });
     match enough {
         Some(point) => format!(
@@ -491,7 +445,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
     let values = map
         .verdicts
         .iter()
-        .map(|verdict| Some((measure.of(verdict)? * factor(measure)).max(SMALLEST)))
+        .map(|verdict| Some(measure.figure().drawn(verdict[measure]?)))
         .collect();
     let notes = (0..map.verdicts.len())
         .map(|i| {
@@ -511,14 +465,14 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
         values,
         range: None,
         scale: Scale::Log10,
-        label: unit(measure).to_owned(),
+        label: measure.figure().unit.sign().to_owned(),
     };
     let way = Way::new(ask.basis, false, ask.colour_exact);
     Chart {
         title: format!(
             "{}: {} by order and threshold ({})",
             ask.about.subject.0.name(),
-            measure.title(),
+            measure.figure().title,
             way.title()
         ),
         x_label: "Order N".to_owned(),
@@ -529,7 +483,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
             cells.y_edges.last().copied().unwrap_or(5.0),
         ]),
         y_scale: Scale::Log10,
-        series: vec![Series::cells(measure.title(), cells).with_notes(notes)],
+        series: vec![Series::cells(measure.figure().title, cells).with_notes(notes)],
         notes: origin(&ask.about),
         theme,
         ..Chart::default()

@@ -11,13 +11,11 @@ use crate::{
     color::gaussian_cmf,
     io::many::numbers,
     study::{
+        Measure,
         harmonics::Order,
-        truth::{Errors, STATED_ORDER, SampledErrors},
+        truth::{STATED_ORDER, SampledErrors},
     },
 };
-
-/// Errors below this are drawn at it: the axis is logarithmic.
-const SMALLEST_ERROR: f64 = 1e-4;
 
 /// Percentages that the chart of what is left out shows.
 const NEGLECTED_PERCENT: [f64; 2] = [1e-3, 300.0];
@@ -81,23 +79,22 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
     let first = found.tried.last()?.samples.max(2) as f64;
     let last = found.tried.first()?.samples as f64;
     let (mut series, mut levels) = (Vec::new(), Vec::new());
-    let mut pair = |name: &str, ink: Rgb, shape: Shape, of: &dyn Fn(Errors) -> Option<f64>| {
-        let point = |s: &SampledErrors| Some([s.samples as f64, of(s.errors)?.max(SMALLEST_ERROR)]);
-        let points: Vec<[f64; 2]> = found.tried.iter().filter_map(point).collect();
-        let Some(own) = of(found.composite).filter(|_| !points.is_empty()) else {
+    let mut pair = |measure: Measure, ink: Rgb, shape: Shape| {
+        let figure = measure.figure();
+        let at = |s: &SampledErrors| Some([s.samples as f64, figure.drawn(s.errors[measure]?)]);
+        let points: Vec<[f64; 2]> = found.tried.iter().filter_map(at).collect();
+        let Some(own) = found.composite[measure].filter(|_| !points.is_empty()) else {
             return;
         };
-        let own = own.max(SMALLEST_ERROR);
+        let own = figure.drawn(own);
         let level = vec![[first, own], [last, own]];
         series.push(thin("", ink, points.clone(), Dash::Solid));
-        series.push(Series::points(name, ink, shape, points));
+        series.push(Series::points(figure.with_unit(), ink, shape, points));
         series.push(thin("the composite", ink, level, Dash::Dashed));
         levels.push(own);
     };
-    pair("own ΔE00", inks.smooth, Shape::Dot, &|e| e.own);
-    pair("rms behind 10 nm, %", inks.spikes, Shape::Triangle, &|e| {
-        Some(100.0 * e.relative_rms_10nm)
-    });
+    pair(Measure::Own, inks.smooth, Shape::Dot);
+    pair(Measure::RmsBlurred, inks.spikes, Shape::Triangle);
     // Samples at every nm lose nothing: that end leaves the picture at its foot.
     let lowest = levels.iter().copied().fold(f64::INFINITY, f64::min);
     let heights = series.iter().flat_map(|s: &Series| s.marks.points());

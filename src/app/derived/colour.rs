@@ -109,7 +109,7 @@ impl Fitted {
 
 impl Colour {
     /// `None` when there is no colour to speak of. `white` is the light in the same scale.
-    fn of(xyz: Xyz, xyz_1931: Xyz, white: Xyz, is_light: bool) -> Option<Self> {
+    pub(in crate::app) fn of(xyz: Xyz, xyz_1931: Xyz, white: Xyz, is_light: bool) -> Option<Self> {
         if !xyz.is_finite() || !is_positive(white.y) {
             return None;
         }

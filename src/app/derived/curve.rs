@@ -8,8 +8,20 @@ use crate::{
     app::tables::{CURVE_ORDER, Tables},
     color::{ciede2000::delta_e_2000, lab::lab_from_xyz},
     spectrum::{Basis, composite::add_spikes},
-    study::error::{height, spikes_times, times},
+    study::{
+        Measure, Verdict,
+        error::{height, spikes_times, times},
+    },
 };
+
+/// The errors that the curve has, in the order of files.
+pub const OF_CURVE: [Measure; 5] = [
+    Measure::Own,
+    Measure::Patches,
+    Measure::PatchesWorst,
+    Measure::Rms,
+    Measure::RmsBlurred,
+];
 
 /// The errors at one order of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,16 +30,8 @@ pub struct OrderPoint {
     pub order: usize,
     /// Numbers of the whole model, spikes included.
     pub numbers: usize,
-    /// CIEDE2000 of the subject's own colour.
-    pub own: Option<f64>,
-    /// Mean CIEDE2000 of the patches.
-    pub patches_mean: Option<f64>,
-    /// Largest CIEDE2000 of the patches.
-    pub patches_max: Option<f64>,
-    /// Relative RMS on the 1 nm grid.
-    pub relative_rms: Option<f64>,
-    /// Relative RMS behind a 10 nm blur.
-    pub relative_rms_10nm: Option<f64>,
+    /// Those of [`OF_CURVE`].
+    pub figures: Verdict,
 }
 
 impl Fitted {
@@ -67,17 +71,20 @@ impl Fitted {
                     |sum: f64, whole: f64| (whole > 0.0).then(|| (sum.max(0.0) / whole).sqrt());
                 let scaled = times(&coefficients, unit);
                 let d = plain.with(&scaled, |k| tables.basis.row(k));
-                let relative_rms = share(band.inner(d, d), square);
+                let rms = share(band.inner(d, d), square);
                 let d = blurred.with(&scaled, |k| &tables.blurred[k]);
-                let relative_rms_10nm = share(band.inner(d, d), blurred_square);
+                let rms_blurred = share(band.inner(d, d), blurred_square);
                 OrderPoint {
                     order,
                     numbers: coefficients.len() + 2 * self.spikes.len(),
-                    own,
-                    patches_mean: patches.map(|p| p.0),
-                    patches_max: patches.map(|p| p.1),
-                    relative_rms,
-                    relative_rms_10nm,
+                    figures: Verdict::from_fn(|measure| match measure {
+                        Measure::Own => own,
+                        Measure::Patches => patches.map(|p| p.0),
+                        Measure::PatchesWorst => patches.map(|p| p.1),
+                        Measure::Rms => rms,
+                        Measure::RmsBlurred => rms_blurred,
+                        _ => None,
+                    }),
                 }
             })
             .collect()

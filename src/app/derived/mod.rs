@@ -6,13 +6,13 @@ mod fitted;
 mod patches;
 
 pub use colour::{Colour, ColourComparison};
-pub use curve::OrderPoint;
+pub use curve::{OF_CURVE, OrderPoint};
 pub use patches::{PatchComparison, PatchPair};
 
 use crate::{
     color::{Adaptation, Xyz},
     spectrum::{Band, Composite, Decomposed, Exactness, Series, SpikeEdits, composite::add_spikes},
-    study::error::{SpectrumErrors, spectrum_errors},
+    study::{Measure, Verdict, error::spectrum_errors},
 };
 
 use super::{settings::Settings, tables::Tables, ticks::short};
@@ -62,8 +62,8 @@ pub struct Derived {
     pub residual: Vec<f64>,
     /// How the colour-exact fit went; `None` when it was not asked for.
     pub exactness: Option<Exactness>,
-    /// Errors of the spectrum; `None` for an all-zero one.
-    pub errors: Option<SpectrumErrors>,
+    /// What the model is off by; nothing behind narrow filters.
+    pub figures: Verdict,
     /// The subject's colour.
     pub colour: ColourComparison,
     /// The patches under a light.
@@ -106,10 +106,15 @@ impl Derived {
         let patches = is_visible
             .then(|| fitted.patches(question, tables, &coefficients))
             .flatten();
+        let errors = spectrum_errors(&tables.blur, question.measured, &smooth, &fitted.spikes);
+        let mut figures = errors.unwrap_or_default();
+        figures[Measure::Own] = colour.delta_e_2000;
+        figures[Measure::Patches] = patches.as_ref().map(|p| p.mean);
+        figures[Measure::PatchesWorst] = patches.as_ref().map(|p| p.max);
         let mut derived = Self {
             band,
             measured: question.measured.to_vec(),
-            errors: spectrum_errors(&tables.blur, question.measured, &smooth, &fitted.spikes),
+            figures,
             model: Composite {
                 smooth: Series {
                     band,
@@ -129,6 +134,11 @@ impl Derived {
         };
         derived.warnings = derived.warnings_for(question);
         derived
+    }
+
+    /// Whether there is a spectrum to be off: no [`why_no_errors`](Self::why_no_errors).
+    pub fn has_errors(&self) -> bool {
+        self.figures[Measure::Rms].is_some()
     }
 
     /// What is said where there are no errors: what was measured is zero, or so small that it cannot
@@ -191,7 +201,7 @@ impl Derived {
         let is_beside = first_nm > self.band.max_nm() || last_nm < self.band.min_nm();
         if is_beside {
             warnings.push(nothing_measured(self.band, question.table_nm));
-        } else if self.errors.is_none() {
+        } else if !self.has_errors() {
             warnings.push(self.why_no_errors().to_owned());
         } else if self.colour.exact.is_some() && self.colour.model.is_none() {
             warnings.push(
@@ -271,12 +281,12 @@ impl Derived {
                 colour.swatch.mapping.words()
             ));
         }
-        if let Some(errors) = self.errors
-            && errors.lowest < -WORTH_SAYING
+        if let Some(lowest) = self.figures[Measure::Lowest]
+            && lowest < -WORTH_SAYING
         {
             warnings.push(format!(
                 "The smooth part dips below zero, to {:.1} % of the peak.",
-                100.0 * errors.lowest
+                100.0 * lowest
             ));
         }
         warnings

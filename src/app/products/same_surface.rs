@@ -19,7 +19,10 @@ use crate::{
         ticks::short,
     },
     spectrum::{Band, Composite},
-    study::products::{Checker, Compared, Sameness, measured_check, same_surface::SAME_RESIDUAL},
+    study::{
+        Measure,
+        products::{Checker, Compared, Sameness, measured_check, same_surface::SAME_RESIDUAL},
+    },
 };
 
 /// A light, a surface and an outgoing spectrum compared.
@@ -58,7 +61,7 @@ impl SameSurfaceSheet {
         let band = lit.band();
         let found = modelled(app, &lit, outgoing);
         let light = &lit.derived;
-        let left_out = |of: &Derived| of.errors.map_or(0.0, |e| e.relative_rms_10nm);
+        let left_out = |of: &Derived| of.figures[Measure::RmsBlurred].unwrap_or(0.0);
         let light_name = app.document().light.name().to_owned();
         Self {
             band,

@@ -2,9 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 
-use crate::app::{pages::PageMemory, stored_path};
+use crate::{
+    app::{derived::OF_CURVE, pages::PageMemory, stored_path},
+    study::Measure,
+};
 
 /// How the window looks; not part of undo.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,7 +25,8 @@ pub struct Preferences {
     /// Inner size of the window in points, if it was ever shown.
     pub window: Option<[f32; 2]>,
     /// What the error-against-order curve shows.
-    pub curve: CurveQuantity,
+    #[serde(deserialize_with = "of_curve")]
+    pub curve: Measure,
     /// The shelves that are folded in the library.
     pub folded: Vec<String>,
     /// The library stays open beside the page.
@@ -41,7 +45,7 @@ impl Default for Preferences {
             present: false,
             recent: Vec::new(),
             window: None,
-            curve: CurveQuantity::PatchesWorst,
+            curve: Measure::PatchesWorst,
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
             pinned: false,
             greeted: false,
@@ -84,19 +88,27 @@ impl Preferences {
 /// Recent files kept.
 const MOST_RECENT: usize = 12;
 
-/// What the error-against-order curve shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum CurveQuantity {
-    /// CIEDE2000 of the light itself.
-    Own,
-    /// Mean CIEDE2000 of the patches.
-    #[default]
-    Patches,
-    /// Largest CIEDE2000 of the patches.
-    PatchesWorst,
-    /// Relative RMS at 1 nm.
-    Rms,
-    /// Relative RMS behind a 10 nm blur.
-    RmsBlurred,
+/// One of the errors that the curve has.
+fn of_curve<'de, D: Deserializer<'de>>(stored: D) -> Result<Measure, D::Error> {
+    let measure = Measure::deserialize(stored)?;
+    let why = "expected an error of the curve";
+    OF_CURVE
+        .contains(&measure)
+        .then_some(measure)
+        .ok_or_else(|| D::Error::custom(why))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_that_the_curve_has_not_is_a_word_that_is_not_understood() {
+        for measure in Measure::COMPARED {
+            let stored = serde_json::json!({ "curve": measure });
+            let read = serde_json::from_value::<Preferences>(stored).ok();
+            let wanted = OF_CURVE.contains(&measure).then_some(measure);
+            assert_eq!(read.map(|preferences| preferences.curve), wanted);
+        }
+    }
 }

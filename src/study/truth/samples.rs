@@ -4,7 +4,10 @@ use super::{MOST_SPIKES, TOTAL_NUMBERS};
 use crate::{
     color::{Xyz, delta_e_of_xyz, xyz_of_parts},
     spectrum::{BasisTable, Spike, spikes::LineShape},
-    study::error::{Blur, spectrum_errors},
+    study::{
+        error::{Blur, spectrum_errors},
+        measure::{ByMeasure, Measure, Verdict},
+    },
 };
 
 /// A spectrum with its lines, and how it is looked at.
@@ -31,14 +34,16 @@ pub struct SamplesAgainstNumbers {
     pub background: usize,
     /// Spikes of the composite, two numbers each.
     pub spikes: usize,
-    /// How far the composite is off.
-    pub composite: Errors,
+    /// How far the composite is off. On the 1 nm grid a spike stands in its two neighbouring nm: a
+    /// line of some width counts as missed there, however well it is weighed.
+    pub composite: Verdict,
     /// The spectrum sampled every [`STEPS_NM`], as far as the range holds such a step.
     pub sampled: Vec<SampledErrors>,
     /// Every step that was tried, from 1 nm on: the curve to draw.
     pub tried: Vec<SampledErrors>,
-    /// How finely one must sample to do as well as the composite.
-    pub needed: Needed,
+    /// How finely one must sample to do as well as the composite by each error; `None` for colours
+    /// where there are none.
+    pub needed: ByMeasure<Option<Match>>,
 }
 
 impl SamplesAgainstNumbers {
@@ -46,18 +51,6 @@ impl SamplesAgainstNumbers {
     pub fn numbers(&self) -> usize {
         self.background + 2 * self.spikes
     }
-}
-
-/// How far a representation is off.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Errors {
-    /// CIEDE2000 of the spectrum's own colour.
-    pub own: Option<f64>,
-    /// Relative root mean square on the 1 nm grid, which has a spike in its two neighbouring nm: a
-    /// line of some width counts as missed there, however well it is weighed.
-    pub relative_rms: f64,
-    /// The same behind a blur of 10 nm.
-    pub relative_rms_10nm: f64,
 }
 
 /// Samples at even steps, joined by straight lines.
@@ -69,18 +62,7 @@ pub struct SampledErrors {
     /// How many samples that makes.
     pub samples: usize,
     /// How far the straight lines are off.
-    pub errors: Errors,
-}
-
-/// How finely one must sample to be off by no more than the composite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Needed {
-    /// For the spectrum's own colour; `None` when there is no colour.
-    pub own: Option<Match>,
-    /// For the relative root mean square on the 1 nm grid.
-    pub relative_rms: Match,
-    /// For the same behind a blur of 10 nm.
-    pub relative_rms_10nm: Match,
+    pub errors: Verdict,
 }
 
 /// Samplings that are off by no more than the composite.
@@ -117,6 +99,12 @@ pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
     let tried: Vec<SampledErrors> = ladder(steps)
         .map(|step| question.sampled_every(step))
         .collect::<Option<_>>()?;
+    let needed = ByMeasure::from_fn(|measure| {
+        let is_error = Measure::COMPARED.contains(&measure);
+        is_error.then(|| Match::of(&tried, composite, measure))?
+    });
+    // Whoever has values has these.
+    needed[Measure::Rms].and(needed[Measure::RmsBlurred])?;
     Some(SamplesAgainstNumbers {
         background,
         spikes: spikes.len(),
@@ -124,7 +112,7 @@ pub fn samples(question: Question<'_>) -> Option<SamplesAgainstNumbers> {
         sampled: sampled
             .map(|step| question.sampled_every(step))
             .collect::<Option<_>>()?,
-        needed: needed(&tried, composite)?,
+        needed,
         tried,
     })
 }
@@ -153,17 +141,6 @@ pub(super) fn background(
     (question.table.evaluate(&coefficients), coefficients.len())
 }
 
-pub(super) fn needed(tried: &[SampledErrors], composite: Errors) -> Option<Needed> {
-    let own = |errors: Errors| errors.own;
-    let relative_rms = |errors: Errors| Some(errors.relative_rms);
-    let relative_rms_10nm = |errors: Errors| Some(errors.relative_rms_10nm);
-    Some(Needed {
-        own: Match::of(tried, composite, own),
-        relative_rms: Match::of(tried, composite, relative_rms)?,
-        relative_rms_10nm: Match::of(tried, composite, relative_rms_10nm)?,
-    })
-}
-
 /// Steps to try, in nm: every whole one to 20, then a tenth more each time, so that a long range
 /// stays quick; none longer than the range.
 pub(super) fn ladder(longest: usize) -> impl Iterator<Item = usize> {
@@ -175,11 +152,11 @@ impl Match {
     /// The matches among samplings of rising step; `None` when there is nothing to match.
     pub(super) fn of(
         tried: &[SampledErrors],
-        composite: Errors,
-        measure: impl Fn(Errors) -> Option<f64>,
+        composite: Verdict,
+        measure: Measure,
     ) -> Option<Self> {
-        let limit = measure(composite)?;
-        let does = |s: &&SampledErrors| measure(s.errors).is_some_and(|off| off <= limit);
+        let limit = composite[measure]?;
+        let does = |s: &&SampledErrors| s.errors[measure].is_some_and(|off| off <= limit);
         Some(Self {
             surely: *tried.iter().take_while(does).last()?,
             at_best: *tried.iter().rfind(does)?,
@@ -189,16 +166,13 @@ impl Match {
 
 impl Question<'_> {
     /// Errors of a smooth part on the grid and spikes; `None` for an all-zero spectrum.
-    fn errors(self, smooth: &[f64], spikes: &[Spike]) -> Option<Errors> {
+    fn errors(self, smooth: &[f64], spikes: &[Spike]) -> Option<Verdict> {
         let band = self.table.band();
-        let errors = spectrum_errors(self.blur, self.measured, smooth, spikes)?;
+        let mut errors = spectrum_errors(self.blur, self.measured, smooth, spikes)?;
         let exact = xyz_of_parts(band, self.measured, &[], self.weights);
         let found = xyz_of_parts(band, smooth, spikes, self.weights);
-        Some(Errors {
-            own: delta_e_of_xyz(exact, found, self.white),
-            relative_rms: errors.relative_rms,
-            relative_rms_10nm: errors.relative_rms_10nm,
-        })
+        errors[Measure::Own] = delta_e_of_xyz(exact, found, self.white);
+        Some(errors)
     }
 
     /// Samples every `step_nm` whole nm, joined by straight lines.

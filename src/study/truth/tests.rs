@@ -11,6 +11,7 @@ use crate::{
     spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike},
     study::error::{BLUR_NM, Blur, times},
     study::harmonics::{self, Harmonics},
+    study::{Measure, Verdict},
 };
 
 const BAND: Band = Band::VISIBLE;
@@ -131,7 +132,7 @@ fn a_range_without_visible_light_has_no_shares_and_no_colour() {
         weights: &weights(band),
         white: white(band, &light),
     });
-    assert_eq!(found.unwrap().needed.own, None);
+    assert_eq!(found.unwrap().needed[Measure::Own], None);
 }
 
 #[test]
@@ -144,7 +145,7 @@ fn twenty_numbers_go_to_four_lines_and_what_lines_leave_to_the_background() {
         let found = samples_of(&table, &measured, &all[..lines]);
         assert_eq!((found.numbers(), found.spikes), (20, spikes));
         assert_eq!(found.background, 20 - 2 * spikes);
-        let off = found.composite.relative_rms;
+        let off = found.composite[Measure::Rms].unwrap();
         // Exact where every line has its spike; the fifth, the lightest left, is missed.
         assert_eq!(off < 1e-12, lines <= 4, "{off}");
     }
@@ -159,9 +160,10 @@ fn lines_of_one_nm_need_a_sample_every_nm() {
     let found = samples_of(&table, &with_lines(&background(&table), &lines), &lines);
     let counts: Vec<usize> = found.sampled.iter().map(|s| s.samples).collect();
     assert_eq!(counts, [401, 81, 41, 21]);
-    assert_eq!(found.sampled[0].errors.relative_rms, 0.0);
-    assert!(found.sampled[1].errors.own.unwrap() > 5.0);
-    for needed in [found.needed.relative_rms, found.needed.own.unwrap()] {
+    assert_eq!(found.sampled[0].errors[Measure::Rms], Some(0.0));
+    assert!(found.sampled[1].errors[Measure::Own].unwrap() > 5.0);
+    for measure in [Measure::Rms, Measure::Own] {
+        let needed = found.needed[measure].unwrap();
         assert_eq!(needed.surely.samples, 401);
         assert_eq!(needed.at_best.samples, 401);
     }
@@ -169,11 +171,7 @@ fn lines_of_one_nm_need_a_sample_every_nm() {
 
 #[test]
 fn a_lucky_step_is_told_from_one_that_surely_does() {
-    let errors = |relative_rms| Errors {
-        own: None,
-        relative_rms,
-        relative_rms_10nm: 0.0,
-    };
+    let errors = |rms| Verdict::from_fn(|measure| (measure == Measure::Rms).then_some(rms));
     let tried: Vec<SampledErrors> = [0.0, 0.1, 0.3, 0.2, 0.4]
         .into_iter()
         .zip(ladder(400))
@@ -183,9 +181,9 @@ fn a_lucky_step_is_told_from_one_that_surely_does() {
             errors: errors(off),
         })
         .collect();
-    let found = Match::of(&tried, errors(0.2), |e| Some(e.relative_rms)).unwrap();
+    let found = Match::of(&tried, errors(0.2), Measure::Rms).unwrap();
     assert_eq!((found.surely.step_nm, found.at_best.step_nm), (2, 4));
-    assert_eq!(Match::of(&tried, errors(0.2), |e| e.own), None);
+    assert_eq!(Match::of(&tried, errors(0.2), Measure::Own), None);
 }
 
 #[test]
@@ -365,7 +363,7 @@ fn enormous_and_tiny_spectra_give_no_nan() {
         let fit = table_2(BAND, Observer::Cie1931, &measured);
         assert!(fit.delta_e_2000.is_none_or(f64::is_finite));
         let found = samples_of(&table, &measured, &[]);
-        assert!(found.composite.relative_rms.is_finite());
+        assert!(found.composite[Measure::Rms].is_some_and(f64::is_finite));
         let light = Composite {
             smooth: Series {
                 band: BAND,

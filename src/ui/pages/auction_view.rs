@@ -11,8 +11,8 @@ use crate::{
         App, Command, chart,
         charts::{
             auction::{
-                AuctionChart, MEANINGS, MEASURES, NAMES, ended_words, error_words, gain_words,
-                goal_within, names, plain_measure, purchases_words,
+                AuctionChart, NAMES, ended_words, error_words, gain_words, goal_within, names,
+                plain_measure, purchases_words,
             },
             tradeoff::{self, all_figures, lack},
         },
@@ -141,7 +141,7 @@ fn is_now(app: &App, sheet: &Sheet, step: usize) -> bool {
 
 /// Goal and budget.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
-    let lacks = MEASURES.map(|measure| lack(context.app, measure));
+    let lacks = Goal::MEASURES.map(|measure| lack(context.app, measure));
     ui.horizontal_wrapped(|ui| {
         ui.label("Make small")
             .on_hover_text("The goal: what each purchase is to lower most.");
@@ -152,7 +152,7 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
                 context.memory.goal = plain;
             }
             response
-                .on_hover_text(MEANINGS[i])
+                .on_hover_text(Goal::MEASURES[i].figure().meaning)
                 .on_disabled_hover_text(lacks[i].unwrap_or_default());
         }
     });
@@ -205,7 +205,7 @@ fn weights(
                 .on_hover_text(format!(
                     "{} Its weight in the mix; in a mix each error is divided by its value at \
                      N = 0.",
-                    MEANINGS[i]
+                    Goal::MEASURES[i].figure().meaning
                 ))
                 .on_disabled_hover_text(lacks[i].unwrap_or_default());
             ui.weak(NAMES[i]);

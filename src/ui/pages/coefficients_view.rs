@@ -60,7 +60,7 @@ impl CoefficientsView {
         let harmonics = &*self.harmonics.get(revision, |_| harmonics_of(context.app));
         let highest = harmonics.orders.len().saturating_sub(1);
         context.memory.partial_order = context.memory.partial_order.min(highest);
-        if context.app.derived().errors.is_none() {
+        if !context.app.derived().has_errors() {
             self.next_step = None;
             ui.add_space(6.0);
             ui.weak("The spectrum is zero over the whole range: there is nothing to add up.");

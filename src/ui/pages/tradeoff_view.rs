@@ -11,8 +11,8 @@ use crate::{
         Command,
         chart::{self, Chart},
         charts::tradeoff::{
-            self, Tradeoff, all_figures, figure, lack, limits, mark_threshold, measure_within,
-            needs, take, take_cell, threshold_chart, unit, way_name,
+            self, Tradeoff, all_figures, lack, limits, mark_threshold, measure_within, needs, take,
+            take_cell, threshold_chart, way_name,
         },
         memo::{ByAddress, Memo},
         pages::WaysShown,
@@ -112,15 +112,15 @@ impl TradeoffView {
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Error");
-        for (one, title) in FIGURES {
-            let lack = lack(context.app, one);
-            let button = egui::Button::selectable(measure == one, title);
+        for one in Measure::COMPARED {
+            let (lack, figure) = (lack(context.app, one), one.figure());
+            let button = egui::Button::selectable(measure == one, figure.title);
             let response = ui.add_enabled(lack.is_none(), button);
             if response.clicked() {
                 context.memory.measure = one;
             }
             response
-                .on_hover_text(meaning(one))
+                .on_hover_text(figure.meaning)
                 .on_disabled_hover_text(lack.unwrap_or_default());
         }
     });
@@ -163,24 +163,6 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     });
 }
 
-/// What a figure counts, with its unit.
-pub(super) fn meaning(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Own => "CIEDE2000 of the spectrum's own colour.",
-        Measure::Patches => "Mean CIEDE2000 of the patches under the light, products at 1 nm.",
-        Measure::PatchesWorst => {
-            "Largest CIEDE2000 of the patches under the light, products at 1 nm."
-        }
-        Measure::Filters => {
-            "Mean CIEDE2000 behind Gaussian band-passes of 10 nm, centred at 420, 430 ... 670 nm."
-        }
-        Measure::Rms => {
-            "Root mean square of model minus measured over that of the spectrum, percent."
-        }
-        Measure::RmsBlurred => "The same after a Gaussian blur of 10 nm full width, percent.",
-    }
-}
-
 impl Sheet {
     fn of(
         ask: &SweepAsk,
@@ -192,11 +174,9 @@ impl Sheet {
         let sentences =
             limits(measure).map(|limit| needs(ask, &sweep, &tradeoff.front, measure, limit));
         let points = || tradeoff.front.iter().map(|index| &sweep.points[*index]);
-        let all: Vec<usize> = (0..FIGURES.len()).collect();
-        let chosen = FIGURES.iter().position(|(one, _)| *one == measure);
-        let tables = [all, chosen.into_iter().collect()].map(|figures| {
-            let rows = points().map(|point| row(point, measure, &figures));
-            (columns(&figures), rows.collect())
+        let tables = [&Measure::COMPARED[..], &[measure]].map(|figures| {
+            let rows = points().map(|point| row(point, measure, figures));
+            (columns(figures), rows.collect())
         });
         Self {
             map: threshold_chart(ask, &sweep, measure, theme),
@@ -210,27 +190,7 @@ impl Sheet {
     }
 }
 
-/// The figures with names that stand side by side in the narrowest window.
-const FIGURES: [(Measure, &str); 6] = [
-    (Measure::Patches, "patches, mean"),
-    (Measure::PatchesWorst, "worst patch"),
-    (Measure::Own, "own colour"),
-    (Measure::Filters, "narrow filters"),
-    (Measure::RmsBlurred, "rms 10 nm"),
-    (Measure::Rms, "rms 1 nm"),
-];
-
-/// The same over the columns of the table, with their shares of its width.
-const COLUMNS: [(&str, f32); 6] = [
-    ("patches", 1.2),
-    ("worst", 1.2),
-    ("own", 1.25),
-    ("filters", 1.2),
-    ("rms 10 nm", 1.4),
-    ("rms 1 nm", 1.4),
-];
-
-fn columns(figures: &[usize]) -> Vec<Column> {
+fn columns(figures: &[Measure]) -> Vec<Column> {
     let mut columns = vec![
         Column::numbers(
             "numbers",
@@ -245,24 +205,24 @@ fn columns(figures: &[usize]) -> Vec<Column> {
         Column::numbers("N", "Order of the smooth part.", 0.55),
         Column::numbers("spikes", "Lines kept as a place and a weight.", 1.0),
     ];
-    columns.extend(figures.iter().map(|figure| {
-        let (title, share) = COLUMNS[*figure];
-        Column::numbers(title, meaning(FIGURES[*figure].0), share)
+    columns.extend(figures.iter().map(|measure| {
+        let figure = measure.figure();
+        let share = if measure.is_colour() { 1.2 } else { 1.4 };
+        Column::numbers(figure.short, figure.meaning, share)
     }));
     columns
 }
 
-fn row(point: &SweepPoint, measure: Measure, figures: &[usize]) -> Row {
-    let figures = figures
-        .iter()
-        .map(|i| figure(FIGURES[*i].0, &point.verdict));
+fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
+    let brief = |measure: &Measure| measure.figure().brief(point.verdict[*measure]);
+    let figure = measure.figure();
     let mut cells = vec![
         point.numbers.to_string(),
         way_name(point.way),
         point.order.to_string(),
         point.spikes.to_string(),
     ];
-    cells.extend(figures);
+    cells.extend(figures.iter().map(brief));
     Row {
         cells,
         name: format!(
@@ -270,9 +230,9 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[usize]) -> Row {
             numbers(point.numbers),
             point.way.title(),
             point.order,
-            measure.title(),
-            unit(measure),
-            figure(measure, &point.verdict)
+            figure.title,
+            figure.unit.sign(),
+            brief(&measure)
         ),
         note: format!("{}\nClick to take this model.", all_figures(&point.verdict)),
         ..Row::default()
@@ -354,7 +314,7 @@ fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh:
     ui.label(
         egui::RichText::new(format!(
             "Lowest error for that many numbers: {}",
-            sheet.measure.title()
+            sheet.measure.figure().title
         ))
         .strong(),
     );

@@ -1,7 +1,7 @@
 //! Beside a larger collection: its figures and this race's, the differences in words, and both
 //! halves of the result: what the composite wins and what it loses.
 
-use super::{figure, shown_factor, spread_of};
+use super::{error_words, figure};
 use crate::{
     app::studies::{Field, RaceAsk},
     color::Observer,
@@ -101,18 +101,14 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
         (0..race.racers.len())
             .filter(|racer| wanted(race.racers[*racer]))
             .filter_map(|racer| {
-                let spread = spread_of(race, Some(class), budget, racer, measure)?;
+                let spread = race.spread(Some(class), budget, racer, measure)?;
                 Some((race.racers[racer], spread))
             })
             .min_by(|a, b| a.1.median.total_cmp(&b.1.median))
     };
     let (composite, ours) = best(&|racer| matches!(racer, Racer::Composite(_)))?;
     let (rival, theirs) = best(&|racer| matches!(racer, Racer::Rival(_)))?;
-    let words = |spread: Spread| {
-        let factor = shown_factor(measure);
-        let unit = if measure.is_colour() { "" } else { " %" };
-        format!("{}{unit}", figure(factor * spread.median))
-    };
+    let words = |spread: Spread| error_words(measure, Some(spread.median));
     let (ours_words, theirs_words) = (words(ours), words(theirs));
     let class = capitalised(class);
     let (composite, rival) = (composite.title(), rival_words(rival));
@@ -198,8 +194,9 @@ fn others(race: &Race) -> Vec<String> {
         let Some(place) = place(race, other.racer) else {
             continue;
         };
-        let row = race.row(Some(class), budget, place);
-        let (Some(filters), Some(rms)) = (row.filters, row.relative_rms_10nm) else {
+        let spread = |measure| race.spread(Some(class), budget, place, measure);
+        let both = spread(Measure::Filters).zip(spread(Measure::RmsBlurred));
+        let Some((filters, rms)) = both else {
             continue;
         };
         words.push(format!(
@@ -209,8 +206,8 @@ fn others(race: &Race) -> Vec<String> {
             figure(rms.median),
             figure(rms.p95),
             pair(other.filters),
-            figure(other.relative_rms_10nm[0]),
-            figure(other.relative_rms_10nm[1]),
+            figure(other.rms_blurred[0]),
+            figure(other.rms_blurred[1]),
         ));
     }
     let (mut without, mut all) = (0, 0);
@@ -225,7 +222,7 @@ fn others(race: &Race) -> Vec<String> {
             .enumerate()
             .filter(|(_, racer)| matches!(racer, Racer::Composite(_)))
             .filter_map(|(i, racer)| {
-                let spread = spread_of(race, Some(class), budget, i, Measure::Filters)?;
+                let spread = race.spread(Some(class), budget, i, Measure::Filters)?;
                 Some((racer, spread.median))
             })
             .min_by(|a, b| a.1.total_cmp(&b.1));

@@ -6,22 +6,20 @@ mod table;
 mod winners;
 
 pub use larger::{Larger, Tables};
-pub use table::{RaceCell, RaceColumn, RaceTable, about, group, meaning, name};
+pub use table::{RaceCell, RaceColumn, RaceTable, about, group, name};
 pub use winners::{Lamp, Winners, Won};
 
 use crate::{
     app::{
         chart::Inks,
         chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        figures::SMALLEST,
         studies::RaceAsk,
         study_report::{field_words, race_notes, row_numbers, wins},
     },
     spectrum::Basis,
-    study::{Measure, Race, Spread, race::Racer},
+    study::{Measure, Race, race::Racer},
 };
-
-/// Errors below this are drawn at it: the axis is logarithmic, and a colour-exact fit has none.
-pub const SMALLEST_ERROR: f64 = 1e-4;
 
 /// A racer's name in a few letters: `ex` is colour-exact, `+s` with spikes.
 pub fn short_name(racer: Racer) -> &'static str {
@@ -77,33 +75,13 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
     }
 }
 
-/// A measure's spread in a row of the race.
-pub fn spread_of(
-    race: &Race,
-    class: Option<&str>,
-    budget: usize,
-    racer: usize,
-    measure: Measure,
-) -> Option<Spread> {
-    let errors: Vec<f64> = race
-        .of_class(class)
-        .filter_map(|lamp| measure.of(&race.run(lamp, budget, racer).verdict))
-        .collect();
-    Spread::of(&errors)
-}
-
-/// A measure with its unit, for an axis.
-pub fn axis_label(measure: Measure) -> String {
-    if measure.is_colour() {
-        format!("{} (CIEDE2000)", measure.title())
-    } else {
-        format!("{} (%)", measure.title())
-    }
-}
-
-/// What a measure is multiplied by to be in the unit shown: percent for shares.
-pub fn shown_factor(measure: Measure) -> f64 {
-    if measure.is_colour() { 1.0 } else { 100.0 }
+/// An error in few letters with its unit.
+fn error_words(measure: Measure, error: Option<f64>) -> String {
+    let unit = measure.figure().unit;
+    error.map_or_else(
+        || "–".to_owned(),
+        |error| format!("{}{}", figure(error * unit.factor()), unit.tail()),
+    )
 }
 
 /// Who races, with the class where there are several.
@@ -128,20 +106,19 @@ pub fn error_chart(
     theme: Theme,
 ) -> Chart {
     let inks = Inks::of(theme);
-    let factor = shown_factor(measure);
+    let of_measure = measure.figure();
     let many = race.of_class(class).count() > 1;
     let (mut lines, mut dots) = (Vec::new(), Vec::new());
     for (place, racer) in race.racers.iter().enumerate() {
         let mut points = Vec::new();
         let mut notes = Vec::new();
         for (budget, numbers) in race.budgets.iter().enumerate() {
-            let Some(spread) = spread_of(race, class, budget, place, measure) else {
+            let Some(spread) = race.spread(class, budget, place, measure) else {
                 continue;
             };
-            let shown = (factor * spread.median).max(SMALLEST_ERROR);
-            points.push([*numbers as f64, shown]);
+            points.push([*numbers as f64, of_measure.drawn(spread.median)]);
             notes.push(if many {
-                let [p95, worst] = [spread.p95, spread.worst].map(|e| figure(factor * e));
+                let [p95, worst] = [spread.p95, spread.worst].map(|e| figure(of_measure.shown(e)));
                 format!("95 % below {p95}, worst {worst}")
             } else {
                 String::new()
@@ -166,7 +143,7 @@ pub fn error_chart(
     let room = (0.03 * (last - first)).max(0.5);
     let mut notes = race_notes(ask);
     notes.push(format!(
-        "{}Below {SMALLEST_ERROR} an error is drawn at it. ex: colour-exact, +s: with spikes.",
+        "{}Below {SMALLEST} an error is drawn at it. ex: colour-exact, +s: with spikes.",
         if many {
             "Medians over the lights. "
         } else {
@@ -176,7 +153,7 @@ pub fn error_chart(
     Chart {
         title: format!("Error against numbers: {}", of_whom(ask, race, class)),
         x_label: "Numbers".to_owned(),
-        y_label: axis_label(measure),
+        y_label: of_measure.with_unit(),
         x_range: [first - room, last + room],
         y_scale: Scale::Log10,
         series: lines.into_iter().chain(dots).collect(),
@@ -237,7 +214,7 @@ pub fn table_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, budget: usiz
 pub fn figure(value: f64) -> String {
     match value {
         v if !v.is_finite() => "–".to_owned(),
-        v if v < SMALLEST_ERROR => "<.0001".to_owned(),
+        v if v < SMALLEST => "<.0001".to_owned(),
         v if v < 0.01 => format!("{v:.4}"),
         v if v < 1.0 => format!("{v:.3}"),
         v if v < 100.0 => format!("{v:.2}"),

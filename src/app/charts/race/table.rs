@@ -1,33 +1,13 @@
 //! The paper's Table 1 with numbers: one line a representation, the least of each column marked.
 
 use super::figure;
-use crate::study::{
-    Measure, Race, Spread,
-    race::{Racer, Row},
+use crate::{
+    app::figures::Unit,
+    study::{
+        Measure, Race, Spread,
+        race::{Racer, Row},
+    },
 };
-
-/// What a measure means, for tooltips.
-pub fn meaning(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Own => "CIEDE2000 between the light's own colour and that of its likeness.",
-        Measure::Patches => {
-            "Mean CIEDE2000 of the patches. Light and reflectances are both approximated, with \
-             the same count of numbers."
-        }
-        Measure::PatchesWorst => "Largest CIEDE2000 of the patches, both factors approximated.",
-        Measure::Filters => {
-            "Mean CIEDE2000 behind Gaussian band-passes of 10 nm full width at 420, 430 ... 670 \
-             nm. The filter is exact; the exact light behind it is brought to Y = 50."
-        }
-        Measure::Rms => {
-            "Root mean square of likeness minus light over that of the light, at 1 nm, percent."
-        }
-        Measure::RmsBlurred => {
-            "Root mean square of the difference over that of the light, both behind a Gaussian \
-             blur of 10 nm full width, percent."
-        }
-    }
-}
 
 /// A column of the race's table.
 pub struct RaceColumn {
@@ -64,6 +44,9 @@ pub struct RaceTable {
     pub many: bool,
 }
 
+/// What stands between the patches that choose and those that check.
+const BEFORE_CHECK: [Measure; 3] = [Measure::Filters, Measure::RmsBlurred, Measure::Own];
+
 /// What is compared in a column; less is better.
 type Value<'a> = &'a dyn Fn(&Row) -> Option<f64>;
 
@@ -76,21 +59,16 @@ impl RaceTable {
         let many = rows.first().is_some_and(|row| row.lamps > 1);
         let mut columns = Vec::new();
         patches(&mut columns, &rows, many, decides);
-        for (title, measure, factor) in [
-            ("filters ΔE00", Measure::Filters, 1.0),
-            ("rms 10 nm, %", Measure::RmsBlurred, 100.0),
-            ("own ΔE00", Measure::Own, 1.0),
-        ] {
-            let of = |row: &Row| of_measure(row, measure);
-            let tip = meaning(measure);
-            let mut column = spread_column(title, tip, &rows, many, factor, &of);
+        let of = |measure: Measure| {
+            let mut column = measured(measure, measure.figure().meaning, &rows, many);
             column.decides = measure == decides;
             if many && measure == Measure::Own {
                 // Two figures too small to be written, and the sign of those who win.
                 column.width = 114.0;
             }
-            columns.push(column);
-        }
+            column
+        };
+        columns.extend(BEFORE_CHECK.map(of));
         let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
                      choice.";
         columns.push(spread_column(
@@ -101,16 +79,11 @@ impl RaceTable {
             1.0,
             &|row| row.check,
         ));
-        let mut rms = spread_column(
-            "rms 1 nm, %",
-            meaning(Measure::Rms),
-            &rows,
-            many,
-            100.0,
-            &|row| row.relative_rms,
-        );
-        rms.decides = decides == Measure::Rms;
-        columns.push(rms);
+        let is_new = |measure: &Measure| {
+            let patches = matches!(measure, Measure::Patches | Measure::PatchesWorst);
+            !patches && !BEFORE_CHECK.contains(measure)
+        };
+        columns.extend(Measure::COMPARED.into_iter().filter(is_new).map(of));
         columns.push(spent(race, class, budget, rows.len()));
         costs(&mut columns, &rows, many, &race.cost_of);
         Self {
@@ -162,13 +135,12 @@ pub fn about(racer: Racer) -> String {
     format!("{}. {words}", racer.title())
 }
 
-fn of_measure(row: &Row, measure: Measure) -> Option<Spread> {
-    match measure {
-        Measure::Own => row.own,
-        Measure::Patches | Measure::PatchesWorst => row.patches,
-        Measure::Filters => row.filters,
-        Measure::Rms => row.relative_rms,
-        Measure::RmsBlurred => row.relative_rms_10nm,
+/// What stands over a figure.
+fn title(measure: Measure) -> String {
+    let figure = measure.figure();
+    match figure.unit {
+        Unit::DeltaE => format!("{} ΔE00", figure.short),
+        unit => format!("{}, {}", figure.short, unit.sign()),
     }
 }
 
@@ -190,27 +162,26 @@ fn mark(rows: &[Row], cells: &mut [RaceCell], value: Value<'_>) {
 }
 
 fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Measure) {
-    let tip = meaning(Measure::Patches);
+    let tip = format!(
+        "{} Light and reflectances are both approximated, with the same count of numbers.",
+        Measure::Patches.figure().meaning
+    );
     if !many {
-        let of = |row: &Row| row.patches;
-        let mut column = spread_column("patches ΔE00", tip, rows, false, 1.0, &of);
+        let mut column = measured(Measure::Patches, &tip, rows, false);
         column.width = 92.0;
         column.decides = decides == Measure::Patches;
         columns.push(column);
         return;
     }
     type Part = fn(Spread) -> f64;
+    let over = title(Measure::Patches);
     let parts: [(&str, Part, &str); 3] = [
-        (
-            "patches ΔE00",
-            |s| s.median,
-            "Half of the lights are below.",
-        ),
+        (&over, |s| s.median, "Half of the lights are below."),
         ("95 %", |s| s.p95, "95 % of the lights are below."),
         ("worst", |s| s.worst, "The worst light."),
     ];
     for (i, (title, part, more)) in parts.into_iter().enumerate() {
-        let value = move |row: &Row| row.patches.map(part);
+        let value = |row: &Row| row.spreads[Measure::Patches].map(part);
         let mut cells: Vec<RaceCell> = rows.iter().map(|row| plain(value(row))).collect();
         mark(rows, &mut cells, &value);
         columns.push(RaceColumn {
@@ -238,6 +209,13 @@ fn column(title: &str, tip: &str, width: f32, cells: Vec<RaceCell>) -> RaceColum
         decides: false,
         cells,
     }
+}
+
+/// A figure's column.
+fn measured(measure: Measure, tip: &str, rows: &[Row], many: bool) -> RaceColumn {
+    let factor = measure.figure().unit.factor();
+    let of = |row: &Row| row.spreads[measure];
+    spread_column(&title(measure), tip, rows, many, factor, &of)
 }
 
 fn spread_column(

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{figure, shown_factor, spread_of};
+use super::error_words;
 use crate::{
     app::{
         Entry,
@@ -53,11 +53,6 @@ pub struct Winners {
 impl Winners {
     /// The winners of a race, per light at one count.
     pub fn new(ask: &RaceAsk, race: &Race, budget: usize, measure: Measure) -> Self {
-        let words = |error: Option<f64>| match error {
-            Some(error) if measure.is_colour() => figure(error),
-            Some(error) => format!("{} %", figure(shown_factor(measure) * error)),
-            None => "–".to_owned(),
-        };
         let place = |racer: Racer| race.racers.iter().position(|r| *r == racer);
         let sets = sets(race)
             .into_iter()
@@ -68,10 +63,10 @@ impl Winners {
                         let racer = race.winner_of(class, budget, measure);
                         let spread = racer
                             .and_then(place)
-                            .and_then(|place| spread_of(race, class, budget, place, measure));
+                            .and_then(|place| race.spread(class, budget, place, measure));
                         Won {
                             racer,
-                            error: words(spread.map(|s| s.median)),
+                            error: error_words(measure, spread.map(|s| s.median)),
                         }
                     })
                     .collect();
@@ -86,13 +81,13 @@ impl Winners {
                 let racer = race.winner_on(i, budget, measure);
                 let error = racer
                     .and_then(place)
-                    .and_then(|place| measure.of(&race.run(i, budget, place).verdict));
+                    .and_then(|place| race.run(i, budget, place).verdict[measure]);
                 Lamp {
                     name: name.clone(),
                     class: class.clone(),
                     won: Won {
                         racer,
-                        error: words(error),
+                        error: error_words(measure, error),
                     },
                     entry: entry_of(&ask.field, race, i),
                 }

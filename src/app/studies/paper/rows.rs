@@ -11,7 +11,10 @@ use crate::{
     color::Observer,
     io::many,
     spectrum::{Basis, Sampling, basis::numbers_of_order},
-    study::truth::{self, Match, STATED_ORDER, STATED_SHARE},
+    study::{
+        Measure,
+        truth::{self, Match, STATED_ORDER, STATED_SHARE},
+    },
 };
 
 pub(super) fn five_percent_row(claims: &Claims) -> Row {
@@ -150,14 +153,13 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
             format!("{surely} ({best} where they happen to fall well)")
         }
     };
-    let errors = found.composite;
-    let needed = &found.needed;
-    let of_colour = errors.own.map_or_else(String::new, |own| {
+    let (errors, needed) = (found.composite, found.needed);
+    let samples = |measure| needed[measure].map_or_else(String::new, both);
+    let of_colour = errors[Measure::Own].map_or_else(String::new, |own| {
         format!(" an own colour off by ΔE00 {},", delta_e(own))
     });
-    let for_colour = needed
-        .own
-        .map_or_else(String::new, |own| format!(" own colour {},", both(own)));
+    let for_colour =
+        needed[Measure::Own].map_or_else(String::new, |own| format!(" own colour {},", both(own)));
     let measured = format!(
         "{} ({} for the background, {} for {}) leave{of_colour} rms {} % at 1 nm \
          (where a line of some width counts as missed by its spike) and {} % behind 10 nm. \
@@ -166,20 +168,20 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
         found.background,
         2 * found.spikes,
         count(found.spikes, "spike"),
-        percent(errors.relative_rms),
-        percent(errors.relative_rms_10nm),
-        both(needed.relative_rms),
-        both(needed.relative_rms_10nm),
+        percent(errors[Measure::Rms]),
+        percent(errors[Measure::RmsBlurred]),
+        samples(Measure::Rms),
+        samples(Measure::RmsBlurred),
     );
     let judged = [
-        ("own colour", needed.own),
-        ("the spectrum at 1 nm", Some(needed.relative_rms)),
-        ("the spectrum behind 10 nm", Some(needed.relative_rms_10nm)),
+        ("own colour", Measure::Own),
+        ("the spectrum at 1 nm", Measure::Rms),
+        ("the spectrum behind 10 nm", Measure::RmsBlurred),
     ];
     let judged: Vec<(&str, bool)> = judged
         .into_iter()
         // A count that does as well where the samples happen to fall well is no proof.
-        .filter_map(|(what, m)| Some((what, m?.at_best.samples > numbers)))
+        .filter_map(|(what, measure)| Some((what, needed[measure]?.at_best.samples > numbers)))
         .collect();
     let good: Vec<&str> = judged.iter().filter(|j| j.1).map(|j| j.0).collect();
     let (verdict, condition) = if good.len() == judged.len() {

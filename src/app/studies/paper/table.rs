@@ -10,6 +10,7 @@ use crate::{
     app::{
         cells::{line, words},
         export::provenance,
+        figures::three_digits,
         state::App,
         ticks::short,
     },
@@ -120,7 +121,7 @@ pub fn truth_csv(app: &App, claims: &Claims) -> String {
 /// A figure in three digits, or a dash.
 pub fn figure(value: impl Into<Option<f64>>) -> String {
     let sound = value.into().filter(|v| v.is_finite());
-    sound.map_or_else(|| "–".to_owned(), |v| short(three_digits(v)))
+    sound.map_or_else(|| "–".to_owned(), three_digits)
 }
 
 /// A share in percent, or a dash; what is left of rounding is told as a bound.
@@ -141,10 +142,6 @@ pub fn delta_e(value: impl Into<Option<f64>>) -> String {
         Some(small) if small < 0.0005 => "below 0.001".to_owned(),
         other => figure(other),
     }
-}
-
-fn three_digits(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 /// What is missing of a total as how far a sum is off it: in percent, with a sign.

@@ -13,6 +13,7 @@ use crate::{
     color::{Srgb, Swatch},
     io::many::numbers,
     spectrum::Sampled,
+    study::Measure,
     ui::{colour_view::capitalised, pages::PageContext, swatch, theme::Theme},
 };
 
@@ -162,8 +163,8 @@ pub(super) fn model(
         numbers(derived.numbers()),
         model.smooth.order(),
         if spikes == 1 { "" } else { "s" },
-        match &derived.errors {
-            Some(errors) => format!(", rms {} %", short(100.0 * errors.relative_rms)),
+        match derived.figures[Measure::Rms] {
+            Some(rms) => format!(", rms {} %", short(100.0 * rms)),
             None => String::new(),
         }
     );

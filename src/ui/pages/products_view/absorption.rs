@@ -251,7 +251,7 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
 fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
     let settings = context.app.document().settings;
     let mut warn = |text: String| warning(ui, context.theme, text);
-    if context.app.derived().errors.is_none() {
+    if !context.app.derived().has_errors() {
         warn("The spectrum is zero over the whole range: there is nothing to miss.".to_owned());
     } else if !looks(settings) {
         warn(format!(

@@ -13,7 +13,7 @@ use super::{PageContext, progress};
 use crate::{
     app::{
         chart::{self, Chart, Marks},
-        charts::race::{Larger, RaceTable, Winners, error_chart, looks, meaning, table_chart},
+        charts::race::{Larger, RaceTable, Winners, error_chart, looks, table_chart},
         memo::{ByAddress, Memo},
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
@@ -153,11 +153,12 @@ impl RaceView {
                 meaning: "The figure that the chart shows and that decides who wins.",
                 width: 140.0,
             };
-            choice.show(ui, memory.race_measure.title(), |ui| {
+            choice.show(ui, memory.race_measure.figure().title, |ui| {
                 let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
-                for measure in Measure::ALL.into_iter().filter(decides) {
-                    ui.selectable_value(&mut memory.race_measure, measure, measure.title())
-                        .on_hover_text(meaning(measure));
+                for measure in Measure::COMPARED.into_iter().filter(decides) {
+                    let figure = measure.figure();
+                    ui.selectable_value(&mut memory.race_measure, measure, figure.title)
+                        .on_hover_text(figure.meaning);
                 }
             });
         });

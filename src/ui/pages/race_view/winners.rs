@@ -128,7 +128,7 @@ impl WinnerRows {
         let winners = &self.winners;
         section(
             ui,
-            &format!("Least {}, by numbers", winners.measure.title()),
+            &format!("Least {}, by numbers", winners.measure.figure().title),
         );
         let budgets = winners
             .budgets

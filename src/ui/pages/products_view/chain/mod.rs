@@ -254,9 +254,9 @@ fn totals(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
             percent(total.transmission[0], false),
             "Y of what comes out over Y of the light, exact.",
         );
-        if derived.errors.is_none() || derived.colour.exact.is_none() {
+        if !derived.has_errors() || derived.colour.exact.is_none() {
             ui.colored_label(context.theme.warning, "▲");
-            ui.label(if derived.errors.is_none() {
+            ui.label(if !derived.has_errors() {
                 "The light is zero over the whole range."
             } else {
                 "No visible light in this range: there is no colour."
