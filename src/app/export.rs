@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::{
     cells::{line, number, words},
     chart::Theme,
-    charts::spectrum::{curve_chart, spectrum_chart},
+    charts::{order::curve_chart, spectrum::spectrum_chart},
     derived::{OF_CURVE, PatchPair},
     settings::Detector,
     state::App,

@@ -156,12 +156,12 @@ pub const WORDS: &[Word] = &[
     ),
     word("Residual", "What is left over: model minus measured."),
     word(
-        "rms",
-        "Root mean square: the size of an error over a whole curve, given here as a share of the spectrum.",
-    ),
-    word(
         "Ringing",
         "Waves beside a jump: a short Fourier series overshoots where the two ends of the range differ.",
+    ),
+    word(
+        "rms",
+        "Root mean square: the size of an error over a whole curve, given here as a share of the spectrum.",
     ),
     word(
         "Smooth part",

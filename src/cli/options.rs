@@ -66,7 +66,7 @@ pub struct ModelOptions {
     /// Widest line, full width at half maximum, 1 to 50 nm [default: 10].
     #[arg(long, value_name = "NM", allow_hyphen_values = true, value_parser = words::max_width)]
     pub max_width: Option<f64>,
-    /// Functions of the smooth part: fourier or cosine [default: fourier; of render cosine].
+    /// Functions of the smooth part: fourier or cosine [default: fourier].
     #[arg(long, value_name = "BASIS", value_parser = words::basis)]
     pub basis: Option<Basis>,
     /// Make X, Y and Z of the model exact [default of render].

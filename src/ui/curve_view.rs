@@ -10,8 +10,8 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Settings, chart::Marks, charts::spectrum::order_chart, derived::OF_CURVE,
-        ticks, workspace::Preferences,
+        App, Command, Settings, chart::Marks, charts::order::order_chart, derived::OF_CURVE, ticks,
+        workspace::Preferences,
     },
     io::many::numbers,
     study::Measure,

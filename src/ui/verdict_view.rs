@@ -102,7 +102,8 @@ pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                     let swatch = (height - 24.0 * theme.scale).min(SWATCH * theme.scale);
                     split(ui, app, theme, swatch - 16.0);
                 });
-                ui.allocate_ui_with_layout(vec2(ui.available_width(), height), down, |ui| {
+                let rest = ui.available_width().max(0.0);
+                ui.allocate_ui_with_layout(vec2(rest, height), down, |ui| {
                     let Some(worst) = Worst::of(app) else {
                         return no_colour(ui);
                     };

@@ -932,7 +932,7 @@ fn the_window_is_rendered_with_an_input_or_as_it_starts() {
     let [first, second, third] = ["1.png", "2.png", "3.png"].map(place);
     said(&["render", "--out", &first]);
     let sketch = fs::read_to_string(&first).unwrap();
-    assert_eq!(sketch, "window cie_fluorescent_1nm/FL11 7 true [1280, 800]");
+    assert_eq!(sketch, "window cie_fluorescent_1nm/FL2 7 true [1280, 800]");
     said(&[
         "render", "CIE D65", "--order", "3", "--out", &second, "--size", "800x600", "--theme",
         "light",

@@ -14,7 +14,7 @@ use std::{
 
 use crate::common::shipped;
 use crate::full::{D65, RED, awkward, full_document, full_preferences, preset, slope, spectrum};
-use crate::plain::plain;
+use crate::plain::{FL11, plain};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use serde_json::Value;
 use spectral_explorer::{
@@ -145,9 +145,11 @@ fn is_one_line(text: &str) -> bool {
 // ------------------------------------------------------------------------------- first start
 
 #[test]
-fn the_first_start_shows_fl11_with_its_lines_as_spikes() {
+fn the_first_start_shows_fl2_and_a_lamp_of_many_lines_has_them_as_spikes() {
+    let first = App::new();
+    assert_eq!(first.document().light.key, FIRST_LIGHT);
+    assert_eq!(first.derived().model.spikes.len(), 4, "mercury's four");
     let app = plain();
-    assert_eq!(app.document().light.key, FIRST_LIGHT);
     assert_eq!(app.document().light.name(), "FL11");
     assert!(app.document().is_about_light());
     let m = spikes(&app);
@@ -555,7 +557,7 @@ fn a_command_that_changes_nothing_is_no_step_and_no_work() {
     let revision = app.revision();
     app.apply(Command::Edit(app.document().settings));
     app.apply(Command::ClearOverlays);
-    app.apply(Command::Show(preset(&app, FIRST_LIGHT)));
+    app.apply(Command::Show(preset(&app, FL11)));
     app.apply(Command::Remove {
         key: "own/7".to_owned(),
     });
@@ -614,7 +616,7 @@ fn what_is_neither_light_nor_reflectance_is_laid_over_and_said() {
     let mut app = plain();
     let observer = preset(&app, "observers/V(lambda) photopic");
     app.apply(Command::Show(observer.clone()));
-    assert_eq!(app.document().light.key, FIRST_LIGHT);
+    assert_eq!(app.document().light.key, FL11);
     assert_eq!(app.document().overlays, std::slice::from_ref(&observer));
     let message = app.message().expect("a sentence").text.clone();
     assert!(message.contains("overlay"), "{message}");
@@ -774,7 +776,7 @@ fn how_products_are_formed_moves_the_patches_but_not_the_curve() {
 #[test]
 fn the_scale_switch_does_what_its_words_say() {
     let mut app = plain();
-    let samples = &shipped(FIRST_LIGHT).samples;
+    let samples = &shipped(FL11).samples;
     let v = Observer::Cie1931.table();
     let luminance: f64 = (360..=830)
         .map(f64::from)
@@ -1051,7 +1053,7 @@ fn hand_edits_belong_to_the_spectrum_they_were_made_on() {
     let fewer = spikes(&app);
     app.apply(Command::Show(preset(&app, "cie_fluorescent_1nm/FL2")));
     assert!(app.document().subject_edits().is_empty());
-    app.apply(Command::Show(preset(&app, FIRST_LIGHT)));
+    app.apply(Command::Show(preset(&app, FL11)));
     assert_eq!(spikes(&app), fewer);
 }
 

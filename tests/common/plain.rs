@@ -1,8 +1,12 @@
 //! The program about a lamp of many lines with the paper's plain series: what most tests of figures
 //! are about.
 
+#![allow(dead_code, reason = "no program of tests needs all of it")]
+
+use std::sync::Arc;
+
 use spectral_explorer::app::{
-    App, Document, Settings, View,
+    App, Document, Entry, Settings, View,
     document::{Height, first_light},
     entry::bundled_entries,
 };
@@ -14,7 +18,11 @@ pub const FL11: &str = "cie_fluorescent_1nm/FL11";
 pub fn plain() -> App {
     let bundled = bundled_entries();
     let lamp = bundled.iter().find(|entry| entry.key == FL11);
-    let lamp = lamp.cloned().unwrap_or_else(|| first_light(&bundled));
+    plain_about(lamp.cloned().unwrap_or_else(|| first_light(&bundled)))
+}
+
+/// The same about another light.
+pub fn plain_about(light: Arc<Entry>) -> App {
     App::with_document(Document {
         settings: Settings::plain(),
         view: View {
@@ -25,6 +33,6 @@ pub fn plain() -> App {
             adapt_patches: false,
             ..View::default()
         },
-        ..Document::about(lamp)
+        ..Document::about(light)
     })
 }

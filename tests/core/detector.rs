@@ -5,6 +5,7 @@
 
 use std::{f64::consts::LN_2, sync::Arc};
 
+use crate::plain::{plain, plain_about};
 use crate::{
     common::{on_band, values},
     lights,
@@ -822,7 +823,7 @@ fn the_papers_gradient_detector_finds_the_strong_lines_of_fl2() {
 }
 
 fn app_with_fl2() -> App {
-    let mut app = App::new();
+    let mut app = plain();
     let fl2 = app.entry("cie_fluorescent_1nm/FL2").expect("shipped");
     app.apply(Command::Show(fl2));
     assert_eq!(app.derived().parts.spikes.len(), 4);
@@ -1002,7 +1003,7 @@ fn energy(app: &App) -> f64 {
 
 #[test]
 fn a_locked_line_is_taken_out_by_its_own_sign_whatever_weight_it_was_given() {
-    let mut app = App::with_document(Document::about(light_with(bump(430.0, 20.0))));
+    let mut app = plain_about(light_with(bump(430.0, 20.0)));
     let smooth = app.derived().parts.smooth.clone();
     app.act_on_spikes(SpikeAct::Set {
         index: 0,
@@ -1021,7 +1022,7 @@ fn a_locked_line_is_taken_out_by_its_own_sign_whatever_weight_it_was_given() {
 
 #[test]
 fn an_absorption_line_added_by_hand_is_taken_out_of_the_smooth_part() {
-    let mut app = App::with_document(Document::about(light_with(bump(500.0, -0.8))));
+    let mut app = plain_about(light_with(bump(500.0, -0.8)));
     assert!(app.derived().parts.spikes.is_empty(), "dips are off");
     app.act_on_spikes(SpikeAct::Add {
         at_nm: 500.0,
@@ -1034,7 +1035,7 @@ fn an_absorption_line_added_by_hand_is_taken_out_of_the_smooth_part() {
 
 #[test]
 fn a_range_that_leaves_a_locked_spike_out_loses_no_energy() {
-    let mut app = App::with_document(Document::about(light_with(bump(436.0, 20.0))));
+    let mut app = plain_about(light_with(bump(436.0, 20.0)));
     app.act_on_spikes(SpikeAct::Lock { index: 0 });
     let band = Band::new(437.0, 780.0).expect("a range");
     app.apply(Command::Edit(Settings {
@@ -1048,7 +1049,7 @@ fn a_range_that_leaves_a_locked_spike_out_loses_no_energy() {
 
 #[test]
 fn deleting_a_spike_that_stood_on_no_line_keeps_no_line_away() {
-    let mut app = App::with_document(Document::about(light_with(bump(430.0, 20.0))));
+    let mut app = plain_about(light_with(bump(430.0, 20.0)));
     app.act_on_spikes(SpikeAct::Add {
         at_nm: 650.0,
         weight: 5.0,

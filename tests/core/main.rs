@@ -7,6 +7,8 @@ mod common;
 mod docs;
 #[path = "../common/lights.rs"]
 mod lights;
+#[path = "../common/plain.rs"]
+mod plain;
 #[path = "../common/root.rs"]
 mod root;
 

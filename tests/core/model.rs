@@ -4,6 +4,7 @@
 use std::{fs, sync::Arc};
 
 use crate::common::{on_band, shipped};
+use crate::plain::plain;
 use crate::root::root;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
@@ -54,7 +55,7 @@ fn xyz_of_values(values: &[f64], band: Band, observer: Observer) -> Xyz {
 }
 
 fn app_about(name: &str, settings: Settings) -> App {
-    let mut app = App::new();
+    let mut app = plain();
     let preset = Library::bundled().find(name).expect("a shipped light");
     let entry = app.entry(&preset.id()).expect("shipped");
     app.apply(Command::Show(entry));
@@ -114,7 +115,7 @@ fn lower_orders_are_prefixes_of_higher_ones() {
         let settings = |order| Settings {
             basis,
             order,
-            ..Settings::default()
+            ..Settings::plain()
         };
         let mut app = app_about(FL2, settings(40));
         let all = app.derived().model.smooth.coefficients.clone();
@@ -166,7 +167,7 @@ fn taking_lines_out_neither_loses_nor_invents_energy() {
         for basis in Basis::ALL {
             let settings = Settings {
                 basis,
-                ..Settings::default()
+                ..Settings::plain()
             };
             let app = app_about(name, settings);
             let energy = app.derived().figures[Measure::Energy].expect("a light");
@@ -182,7 +183,7 @@ fn the_integral_of_one_is_the_power() {
         for name in LIGHTS {
             let settings = Settings {
                 basis,
-                ..Settings::default()
+                ..Settings::plain()
             };
             let app = app_about(name, settings);
             let model = &app.derived().model;
@@ -211,7 +212,7 @@ fn the_integral_and_the_coefficients_give_the_same_colour() {
                         basis,
                         observer,
                         spikes,
-                        ..Settings::default()
+                        ..Settings::plain()
                     };
                     let app = app_about(name, settings);
                     let derived = app.derived();
@@ -243,7 +244,7 @@ fn the_colour_exact_fit_has_exactly_the_colour_of_the_light() {
                             spikes,
                             order,
                             colour_exact: true,
-                            ..Settings::default()
+                            ..Settings::plain()
                         };
                         let app = app_about(name, settings);
                         let derived = app.derived();
@@ -313,7 +314,7 @@ fn a_fit_that_cannot_be_colour_exact_says_so_and_stays_plain() {
             band,
             order,
             colour_exact,
-            ..Settings::default()
+            ..Settings::plain()
         };
         let (plain, asked) = (
             app_about(name, settings(false)),
@@ -691,7 +692,7 @@ fn entry_of(app: &App, lamp: &ReferenceLamp) -> Arc<Entry> {
 
 #[test]
 fn every_lamp_has_the_spikes_of_the_reference() {
-    let app = App::new();
+    let app = plain();
     let (mut furthest_nm, mut worst_share, mut count) = (0.0_f64, 0.0_f64, 0);
     for lamp in reference() {
         let values = entry_of(&app, &lamp).on_band(BAND);
@@ -753,7 +754,7 @@ fn smooth_rms(derived: &Derived) -> Option<f64> {
 
 #[test]
 fn every_model_of_every_lamp_has_the_errors_of_the_reference() {
-    let mut app = App::new();
+    let mut app = plain();
     let lamps = reference();
     let (mut colours, mut smooth) = (Furthest::default(), Furthest::default());
     let mut models = 0;
@@ -769,7 +770,7 @@ fn every_model_of_every_lamp_has_the_errors_of_the_reference() {
                     order,
                     spikes,
                     colour_exact,
-                    ..Settings::default()
+                    ..Settings::plain()
                 }));
                 models += 1;
                 let derived = app.derived();

@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use crate::plain::plain;
 use crate::{
     common::{on_band, shipped, values},
     lights,
@@ -383,14 +384,14 @@ fn the_matrix_of_a_grid_gives_the_same_colour_as_the_integral() {
 #[test]
 fn patches_by_double_sampling_are_the_exact_products_of_the_two_series() {
     for basis in Basis::ALL {
-        let mut app = App::new();
+        let mut app = plain();
         let light = app.entry("cie_fluorescent_1nm/FL2").expect("shipped");
         app.apply(Command::Show(Arc::clone(&light)));
         app.apply(Command::Edit(Settings {
             basis,
             order: 10,
             sampling: Sampling::Double,
-            ..Settings::default()
+            ..Settings::plain()
         }));
         let derived = app.derived();
         let fitting = Fitting::new(basis);

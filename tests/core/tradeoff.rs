@@ -3,6 +3,7 @@
 use std::{collections::BTreeSet, sync::Arc};
 
 use crate::common::{on_band, values};
+use crate::plain::plain;
 use proptest::prelude::*;
 use spectral_explorer::{
     app::{
@@ -89,7 +90,7 @@ fn lines_bought(purchases: &[Purchase]) -> Vec<f64> {
 }
 
 fn app_about(name: &str, settings: Settings) -> App {
-    let mut app = App::new();
+    let mut app = plain();
     let preset = Library::bundled().find(name).expect("it is shipped");
     app.apply(Command::Show(
         Entry::of_preset(preset).expect("it is a table").into(),
@@ -113,7 +114,7 @@ fn every_point_of_the_sweep_is_what_the_main_page_shows_for_that_model() {
                 basis: way.basis,
                 spikes: way.spikes,
                 colour_exact: way.colour_exact,
-                ..Settings::default()
+                ..Settings::plain()
             };
             let app = app_about(name, settings);
             let ask = SweepAsk::of(app.document());
@@ -421,7 +422,7 @@ fn what_is_bought_is_what_the_document_then_shows() {
             let settings = Settings {
                 basis: Basis::Cosine,
                 colour_exact,
-                ..Settings::default()
+                ..Settings::plain()
             };
             let mut app = app_about(name, settings);
             let ask = AuctionAsk::of(app.document(), Goal::PATCHES, 21);

@@ -30,7 +30,7 @@ impl Stops<'_> {
     /// Draws the slider `width` points wide and moves its place.
     pub fn show(self, ui: &mut Ui, place: &mut f64, width: f32, theme: Theme) -> Response {
         let scale = theme.scale;
-        let size = vec2(width, HEIGHT * scale);
+        let size = vec2(width.max(24.0), HEIGHT * scale);
         let (rect, mut response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let [handle_width, handle_height] = HANDLE.map(|side| side * scale);
         let left = rect.left() + handle_width / 2.0;

@@ -85,6 +85,8 @@ impl LookView {
         let room = ui.available_rect_before_wrap();
         let [plot, card, patches] = parts(room, scene);
         let mut child = |rect: Rect| {
+            // A window may be lower than what stands in it.
+            let rect = Rect::from_min_max(rect.min, rect.max.max(rect.min));
             let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
             child.shrink_clip_rect(rect.expand(3.0));
             child

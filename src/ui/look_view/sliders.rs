@@ -153,7 +153,8 @@ impl Layout {
         let knob = match acts {
             Acts::Beside => beside,
             Acts::Below | Acts::None => (width - GAP) / 2.0,
-        };
+        }
+        .max(40.0);
         Self { knob, acts }
     }
 }

@@ -18,7 +18,7 @@ use super::{
 };
 use crate::app::{
     App, Command, Settings, chart,
-    charts::spectrum::curve_chart,
+    charts::order::curve_chart,
     export::Export,
     pages::{Page, Place},
     state::Tone,

@@ -1,0 +1,109 @@
+//! The error against the order, as a chart of all errors and of one.
+
+use super::spectrum::{line, provenance};
+use crate::{
+    app::{
+        chart::{Chart, Dash, Inks, Marks, Palette, Rgb, Scale, Series, Shape, Theme},
+        derived::{OF_CURVE, OrderPoint},
+        figures::SMALLEST,
+        state::App,
+        ticks::extent,
+    },
+    io::many::many,
+    study::Measure,
+};
+
+/// A just noticeable colour difference, about; the line drawn for orientation.
+const NOTICEABLE: f64 = 1.0;
+
+/// An error at every order: CIEDE2000, or percent.
+fn errors(app: &App, measure: Measure) -> Vec<[f64; 2]> {
+    let drawn = |error: f64| measure.figure().drawn(error);
+    let point = |p: &OrderPoint| Some([p.order as f64, drawn(p.figures[measure]?)]);
+    app.derived().curve.iter().filter_map(point).collect()
+}
+
+/// The errors against the order as a chart: colour differences, and relative errors in percent.
+pub fn curve_chart(app: &App, theme: Theme) -> Chart {
+    let (document, derived) = (app.document(), app.derived());
+    let inks = Inks::of(theme);
+    let of_series = [
+        inks.measured,
+        inks.smooth,
+        inks.product,
+        inks.spikes,
+        inks.residual,
+    ];
+    let series = OF_CURVE.iter().zip(of_series).map(|(measure, ink)| {
+        let name = measure.figure().with_unit();
+        Series::line(name, ink, errors(app, *measure))
+    });
+    Chart {
+        title: format!(
+            "{}: error against order ({}, {})",
+            document.subject_entry().name(),
+            derived.model.smooth.basis.word(),
+            many(derived.model.spikes.len(), "spike", "spikes")
+        ),
+        x_label: "Order N".to_owned(),
+        y_label: "Error (CIEDE2000, or percent)".to_owned(),
+        x_range: [
+            0.0,
+            derived.curve.last().map_or(1.0, |p| p.order.max(1) as f64),
+        ],
+        y_scale: Scale::Log10,
+        series: series.filter(|s| !s.marks.points().is_empty()).collect(),
+        notes: provenance(app),
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// One of the errors against the order with the order in force marked; `None` where there is none.
+pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
+    let inks = Inks::of(theme);
+    let points = errors(app, measure);
+    let [lowest, highest] = extent(points.iter().map(|p| p[1].log10()))?;
+    let decades = [(lowest - 0.1).floor().max(SMALLEST.log10()), highest.ceil()];
+    let air = 0.08 * (decades[1] - decades[0]);
+    let y_range = [decades[0] - air, decades[1] + air].map(|log| 10_f64.powf(log));
+    let last = points.last().map_or(1.0, |p| p[0].max(1.0));
+    let x_range = [-0.02 * last, 1.02 * last];
+    let order = app.derived().model.smooth.order() as f64;
+    let faint = Palette::of(theme).axis;
+    let thin = |ends: [[f64; 2]; 2]| line("", faint, ends.to_vec(), 1.1, Dash::Solid);
+    let dots = |colour: Rgb, radius: f64, points: Vec<[f64; 2]>| {
+        let marks = Marks::Points {
+            points,
+            radius,
+            shape: Shape::Dot,
+        };
+        Series::new("", colour, marks)
+    };
+    let now = points.iter().copied().filter(|p| p[0] == order).collect();
+    let mut series = vec![thin(y_range.map(|y| [order, y]))];
+    if measure.is_colour() {
+        let below = x_range.map(|x| [x, NOTICEABLE.min(y_range[1])]).to_vec();
+        let marks = Marks::Area {
+            points: below,
+            base: vec![y_range[0]; 2],
+            is_coloured: false,
+        };
+        let mut zone = Series::new("cannot be seen", inks.residual, marks);
+        zone.is_tagged = true;
+        series.push(zone);
+        series.push(thin(x_range.map(|x| [x, NOTICEABLE])));
+    }
+    series.push(Series::line("", inks.smooth, points.clone()));
+    series.push(dots(inks.smooth, 1.8, points));
+    series.push(dots(inks.spikes, 4.5, now));
+    Some(Chart {
+        x_range,
+        y_range: Some(y_range),
+        y_scale: Scale::Log10,
+        y_unit: measure.figure().unit.tail().to_owned(),
+        series,
+        theme,
+        ..Chart::default()
+    })
+}
