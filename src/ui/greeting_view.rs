@@ -1,7 +1,7 @@
 //! The three ways to begin, over the first screen; Escape leaves what is below them.
 
 use eframe::egui;
-use egui::{Align2, Context, Key, RichText, Ui, vec2};
+use egui::{Context, Key, RichText, Ui, vec2};
 
 use super::theme::Theme;
 use crate::app::pages::Page;
@@ -30,59 +30,66 @@ pub fn show(context: &Context, theme: Theme) -> (Option<Page>, bool) {
     let mut chosen = None;
     let modal = egui::Modal::new(egui::Id::unique("greeting")).show(context, |ui| {
         ui.set_max_width((720.0 * theme.scale).min(ui.ctx().content_rect().width() - 48.0));
-        ui.label(RichText::new("What would you like to do?").size(20.0));
+        ui.label(RichText::new("What would you like to do?").size(20.0 * theme.scale));
         ui.add_space(8.0);
-        let wide = ui.available_width() >= 560.0;
-        let mut tiles = |ui: &mut Ui| {
+        let wide = ui.available_width() >= 560.0 * theme.scale;
+        let gap = ui.spacing().item_spacing.x;
+        let mut tiles = |ui: &mut Ui, width: f32| {
             for (title, words, page) in TILES {
-                if tile(ui, title, words, wide) {
+                if tile(ui, title, words, width) {
                     chosen = Some(page);
                 }
             }
         };
-        if wide {
-            ui.horizontal(|ui| tiles(ui));
-        } else {
-            ui.vertical(|ui| tiles(ui));
-        }
+        let most = (ui.ctx().content_rect().height() - 128.0).max(64.0);
+        egui::ScrollArea::vertical()
+            .max_height(most)
+            .show(ui, |ui| {
+                let room = ui.available_width();
+                if wide {
+                    ui.horizontal_top(|ui| tiles(ui, (room - 2.0 * gap) / 3.0));
+                } else {
+                    ui.vertical(|ui| tiles(ui, room));
+                }
+            });
         ui.add_space(8.0);
-        ui.weak("Esc: begin with what is on the screen. Help brings this back.");
+        let leave = "Esc: begin with what is on the screen. Help brings this back.";
+        ui.add(egui::Label::new(RichText::new(leave).weak()).wrap());
     });
     let leaves = modal.should_close() || context.input(|i| i.key_pressed(Key::Escape));
     (chosen, leaves || chosen.is_some())
 }
 
-fn tile(ui: &mut Ui, title: &str, words: &str, wide: bool) -> bool {
-    let width = if wide {
-        (ui.available_width().min(700.0) - 32.0) / 3.0
-    } else {
-        ui.available_width()
+/// Around a tile's words, points.
+const MARGIN: f32 = 12.0;
+
+/// A tile as high as the longest of all.
+fn tile(ui: &mut Ui, title: &str, words: &str, width: f32) -> bool {
+    let head = egui::TextStyle::Heading.resolve(ui.style());
+    let body = egui::TextStyle::Body.resolve(ui.style());
+    let (ink, strong) = (ui.visuals().text_color(), ui.visuals().strong_text_color());
+    let room = width - 2.0 * MARGIN;
+    let lay = |text: &str, font: &egui::FontId, ink: egui::Color32| {
+        ui.painter().layout(text.to_owned(), font.clone(), ink, room)
     };
-    let width = width.clamp(150.0, 220.0_f32.max(width.min(220.0)));
-    let size = vec2(
-        if wide { 210.0 } else { width },
-        if wide { 128.0 } else { 84.0 },
-    );
+    let highest = TILES.map(|(title, words, _)| {
+        lay(title, &head, strong).size().y + lay(words, &body, ink).size().y
+    });
+    let highest = highest.into_iter().fold(0.0, f32::max);
+    let (head, body) = (lay(title, &head, strong), lay(words, &body, ink));
+    let size = vec2(width, highest + 2.0 * MARGIN + 6.0);
     let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, title));
     let visuals = ui.style().interact(&response);
     let painter = ui.painter();
     painter.rect_filled(rect, 4.0, visuals.bg_fill);
-    let ink = ui.visuals().strong_text_color();
-    painter.text(
-        rect.min + vec2(12.0, 18.0),
-        Align2::LEFT_CENTER,
-        title,
-        egui::FontId::proportional(18.0),
-        ink,
-    );
-    let font = egui::TextStyle::Body.resolve(ui.style());
-    let galley = painter.layout(
-        words.to_owned(),
-        font,
-        ui.visuals().text_color(),
-        size.x - 24.0,
-    );
-    painter.galley(rect.min + vec2(12.0, 38.0), galley, ink);
+    if response.has_focus() {
+        let stroke = ui.visuals().widgets.active.bg_stroke;
+        painter.rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
+    }
+    let at = rect.min + vec2(MARGIN, MARGIN);
+    let below = at + vec2(0.0, head.size().y + 6.0);
+    painter.galley(at, head, strong);
+    painter.galley(below, body, ink);
     response.clicked()
 }

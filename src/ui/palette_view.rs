@@ -80,7 +80,8 @@ impl PaletteView {
             if field.changed() {
                 self.at = 0;
             }
-            ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+            let most = (ui.ctx().content_rect().height() - 96.0).clamp(80.0, 360.0);
+            ScrollArea::vertical().max_height(most).show(ui, |ui| {
                 for (row, (name, what, choice)) in found.iter().enumerate() {
                     let words = (RichText::new(name), RichText::new(*what).small().weak());
                     let button = egui::Button::selectable(row == self.at, words);

@@ -6,9 +6,6 @@ use egui::{DragValue, Ui};
 use super::theme::Theme;
 use crate::app::{App, spike_hand::SpikeAct, ticks};
 
-/// Longest unit that fits over a column, letters.
-const MOST_UNIT: usize = 12;
-
 /// Draws the table; an act is pushed for the window to carry out.
 pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
     let derived = app.derived();
@@ -29,14 +26,10 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
         egui::Grid::new("spikes")
             .num_columns(7)
             .striped(true)
-            .spacing([14.0 * theme.scale, 2.0])
+            .spacing([8.0 * theme.scale, 2.0])
             .show(ui, |ui| {
                 ui.weak("place");
-                ui.weak(match unit.chars().count() {
-                    1..=MOST_UNIT => format!("weight ({unit} × nm)"),
-                    _ => "weight (unit × nm)".to_owned(),
-                })
-                .on_hover_text(format!(
+                ui.weak("weight").on_hover_text(format!(
                     "Radiant power of the line, in {} x nm.",
                     if unit.is_empty() {
                         "the file's unit"

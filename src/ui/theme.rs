@@ -68,7 +68,7 @@ impl Theme {
         Self {
             dark,
             inks: Inks::of(of_charts(dark)),
-            line: if preferences.present {
+            line: if preferences.presents() {
                 1.6 * PRESENT_LINES
             } else {
                 1.6
@@ -88,7 +88,7 @@ impl Theme {
             } else {
                 Color32::from_rgb(140, 80, 0)
             },
-            scale: if preferences.present {
+            scale: if preferences.presents() {
                 PRESENT_TYPE
             } else {
                 1.0

@@ -53,49 +53,85 @@ pub fn show(
     wishes: &mut Vec<Wish>,
 ) {
     let theme = Theme::of(preferences);
+    let room = Room::of(ui.available_width());
     ui.horizontal_centered(|ui| {
-        ui.spacing_mut().item_spacing.x = 8.0;
-        light(ui, app, drawer, theme);
-        let compare = ui
-            .add(
-                Button::selectable(drawer.open && drawer.compares, "+ Compare")
-                    .frame_when_inactive(true),
-            )
-            .on_hover_text("Lays another spectrum over this one: choose it in the library.");
-        if compare.clicked() {
-            let compares = !(drawer.open && drawer.compares);
-            *drawer = Drawer {
-                open: compares || drawer.open && !drawer.compares,
-                compares,
-            };
-        }
+        ui.spacing_mut().item_spacing.x = if room == Room::Little { 4.0 } else { 8.0 };
+        // From the right: the light's name has what is left.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            looks(ui, preferences, wishes);
-            ui.separator();
+            looks(ui, preferences, room, wishes);
+            if room == Room::Much {
+                ui.separator();
+            }
             ui.menu_button("Save", |ui| save_menu(ui, dialog_open, wishes))
                 .response
                 .on_hover_text("Save or copy spectrum, model, tables and pictures.");
             files(ui, preferences, (dialog_open, has_summary), wishes);
-            ui.separator();
+            if room == Room::Much {
+                ui.separator();
+            }
             steps(ui, app, wishes);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let compare = if room == Room::Much { COMPARE } else { 30.0 };
+                let most = ui.available_width() - compare - ui.spacing().item_spacing.x;
+                light(ui, app, drawer, most.min(MOST_NAME), theme);
+                compare_button(ui, drawer, room);
+            });
         });
     });
 }
 
+/// How much room the bar has for words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Room {
+    Much,
+    Some,
+    Little,
+}
+
+impl Room {
+    fn of(width: f32) -> Self {
+        match width {
+            w if w >= 640.0 => Self::Much,
+            w if w >= 460.0 => Self::Some,
+            _ => Self::Little,
+        }
+    }
+}
+
+/// Width of the button that lays another spectrum over, and most of the light's, points.
+const COMPARE: f32 = 92.0;
+const MOST_NAME: f32 = 420.0;
+
+fn compare_button(ui: &mut Ui, drawer: &mut Drawer, room: Room) {
+    let words = if room == Room::Much { "+ Compare" } else { "+" };
+    let button = Button::selectable(drawer.open && drawer.compares, words);
+    let compare = ui.add(button.frame_when_inactive(true));
+    named(&compare, egui::Role::Button, "+ Compare");
+    let compare =
+        compare.on_hover_text("Lays another spectrum over this one: choose it in the library.");
+    if compare.clicked() {
+        let compares = !(drawer.open && drawer.compares);
+        *drawer = Drawer {
+            open: compares || drawer.open && !drawer.compares,
+            compares,
+        };
+    }
+}
+
 /// The light's name with its colour: it opens the library.
-fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, theme: Theme) {
+fn light(ui: &mut Ui, app: &App, drawer: &mut Drawer, width: f32, theme: Theme) {
     let document = app.document();
     let name = document.subject_entry().name();
     let colour = app.derived().colour.exact.or(app.derived().colour.full);
     let colour = colour.map_or(grey(128), |colour| swatch::colour(colour.swatch.rgb8));
     let font = egui::TextStyle::Button.resolve(ui.style());
     let ink = ui.visuals().strong_text_color();
-    let most = (0.3 * ui.available_width()).max(60.0);
+    let most = (width - 76.0).max(8.0);
     let mut job = egui::text::LayoutJob::simple_singleline(name.to_owned(), font, ink);
     job.wrap = egui::text::TextWrapping::truncate_at_width(most);
     let galley = ui.painter().layout_job(job);
     let height = 32.0 * theme.scale;
-    let size = vec2(galley.size().x + 76.0, height);
+    let size = vec2((galley.size().x + 76.0).min(width.max(60.0)), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let open = drawer.open && !drawer.compares;
     response.widget_info(|| {
@@ -245,7 +281,7 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
     });
 }
 
-fn looks(ui: &mut Ui, preferences: &Preferences, wishes: &mut Vec<Wish>) {
+fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wish>) {
     let help = ui.menu_button("?", |ui| {
         let mut wish = |ui: &mut Ui, words: &str, wish: Wish| {
             if ui.button(words).clicked() {
@@ -265,8 +301,11 @@ fn looks(ui: &mut Ui, preferences: &Preferences, wishes: &mut Vec<Wish>) {
     });
     named(&help.response, egui::Role::Button, "Help");
     help.response.on_hover_text("Shortcuts, licences, zoom.");
-    let present = ui
-        .add(Button::selectable(preferences.present, "Present").frame_when_inactive(true))
+    let words = if room == Room::Little { "▶" } else { "Present" };
+    let present =
+        ui.add(Button::selectable(preferences.present, words).frame_when_inactive(true));
+    named(&present, egui::Role::Button, "Present");
+    let present = present
         .on_hover_text("Plot, swatch, patches and the two sliders, large, for a class (F5).");
     if present.clicked() {
         wishes.push(Wish::Act(Act::Present));

@@ -41,7 +41,7 @@ pub fn show(
     theme: Theme,
     commands: &mut Vec<Command>,
 ) {
-    split(ui, app, theme, SWATCH * theme.scale);
+    split(ui, app, theme, SWATCH * theme.scale, true);
     ui.add_space(4.0);
     headline(ui, app, theme);
     rule(ui);
@@ -84,6 +84,9 @@ pub fn foot(ui: &mut Ui, theme: Theme, side: &mut Side) {
     });
 }
 
+/// Least width of a swatch with words below it, points.
+const CAPTIONS: f32 = 96.0;
+
 /// Swatch, word and numbers in little room.
 pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
     let outline = ui.visuals().widgets.noninteractive.bg_stroke;
@@ -99,8 +102,10 @@ pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                 let down = Layout::top_down(Align::Min);
                 ui.allocate_ui_with_layout(vec2(width, height), down, |ui| {
                     ui.set_width(width);
-                    let swatch = (height - 24.0 * theme.scale).min(SWATCH * theme.scale);
-                    split(ui, app, theme, swatch - 16.0);
+                    let says = width >= CAPTIONS * theme.scale;
+                    let captions = if says { 22.0 * theme.scale } else { 0.0 };
+                    let swatch = (height - captions).min(SWATCH * theme.scale);
+                    split(ui, app, theme, swatch - 16.0, says);
                 });
                 let rest = ui.available_width().max(0.0);
                 ui.allocate_ui_with_layout(vec2(rest, height), down, |ui| {
@@ -108,11 +113,12 @@ pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                         return no_colour(ui);
                     };
                     let seen = Seen::of(worst.delta_e_2000);
-                    let words = RichText::new(seen.verdict()).size(18.0 * theme.scale);
+                    let size = if theme.scale > 1.0 { 14.0 } else { 18.0 };
+                    let words = RichText::new(seen.verdict()).size(size * theme.scale);
                     ui.add(Label::new(words.color(ui.visuals().strong_text_color())).wrap());
                     ui.label(format!("ΔE₀₀ {} at worst", figure(worst.delta_e_2000)));
                     let (numbers, instead) = counts(app);
-                    let words = format!("{numbers} numbers instead of {instead}");
+                    let words = format!("{numbers} numbers, not {instead}");
                     ui.add(Label::new(words).wrap());
                 });
             });
@@ -132,7 +138,7 @@ fn no_colour(ui: &mut Ui) {
 }
 
 /// Both colours on a ground of their own, told apart by two ticks.
-fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
+fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: bool) {
     let colour = &app.derived().colour;
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
         return no_colour(ui);
@@ -167,6 +173,9 @@ fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
             ""
         }
     ));
+    if !says {
+        return;
+    }
     ui.horizontal(|ui| {
         let small = |words: &str| RichText::new(words.to_owned()).small().color(theme.faint);
         ui.label(small("measured"));
@@ -364,7 +373,7 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
     let words = Worst::of(app).map(|worst| Seen::of(worst.delta_e_2000).verdict().to_lowercase());
     let words = words.unwrap_or_else(|| "no colour".to_owned());
     let text = format!("Model: {} numbers, {words}", app.derived().numbers());
-    ui.add(Button::new(RichText::new(text).small()).frame(false))
+    ui.add(Button::new(RichText::new(text).small()).frame(false).truncate())
         .on_hover_text("Opens the model's verdict and its knobs beside the page.")
         .clicked()
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Deserializer, Serialize, de::Error as _};
 
 use crate::{
-    app::{derived::OF_CURVE, pages::PageMemory, stored_path},
+    app::{derived::OF_CURVE, pages::{Page, PageMemory}, stored_path},
     study::Measure,
 };
 
@@ -35,6 +35,13 @@ pub struct Preferences {
     pub greeted: bool,
     /// What the pages remember.
     pub pages: PageMemory,
+}
+
+impl Preferences {
+    /// Whether the first screen is being presented; the other pages never are.
+    pub fn presents(&self) -> bool {
+        self.present && self.pages.page == Page::Spectrum
+    }
 }
 
 impl Default for Preferences {

@@ -68,6 +68,8 @@ pub struct Wishes {
     pub gesture_ended: bool,
     /// What is to be said.
     pub said: Option<(Tone, String)>,
+    /// Back to the whole window.
+    pub leaves: bool,
 }
 
 /// Height of the patches, points: least and largest.
@@ -76,6 +78,16 @@ const PATCHES: [f32; 2] = [108.0, 220.0];
 const CARD_MARGIN: Vec2 = vec2(16.0, 8.0);
 /// Room beside the patches for swatch and verdict, points.
 const VERDICT: f32 = 304.0;
+/// Below this width they stand over the patches, this high.
+const STACKED: f32 = 560.0;
+const BRIEF: f32 = 112.0;
+const GAP: f32 = 8.0;
+
+/// Height that swatch and verdict take over the patches; nothing where they stand beside them.
+pub fn stacked(width: f32, with_verdict: bool, scale: f32) -> f32 {
+    let is_stacked = with_verdict && width < STACKED * scale.min(1.6);
+    if is_stacked { BRIEF * scale + GAP } else { 0.0 }
+}
 
 impl LookView {
     /// Draws the page into all the room there is.
@@ -97,7 +109,8 @@ impl LookView {
         }
         let ui = &mut child(plot);
         let app = scene.app;
-        let read_out = title::show(ui, app, theme, scene.present);
+        let bare = scene.present || scene.alone;
+        let read_out = title::show(ui, app, theme, bare.then_some(&mut wishes.leaves));
         let mut view = app.document().view;
         let before = view;
         if !scene.present && !scene.alone {
@@ -127,7 +140,12 @@ impl LookView {
         let budget = (&mut scene.memory.spend_numbers, busy);
         let commands = &mut wishes.commands;
         let asked = self.sliders.show(&mut inside, app, budget, theme, commands);
-        let Asked { automatic, reset } = asked;
+        let Asked {
+            automatic,
+            reset,
+            said,
+        } = asked;
+        wishes.said = said.map(|words| (Tone::Info, words));
         if automatic {
             scene.studies.sweep.retry();
             self.waiting = Some(scene.memory.spend_numbers);
@@ -181,14 +199,14 @@ impl LookView {
 
 /// Where plot, knobs and patches stand.
 fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
-    const GAP: f32 = 8.0;
     if scene.alone {
         return [room, Rect::NOTHING, Rect::NOTHING];
     }
     let scale = scene.theme.scale;
     let card = sliders::height(room.width() - 2.0 * CARD_MARGIN.x, scale) + 2.0 * CARD_MARGIN.y;
     let [least, most] = PATCHES;
-    let patches = (0.23 * room.height()).clamp(least, most * scale);
+    let stacked = stacked(room.width(), scene.verdict_below || scene.present, scale);
+    let patches = (0.23 * room.height()).clamp(least, most * scale) + stacked;
     let at = |top: f32, height: f32| {
         Rect::from_min_size(egui::pos2(room.left(), top), vec2(room.width(), height))
     };
@@ -206,16 +224,22 @@ fn below(ui: &mut Ui, scene: &Scene<'_>, commands: &mut Vec<Command>) {
     let (app, theme) = (scene.app, scene.theme);
     let rect = ui.max_rect();
     let beside = scene.verdict_below || scene.present;
-    let mut left = rect;
+    let (mut field, mut brief) = (rect, rect);
+    let above = stacked(rect.width(), beside, theme.scale);
+    if above > 0.0 {
+        brief.max.y = rect.top() + above - GAP;
+        field.min.y = rect.top() + above;
+    } else if beside {
+        let width = (VERDICT * theme.scale).min(0.45 * rect.width());
+        field.max.x -= width + 16.0;
+        brief.min.x = field.right() + 16.0;
+    }
     if beside {
-        let width = (VERDICT * theme.scale.min(1.3)).min(0.4 * rect.width());
-        left.max.x -= width + 16.0;
-        let right = Rect::from_min_max(egui::pos2(left.right() + 16.0, rect.top()), rect.max);
-        let mut verdict = ui.new_child(UiBuilder::new().max_rect(right));
-        verdict.shrink_clip_rect(right);
+        let mut verdict = ui.new_child(UiBuilder::new().max_rect(brief));
+        verdict.shrink_clip_rect(brief);
         verdict_view::brief(&mut verdict, app, theme);
     }
-    let mut patches = ui.new_child(UiBuilder::new().max_rect(left));
+    let mut patches = ui.new_child(UiBuilder::new().max_rect(field));
     if !scene.present {
         patches.horizontal(|ui| patches_view::head(ui, app, theme, commands));
     }

@@ -51,12 +51,14 @@ pub struct SlidersView {
 }
 
 /// What the card asks for beside commands.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Asked {
     /// The best way for the count of numbers.
     pub automatic: bool,
     /// Everything back to the start.
     pub reset: bool,
+    /// What is to be said of a knob behind "More".
+    pub said: Option<String>,
 }
 
 impl SlidersView {
@@ -178,6 +180,9 @@ fn caption(ui: &mut Ui, width: f32, name: &str, meaning: &str, does: &str, theme
             let has_room = width >= 330.0 * theme.scale;
             ui.label(if has_room { name } else { short })
                 .on_hover_text(meaning);
+            if width < 190.0 * theme.scale {
+                return;
+            }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.add(egui::Label::new(RichText::new(does).small().color(theme.faint)).truncate());
             });
@@ -311,7 +316,7 @@ fn acts(
     count.on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
     let more = ui.menu_button(names::MORE, |ui| {
         ui.set_min_width(360.0);
-        model_view::controls(ui, app, commands);
+        asked.said = model_view::controls(ui, app, commands);
         ui.separator();
         if ui
             .button(names::PAPER)

@@ -8,22 +8,38 @@ use crate::{
     ui::theme::{Theme, ink},
 };
 
-/// Draws title and sentence; returns where the read-out may be written.
-pub fn show(ui: &mut Ui, app: &App, theme: Theme, present: bool) -> Rect {
+/// Draws title and sentence; returns where the read-out may be written. Where nothing else of the
+/// window is shown, a button leads back to it.
+pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> Rect {
     let subject = app.document().subject_entry();
-    let size = if present { 16.0 } else { 20.0 };
+    let bare = leaves.is_some();
+    let size = if bare && theme.scale > 1.0 { 16.0 } else { 20.0 };
     let mut room = Rect::NOTHING;
-    ui.horizontal(|ui| {
+    let mut title = |ui: &mut Ui| {
         let title = RichText::new(subject.name())
             .size(size * theme.scale)
             .color(ui.visuals().strong_text_color());
         ui.add(Label::new(title).truncate());
         if let Some(product) = app.product() {
-            ui.label(format!("through {}", product.name));
+            let words = format!("through {}", product.name);
+            ui.add(Label::new(words).truncate());
         }
         room = ui.available_rect_before_wrap();
+    };
+    ui.horizontal(|ui| {
+        let Some(leaves) = leaves else {
+            return title(ui);
+        };
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let back = ui.add(Button::new("✕").frame(false));
+            crate::ui::kit::named(&back, egui::Role::Button, "Whole window");
+            *leaves = back
+                .on_hover_text("Back to the whole window (Esc).")
+                .clicked();
+            ui.with_layout(Layout::left_to_right(Align::Center), title);
+        });
     });
-    if !present {
+    if !bare {
         ui.horizontal(|ui| {
             let unit = match app.unit() {
                 "" => "no unit stated",
@@ -40,9 +56,10 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme, present: bool) -> Rect {
 pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mut Vec<Command>) {
     let document = app.document();
     let inks = theme.inks;
-    let wide = ui.available_width() >= 640.0;
+    let width = ui.available_width();
+    let (wide, tight) = (width >= 640.0, width < 440.0);
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 8.0;
+        ui.spacing_mut().item_spacing.x = if tight { 4.0 } else { 8.0 };
         chip(
             ui,
             &mut view.measured,
@@ -57,14 +74,19 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
             Some(inks.model),
             "The model's smooth part as an outline; its lines stand on it.",
         );
-        chip(
-            ui,
-            &mut view.spikes,
-            "Lines",
-            Some(inks.spikes),
-            "The model's lines, each as high as the line that it stands for: weight / (1.0645 x \
-             its width).",
-        );
+        let lines = |ui: &mut Ui, view: &mut View| {
+            chip(
+                ui,
+                &mut view.spikes,
+                "Lines",
+                Some(inks.spikes),
+                "The model's lines, each as high as the line that it stands for: weight / (1.0645 \
+                 x its width).",
+            );
+        };
+        if !tight {
+            lines(ui, view);
+        }
         let others = |ui: &mut Ui, view: &mut View| {
             chip(
                 ui,
@@ -85,6 +107,10 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
             others(ui, view);
         }
         let menu = ui.menu_button("Layers", |ui| {
+            if tight {
+                ui.horizontal(|ui| heights(ui, app, view, true));
+                lines(ui, view);
+            }
             if !wide {
                 others(ui, view);
             }
@@ -117,9 +143,11 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
             };
             ui.add(Label::new(RichText::new(words).small().color(theme.faint)).truncate());
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            heights(ui, app, view, wide);
-        });
+        if !tight {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                heights(ui, app, view, wide);
+            });
+        }
     });
 }
 

@@ -108,7 +108,13 @@ impl Pages {
 
 /// The tabs of the place, the modes of a tab behind them; at the right end what `at_end` draws.
 pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
-    ui.horizontal(|ui| {
+    let wide = ui.available_width() >= 560.0;
+    let row = |ui: &mut Ui, add: &mut dyn FnMut(&mut Ui)| match wide {
+        true => ui.horizontal(add).response,
+        false => ui.horizontal_wrapped(add).response,
+    };
+    let mut at_end = Some(at_end);
+    row(ui, &mut |ui| {
         for tab in page.place().tabs() {
             let is_here = page.tab() == tab;
             let response = ui.selectable_label(is_here, tab.title());
@@ -129,7 +135,9 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
                     .on_hover_text(mode.meaning());
             }
         }
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), at_end);
+        if let Some(at_end) = at_end.take().filter(|_| wide) {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), at_end);
+        }
     });
 }
 

@@ -96,8 +96,6 @@ impl Dragging {
             let (at_nm, height) = at(pointer);
             let at_nm = at_nm.clamp(derived.band.min_nm(), derived.band.max_nm());
             let height = height - base_at(at_nm);
-            let width = derived.parts.stem_width_nm(drag.index);
-            let weight = Spike::weight_from_stem(height, width);
             let hands = app.document().subject_edits().hand.len();
             let hand = drag.hand.unwrap_or(hands);
             let index = derived
@@ -106,6 +104,8 @@ impl Dragging {
                 .iter()
                 .position(|s| s.hand == Some(hand))
                 .unwrap_or(drag.index);
+            let width = derived.parts.stem_width_nm(index);
+            let weight = Spike::weight_from_stem(height, width);
             wishes.acts.push(SpikeAct::Set {
                 index,
                 at_nm,

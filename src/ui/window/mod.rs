@@ -181,14 +181,14 @@ impl Window {
             self.bar(ui, shape, &context);
             self.foot(ui, shape, theme);
             self.rail(ui, shape, theme);
-            self.drawer(ui, shape, theme);
         }
+        self.drawer(ui, shape, theme);
         self.side_panel(ui, shape, theme);
         self.studies.take_in();
         if self.studies.is_running() {
             context.request_repaint_after(WATCH_EVERY);
         }
-        if !shape.side_alone(self.side_is_open(shape)) {
+        if !self.side_alone(shape) {
             centre = self.page_panel(ui, shape, theme);
         }
         self.palette(&context);

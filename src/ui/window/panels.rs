@@ -6,7 +6,7 @@ use egui::{Context, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, 
 use super::{
     super::{
         colour_view, foot_view, greeting_view,
-        look_view::Scene,
+        look_view::{self, Scene},
         model_view,
         pages::{self, PageContext},
         palette_view::Chosen,
@@ -34,6 +34,10 @@ const COLUMN: [f32; 3] = [440.0, 360.0, 304.0];
 const EDGE: f32 = 24.0;
 /// Width of the library's drawer.
 const DRAWER: f32 = 384.0;
+/// Around a page.
+const PAGE_MARGIN: Margin = Margin::symmetric(16, 12);
+/// Width of a page from which the model's line stands beside its tabs.
+const LINE_BESIDE: f32 = 820.0;
 /// Least height of a page: a lower window scrolls it.
 const LEAST_PAGE: f32 = 480.0;
 
@@ -44,6 +48,8 @@ pub(super) struct Shape {
     pub wide: bool,
     very_wide: bool,
     narrow: bool,
+    /// Too narrow for a page beside every figure.
+    narrower: bool,
     low: bool,
     /// Nothing but the page.
     pub bare: bool,
@@ -56,21 +62,18 @@ impl Shape {
         let size = ui.available_size();
         let width = size.x / theme.scale.min(1.0);
         let on_look = preferences.pages.page == Page::Spectrum;
-        let present = preferences.present && on_look;
+        let present = preferences.presents();
         Self {
             wide: width >= WIDE && !present,
             very_wide: width >= VERY_WIDE,
             narrow: width < NARROW,
+            narrower: width < NARROW + COLUMN[0] - COLUMN[2],
             low: size.y < LOW,
             bare: present || alone && on_look,
             present,
         }
     }
 
-    /// Whether the open column leaves no room for the page.
-    pub fn side_alone(self, open: bool) -> bool {
-        self.narrow && open && !self.bare
-    }
 }
 
 /// A frame without a line around it.
@@ -135,7 +138,7 @@ impl Window {
 
     /// The library: beside the page where there is room, else over it.
     pub(super) fn drawer(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
-        let pinned = self.preferences.pinned && shape.wide;
+        let pinned = self.preferences.pinned && shape.wide && !shape.bare;
         if !self.drawer.open && !pinned {
             return;
         }
@@ -184,6 +187,15 @@ impl Window {
         !shape.bare && self.side_open.unwrap_or(shape.wide && has_model)
     }
 
+    /// Whether the open column leaves no room for the page.
+    pub(super) fn side_alone(&self, shape: Shape) -> bool {
+        let no_room = match self.side {
+            Side::Figures => shape.narrower,
+            Side::Verdict | Side::Settings => shape.narrow,
+        };
+        no_room && !shape.bare && self.side_is_open(shape)
+    }
+
     /// The model's column, or the edge that it folds to.
     pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
         let has_model = self.preferences.pages.page.has_model();
@@ -210,7 +222,7 @@ impl Window {
             return;
         }
         let frame = plain(ui, Margin::same(16));
-        if shape.side_alone(open) {
+        if self.side_alone(shape) {
             egui::CentralPanel::default()
                 .frame(frame)
                 .show(ui, |ui| self.column(ui, theme));
@@ -218,6 +230,8 @@ impl Window {
         }
         let [widest, usual, least] = COLUMN;
         let width = match (shape.very_wide, self.drawer.open || !shape.wide) {
+            // Tables are never cut.
+            _ if self.side == Side::Figures => widest,
             (true, _) => widest,
             (false, true) => least,
             (false, false) => usual,
@@ -230,7 +244,7 @@ impl Window {
     }
 
     fn column(&mut self, ui: &mut Ui, theme: Theme) {
-        let mut commands = Vec::new();
+        let (mut commands, mut said) = (Vec::new(), None);
         if self.side == Side::Verdict {
             let (app, preferences) = (&self.app, &mut self.preferences);
             let height = ui.available_height() - verdict_view::FOOT * theme.scale;
@@ -255,10 +269,7 @@ impl Window {
             ui.add_space(4.0);
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 if self.side == Side::Settings {
-                    let said = model_view::controls(ui, &self.app, &mut commands);
-                    if let Some(words) = said {
-                        self.app.say(Tone::Info, words);
-                    }
+                    said = model_view::controls(ui, &self.app, &mut commands);
                 } else {
                     self.figures(ui, theme);
                 }
@@ -269,6 +280,10 @@ impl Window {
             ui.ctx().request_discard("the model changed");
         }
         self.apply(&mut commands);
+        // What was taken is said of the model as it is now.
+        if let Some(words) = said {
+            self.app.say(Tone::Info, words);
+        }
     }
 
     /// Every figure: colours and errors, or the maker's own results, and the lines.
@@ -292,7 +307,14 @@ impl Window {
     /// The page in force, scrolled where the window is too low for it. Gives where it is seen.
     pub(super) fn page_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
         let room = ui.available_rect_before_wrap();
-        let least = if shape.present { 0.0 } else { LEAST_PAGE };
+        let on_look = self.preferences.pages.page == Page::Spectrum;
+        let with_verdict = on_look && !shape.wide && !self.side_is_open(shape);
+        let inner = room.width() - 2.0 * f32::from(PAGE_MARGIN.left);
+        let above = look_view::stacked(inner, with_verdict, theme.scale);
+        let least = match self.plot_alone && on_look {
+            true => 0.0,
+            false => LEAST_PAGE + above,
+        };
         if room.height() >= least {
             return self.whole_page(ui, shape, theme);
         }
@@ -310,7 +332,7 @@ impl Window {
     }
 
     fn whole_page(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) -> Rect {
-        let frame = plain(ui, Margin::symmetric(16, 12));
+        let frame = plain(ui, PAGE_MARGIN);
         let mut centre = ui.max_rect();
         egui::CentralPanel::default().frame(frame).show(ui, |ui| {
             centre = ui.max_rect();
@@ -319,11 +341,15 @@ impl Window {
                 let has_line = !page.has_model() && self.side_open != Some(true);
                 let mut opens = false;
                 if page.place().tabs().count() > 1 || has_line {
+                    let beside = has_line && ui.available_width() >= LINE_BESIDE;
                     pages::tabs(ui, page, |ui| {
-                        if has_line {
+                        if beside {
                             opens = verdict_view::line(ui, &self.app);
                         }
                     });
+                    if has_line && !beside {
+                        opens = verdict_view::line(ui, &self.app);
+                    }
                     ui.add_space(6.0);
                 }
                 if opens {
@@ -337,6 +363,12 @@ impl Window {
             }
         });
         centre
+    }
+
+    /// Back from presenting and from the plot alone to the whole window.
+    pub(super) fn leave(&mut self) {
+        self.plot_alone = false;
+        self.preferences.present = false;
     }
 
     /// The first screen.
@@ -370,6 +402,9 @@ impl Window {
         }
         if let Some((tone, words)) = wishes.said {
             self.app.say(tone, words);
+        }
+        if wishes.leaves {
+            self.leave();
         }
     }
 

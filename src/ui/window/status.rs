@@ -18,7 +18,8 @@ impl Window {
         let mut wants_summary = false;
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if !self.quiet {
+                // Where there is little room, what is said has it.
+                if !self.quiet && ui.available_width() >= 900.0 {
                     let ms = 1e3 * self.app.took().as_secs_f64();
                     ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
                         "Time for fit, errors, colours, patches and the order curve.",
@@ -51,8 +52,12 @@ impl Window {
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                     let Some(message) = self.app.current_message() else {
                         let (notice, question) = otherwise;
-                        ui.weak(notice);
-                        ui.add(egui::Label::new(question).truncate());
+                        let notice = egui::RichText::new(notice).weak();
+                        let whole = egui::Label::new(notice).truncate();
+                        ui.add(whole);
+                        if ui.available_width() > 24.0 {
+                            ui.add(egui::Label::new(question).truncate());
+                        }
                         return;
                     };
                     if message.tone == Tone::Problem {
