@@ -5,14 +5,14 @@ use egui::Ui;
 
 use super::{
     kit::{Choice, named},
-    pages::auction_view::budget,
+    pages::{auction_view::budget, tradeoff_view::choose},
     theme::Wake,
 };
 use crate::{
     app::{
         App, Command,
         charts::{
-            auction::{NAMES, error_words, goal_error, goal_within, goal_words, model_words},
+            auction::{NAMES, error_words, goal_within, goal_words, model_words},
             tradeoff::{lack, reference, verdict_now},
         },
         pages::PageMemory,
@@ -126,8 +126,8 @@ fn under_way(ui: &mut Ui, studies: &mut Studies) {
 
 /// Button, count and goal; whether the button was pressed.
 fn row(ui: &mut Ui, app: &App, memory: &mut PageMemory) -> bool {
-    let lacks = Goal::MEASURES.map(|measure| lack(app, measure));
-    let possible = lacks.iter().any(Option::is_none);
+    let mut measures = Goal::MEASURES.into_iter();
+    let possible = measures.any(|measure| lack(app, measure).is_none());
     let button = ui.add_enabled(possible, egui::Button::new("Spend"));
     let pressed = button.clicked();
     button
@@ -140,14 +140,14 @@ fn row(ui: &mut Ui, app: &App, memory: &mut PageMemory) -> bool {
     named(&count, egui::Role::SpinButton, "Numbers to spend");
     count.on_hover_text("Most numbers that the model may take, 1 to 101.");
     ui.label("numbers for me:");
-    goals(ui, app, memory, lacks);
+    goals(ui, app, memory);
     pressed
 }
 
 const AS_AUCTION: &str = "Auction page's goal";
 
 /// What is to be made small.
-fn goals(ui: &mut Ui, app: &App, memory: &mut PageMemory, lacks: [Option<&'static str>; 4]) {
+fn goals(ui: &mut Ui, app: &App, memory: &mut PageMemory) {
     let asked = memory.spend_goal;
     let within = asked.map(|goal| goal_within(app, goal));
     let name_of = |goal: Goal| {
@@ -162,14 +162,10 @@ fn goals(ui: &mut Ui, app: &App, memory: &mut PageMemory, lacks: [Option<&'stati
     };
     choice.show(ui, shown, |ui| {
         for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
-            let button = egui::Button::selectable(within == Some(plain), NAMES[i]);
-            let response = ui.add_enabled(lacks[i].is_none(), button);
-            if response.clicked() {
+            let named = (Goal::MEASURES[i], NAMES[i]);
+            if choose(ui, app, named, within == Some(plain)) {
                 memory.spend_goal = Some(plain);
             }
-            response
-                .on_hover_text(Goal::MEASURES[i].figure().meaning)
-                .on_disabled_hover_text(lacks[i].unwrap_or_default());
         }
         let goal = goal_within(app, memory.goal);
         if ui
@@ -190,7 +186,7 @@ fn words(app: &App, ask: &AuctionAsk, auction: &Auction, command: &Command) -> S
     let reference = reference(&ask.about);
     let error = |app: &App| {
         let verdict = verdict_now(app, reference.as_ref()?)?;
-        let error = goal_error(goal, &verdict, &auction.steps[0].verdict)?;
+        let error = goal.error(&verdict, &auction.steps[0].verdict)?;
         Some(error_words(goal, error))
     };
     let was = error(app).map_or_else(String::new, |error| format!(" (was {error})"));
