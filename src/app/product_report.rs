@@ -282,7 +282,8 @@ fn transmission_json([exact, model]: [Option<f64>; 2]) -> Value {
     json!({ "exact": exact, "model": model })
 }
 
-fn spread_json(spread: Option<Spread>) -> Value {
+/// Of a set: median, 95th percentile and worst.
+pub(super) fn spread_json(spread: Option<Spread>) -> Value {
     json!({
         "median": spread.map(|s| s.median),
         "p95": spread.map(|s| s.p95),

@@ -4,8 +4,6 @@
 //! `null`, never NaN. Coefficients and weights are in the file's unit, whatever the scale switch
 //! says.
 
-use std::fmt::Write as _;
-
 use serde_json::{Map, Value, json};
 
 use super::{
@@ -13,6 +11,7 @@ use super::{
     figures::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key},
     makers::{Beside, beside},
     state::App,
+    ticks::short,
 };
 use crate::{
     io::many::{many, numbers},
@@ -172,47 +171,42 @@ fn share_words(share: Option<f64>) -> String {
 
 /// The report for people.
 pub fn text(app: &App) -> String {
-    let (document, derived) = (app.document(), app.derived());
-    let subject = document.subject_entry();
+    let derived = app.derived();
+    let subject = app.document().subject_entry();
     let spectrum = &subject.spectrum;
-    let settings = document.settings;
     let model = &derived.model;
-    let mut out = String::new();
-    // Writing to a String cannot fail.
-    let mut line = |text: String| {
-        let _ = writeln!(out, "{text}");
+    let unit = match spectrum.unit.as_str() {
+        "" => String::new(),
+        unit => format!(", {unit}"),
     };
-    line(format!(
-        "{} ({}, {} points, {}-{} nm{})",
-        spectrum.name,
-        spectrum.kind,
-        spectrum.samples.len(),
-        super::ticks::short(spectrum.samples.first_nm()),
-        super::ticks::short(spectrum.samples.last_nm()),
-        if spectrum.unit.is_empty() {
-            String::new()
-        } else {
-            format!(", {}", spectrum.unit)
-        }
-    ));
-    line(format!(
-        "Model     {} order {} on {}-{} nm, {}: {}{}",
-        model.smooth.basis.word(),
-        model.smooth.order(),
-        derived.band.min_nm(),
-        derived.band.max_nm(),
-        many(model.spikes.len(), "spike", "spikes"),
-        numbers(model.numbers()),
-        match derived.exactness {
-            Some(Exactness::Exact { .. }) => ", colour-exact",
-            _ => "",
-        }
-    ));
+    let mut lines = vec![
+        format!(
+            "{} ({}, {} points, {}-{} nm{unit})",
+            spectrum.name,
+            spectrum.kind,
+            spectrum.samples.len(),
+            short(spectrum.samples.first_nm()),
+            short(spectrum.samples.last_nm()),
+        ),
+        format!(
+            "Model     {} order {} on {}-{} nm, {}: {}{}",
+            model.smooth.basis.word(),
+            model.smooth.order(),
+            derived.band.min_nm(),
+            derived.band.max_nm(),
+            many(model.spikes.len(), "spike", "spikes"),
+            numbers(model.numbers()),
+            match derived.exactness {
+                Some(Exactness::Exact { .. }) => ", colour-exact",
+                _ => "",
+            }
+        ),
+    ];
     for (spike, name) in model.spikes.iter().zip(app.spike_names()) {
-        line(format!(
+        lines.push(format!(
             "  spike   {:7.2} nm  {:>11}  {}  {}",
             spike.at_nm,
-            super::ticks::short(spike.weight),
+            short(spike.weight),
             share_words(derived.parts.share(spike.weight)),
             name.safe
                 .as_deref()
@@ -220,50 +214,40 @@ pub fn text(app: &App) -> String {
                 .unwrap_or_default()
         ));
     }
+    lines.extend(figures_lines(app));
+    lines.extend(makers_lines(&beside(subject)));
+    let notes = spectrum.notes.iter().chain(&derived.warnings);
+    lines.extend(notes.map(|note| format!("Note      {note}")));
+    lines.join("\n") + "\n"
+}
+
+/// What the model is off by, and the colours.
+fn figures_lines(app: &App) -> Vec<String> {
+    let (document, derived) = (app.document(), app.derived());
+    let colour = &derived.colour;
     let errors: Option<String> = shares()
         .map(|measure| Some(measure.figure().say(derived.figures[measure]?)))
         .collect();
     let none = "none to speak of: there is nothing in the range";
-    line(format!("Error     {}", errors.as_deref().unwrap_or(none)));
-    let mut colour_line = |what: &str, colour: Option<Colour>| {
-        let Some(c) = colour else {
-            return;
-        };
-        let figures = |all: &[ColourFigure]| -> String {
-            all.iter()
-                .filter_map(|row| Some(row.figure.say((row.of)(&c)?)))
-                .collect()
-        };
-        let why = match c.cct {
-            Some(Ok(_)) => String::new(),
-            Some(Err(why)) => format!(", {why}"),
-            None => format!(", under {}", document.light.name()),
-        };
-        line(format!(
-            "{what}{}, {}{}{why}{}",
-            figures(&OF_COLOUR),
-            c.swatch.hex(),
-            if c.swatch.in_gamut {
-                ""
-            } else {
-                " (out of sRGB)"
-            },
-            figures(&OF_LIGHT),
-        ));
-    };
-    colour_line("Measured  ", derived.colour.exact);
-    colour_line("Model     ", derived.colour.model);
-    colour_line("360-830   ", derived.colour.full);
-    if let (Some(de), Some(duv)) = (derived.colour.delta_e_2000, derived.colour.delta_uv) {
-        line(format!(
+    let mut lines = vec![format!("Error     {}", errors.as_deref().unwrap_or(none))];
+    for (what, colour) in [
+        ("Measured", colour.exact),
+        ("Model", colour.model),
+        ("360-830", colour.full),
+    ] {
+        let words = colour.map(|c| colour_words(&c, document.light.name()));
+        lines.extend(words.map(|words| format!("{what:<10}{words}")));
+    }
+    if let (Some(de), Some(duv)) = (colour.delta_e_2000, colour.delta_uv) {
+        lines.push(format!(
             "Colour    CIEDE2000 {de:.3}, u'v' {duv:.5} ({}, Y of the light 100)",
-            settings.observer.title()
+            document.settings.observer.title()
         ));
     }
     if let Some(patches) = &derived.patches
         && let Some(worst) = patches.items.get(patches.worst)
     {
-        line(format!(
+        lines.push(format!(
             "Patches   {} ({}): CIEDE2000 mean {:.3}, worst {:.3} ({})",
             document.patch_set,
             patches.items.len(),
@@ -272,26 +256,41 @@ pub fn text(app: &App) -> String {
             worst.name
         ));
     }
-    let rows = beside(subject);
-    for row in rows.iter().filter(|row| row.ours.is_ok()) {
-        let Ok(ours) = row.ours else { continue };
-        line(format!(
-            "Maker's   {:<18} {:>11}, ours {:>11} {}",
-            row.quantity.to_string(),
-            super::ticks::short(row.theirs),
-            super::ticks::short(ours),
-            row.unit
-        ));
+    lines
+}
+
+fn colour_words(colour: &Colour, light: &str) -> String {
+    let said = |row: &ColourFigure| Some(row.figure.say((row.of)(colour)?));
+    let figures = |all: &[ColourFigure]| all.iter().filter_map(said).collect::<String>();
+    let gamut = match colour.swatch.in_gamut {
+        true => "",
+        false => " (out of sRGB)",
+    };
+    let why = match colour.cct {
+        Some(Ok(_)) => String::new(),
+        Some(Err(why)) => format!(", {why}"),
+        None => format!(", under {light}"),
+    };
+    let (hex, of_light) = (colour.swatch.hex(), figures(&OF_LIGHT));
+    format!("{}, {hex}{gamut}{why}{of_light}", figures(&OF_COLOUR))
+}
+
+/// The instrument's numbers beside ours, and those that stand alone.
+fn makers_lines(rows: &[Beside]) -> Vec<String> {
+    let (mut lines, mut alone) = (Vec::new(), Vec::new());
+    for row in rows {
+        let (name, theirs) = (row.quantity.to_string(), short(row.theirs));
+        match row.ours {
+            Ok(ours) => lines.push(format!(
+                "Maker's   {name:<18} {theirs:>11}, ours {:>11} {}",
+                short(ours),
+                row.unit
+            )),
+            Err(_) => alone.push(format!("{name} {theirs}")),
+        }
     }
-    let alone = rows.iter().filter(|row| row.ours.is_err());
-    let alone: Vec<String> = alone
-        .map(|row| format!("{} {}", row.quantity, super::ticks::short(row.theirs)))
-        .collect();
     if !alone.is_empty() {
-        line(format!("Maker's   alone: {}", alone.join(", ")));
+        lines.push(format!("Maker's   alone: {}", alone.join(", ")));
     }
-    for note in spectrum.notes.iter().chain(&derived.warnings) {
-        line(format!("Note      {note}"));
-    }
-    out
+    lines
 }

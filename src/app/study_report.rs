@@ -11,6 +11,7 @@ use serde_json::{Map, Value, json};
 use super::{
     cells::{line, number, words},
     export,
+    product_report::spread_json,
     state::App,
     studies::{AuctionAsk, Field, RaceAsk, SweepAsk, about::About},
 };
@@ -122,21 +123,21 @@ pub fn sweep_json(app: &App, ask: &SweepAsk, sweep: &Sweep) -> Value {
         .iter()
         .enumerate()
         .map(|(index, point)| {
-            let mut entry = Map::new();
             let way = point.way;
-            entry.insert("way".into(), json!(way.word()));
-            entry.insert("basis".into(), json!(way.basis.word()));
-            entry.insert("spikes".into(), json!(way.spikes));
-            entry.insert("spike_count".into(), json!(point.spikes));
-            entry.insert("colour_exact".into(), json!(way.colour_exact));
-            entry.insert("order".into(), json!(point.order));
-            entry.insert("numbers".into(), json!(point.numbers));
+            let mut entry = json!({
+                "way": way.word(),
+                "basis": way.basis.word(),
+                "spikes": way.spikes,
+                "spike_count": point.spikes,
+                "colour_exact": way.colour_exact,
+                "order": point.order,
+                "numbers": point.numbers,
+                "on_front": front.contains(&index),
+            });
             for (key, measure) in errors() {
-                entry.insert(key.into(), json!(point.verdict[measure]));
+                entry[key] = json!(point.verdict[measure]);
             }
-            let on_front = front.contains(&index);
-            entry.insert("on_front".into(), json!(on_front));
-            Value::Object(entry)
+            entry
         })
         .collect();
     let map = &sweep.map;
@@ -172,9 +173,7 @@ pub fn sweep_csv(app: &App, ask: &SweepAsk, sweep: &Sweep) -> String {
     let more = format!("; on_front is by {}", measure.figure().key);
     let mut out = head(app, &ask.about, "error against numbers", &more);
     out.push_str("way,basis,spikes,spike_count,colour_exact,order,numbers");
-    for (key, _) in errors() {
-        let _ = write!(out, ",{key}");
-    }
+    out.extend(errors().map(|(key, _)| format!(",{key}")));
     out.push_str(",on_front\n");
     for (index, point) in sweep.points.iter().enumerate() {
         let way = point.way;
@@ -339,9 +338,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
     );
     let mut out = head(app, &ask.about, "auction", &more);
     out.push_str("step,bought,at_nm,weight,order,numbers,error,order_now,spikes_now,gave_back");
-    for (key, _) in errors() {
-        let _ = write!(out, ",{key}");
-    }
+    out.extend(errors().map(|(key, _)| format!(",{key}")));
     out.push('\n');
     for Bought {
         place,
@@ -466,35 +463,25 @@ pub fn row_numbers(row: &Row) -> Vec<(String, Option<f64>)> {
 }
 
 fn row_json(row: &Row, set: &str, wins: Option<usize>) -> Value {
-    let mut entry = Map::new();
-    entry.insert("representation".into(), json!(row.racer.word()));
-    entry.insert("title".into(), json!(row.racer.title()));
-    entry.insert("numbers".into(), json!(row.numbers));
-    entry.insert("set".into(), json!(set));
-    entry.insert("lamps".into(), json!(row.lamps));
+    let (racer, cost) = (row.racer, row.cost);
+    let mut entry = json!({
+        "representation": racer.word(),
+        "title": racer.title(),
+        "numbers": row.numbers,
+        "set": set,
+        "lamps": row.lamps,
+        "negative_lobes": row.negative_lobes,
+        "bytes": cost.map(|c| c.bytes),
+        "ns_per_product": cost.map(|c| c.ns_per_product),
+        "ns_per_evaluation": cost.map(|c| c.ns_per_evaluation),
+        "needs_table": racer.needs_table(),
+        "is_prefix": racer.is_prefix(),
+        "wins": wins,
+    });
     for (key, spread) in spreads(row) {
-        let spread = json!({
-            "median": spread.map(|s| s.median),
-            "p95": spread.map(|s| s.p95),
-            "worst": spread.map(|s| s.worst),
-        });
-        entry.insert(key.into(), spread);
+        entry[key] = spread_json(spread);
     }
-    let cost = row.cost;
-    entry.insert("negative_lobes".into(), json!(row.negative_lobes));
-    entry.insert("bytes".into(), json!(cost.map(|c| c.bytes)));
-    entry.insert(
-        "ns_per_product".into(),
-        json!(cost.map(|c| c.ns_per_product)),
-    );
-    entry.insert(
-        "ns_per_evaluation".into(),
-        json!(cost.map(|c| c.ns_per_evaluation)),
-    );
-    entry.insert("needs_table".into(), json!(row.racer.needs_table()));
-    entry.insert("is_prefix".into(), json!(row.racer.is_prefix()));
-    entry.insert("wins".into(), json!(wins));
-    Value::Object(entry)
+    entry
 }
 
 /// Every row of a race: count by count, set by set, racer by racer, with its wins on the patches.

@@ -1,4 +1,4 @@
-//! Counts in words: "1 number", "7 numbers".
+//! Counts in words: "1 number", "7 numbers"; and capitals.
 
 /// A count and what is counted.
 pub fn many(count: usize, one: &str, several: &str) -> String {
@@ -8,4 +8,11 @@ pub fn many(count: usize, one: &str, several: &str) -> String {
 /// A count of a model's numbers.
 pub fn numbers(count: usize) -> String {
     many(count, "number", "numbers")
+}
+
+/// Words with a large first letter.
+pub fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).collect()
 }

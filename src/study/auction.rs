@@ -133,14 +133,46 @@ impl Goal {
         }
     }
 
-    /// The errors that the goal needs of a model, in the order of [`Goal::PLAIN`].
-    fn errors(self, reference: &Reference, smooth: &[f64], spikes: &[Spike]) -> [Option<f64>; 4] {
-        let weights = self.weights();
-        std::array::from_fn(|i| {
-            (weights[i] > 0.0)
-                .then(|| reference.figure(Self::MEASURES[i], smooth, spikes))
-                .flatten()
-        })
+    /// The figure of a goal that wants one thing only.
+    pub fn plain_measure(self) -> Option<Measure> {
+        let mut wanted = self.wanted();
+        let (_, measure) = wanted.next()?;
+        wanted.next().is_none().then_some(measure)
+    }
+
+    /// The goal's value for a model with these errors, from them and those at order 0; `None` where
+    /// nothing of it exists.
+    pub fn error(self, errors: &Verdict, at_start: &Verdict) -> Option<f64> {
+        if let Some(measure) = self.plain_measure() {
+            return errors[measure];
+        }
+        let (mut sum, mut whole) = (0.0, 0.0);
+        for (weight, measure) in self.wanted() {
+            if let (Some(error), Some(start)) = (errors[measure], at_start[measure]) {
+                whole += weight;
+                // What order 0 has right already stays right but for rounding.
+                sum += if start > 0.0 {
+                    weight * error / start
+                } else {
+                    0.0
+                };
+            }
+        }
+        (whole > 0.0).then(|| sum / whole)
+    }
+
+    fn wanted(self) -> impl Iterator<Item = (f64, Measure)> {
+        let weighed = self.weights().into_iter().zip(Self::MEASURES);
+        weighed.filter(|(weight, _)| *weight > 0.0)
+    }
+
+    /// The errors that the goal needs of a model.
+    fn errors(self, reference: &Reference, smooth: &[f64], spikes: &[Spike]) -> Verdict {
+        let mut errors = Verdict::default();
+        for (_, measure) in self.wanted() {
+            errors[measure] = reference.figure(measure, smooth, spikes);
+        }
+        errors
     }
 }
 
@@ -311,7 +343,7 @@ struct Room<'a> {
     projected: &'a ProjectedSpectrum,
     terms: Terms,
     /// The errors at order 0, which a mixed goal divides by.
-    at_start: [Option<f64>; 4],
+    at_start: Verdict,
     bids: Vec<BTreeMap<Choice, f64>>,
     highest_order: usize,
 }
@@ -327,7 +359,7 @@ impl<'a> Room<'a> {
             reference,
             projected,
             terms,
-            at_start: [None; 4],
+            at_start: Verdict::default(),
             bids: Vec::new(),
             highest_order: Basis::highest_order(band).min((terms.numbers - 1) / 2),
         };
@@ -337,7 +369,8 @@ impl<'a> Room<'a> {
         });
         room.at_start = terms.goal.errors(reference, &smooth, &model.spikes);
         // A goal none of whose parts can be measured (patches of a reflectance) is no goal.
-        room.at_start.iter().any(Option::is_some).then_some(room)
+        let mut measures = Goal::MEASURES.into_iter();
+        measures.any(|m| room.at_start[m].is_some()).then_some(room)
     }
 
     /// Purchases that the budget allows.
@@ -356,33 +389,9 @@ impl<'a> Room<'a> {
 
     fn error(&self, choice: &Choice) -> f64 {
         let (model, smooth) = self.model(choice);
-        let errors = self
-            .terms
-            .goal
-            .errors(self.reference, &smooth, &model.spikes);
-        self.mixed(errors)
-    }
-
-    /// The goal from its errors.
-    fn mixed(&self, errors: [Option<f64>; 4]) -> f64 {
-        let weights = self.terms.goal.weights();
-        let wanted = weights.iter().filter(|w| **w > 0.0).count();
-        if wanted == 1 {
-            return errors.into_iter().flatten().next().unwrap_or(0.0);
-        }
-        let (mut sum, mut whole) = (0.0, 0.0);
-        for ((error, start), weight) in errors.iter().zip(self.at_start).zip(weights) {
-            if let (Some(error), Some(start)) = (error, start) {
-                whole += weight;
-                // What order 0 has right already stays right but for rounding.
-                sum += if start > 0.0 {
-                    weight * error / start
-                } else {
-                    0.0
-                };
-            }
-        }
-        if whole > 0.0 { sum / whole } else { 0.0 }
+        let goal = self.terms.goal;
+        let errors = goal.errors(self.reference, &smooth, &model.spikes);
+        goal.error(&errors, &self.at_start).unwrap_or(0.0)
     }
 
     fn bid(&mut self, choice: Choice) {

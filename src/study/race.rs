@@ -214,17 +214,6 @@ impl Race {
         (0..self.lamps.len()).filter(move |i| wanted(&self.lamps[*i].1))
     }
 
-    /// A racer's runs over a class (or all) at a count.
-    fn runs<'a>(
-        &'a self,
-        class: Option<&'a str>,
-        budget: usize,
-        racer: usize,
-    ) -> impl Iterator<Item = &'a Run> {
-        let lamps = self.of_class(class);
-        lamps.map(move |lamp| self.run(lamp, budget, racer))
-    }
-
     /// A figure over a class (or all) at a count; `None` where no light has it.
     pub fn spread(
         &self,
@@ -233,26 +222,23 @@ impl Race {
         racer: usize,
         measure: Measure,
     ) -> Option<Spread> {
-        let runs = self.runs(class, budget, racer);
-        Spread::of(
-            &runs
-                .filter_map(|run| run.verdict[measure])
-                .collect::<Vec<_>>(),
-        )
+        let error = |lamp: usize| self.run(lamp, budget, racer).verdict[measure];
+        Spread::of(&self.of_class(class).filter_map(error).collect::<Vec<_>>())
     }
 
     /// A racer's line over a class (or all) at a count.
     pub fn row(&self, class: Option<&str>, budget: usize, racer: usize) -> Row {
-        let runs = || self.runs(class, budget, racer);
-        let lamps = runs().count();
-        let dips = |run: &&Run| run.verdict[Measure::Lowest].is_some_and(|low| low < -A_LOBE);
+        let run = |lamp: usize| self.run(lamp, budget, racer);
+        let runs: Vec<&Run> = self.of_class(class).map(run).collect();
+        let checks: Vec<f64> = runs.iter().filter_map(|run| run.check).collect();
+        let dips = |run: &&&Run| run.verdict[Measure::Lowest].is_some_and(|low| low < -A_LOBE);
         Row {
             racer: self.racers[racer],
             numbers: self.budgets[budget],
-            lamps,
+            lamps: runs.len(),
             spreads: ByMeasure::from_fn(|measure| self.spread(class, budget, racer, measure)),
-            check: Spread::of(&runs().filter_map(|run| run.check).collect::<Vec<_>>()),
-            negative_lobes: runs().filter(dips).count() as f64 / lamps.max(1) as f64,
+            check: Spread::of(&checks),
+            negative_lobes: runs.iter().filter(dips).count() as f64 / runs.len().max(1) as f64,
             cost: self.cost(budget, racer),
         }
     }

@@ -14,6 +14,7 @@ use crate::{
         figures::{OF_COLOUR, OF_LIGHT, SHARES, by_key},
     },
     color::Swatch,
+    io::many::capitalised,
     study::Measure,
 };
 
@@ -167,14 +168,5 @@ fn warnings(ui: &mut Ui, app: &App, theme: Theme) {
             ui.colored_label(theme.warning, "▲");
             ui.small(warning);
         });
-    }
-}
-
-/// A sentence's first letter.
-pub(super) fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => String::new(),
     }
 }

@@ -166,7 +166,7 @@ fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: bool) {
         "Left as measured {}, right by the model {}. {}.{} Click to copy both.",
         exact.swatch.hex(),
         model.swatch.hex(),
-        super::colour_view::capitalised(exact.swatch.mapping.words()),
+        crate::io::many::capitalised(exact.swatch.mapping.words()),
         if off_screen {
             " It lies outside the screen's colours."
         } else {
@@ -308,7 +308,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
             let words = format!(
                 "{}{} off",
                 two_digits(figure.shown(value)),
-                figure.unit.tail()
+                figure.unit.tail
             );
             row(question, words, figure.meaning);
         }
@@ -373,9 +373,13 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
     let words = Worst::of(app).map(|worst| Seen::of(worst.delta_e_2000).verdict().to_lowercase());
     let words = words.unwrap_or_else(|| "no colour".to_owned());
     let text = format!("Model: {} numbers, {words}", app.derived().numbers());
-    ui.add(Button::new(RichText::new(text).small()).frame(false).truncate())
-        .on_hover_text("Opens the model's verdict and its knobs beside the page.")
-        .clicked()
+    ui.add(
+        Button::new(RichText::new(text).small())
+            .frame(false)
+            .truncate(),
+    )
+    .on_hover_text("Opens the model's verdict and its knobs beside the page.")
+    .clicked()
 }
 
 /// The edge that the column folds to; whether it was clicked.

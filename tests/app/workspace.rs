@@ -259,6 +259,8 @@ fn several_damages_cost_themselves_alone_and_are_each_told() {
     value["settings"]["observer"] = json!("1066");
     value["settings"]["basis"] = json!("wavelets");
     value["preferences"]["pages"]["page"] = json!("poetry");
+    // A word of another menu.
+    value["preferences"]["curve"] = json!("filters");
     value["scale"] = json!(5);
     value["own"][0]["kind"] = json!("sound");
     value["overlays"][0] = json!(null);
@@ -272,6 +274,7 @@ fn several_damages_cost_themselves_alone_and_are_each_told() {
             "\"poetry\"",
             "\"spectrum\" stands",
         ),
+        ("preferences.curve", "\"filters\"", "\"patches\" stands"),
         ("scale", "5", "\"as_measured\" stands"),
         ("kind", "\"sound\"", "\"other\" stands"),
         ("overlays", "null", "left out"),

@@ -13,7 +13,7 @@ use crate::{
     io::many::numbers,
     spectrum::{Spike, spikes::absolute_power},
     study::{
-        Auction, Goal, Measure, Verdict, Way,
+        Auction, Goal, Verdict, Way,
         auction::{Bid, Ended, Purchase, Step},
         error::height,
     },
@@ -21,17 +21,6 @@ use crate::{
 
 /// Names of the plain goals for people, in the order of [`Goal::PLAIN`].
 pub const NAMES: [&str; 4] = ["own colour", "patches", "spectrum", "narrow filters"];
-
-/// The figure of a goal that wants one thing only.
-pub fn plain_measure(goal: Goal) -> Option<Measure> {
-    let mut wanted = goal
-        .weights()
-        .into_iter()
-        .zip(Goal::MEASURES)
-        .filter(|(weight, _)| *weight > 0.0);
-    let (_, measure) = wanted.next()?;
-    wanted.next().is_none().then_some(measure)
-}
 
 /// The goal without what does not exist for the document's subject; when nothing is left, the
 /// first figure that does exist.
@@ -53,40 +42,23 @@ pub fn goal_within(app: &App, goal: Goal) -> Goal {
 
 /// The goal in words: "ΔE00 on the patches (mean)", "mix of errors (own 1, filters 2)".
 pub fn goal_words(goal: Goal) -> String {
-    match plain_measure(goal) {
-        Some(measure) => measure.figure().goal_words(),
+    match goal.plain_measure() {
+        Some(measure) if measure.is_colour() => format!("ΔE00 {}", measure.figure().goal),
+        Some(measure) => measure.figure().goal.to_owned(),
         None => format!("mix of errors ({})", goal.words()),
     }
 }
 
 /// What a goal's error is shown in.
 fn goal_unit(goal: Goal) -> Unit {
-    plain_measure(goal).map_or(Unit::Percent, |measure| measure.figure().unit)
+    let plain = goal.plain_measure();
+    plain.map_or(Unit::PERCENT, |measure| measure.figure().unit)
 }
 
 /// A goal's error in words.
 pub fn error_words(goal: Goal, error: f64) -> String {
     let unit = goal_unit(goal);
-    brief(error * unit.factor(), unit)
-}
-
-/// The goal's error of any model, from its figures and those at order 0.
-pub fn goal_error(goal: Goal, verdict: &Verdict, at_start: &Verdict) -> Option<f64> {
-    if let Some(measure) = plain_measure(goal) {
-        return verdict[measure];
-    }
-    let (mut sum, mut whole) = (0.0, 0.0);
-    for (weight, measure) in goal.weights().into_iter().zip(Goal::MEASURES) {
-        if let (Some(error), Some(start)) = (verdict[measure], at_start[measure]) {
-            whole += weight;
-            sum += if start > 0.0 {
-                weight * error / start
-            } else {
-                0.0
-            };
-        }
-    }
-    (whole > 0.0).then(|| sum / whole)
+    brief(error * unit.factor, unit)
 }
 
 /// Names of the lines on offer, in their order.
@@ -200,8 +172,7 @@ impl AuctionChart {
     pub fn of(ask: &AuctionAsk, auction: &Auction, names: &[LineName], theme: Theme) -> Self {
         let (terms, inks) = (ask.terms, Inks::of(theme));
         let unit = goal_unit(terms.goal);
-        let at =
-            |numbers: usize, error: f64| [numbers as f64, (error * unit.factor()).max(SMALLEST)];
+        let at = |numbers: usize, error: f64| [numbers as f64, (error * unit.factor).max(SMALLEST)];
         let bids = |bids: &[Bid]| bids.iter().map(|b| at(b.numbers, b.error)).collect();
         let points: Vec<[f64; 2]> = auction
             .steps
@@ -253,11 +224,10 @@ impl AuctionChart {
             Series::points("bought", inks.residual, Shape::Dot, points).with_notes(notes),
         ];
         let way = Way::new(terms.basis, false, terms.colour_exact);
-        let y_label = match plain_measure(terms.goal) {
-            Some(_) if unit == Unit::DeltaE => goal_words(terms.goal),
-            Some(_) => format!("{}, %", goal_words(terms.goal)),
-            None => "Mix of errors, each in % of its value at N = 0".to_owned(),
-        };
+        let y_label = terms.goal.plain_measure().map_or_else(
+            || "Mix of errors, each in % of its value at N = 0".to_owned(),
+            |measure| measure.figure().with_unit(),
+        );
         let chart = Chart {
             title: format!(
                 "{}: the auction for {} ({})",
@@ -297,10 +267,10 @@ impl AuctionChart {
             return;
         };
         let numbers = app.derived().numbers() as f64;
-        if let Some(error) = goal_error(goal, now, start)
+        if let Some(error) = goal.error(now, start)
             && numbers <= self.chart.x_range[1]
         {
-            let at = [numbers, (error * goal_unit(goal).factor()).max(SMALLEST)];
+            let at = [numbers, (error * goal_unit(goal).factor).max(SMALLEST)];
             let note = format!("{}\n{}", super::tradeoff::words_now(app), all_figures(now));
             let mark = super::tradeoff::mark_now(vec![at], self.chart.theme);
             self.chart.series.push(mark.with_notes(vec![note]));

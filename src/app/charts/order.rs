@@ -101,7 +101,7 @@ pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
         x_range,
         y_range: Some(y_range),
         y_scale: Scale::Log10,
-        y_unit: measure.figure().unit.tail().to_owned(),
+        y_unit: measure.figure().unit.tail.to_owned(),
         series,
         theme,
         ..Chart::default()

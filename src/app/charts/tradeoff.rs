@@ -6,7 +6,6 @@ use crate::{
         App, Command, Settings,
         chart::Inks,
         chart::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
-        figures::Unit,
         pages::WaysShown,
         settings::Detector,
         studies::{About, SweepAsk},
@@ -393,9 +392,10 @@ pub fn needs(
     limit: f64,
 ) -> String {
     let figure = measure.figure();
-    let goal = match figure.unit {
-        Unit::DeltaE => format!("ΔE00 {limit} {}", figure.goal),
-        unit => format!("{limit}{} {}", unit.tail(), figure.goal),
+    let goal = if measure.is_colour() {
+        format!("ΔE00 {limit} {}", figure.goal)
+    } else {
+        format!("{limit} % {}", figure.goal)
     };
     let name = ask.about.subject.0.name();
     let enough = front.iter().map(|i| &sweep.points[*i]).find(|point| {
@@ -404,13 +404,8 @@ pub fn needs(
     });
     match enough {
         Some(point) => format!(
-            "To stay under {goal}, {name} needs {} {} ({}).",
-            point.numbers,
-            if point.numbers == 1 {
-                "number"
-            } else {
-                "numbers"
-            },
+            "To stay under {goal}, {name} needs {} ({}).",
+            numbers(point.numbers),
             way_words(point)
         ),
         None => format!(
@@ -465,7 +460,7 @@ pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: T
         values,
         range: None,
         scale: Scale::Log10,
-        label: measure.figure().unit.sign().to_owned(),
+        label: measure.figure().unit.sign.to_owned(),
     };
     let way = Way::new(ask.basis, false, ask.colour_exact);
     Chart {

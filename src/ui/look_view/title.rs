@@ -13,7 +13,11 @@ use crate::{
 pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> Rect {
     let subject = app.document().subject_entry();
     let bare = leaves.is_some();
-    let size = if bare && theme.scale > 1.0 { 16.0 } else { 20.0 };
+    let size = if bare && theme.scale > 1.0 {
+        16.0
+    } else {
+        20.0
+    };
     let mut room = Rect::NOTHING;
     let mut title = |ui: &mut Ui| {
         let title = RichText::new(subject.name())

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
-use super::{PageContext, progress};
+use super::{PageContext, progress, tradeoff_view::choose};
 use crate::{
     app::{
         App, Command, chart,
         charts::{
             auction::{
                 AuctionChart, NAMES, ended_words, error_words, gain_words, goal_within, names,
-                plain_measure, purchases_words,
+                purchases_words,
             },
             tradeoff::{self, all_figures, lack},
         },
@@ -141,22 +141,17 @@ fn is_now(app: &App, sheet: &Sheet, step: usize) -> bool {
 
 /// Goal and budget.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
-    let lacks = Goal::MEASURES.map(|measure| lack(context.app, measure));
     ui.horizontal_wrapped(|ui| {
         ui.label("Make small")
             .on_hover_text("The goal: what each purchase is to lower most.");
         for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
-            let button = egui::Button::selectable(goal == plain, NAMES[i]);
-            let response = ui.add_enabled(lacks[i].is_none(), button);
-            if response.clicked() {
+            let named = (Goal::MEASURES[i], NAMES[i]);
+            if choose(ui, context.app, named, goal == plain) {
                 context.memory.goal = plain;
             }
-            response
-                .on_hover_text(Goal::MEASURES[i].figure().meaning)
-                .on_disabled_hover_text(lacks[i].unwrap_or_default());
         }
     });
-    weights(ui, context, goal, lacks);
+    weights(ui, context, goal);
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Spend up to");
         budget(ui, &mut context.memory.auction_numbers)
@@ -169,19 +164,15 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
         ui.label("numbers");
         ui.weak(format!("{}, as in the model at the right.", way.title()))
             .on_hover_text("Basis, fit and threshold are the document's; change them there.");
-        if plain_measure(goal).is_none() {
+        if goal.plain_measure().is_none() {
             ui.weak("Each error over its value at N = 0.");
         }
     });
 }
 
 /// The weights of a mixed goal.
-fn weights(
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    goal: Goal,
-    lacks: [Option<&'static str>; 4],
-) {
+fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
+    let lacks = Goal::MEASURES.map(|measure| lack(context.app, measure));
     ui.horizontal_wrapped(|ui| {
         ui.label("or a mix of").on_hover_text(
             "Weights of the four errors. In a mix each error is divided by its value at N = 0, so \

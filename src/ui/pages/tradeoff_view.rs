@@ -8,7 +8,7 @@ use egui::{Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
-        Command,
+        App, Command,
         chart::{self, Chart},
         charts::tradeoff::{
             self, Tradeoff, all_figures, lack, limits, mark_threshold, measure_within, needs, take,
@@ -108,20 +108,28 @@ impl TradeoffView {
     }
 }
 
+/// A button for a figure, which says what it counts or why there is none; whether it was clicked.
+pub(in crate::ui) fn choose(
+    ui: &mut Ui,
+    app: &App,
+    (measure, name): (Measure, &str),
+    is_chosen: bool,
+) -> bool {
+    let lack = lack(app, measure);
+    ui.add_enabled(lack.is_none(), egui::Button::selectable(is_chosen, name))
+        .on_hover_text(measure.figure().meaning)
+        .on_disabled_hover_text(lack.unwrap_or_default())
+        .clicked()
+}
+
 /// Which figure, and which lines.
 fn controls(ui: &mut Ui, context: &mut PageContext<'_>, measure: Measure) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Error");
         for one in Measure::COMPARED {
-            let (lack, figure) = (lack(context.app, one), one.figure());
-            let button = egui::Button::selectable(measure == one, figure.title);
-            let response = ui.add_enabled(lack.is_none(), button);
-            if response.clicked() {
+            if choose(ui, context.app, (one, one.figure().title), measure == one) {
                 context.memory.measure = one;
             }
-            response
-                .on_hover_text(figure.meaning)
-                .on_disabled_hover_text(lack.unwrap_or_default());
         }
     });
     ui.horizontal_wrapped(|ui| {
@@ -231,7 +239,7 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
             point.way.title(),
             point.order,
             figure.title,
-            figure.unit.sign(),
+            figure.unit.sign,
             brief(&measure)
         ),
         note: format!("{}\nClick to take this model.", all_figures(&point.verdict)),

@@ -73,7 +73,6 @@ impl Shape {
             present,
         }
     }
-
 }
 
 /// A frame without a line around it.

@@ -5,6 +5,7 @@ use super::{error_words, figure};
 use crate::{
     app::studies::{Field, RaceAsk},
     color::Observer,
+    io::many::capitalised,
     rivals::Family,
     spectrum::{Band, SpikeSettings},
     study::{
@@ -123,12 +124,6 @@ fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option
              composite ({composite})."
         )
     })
-}
-
-fn capitalised(word: &str) -> String {
-    let mut letters = word.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
 }
 
 /// A rival in the middle of a sentence.

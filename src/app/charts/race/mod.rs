@@ -80,7 +80,7 @@ fn error_words(measure: Measure, error: Option<f64>) -> String {
     let unit = measure.figure().unit;
     error.map_or_else(
         || "–".to_owned(),
-        |error| format!("{}{}", figure(error * unit.factor()), unit.tail()),
+        |error| format!("{}{}", figure(error * unit.factor), unit.tail),
     )
 }
 

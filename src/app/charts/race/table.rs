@@ -1,12 +1,9 @@
 //! The paper's Table 1 with numbers: one line a representation, the least of each column marked.
 
 use super::figure;
-use crate::{
-    app::figures::Unit,
-    study::{
-        Measure, Race, Spread,
-        race::{Racer, Row},
-    },
+use crate::study::{
+    Measure, Race, Spread,
+    race::{Racer, Row},
 };
 
 /// A column of the race's table.
@@ -72,7 +69,7 @@ impl RaceTable {
         let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
                      choice.";
         columns.push(spread_column(
-            "check ΔE00",
+            "check, ΔE00",
             check,
             &rows,
             many,
@@ -135,15 +132,6 @@ pub fn about(racer: Racer) -> String {
     format!("{}. {words}", racer.title())
 }
 
-/// What stands over a figure.
-fn title(measure: Measure) -> String {
-    let figure = measure.figure();
-    match figure.unit {
-        Unit::DeltaE => format!("{} ΔE00", figure.short),
-        unit => format!("{}, {}", figure.short, unit.sign()),
-    }
-}
-
 /// Errors closer than this are equal: a colour-exact fit is off by rounding only.
 const EQUAL: f64 = 1e-6;
 
@@ -174,9 +162,9 @@ fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Mea
         return;
     }
     type Part = fn(Spread) -> f64;
-    let over = title(Measure::Patches);
+    let first = over(Measure::Patches);
     let parts: [(&str, Part, &str); 3] = [
-        (&over, |s| s.median, "Half of the lights are below."),
+        (&first, |s| s.median, "Half of the lights are below."),
         ("95 %", |s| s.p95, "95 % of the lights are below."),
         ("worst", |s| s.worst, "The worst light."),
     ];
@@ -211,11 +199,16 @@ fn column(title: &str, tip: &str, width: f32, cells: Vec<RaceCell>) -> RaceColum
     }
 }
 
+/// What stands over a figure.
+fn over(measure: Measure) -> String {
+    let figure = measure.figure();
+    format!("{}, {}", figure.short, figure.unit.sign)
+}
+
 /// A figure's column.
 fn measured(measure: Measure, tip: &str, rows: &[Row], many: bool) -> RaceColumn {
-    let factor = measure.figure().unit.factor();
-    let of = |row: &Row| row.spreads[measure];
-    spread_column(&title(measure), tip, rows, many, factor, &of)
+    let (unit, of) = (measure.figure().unit, |row: &Row| row.spreads[measure]);
+    spread_column(&over(measure), tip, rows, many, unit.factor, &of)
 }
 
 fn spread_column(

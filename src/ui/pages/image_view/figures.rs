@@ -11,10 +11,10 @@ use crate::{
         ticks::short,
     },
     color::{Srgb, Swatch},
-    io::many::numbers,
+    io::many::{capitalised, numbers},
     spectrum::Sampled,
     study::Measure,
-    ui::{colour_view::capitalised, pages::PageContext, swatch, theme::Theme},
+    ui::{pages::PageContext, swatch, theme::Theme},
 };
 
 /// Height of the model's figures, points.

@@ -27,8 +27,9 @@ use crate::{
         studies::Stage,
     },
     color::Observer,
+    io::many::capitalised,
     spectrum::{Rect, SpectralImage},
-    ui::{colour_view::capitalised, kit},
+    ui::kit,
 };
 use canvas::{Canvas, Picture, Touched};
 

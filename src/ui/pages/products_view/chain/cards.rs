@@ -14,9 +14,9 @@ use crate::{
         product_report::scaled,
         ticks::short,
     },
+    io::many::capitalised,
     study::products::Colours,
     ui::{
-        colour_view::capitalised,
         kit::{Chooser, lights, warning},
         pages::PageContext,
         swatch,
