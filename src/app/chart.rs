@@ -259,7 +259,7 @@ fn stems(app: &App, inks: Inks, factor: f64) -> Series {
             labels: spikes
                 .iter()
                 .zip(app.spike_names())
-                .map(|(s, name)| match &name.safe {
+                .map(|(s, name)| match &name.label {
                     Some(name) => name.clone(),
                     None => format!("{:.1}", s.at_nm),
                 })

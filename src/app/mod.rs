@@ -32,6 +32,7 @@ pub mod scale;
 pub mod settings;
 pub mod spectral_unit;
 pub mod spike_hand;
+pub mod spike_names;
 pub mod state;
 pub mod stored_path;
 pub mod studies;

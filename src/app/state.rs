@@ -8,7 +8,6 @@ use std::{
 };
 
 use super::{
-    absorption_names::names_of,
     command::Command,
     derived::{Derived, Question},
     document::{Document, FIRST_LIGHT, Subject, WEIGHT_FACTORS, first_light},
@@ -19,6 +18,7 @@ use super::{
     opened::{ImageEntry, Opened},
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
+    spike_names::names_of,
     studies::about::reflectances,
     tables::{CURVE_ORDER, Tables, Viewing},
 };

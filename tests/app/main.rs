@@ -4,10 +4,13 @@
 mod common;
 #[path = "../common/full.rs"]
 mod full;
+#[path = "../common/root.rs"]
+mod root;
 
 mod cli;
 mod cli_files;
 mod cli_studies;
 mod commands;
+mod line_names;
 mod no_window;
 mod workspace;

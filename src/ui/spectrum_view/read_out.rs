@@ -9,9 +9,12 @@ use super::{
     axis::Axis,
 };
 use crate::{
-    app::{App, line_names::nearest_line, ticks},
+    app::{App, line_names::spike_under, ticks},
     color::{Srgb, srgb_from_wavelength_over},
 };
+
+/// How near to a spike's place the pointer must be to be on it, points.
+const SPIKE_REACH: f64 = 6.0;
 
 /// The values under the pointer, written into the header's free room.
 pub(super) fn hover(
@@ -46,8 +49,11 @@ pub(super) fn hover(
         "{nm:.1} nm   {measured}   model {}",
         value(&derived.model_values()),
     );
-    if let Some(line) = nearest_line(nm, app.element_lines()) {
-        text.push_str(&format!("   near {line}"));
+    // A line is named where a spike stands, and nowhere else.
+    let reach = transform.dvalue_dpos()[0].abs() * SPIKE_REACH;
+    let under = spike_under(&derived.model.spikes, app.spike_names(), nm, reach);
+    if let Some(name) = under.and_then(|(_, name)| name.safe.as_deref().or(name.near.as_deref())) {
+        text.push_str(&format!("   {name}"));
     }
     let [r, g, b, _] = theme.ground.to_array();
     let Srgb([r, g, b]) = srgb_from_wavelength_over(nm, Srgb([r, g, b]));

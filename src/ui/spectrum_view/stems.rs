@@ -79,7 +79,7 @@ pub(super) fn labels(ui: &Ui, app: &App, theme: Theme, axis: Axis, transform: &P
         .zip(tips(app, axis))
     {
         let Some([x, y]) = tip else { continue };
-        let text = match &name.safe {
+        let text = match &name.label {
             Some(name) => name.clone(),
             None => format!("{:.1}", spike.at_nm),
         };
