@@ -7,7 +7,7 @@ use super::{
     mercury::{self, HG, name_mercury},
     peaks::{Peak, Points},
     phosphors::{EUROPIUM, TERBIUM, has_terbium, host_of_europium, name_europium, name_terbium},
-    scene::{Scene, Told, is_line},
+    scene::{BandTold, Scene, Told, is_line},
     sodium::NA,
 };
 use crate::spectrum::{Outside, Sampled, Spike};
@@ -29,6 +29,7 @@ const LEAST_REACH_NM: f64 = 2.0;
 pub struct Identified {
     peaks: Vec<Peak>,
     told: Vec<Option<Told>>,
+    bands: Vec<BandTold>,
     reach_nm: f64,
 }
 
@@ -44,31 +45,43 @@ impl Identified {
         Self {
             peaks: scene.peaks,
             told: scene.told,
+            bands: scene.bands,
             reach_nm: scene.reach_nm,
         }
     }
 
-    /// The name of the peak that a spike at a place stands for.
+    /// The name of the peak that a spike at a place stands for, or of the band of a phosphor that
+    /// it stands in.
     pub fn name_at(&self, at_nm: f64) -> LineName {
         let off = |peak: &usize| (self.peaks[*peak].at_nm - at_nm).abs();
-        let all = 0..self.peaks.len();
-        let highest = all
-            .clone()
-            .filter(|peak| off(peak) <= SAME_PEAK_NM)
-            .max_by(|a, b| self.peaks[*a].height.total_cmp(&self.peaks[*b].height));
-        let nearest = || {
-            all.clone()
-                .filter(|peak| off(peak) <= self.reach_nm.max(LEAST_REACH_NM))
-                .min_by(|a, b| off(a).total_cmp(&off(b)))
+        let within = |reach_nm: f64| {
+            (0..self.peaks.len())
+                .filter(move |peak| (self.peaks[*peak].at_nm - at_nm).abs() <= reach_nm)
         };
-        let told = highest
-            .or_else(nearest)
-            .and_then(|peak| self.told[peak].as_ref());
+        let highest = within(SAME_PEAK_NM)
+            .max_by(|a, b| self.peaks[*a].height.total_cmp(&self.peaks[*b].height));
+        let told = match highest {
+            Some(peak) => self.told[peak].as_ref(),
+            None => self.band_at(at_nm).or_else(|| {
+                let reach_nm = self.reach_nm.max(LEAST_REACH_NM);
+                let nearest = within(reach_nm).min_by(|a, b| off(a).total_cmp(&off(b)));
+                self.told[nearest?].as_ref()
+            }),
+        };
         told.map_or_else(LineName::default, |told| LineName {
             safe: Some(told.words.clone()),
             label: Some(told.label.clone()),
             near: None,
         })
+    }
+
+    fn band_at(&self, at_nm: f64) -> Option<&Told> {
+        let off = |band: &&BandTold| (band.about_nm - at_nm).abs();
+        let is_in = |band: &&BandTold| (band.within_nm[0]..=band.within_nm[1]).contains(&at_nm);
+        let bands = self.bands.iter().filter(is_in);
+        bands
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .map(|band| &band.told)
     }
 
     /// Symbols of the elements that were found, by rising wavelength of their first line.
@@ -125,7 +138,7 @@ fn name_all(scene: &mut Scene<'_>) {
     forget_the_weak(scene);
     let is_sure = scene.is_fine && mercury == Some(ALL_OF_MERCURY);
     if !is_sure && explained(scene) < EXPLAINED {
-        scene.told.fill(None);
+        scene.forget_all();
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{
     mercury::HG,
-    scene::{Scene, Told},
+    scene::{BandTold, Scene, Told},
     table::{BandOf, EU_OXIDE, EU_VANADATE, HG_GREEN, NO_EU, TB},
 };
 
@@ -98,4 +98,9 @@ fn name_band(
     while let Some(peak) = scene.between(band.within_nm) {
         scene.tell([peak], &told);
     }
+    scene.bands.push(BandTold {
+        about_nm: band.about_nm,
+        within_nm: band.within_nm,
+        told,
+    });
 }

@@ -27,6 +27,17 @@ impl Told {
     }
 }
 
+/// A band of a phosphor that is there: several peaks may be one band, and a spike may stand for all.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct BandTold {
+    /// The number in its name, nm.
+    pub about_nm: f64,
+    /// Where its peaks stand, nm.
+    pub within_nm: [f64; 2],
+    /// What it is.
+    pub told: Told,
+}
+
 /// A peak may stand this far from its line, nm: the least for the best data, the most for 5 nm
 /// data, where a line's centroid is drawn to the samples.
 const REACH_NM: [f64; 2] = [1.2, 3.0];
@@ -45,6 +56,8 @@ pub(super) struct Scene<'a> {
     pub points: Points,
     pub peaks: Vec<Peak>,
     pub told: Vec<Option<Told>>,
+    /// Bands of phosphors that are there.
+    pub bands: Vec<BandTold>,
     /// How far a peak may stand from its line, nm.
     pub reach_nm: f64,
     /// The same for gases with many lines.
@@ -67,6 +80,7 @@ impl<'a> Scene<'a> {
         let reach = |width: f64, most: f64| (0.7 + 0.5 * width).clamp(REACH_NM[0], most);
         Self {
             told: vec![None; peaks.len()],
+            bands: Vec::new(),
             reach_nm: reach(resolution, REACH_NM[1]),
             gas_reach_nm: reach(middle.unwrap_or(resolution), GAS_REACH_NM),
             is_fine: resolution <= FINE_NM,
@@ -136,6 +150,13 @@ impl<'a> Scene<'a> {
                 *told = None;
             }
         }
+        self.bands.retain(|band| band.told.symbol != symbol);
+    }
+
+    /// Takes all names back.
+    pub(super) fn forget_all(&mut self) {
+        self.told.fill(None);
+        self.bands.clear();
     }
 
     /// Whether a peak carries an element's name.
