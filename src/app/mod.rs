@@ -1,5 +1,6 @@
 //! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
 
+pub mod about;
 pub mod absorption_names;
 pub mod already_open;
 pub mod cells;
@@ -10,11 +11,13 @@ pub mod derived;
 pub mod document;
 pub mod entry;
 pub mod export;
+pub mod families;
 pub mod history;
 pub mod import;
 pub mod library;
 pub mod licences;
 pub mod line_names;
+pub mod made;
 pub mod makers;
 pub mod natural;
 pub mod open;
@@ -29,6 +32,7 @@ pub mod products;
 pub mod read_report;
 pub mod report;
 pub mod scale;
+pub mod search;
 pub mod settings;
 pub mod spectral_unit;
 pub mod spike_hand;

@@ -207,6 +207,10 @@ pub struct List {
     /// [default: the first three, which the other commands take].
     #[arg(long, value_name = "KIND", value_parser = words::any_kind)]
     pub kind: Option<Kind>,
+    /// Only what is called this, the best first: a name, a family, an element, a use ("street
+    /// lamp", neon, skin); twins of one lamp are one line.
+    #[arg(long, value_name = "WORDS")]
+    pub search: Option<String>,
     /// Print JSON.
     #[arg(long)]
     pub json: bool,

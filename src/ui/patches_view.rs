@@ -16,7 +16,7 @@ pub fn head(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
         .selected_text(set_title(&document.patch_set))
         .width(128.0)
         .show_ui(ui, |ui| {
-            for group in Library::bundled().groups() {
+            for group in Library::bundled().all_groups() {
                 if group.items.iter().any(|p| p.kind.is_factor())
                     && ui
                         .selectable_label(document.patch_set == group.id, set_title(&group.id))
@@ -171,6 +171,8 @@ pub(super) fn set_title(id: &str) -> String {
         "metals_refractiveindex" => "Metals",
         "usgs_splib07" => "USGS materials",
         "filters_glass_cc0" => "Filter glasses",
+        "ideal_filters" => "Ideal filters",
+        "everyday_surfaces" => "Everyday surfaces",
         other => other,
     };
     known.to_owned()

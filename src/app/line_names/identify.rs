@@ -8,7 +8,8 @@ use super::{
     peaks::{Peak, Points},
     phosphors::{EUROPIUM, TERBIUM, has_terbium, host_of_europium, name_europium, name_terbium},
     scene::{BandTold, Scene, Told, is_line},
-    sodium::NA,
+    sodium::{NA, REVERSED},
+    table::GASES,
 };
 use crate::spectrum::{Outside, Sampled, Spike};
 
@@ -18,8 +19,12 @@ const EXPLAINED: f64 = 0.6;
 const ALL_OF_MERCURY: usize = 3;
 /// No line without a name may be so many times as high as the highest of sodium and thallium.
 const UNEXPLAINED: f64 = 0.5;
+/// Where the tables of lines are full, nm: what stands beyond may well have no name.
+const KNOWN_NM: [f64; 2] = [380.0, 780.0];
 /// Coarser data shows no lines, nm.
 const COARSEST_NM: f64 = 6.0;
+/// Above this share of the power lines stand alone.
+const LINES_ALONE: f64 = 0.5;
 /// A spike stands for the highest peak at most so far away, or for the nearest within reach, nm.
 const SAME_PEAK_NM: f64 = 1.5;
 const LEAST_REACH_NM: f64 = 2.0;
@@ -31,6 +36,8 @@ pub struct Identified {
     told: Vec<Option<Told>>,
     bands: Vec<BandTold>,
     reach_nm: f64,
+    /// Share of the light's power in peaks that have names.
+    share: f64,
 }
 
 impl Identified {
@@ -42,7 +49,12 @@ impl Identified {
         }
         let mut scene = Scene::of(points, lines);
         name_all(&mut scene);
+        let named = scene.peaks.iter().zip(&scene.told);
+        let named = named.filter(|(_, told)| told.is_some());
+        let power: f64 = named.map(|(peak, _)| peak.power()).sum();
+        let all = scene.points.power();
         Self {
+            share: if all > 0.0 { power / all } else { 0.0 },
             peaks: scene.peaks,
             told: scene.told,
             bands: scene.bands,
@@ -93,6 +105,35 @@ impl Identified {
             }
         }
         elements
+    }
+
+    /// The family of lamps that the lines alone tell of, by its key; `None` where they do not.
+    pub fn family_key(&self) -> Option<&'static str> {
+        let elements = self.elements();
+        let has = |symbol: &str| elements.contains(&symbol);
+        let is_reversed = || {
+            let mut told = self.told.iter().flatten();
+            told.any(|told| told.words.ends_with(REVERSED))
+        };
+        if HALIDES.iter().any(|symbol| has(symbol)) {
+            Some("metal-halide")
+        } else if has(TERBIUM) && has(EUROPIUM) && has(HG) {
+            Some("three-band")
+        } else if has(NA) && !has(HG) {
+            Some(if is_reversed() { "hps" } else { "lps" })
+        } else if has(HG) && elements.len() == 1 {
+            // Lines with a glow under them are a tube's, lines alone a mercury lamp's.
+            Some(if self.share < LINES_ALONE {
+                "tube"
+            } else {
+                "mercury"
+            })
+        } else if has("Xe") && elements.len() == 1 {
+            Some("xenon")
+        } else {
+            let is_gas = GASES.iter().any(|gas| has(gas.symbol));
+            (is_gas && !has(HG) && self.share > LINES_ALONE).then_some("line-tube")
+        }
     }
 
     /// Every peak with its name, by rising wavelength.
@@ -147,7 +188,7 @@ fn forget_the_weak(scene: &mut Scene<'_>) {
     let highest = |scene: &Scene<'_>, is_it: &dyn Fn(Option<&Told>) -> bool| {
         let peaks = scene.peaks.iter().zip(&scene.told);
         peaks
-            .filter(|(peak, told)| is_it(told.as_ref()) && (told.is_some() || is_line(peak)))
+            .filter(|(peak, told)| is_it(told.as_ref()) && (told.is_some() || counts(peak)))
             .fold(0.0_f64, |highest, (peak, _)| highest.max(peak.height))
     };
     let left = highest(scene, &|told| told.is_none());
@@ -170,11 +211,16 @@ fn forget_the_weak(scene: &mut Scene<'_>) {
     }
 }
 
+/// Whether a peak is one that ought to have a name.
+fn counts(peak: &Peak) -> bool {
+    is_line(peak) && (KNOWN_NM[0]..=KNOWN_NM[1]).contains(&peak.at_nm)
+}
+
 /// The share of the power of all lines that has a name.
 fn explained(scene: &Scene<'_>) -> f64 {
     let (mut named, mut all) = (0.0, 0.0);
     for (peak, told) in scene.peaks.iter().zip(&scene.told) {
-        if is_line(peak) {
+        if counts(peak) {
             all += peak.power();
             named += if told.is_some() { peak.power() } else { 0.0 };
         }

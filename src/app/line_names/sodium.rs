@@ -3,12 +3,14 @@
 
 use super::{
     scene::{Scene, Told, middle},
-    table::{K_RED, NA_D, NA_FAINT, NA_OTHERS},
+    table::{K_RED, NA_D, NA_FAINT, NA_INFRARED, NA_OTHERS},
 };
 
 /// Symbols.
 pub(super) const NA: &str = "Na";
 const K: &str = "K";
+/// How the name of a reversed line ends.
+pub(super) const REVERSED: &str = "self-reversed";
 
 /// How sodium's yellow pair looks.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +33,7 @@ const WIDEST_ALONE_NM: f64 = 8.0;
 const BROADENED_NM: [f64; 2] = [586.0, 600.0];
 const WIDEST_BROADENED_NM: f64 = 16.0;
 /// In the middle of a reversed line there is at most this share of its lower side.
-const REVERSED: f64 = 0.95;
+const DARK: f64 = 0.95;
 /// The sides of a reversed line reach at most so far, nm.
 const SIDES_NM: f64 = 35.0;
 /// They are at least so many times as high as the light between 480 and 550 nm is in the middle:
@@ -113,7 +115,7 @@ fn reversed_sides(scene: &Scene<'_>, others: &[Option<usize>; 5]) -> Option<Vec<
     let right = climb(&|i| (i + 1 < nm.len()).then_some(i + 1));
     let lower = values[left].min(values[right]);
     let green = scene.points.median(GREEN_NM[0], GREEN_NM[1]);
-    if scene.points.at(at_nm)? >= REVERSED * lower || lower < OVER_GREEN * green {
+    if scene.points.at(at_nm)? >= DARK * lower || lower < OVER_GREEN * green {
         return None;
     }
     // A side's peak stands about the highest place, unless it is one of the other pairs.
@@ -145,7 +147,7 @@ pub(super) fn name_yellow(scene: &mut Scene<'_>, yellow: &Yellow) {
     let (peaks, words) = match yellow {
         Yellow::Plain(peak) => (vec![*peak], words),
         Yellow::Broadened(peak) => (vec![*peak], format!("{words}, broadened")),
-        Yellow::Reversed(peaks) => (peaks.clone(), format!("{words}, self-reversed")),
+        Yellow::Reversed(peaks) => (peaks.clone(), format!("{words}, {REVERSED}")),
     };
     let symbol = NA;
     scene.tell(
@@ -163,6 +165,7 @@ pub(super) fn name_yellow(scene: &mut Scene<'_>, yellow: &Yellow) {
 pub(super) fn name_others(scene: &mut Scene<'_>, is_high_pressure: bool) {
     const STRONGEST: usize = 3;
     let mut pairs = NA_OTHERS[..STRONGEST].to_vec();
+    pairs.push(NA_INFRARED);
     if is_high_pressure {
         pairs.extend_from_slice(&NA_OTHERS[STRONGEST..]);
         pairs.extend_from_slice(&NA_FAINT);

@@ -91,6 +91,8 @@ pub(super) const NA_OTHERS: [[f64; 2]; 5] = [
 ];
 /// Those that only lamps of high pressure show.
 pub(super) const NA_FAINT: [[f64; 2]; 2] = [[449.4, 449.8], [474.8, 475.2]];
+/// The infrared pair, which every lamp with sodium shows.
+pub(super) const NA_INFRARED: [f64; 2] = [818.3, 819.5];
 /// Potassium, which sodium brings with it.
 pub(super) const K_RED: [f64; 2] = [766.5, 769.9];
 

@@ -81,7 +81,8 @@ fn every_line_that_names_are_made_of_is_in_the_table() {
         has("Hg", *nm);
     }
     let pairs = table::NA_OTHERS.iter().chain(&table::NA_FAINT);
-    for nm in pairs.flatten().chain(&table::NA_D) {
+    let pairs = pairs.chain([&table::NA_INFRARED, &table::NA_D]);
+    for nm in pairs.flatten() {
         has("Na", *nm);
     }
     for (element, nm) in [

@@ -9,6 +9,7 @@ use crate::{
         App, Entry,
         cells::{line, number, words},
         chart::{Inks, provenance},
+        made::is_made,
         plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
         products::Lit,
         ticks::extent,
@@ -383,7 +384,8 @@ pub fn of(point: &NarrowPoint, way: usize) -> Colours {
 
 /// Shipped filter glasses, and the user's own transmittances.
 pub fn is_filter(entry: &Entry) -> bool {
-    entry.kind() == Kind::Transmittance && entry.shelf.is_none_or(|shelf| shelf == Shelf::Filters)
+    let is_glass = |shelf| shelf == Shelf::Filters && !is_made(&entry.key);
+    entry.kind() == Kind::Transmittance && entry.shelf.is_none_or(is_glass)
 }
 
 fn derived_unit(app: &App) -> &str {

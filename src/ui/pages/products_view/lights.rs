@@ -300,7 +300,7 @@ fn set_combo(ui: &mut Ui, context: &mut PageContext<'_>) {
         .selected_text(set_title(&document.patch_set))
         .width(128.0 * context.theme.scale)
         .show_ui(ui, |ui| {
-            let groups = Library::bundled().groups().iter();
+            let groups = Library::bundled().all_groups();
             for group in groups.filter(|g| g.items.iter().any(|p| p.kind.is_factor())) {
                 let is_chosen = document.patch_set == group.id;
                 let response = ui.selectable_label(is_chosen, set_title(&group.id));
