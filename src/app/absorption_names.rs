@@ -3,7 +3,9 @@
 //! A wrong name is worse than none. A dip gets a name only when the measured curve shows most of
 //! the other lines of the same family too: sunlight's Fraunhofer lines, holmium oxide's bands,
 //! neodymium's. The witnesses are looked for in the curve itself, for a line may be too weak to be
-//! a spike and still be seen. Any other line near by is only told on hover.
+//! a spike and still be seen. Any other line near by is only told on hover. Once a family is
+//! there, all its lines are looked for at their places, each by a threshold of its own, and those
+//! that are too weak here are told as such ([`dark_lines`]).
 //!
 //! The places are facts of the literature. Fraunhofer's letters stand at the elements' own lines
 //! in air (NIST Atomic Spectra Database: Ca II 393.37 and 396.85, H 410.17, 434.05, 486.13 and
@@ -13,13 +15,9 @@
 //! splib07a: 386, 420, 451, 486, 538, 638 nm), hence the wide reach. Neodymium's are the bands of
 //! didymium glass that praseodymium has no part in.
 
-use crate::spectrum::{Band, Kind};
+use crate::spectrum::{Band, Basis, Kind};
 
-use super::{
-    derived::Derived,
-    entry::Entry,
-    line_names::{ElementLine, LineName, name_spikes},
-};
+use super::{entry::Entry, line_names::LineName};
 
 /// A line or band of a family.
 struct Feature {
@@ -34,6 +32,10 @@ struct Feature {
 
 /// Lines that come together.
 struct Family {
+    /// What has them.
+    title: &'static str,
+    /// Whether they are bands, which spikes are not meant for.
+    are_bands: bool,
     features: &'static [Feature],
     /// A dip may stand this far outside a feature, nm.
     reach_nm: f64,
@@ -57,6 +59,8 @@ const fn band(name: &'static str, nm: [f64; 2], least: Option<f64>) -> Feature {
 
 /// Sunlight: Fraunhofer's lines, and those of the air below it.
 const SUN: Family = Family {
+    title: "sunlight",
+    are_bands: false,
     features: &[
         line("Ca K 393.4", 393.37, 0.1),
         line("Ca H 396.8", 396.85, 0.1),
@@ -83,19 +87,21 @@ const SUN: Family = Family {
 
 /// Holmium oxide, in glass or as powder.
 const HOLMIUM: Family = Family {
+    title: "holmium oxide",
+    are_bands: true,
     features: &[
-        line("Ho 241.5", 241.5, 0.05),
-        line("Ho 279", 279.4, 0.05),
-        line("Ho 288", 287.5, 0.05),
-        line("Ho 334", 333.7, 0.05),
-        line("Ho 361", 360.9, 0.1),
-        line("Ho 386", 385.8, 0.02),
-        line("Ho 419", 418.7, 0.1),
-        line("Ho 453", 453.2, 0.1),
-        line("Ho 460", 460.0, 0.0),
-        line("Ho 484", 484.5, 0.02),
-        line("Ho 536", 536.2, 0.1),
-        line("Ho 638", 637.5, 0.02),
+        line("Ho band 241.5", 241.5, 0.05),
+        line("Ho band 279", 279.4, 0.05),
+        line("Ho band 288", 287.5, 0.05),
+        line("Ho band 334", 333.7, 0.05),
+        line("Ho band 361", 360.9, 0.1),
+        line("Ho band 386", 385.8, 0.02),
+        line("Ho band 419", 418.7, 0.1),
+        line("Ho band 453", 453.2, 0.1),
+        line("Ho band 460", 460.0, 0.0),
+        line("Ho band 484", 484.5, 0.02),
+        line("Ho band 536", 536.2, 0.1),
+        line("Ho band 638", 637.5, 0.02),
     ],
     reach_nm: 5.0,
     shoulder_nm: 25.0,
@@ -106,12 +112,14 @@ const HOLMIUM: Family = Family {
 
 /// Neodymium in glass: a filter, or a lamp with a bulb of it.
 const NEODYMIUM: Family = Family {
+    title: "neodymium",
+    are_bands: true,
     features: &[
-        line("Nd 512", 512.0, 0.01),
-        line("Nd 529", 529.0, 0.04),
-        band("Nd 573-585", [573.0, 585.0], Some(0.2)),
-        band("Nd 740-748", [740.0, 748.0], Some(0.1)),
-        line("Nd 807", 807.0, 0.1),
+        line("Nd band 512", 512.0, 0.01),
+        line("Nd band 529", 529.0, 0.04),
+        band("Nd band 573-585", [573.0, 585.0], Some(0.2)),
+        band("Nd band 740-748", [740.0, 748.0], Some(0.1)),
+        line("Nd band 807", 807.0, 0.1),
     ],
     reach_nm: 3.0,
     shoulder_nm: 25.0,
@@ -136,6 +144,9 @@ const MOST_OF_THEM: f64 = 0.75;
 
 /// Hover names features within this distance beyond their family's reach.
 const NEAR_NM: f64 = 2.0;
+
+/// What comes and goes with the air is seen from this depth on.
+const OF_THE_AIR: f64 = 0.05;
 
 /// A measured curve on a grid, and what is known of it.
 #[derive(Clone, Copy, Debug)]
@@ -162,39 +173,51 @@ impl<'a> Curve<'a> {
     }
 
     /// Whether there is a dip in the curve at a feature: lower than what stands on both sides.
+    fn shows(&self, family: &Family, feature: &Feature, least: f64) -> bool {
+        let depth = self.depth(family, feature, least >= DEEP);
+        depth.is_some_and(|depth| depth > least)
+    }
+
+    /// Share of the light beside a feature that is missing at it; `None` where there is no light
+    /// beside it.
     ///
     /// Beside a deep one the curve must be even, and alike on both sides: a valley between two
     /// lines of a lamp is deep too.
-    fn shows(&self, family: &Family, feature: &Feature, least: f64) -> bool {
+    fn depth(&self, family: &Family, feature: &Feature, is_deep: bool) -> Option<f64> {
         let [from, to] = feature.nm;
         let (from, to) = (from - family.reach_nm, to + family.reach_nm);
-        let sorted = |low: f64, high: f64| -> Vec<f64> {
-            let within = |(nm, _): &(f64, &f64)| (low..=high).contains(nm);
-            let places = self.band.grid().zip(self.values).filter(within);
-            let mut values: Vec<f64> = places.map(|(_, v)| *v).collect();
-            values.sort_by(f64::total_cmp);
-            values
-        };
         // Median and largest.
         let beside = |low: f64, high: f64| {
-            let values = sorted(low, high);
+            let values = self.sorted(low, high);
             Some([*values.get(values.len() / 2)?, *values.last()?])
         };
-        let bottom = sorted(from, to).first().copied();
-        let left = beside(from - family.shoulder_nm, from);
-        let right = beside(to, to + family.shoulder_nm);
-        let (Some(bottom), Some(left), Some(right)) = (bottom, left, right) else {
-            return false;
-        };
-        let is_deep = least >= DEEP;
+        let bottom = self.sorted(from, to).first().copied()?;
+        let left = beside(from - family.shoulder_nm, from)?;
+        let right = beside(to, to + family.shoulder_nm)?;
         let uneven = |[median, largest]: [f64; 2]| largest > UNEVEN * median;
         let unlike = left[0].max(right[0]) > UNLIKE * left[0].min(right[0]);
         if is_deep && (uneven(left) || uneven(right) || unlike) {
-            return false;
+            return None;
         }
         let which = usize::from(!is_deep);
         let beside = left[which].min(right[which]);
-        beside > 0.0 && bottom < (1.0 - least) * beside
+        (beside > 0.0).then(|| 1.0 - bottom / beside)
+    }
+
+    /// The values between two wavelengths, the lowest first.
+    fn sorted(&self, low_nm: f64, high_nm: f64) -> Vec<f64> {
+        let within = |(nm, _): &(f64, &f64)| (low_nm..=high_nm).contains(nm);
+        let places = self.band.grid().zip(self.values).filter(within);
+        let mut values: Vec<f64> = places.map(|(_, v)| *v).collect();
+        values.sort_by(f64::total_cmp);
+        values
+    }
+
+    /// Whether the band reaches some way beyond a feature on both sides.
+    fn surrounds(&self, family: &Family, feature: &Feature) -> bool {
+        let margin = family.reach_nm + 1.0;
+        let [from, to] = feature.nm;
+        self.band.contains(from - margin) && self.band.contains(to + margin)
     }
 
     /// Whether most of a family's lines are in the curve, its deep ones all.
@@ -203,10 +226,7 @@ impl<'a> Curve<'a> {
             return false;
         }
         // A witness must be in the range with some light on both sides.
-        let margin = family.reach_nm + 1.0;
-        let inside = |f: &&Feature| {
-            self.band.contains(f.nm[0] - margin) && self.band.contains(f.nm[1] + margin)
-        };
+        let inside = |f: &&Feature| self.surrounds(family, f);
         let witnesses = family.features.iter().filter(inside);
         let (mut seen, mut all) = (0, 0);
         for feature in witnesses {
@@ -258,6 +278,7 @@ pub fn name_dips(places: &[f64], curve: Curve<'_>) -> Vec<LineName> {
                 };
                 if is_it && name.safe.is_none() {
                     name.safe = Some(feature.name.to_owned());
+                    name.label.clone_from(&name.safe);
                 }
             }
         }
@@ -265,24 +286,110 @@ pub fn name_dips(places: &[f64], curve: Curve<'_>) -> Vec<LineName> {
     names
 }
 
-/// Names of a model's spikes, in their order: those that stand up after the elements of lamps,
-/// dips after absorption lines. A reflectance emits nothing, so only its dips have names.
-pub fn names_of(entry: &Entry, derived: &Derived, lines: &[ElementLine]) -> Vec<LineName> {
-    let spikes = &derived.model.spikes;
-    let mut names = if entry.kind().is_factor() {
-        vec![LineName::default(); spikes.len()]
-    } else {
-        name_spikes(spikes, mean_step_nm(entry), derived.parts.power, lines)
+/// Whether a light's curve is one of dark lines, in which what stands up is what is left.
+pub fn has_dark_lines(curve: Curve<'_>) -> bool {
+    FAMILIES.into_iter().any(|family| curve.is_of(family))
+}
+
+/// A known dark line or band, looked for at its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DarkLine {
+    /// Its name.
+    pub name: &'static str,
+    /// Where it stands, from and to, nm.
+    pub nm: [f64; 2],
+    /// Share of the light beside it that is missing, 0-1.
+    pub depth: f64,
+    /// Whether it is as deep as it must be to be seen; otherwise it is known, and too weak here.
+    pub is_seen: bool,
+}
+
+/// A family of dark lines that is in a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DarkFamily {
+    /// What has these lines: "sunlight".
+    pub title: &'static str,
+    /// Whether they are bands and no lines.
+    pub are_bands: bool,
+    /// All of it that the band holds, by rising wavelength; of what the air takes only what is
+    /// seen.
+    pub lines: Vec<DarkLine>,
+}
+
+/// The families of dark lines in a curve, each line looked for at its own place, whatever a
+/// detector's threshold is.
+pub fn dark_lines(curve: Curve<'_>) -> Vec<DarkFamily> {
+    let there = FAMILIES.into_iter().filter(|family| curve.is_of(family));
+    let told = |family: &Family| -> Vec<DarkLine> {
+        let inside = family
+            .features
+            .iter()
+            .filter(|f| curve.surrounds(family, f));
+        let found = inside.filter_map(|feature| {
+            let is_of_the_air = feature.least.is_none();
+            let least = feature.least.unwrap_or(OF_THE_AIR);
+            let depth = curve.depth(family, feature, least >= DEEP).unwrap_or(0.0);
+            let is_seen = depth > least;
+            let line = DarkLine {
+                name: feature.name,
+                nm: feature.nm,
+                depth: depth.max(0.0),
+                is_seen,
+            };
+            (is_seen || !is_of_the_air).then_some(line)
+        });
+        found.collect()
     };
-    let dips: Vec<usize> = (0..spikes.len())
-        .filter(|index| spikes[*index].weight < 0.0)
-        .collect();
-    let places: Vec<f64> = dips.iter().map(|index| spikes[*index].at_nm).collect();
-    let curve = Curve::of(entry, derived.band, &derived.measured);
-    for (index, name) in dips.into_iter().zip(name_dips(&places, curve)) {
-        names[index] = name;
+    there
+        .map(|family| DarkFamily {
+            title: family.title,
+            are_bands: family.are_bands,
+            lines: told(family),
+        })
+        .collect()
+}
+
+impl DarkFamily {
+    /// What is to be said of a family of bands, with the order from which on a series follows
+    /// bands as narrow as the narrowest seen; `None` for lines, which spikes are for.
+    pub fn advice(&self, curve: Curve<'_>, basis: Basis) -> Option<String> {
+        if !self.are_bands {
+            return None;
+        }
+        let seen = self.lines.iter().filter(|line| line.is_seen);
+        let widths = seen.filter_map(|line| half_width_nm(curve, line));
+        let narrowest = widths.fold(f64::INFINITY, f64::min);
+        // The highest function turns once within a band: cosines have half a period on the range
+        // for each order, Fourier's a whole one.
+        let turns = match basis {
+            Basis::Cosine => 1.0,
+            Basis::Fourier => 2.0,
+        };
+        let order = (curve.band.length_nm() / (turns * narrowest)).ceil();
+        let more = if order.is_finite() {
+            format!(", from about N = {order:.0} on")
+        } else {
+            String::new()
+        };
+        Some(format!(
+            "The dips of {} are bands, not lines: spikes are not meant for them. More orders \
+             follow them{more}.",
+            self.title
+        ))
     }
-    names
+}
+
+/// Full width of a band at half its depth, nm; `None` where the curve does not come up on both
+/// sides.
+fn half_width_nm(curve: Curve<'_>, line: &DarkLine) -> Option<f64> {
+    let values = curve.values;
+    let middle = 0.5 * (line.nm[0] + line.nm[1]);
+    let about = (0..values.len()).filter(|i| (curve.band.nm(*i) - middle).abs() <= 6.0);
+    let lowest = about.min_by(|a, b| values[*a].total_cmp(&values[*b]))?;
+    let half = values[lowest] / (1.0 - line.depth) * (1.0 - 0.5 * line.depth);
+    let left = (0..lowest).rev().find(|i| values[*i] >= half)?;
+    let right = (lowest + 1..values.len()).find(|i| values[*i] >= half)?;
+    Some(curve.band.nm(right) - curve.band.nm(left))
 }
 
 /// The table's mean step, nm: the median would have to sort a large table at every move.
@@ -388,6 +495,14 @@ mod tests {
         };
         let names = name_dips(&places, curve);
         let safe: Vec<_> = names.iter().filter_map(|n| n.safe.as_deref()).collect();
-        assert_eq!(safe, ["Nd 512", "Nd 529", "Nd 573-585", "Nd 740-748"]);
+        assert_eq!(
+            safe,
+            [
+                "Nd band 512",
+                "Nd band 529",
+                "Nd band 573-585",
+                "Nd band 740-748"
+            ]
+        );
     }
 }

@@ -113,7 +113,7 @@ impl Entry {
 /// All shipped spectra that can be shown, in the library's order.
 pub fn bundled_entries() -> Vec<Arc<Entry>> {
     Library::bundled()
-        .presets()
+        .everything()
         .filter_map(Entry::of_preset)
         .map(Arc::new)
         .collect()

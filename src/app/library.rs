@@ -1,9 +1,11 @@
 //! The shipped spectra, found by name.
 //!
-//! Each group says where its numbers come from and under which licence they stand.
+//! Each group says where its numbers come from and under which licence they stand. Beside the
+//! groups of the shipped files stand those that are made (`made`).
 
-use std::{fmt, sync::LazyLock};
+use std::{borrow::Cow, fmt, sync::LazyLock};
 
+use super::made;
 use crate::{
     preset::{Body, Group, LineList, Preset, PresetError, SHIPPED, Shelf},
     spectrum::{Kind, NamedSpectrum},
@@ -16,6 +18,7 @@ const MOST_SUGGESTIONS: usize = 3;
 #[derive(Clone, Debug)]
 pub struct Library {
     groups: Vec<Group>,
+    made: Vec<Group>,
     lines: Vec<ElementLine>,
 }
 
@@ -108,25 +111,40 @@ impl Library {
             .map(|text| Group::from_json(text))
             .collect::<Result<_, _>>()?;
         let lines = element_lines(&groups);
-        Ok(Self { groups, lines })
+        let made = made::groups(&groups);
+        Ok(Self {
+            groups,
+            made,
+            lines,
+        })
     }
 
-    /// All groups, lights first.
+    /// The groups of tables, lights first: what studies speak of.
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }
 
-    /// The group with an id.
-    pub fn group(&self, id: &str) -> Option<&Group> {
-        self.groups.iter().find(|group| group.id == id)
+    /// All groups: those of tables, then those that are made.
+    pub fn all_groups(&self) -> impl Iterator<Item = &Group> {
+        self.groups.iter().chain(&self.made)
     }
 
-    /// All items, group by group.
+    /// The group with an id, made or not.
+    pub fn group(&self, id: &str) -> Option<&Group> {
+        self.all_groups().find(|group| group.id == id)
+    }
+
+    /// All items that can be found, group by group, those that are made last.
+    pub fn everything(&self) -> impl Iterator<Item = &Preset> {
+        self.all_groups().flat_map(|group| &group.items)
+    }
+
+    /// All items of the groups of tables, group by group.
     pub fn presets(&self) -> impl Iterator<Item = &Preset> {
         self.groups.iter().flat_map(|group| &group.items)
     }
 
-    /// All items under a heading.
+    /// All items of tables under a heading.
     pub fn on_shelf(&self, shelf: Shelf) -> impl Iterator<Item = &Preset> {
         self.presets().filter(move |preset| preset.shelf == shelf)
     }
@@ -182,8 +200,24 @@ impl Library {
         }
     }
 
+    /// The same, and what is made when it is asked for: an ideal filter at any place, a black body
+    /// of any temperature.
+    ///
+    /// # Errors
+    /// [`FindError`] as for [`find`](Self::find).
+    pub fn find_or_make(&self, name: &str) -> Result<Cow<'_, Preset>, FindError> {
+        self.find(name)
+            .map(Cow::Borrowed)
+            .or_else(|why| made::on_demand(name).map(Cow::Owned).ok_or(why))
+    }
+
+    /// Whether a name stands for something in the library.
+    pub fn knows(&self, name: &str) -> bool {
+        self.find_or_make(name).is_ok()
+    }
+
     fn called(&self, is_it: impl Fn(&Preset) -> bool) -> Vec<&Preset> {
-        let all: Vec<&Preset> = self.presets().filter(|preset| is_it(preset)).collect();
+        let all: Vec<&Preset> = self.everything().filter(|preset| is_it(preset)).collect();
         all.iter()
             .copied()
             .filter(|preset| {
@@ -197,7 +231,7 @@ impl Library {
     }
 
     fn not_found(&self, asked: &str, lower: &str) -> FindError {
-        let group = self.groups.iter().find(|group| group.id == lower);
+        let group = self.group(lower);
         match group {
             Some(group) if group.kind == Kind::Lines => FindError::Lines { name: asked.into() },
             Some(group) => FindError::Group {
@@ -216,7 +250,7 @@ impl Library {
             return Vec::new();
         }
         let mut ranked: Vec<(usize, String)> = Vec::new();
-        for preset in self.presets() {
+        for preset in self.everything() {
             if matches!(preset.body, Body::Lines(_)) {
                 continue;
             }
@@ -314,7 +348,7 @@ mod tests {
             .collect();
         let expected = BTreeMap::from([
             ("aces_training_190", 190),
-            ("atomic_lines", 10),
+            ("atomic_lines", 16),
             ("cie_fluorescent_1nm", 27),
             ("cie_fluorescent_5nm", 27),
             ("cie_hp_5nm", 5),
@@ -343,7 +377,7 @@ mod tests {
 
     #[test]
     fn each_group_and_item_states_source_licence_and_changes() {
-        for group in Library::bundled().groups() {
+        for group in Library::bundled().all_groups() {
             for text in [
                 &group.title,
                 &group.source,
@@ -432,7 +466,7 @@ mod tests {
 
     #[test]
     fn every_item_is_found_by_its_full_name() {
-        for preset in Library::bundled().presets() {
+        for preset in Library::bundled().everything() {
             match Library::bundled().find(&preset.id()) {
                 Ok(found) => assert_eq!(found.id(), preset.id()),
                 Err(FindError::Lines { .. }) => assert!(preset.line_list().is_some()),
@@ -510,9 +544,11 @@ mod tests {
         assert_eq!(green.and_then(|line| line.strength), Some(6000.0));
         let elements: std::collections::BTreeSet<_> =
             lines.iter().map(|line| line.element.as_str()).collect();
-        let expected = ["Ar", "Cd", "H", "He", "Hg", "Kr", "Na", "Ne", "Xe"];
+        let expected = [
+            "Ar", "Cd", "Dy", "H", "He", "Hg", "In", "K", "Kr", "Li", "Na", "Ne", "Sc", "Tl", "Xe",
+        ];
         assert!(elements.into_iter().eq(expected));
-        assert_eq!(Library::bundled().line_lists().count(), 10);
+        assert_eq!(Library::bundled().line_lists().count(), 16);
     }
 
     #[test]

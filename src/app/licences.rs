@@ -79,7 +79,7 @@ pub fn overview(library: &Library) -> String {
          The program's own code: MIT OR Apache-2.0, at your choice.\n\
          The shipped spectra are data files with terms of their own:\n",
     );
-    for group in library.groups() {
+    for group in library.all_groups() {
         let _ = write!(
             out,
             "\n{id}: {title}\n  licence: {licence}\n  source: {source}\n  attribution: {attribution}\n  changes: {changes}\n",
@@ -135,7 +135,7 @@ mod tests {
     fn every_licence_that_an_item_names_is_there_in_full() {
         let ids: BTreeSet<&str> = all().iter().map(|licence| licence.id).collect();
         assert_eq!(ids.len(), all().len(), "ids are unique");
-        for preset in Library::bundled().presets() {
+        for preset in Library::bundled().everything() {
             for id in preset.licence.id.split(" AND ") {
                 // A LicenseRef of ours says that nobody holds rights: there is no text.
                 assert!(
@@ -208,7 +208,7 @@ mod tests {
     fn the_overview_tells_of_every_group_where_from_and_what_was_changed() {
         let library = Library::bundled();
         let overview = overview(library);
-        for group in library.groups() {
+        for group in library.all_groups() {
             for part in [
                 &group.id,
                 &group.source,

@@ -1,5 +1,6 @@
 //! What the program is doing: document, commands, what is derived, files and jobs. No widgets.
 
+pub mod about;
 pub mod absorption_names;
 pub mod already_open;
 pub mod answers;
@@ -11,6 +12,7 @@ pub mod derived;
 pub mod document;
 pub mod entry;
 pub mod export;
+pub mod families;
 pub mod figures;
 pub mod glossary;
 pub mod history;
@@ -18,6 +20,7 @@ pub mod import;
 pub mod library;
 pub mod licences;
 pub mod line_names;
+pub mod made;
 pub mod make;
 pub mod makers;
 pub mod memo;
@@ -35,9 +38,11 @@ pub mod read_report;
 pub mod recipe;
 pub mod report;
 pub mod scale;
+pub mod search;
 pub mod settings;
 pub mod spectral_unit;
 pub mod spike_hand;
+pub mod spike_names;
 pub mod state;
 pub mod stored_path;
 pub mod studies;

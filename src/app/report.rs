@@ -7,9 +7,12 @@
 use serde_json::{Map, Value, json};
 
 use super::{
+    about::{self, About},
+    absorption_names::{Curve, DarkFamily, dark_lines},
     derived::{Colour, Derived},
     figures::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key},
     makers::{Beside, beside},
+    spike_names::identified,
     state::App,
     ticks::short,
 };
@@ -26,6 +29,9 @@ pub fn json(app: &App) -> Value {
     let spectrum = &subject.spectrum;
     let mut notes = spectrum.notes.clone();
     notes.extend(derived.warnings.iter().cloned());
+    let light = identified(subject, app.element_lines());
+    let family = about::family(subject, &light);
+    let curve = Curve::of(subject, derived.band, &derived.measured);
     json!({
         "program": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
         "input": {
@@ -39,6 +45,11 @@ pub fn json(app: &App) -> Value {
             "source": spectrum.source,
             "notes": notes,
         },
+        "family": family.map(|family| &family.key),
+        "family_title": family.map(|family| &family.title),
+        "about": About::of(subject).sentence(),
+        "elements": light.elements(),
+        "dark_lines": dark_lines(curve).iter().map(dark_json).collect::<Vec<_>>(),
         "settings": settings_json(app),
         "model": model_json(app, derived),
         "error": shares()
@@ -63,6 +74,20 @@ pub fn json(app: &App) -> Value {
                 "model_hex": p.model_swatch.hex(),
             })).collect::<Vec<_>>(),
         })),
+    })
+}
+
+fn dark_json(family: &DarkFamily) -> Value {
+    json!({
+        "family": family.title,
+        "bands": family.are_bands,
+        "lines": family.lines.iter().map(|line| json!({
+            "name": line.name,
+            "from_nm": line.nm[0],
+            "to_nm": line.nm[1],
+            "depth": line.depth,
+            "seen": line.is_seen,
+        })).collect::<Vec<_>>(),
     })
 }
 
@@ -115,6 +140,7 @@ fn model_json(app: &App, derived: &Derived) -> Value {
                 "weight": spike.weight,
                 "share_of_power": derived.parts.share(spike.weight),
                 "line": name.safe,
+                "label": name.label,
             })
         })
         .collect();
@@ -169,6 +195,33 @@ fn share_words(share: Option<f64>) -> String {
     })
 }
 
+/// Known dark lines at their places: those that are seen, those that are too weak here, and what is
+/// to be said of bands.
+fn dark_words(app: &App, family: &DarkFamily) -> Vec<String> {
+    let derived = app.derived();
+    let list = |seen: bool| -> String {
+        let lines = family.lines.iter().filter(|line| line.is_seen == seen);
+        let words = lines.map(|line| match seen {
+            true => format!("{} {:.0} %", line.name, 100.0 * line.depth),
+            false => line.name.to_owned(),
+        });
+        words.collect::<Vec<_>>().join(", ")
+    };
+    let mut words = vec![format!("Dark      {}: {}", family.title, list(true))];
+    let weak = list(false);
+    if !weak.is_empty() {
+        words.push(format!("          known, too weak here: {weak}"));
+    }
+    let curve = Curve::of(
+        app.document().subject_entry(),
+        derived.band,
+        &derived.measured,
+    );
+    let advice = family.advice(curve, app.document().settings.basis);
+    words.extend(advice.map(|advice| format!("          {advice}")));
+    words
+}
+
 /// The report for people.
 pub fn text(app: &App) -> String {
     let derived = app.derived();
@@ -179,29 +232,31 @@ pub fn text(app: &App) -> String {
         "" => String::new(),
         unit => format!(", {unit}"),
     };
-    let mut lines = vec![
-        format!(
-            "{} ({}, {} points, {}-{} nm{unit})",
-            spectrum.name,
-            spectrum.kind,
-            spectrum.samples.len(),
-            short(spectrum.samples.first_nm()),
-            short(spectrum.samples.last_nm()),
-        ),
-        format!(
-            "Model     {} order {} on {}-{} nm, {}: {}{}",
-            model.smooth.basis.word(),
-            model.smooth.order(),
-            derived.band.min_nm(),
-            derived.band.max_nm(),
-            many(model.spikes.len(), "spike", "spikes"),
-            numbers(model.numbers()),
-            match derived.exactness {
-                Some(Exactness::Exact { .. }) => ", colour-exact",
-                _ => "",
-            }
-        ),
-    ];
+    let mut lines = vec![format!(
+        "{} ({}, {} points, {}-{} nm{unit})",
+        spectrum.name,
+        spectrum.kind,
+        spectrum.samples.len(),
+        short(spectrum.samples.first_nm()),
+        short(spectrum.samples.last_nm()),
+    )];
+    if let Some(family) = about::family(subject, &identified(subject, app.element_lines())) {
+        lines.push(format!("Family    {}", family.title));
+        lines.push(format!("About     {}", About::of(subject).sentence()));
+    }
+    lines.push(format!(
+        "Model     {} order {} on {}-{} nm, {}: {}{}",
+        model.smooth.basis.word(),
+        model.smooth.order(),
+        derived.band.min_nm(),
+        derived.band.max_nm(),
+        many(model.spikes.len(), "spike", "spikes"),
+        numbers(model.numbers()),
+        match derived.exactness {
+            Some(Exactness::Exact { .. }) => ", colour-exact",
+            _ => "",
+        }
+    ));
     for (spike, name) in model.spikes.iter().zip(app.spike_names()) {
         lines.push(format!(
             "  spike   {:7.2} nm  {:>11}  {}  {}",
@@ -213,6 +268,9 @@ pub fn text(app: &App) -> String {
                 .or(name.near.as_deref())
                 .unwrap_or_default()
         ));
+    }
+    for family in dark_lines(Curve::of(subject, derived.band, &derived.measured)) {
+        lines.extend(dark_words(app, &family));
     }
     lines.extend(figures_lines(app));
     lines.extend(makers_lines(&beside(subject)));

@@ -9,7 +9,6 @@ use std::{
 };
 
 use super::{
-    absorption_names::names_of,
     command::Command,
     derived::{Derived, Question},
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
@@ -20,6 +19,7 @@ use super::{
     origin::Origin,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
+    spike_names::names_of,
     studies::about::reflectances,
     tables::{CURVE_ORDER, Tables, Viewing},
     undo_words::difference,

@@ -201,12 +201,16 @@ pub struct Product {
 }
 
 /// Options of `list`.
-#[derive(Args, Clone, Copy, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct List {
     /// Only this kind: light, reflectance, transmittance, absorbance, weighting, lines or other
     /// [default: the first three, which the other commands take].
     #[arg(long, value_name = "KIND", value_parser = words::any_kind)]
     pub kind: Option<Kind>,
+    /// Only what is called this, the best first: a name, a family, an element, a use ("street
+    /// lamp", neon, skin); twins of one lamp are one line.
+    #[arg(long, value_name = "WORDS")]
+    pub search: Option<String>,
     /// Print JSON.
     #[arg(long)]
     pub json: bool,

@@ -53,7 +53,7 @@ impl<'a> FactorWord<'a> {
     /// [`Refusal::Usage`] for a sign with something else behind it.
     pub fn of(word: &'a OsStr) -> Result<Self, Refusal> {
         Self::within(word, &|name| {
-            let is_shipped = |name| Library::bundled().find(name).is_ok();
+            let is_shipped = |name: &str| Library::bundled().knows(name);
             Path::new(name).exists() || name.to_str().is_some_and(is_shipped)
         })
     }

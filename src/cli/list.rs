@@ -5,14 +5,29 @@ use std::io::Write;
 use serde_json::{Value, json};
 
 use super::{arguments::List, print, refusal::Refusal};
-use crate::{app::Entry, app::library::Library, preset::Preset, spectrum::Kind};
+use crate::{
+    app::{
+        Entry,
+        about::About,
+        entry::bundled_entries,
+        families::Families,
+        library::Library,
+        made::is_made,
+        search::{Folded, Index},
+    },
+    preset::Preset,
+    spectrum::Kind,
+};
 
 /// Carries the command out.
 ///
 /// # Errors
 /// [`Refusal`] when nothing can be printed.
 pub fn run(options: List, out: &mut dyn Write) -> Result<(), Refusal> {
-    let rows = rows(options.kind);
+    let rows = match &options.search {
+        Some(words) => found(words, options.kind),
+        None => rows(options.kind),
+    };
     if options.json {
         let rows: Vec<Value> = rows.iter().map(Row::json).collect();
         print(out, &format!("{:#}\n", Value::Array(rows)))
@@ -38,22 +53,46 @@ struct Row {
     last_nm: f64,
     source: String,
     licence: String,
+    /// Its family's key and title.
+    family: Option<[String; 2]>,
+    /// What it is in a few words; may be empty.
+    what: String,
+    /// A sentence that says all of it.
+    about: String,
+    made: bool,
+    /// Tables of the same light that a search folds into it.
+    twins: Vec<String>,
 }
 
 /// All items of a kind; without one, those that the other commands take.
 fn rows(kind: Option<Kind>) -> Vec<Row> {
-    Library::bundled()
-        .presets()
-        .filter_map(Row::of)
-        .filter(|row| match kind {
-            Some(kind) => row.kind == kind,
-            None => row.kind == Kind::Light || row.kind.is_factor(),
+    let all = Library::bundled().everything().filter_map(Row::of);
+    all.filter(|row| is_wanted(row.kind, kind)).collect()
+}
+
+/// What a search finds, the best first.
+fn found(words: &str, kind: Option<Kind>) -> Vec<Row> {
+    let entries = bundled_entries();
+    let wanted = entries.iter().filter(|entry| is_wanted(entry.kind(), kind));
+    let found = Index::of(wanted).search(words).into_iter();
+    found
+        .filter_map(|Folded { entry, twins }| {
+            let row = Row::of(Library::bundled().find(&entry.key).ok()?)?;
+            let twins = twins.iter().map(|twin| twin.key.clone()).collect();
+            Some(Row { twins, ..row })
         })
         .collect()
 }
 
+fn is_wanted(found: Kind, kind: Option<Kind>) -> bool {
+    kind.map_or(found == Kind::Light || found.is_factor(), |kind| {
+        found == kind
+    })
+}
+
 impl Row {
     fn of(preset: &Preset) -> Option<Self> {
+        let mut about = About::default();
         let (count, first_nm, last_nm) = match preset.line_list() {
             Some(list) => {
                 let places = || list.lines.iter().map(|line| line.at_nm);
@@ -64,10 +103,13 @@ impl Row {
                 )
             }
             None => {
-                let samples = Entry::of_preset(preset)?.spectrum.samples;
+                let entry = Entry::of_preset(preset)?;
+                about = About::of(&entry);
+                let samples = entry.spectrum.samples;
                 (samples.len(), samples.first_nm(), samples.last_nm())
             }
         };
+        let family = Families::shipped().family_of(&preset.id());
         Some(Self {
             id: preset.id(),
             group: preset.group.clone(),
@@ -79,6 +121,15 @@ impl Row {
             last_nm,
             source: preset.source.clone(),
             licence: preset.licence.to_string(),
+            family: family.map(|family| [family.key.clone(), family.title.clone()]),
+            about: if about.name.is_empty() {
+                String::new()
+            } else {
+                about.sentence()
+            },
+            what: about.what,
+            made: is_made(&preset.id()),
+            twins: Vec::new(),
         })
     }
 
@@ -89,16 +140,22 @@ impl Row {
             count,
             first_nm,
             last_nm,
+            what,
             ..
         } = self;
         // A kind's own Display knows no width.
         let kind_word = kind.word();
-        let what = if *kind == Kind::Lines {
+        let points = if *kind == Kind::Lines {
             "lines"
         } else {
             "points"
         };
-        format!("{id:width$}  {kind_word:13}  {count} {what}, {first_nm}-{last_nm} nm\n")
+        let words = if what.is_empty() {
+            String::new()
+        } else {
+            format!("  {what}")
+        };
+        format!("{id:width$}  {kind_word:13}  {count} {points}, {first_nm}-{last_nm} nm{words}\n")
     }
 
     fn json(&self) -> Value {
@@ -113,6 +170,12 @@ impl Row {
             "last_nm": self.last_nm,
             "source": self.source,
             "licence": self.licence,
+            "family": self.family.as_ref().map(|[key, _]| key),
+            "family_title": self.family.as_ref().map(|[_, title]| title),
+            "what": self.what,
+            "about": self.about,
+            "made": self.made,
+            "twins": self.twins,
         })
     }
 }

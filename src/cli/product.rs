@@ -150,7 +150,7 @@ fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, 
 fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
     let is_shipped = || {
         word.to_str()
-            .is_some_and(|name| Library::bundled().find(name).is_ok())
+            .is_some_and(|name| Library::bundled().knows(name))
     };
     if Path::new(word).exists() || is_shipped() {
         return (word, None);

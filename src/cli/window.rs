@@ -74,8 +74,8 @@ fn input(word: &OsString) -> Result<Input, Refusal> {
                 .to_owned(),
         ));
     }
-    match Library::bundled().find(&name) {
-        Ok(preset) => Entry::of_preset(preset)
+    match Library::bundled().find_or_make(&name) {
+        Ok(preset) => Entry::of_preset(&preset)
             .map(|entry| Input::Preset(Arc::new(entry)))
             .ok_or_else(|| {
                 Refusal::File(format!(

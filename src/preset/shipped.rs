@@ -30,3 +30,9 @@ pub const SHIPPED: [&str; 24] = [
 
 /// Colour-matching functions and the other weighting tables of the CIE.
 pub const OBSERVERS: &str = include_str!("../../presets/observers.json");
+
+/// What each shipped spectrum is, in words.
+pub const FAMILIES: &str = include_str!("../../presets/families.json");
+
+/// Which shipped surfaces make a set by everyday names.
+pub const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");

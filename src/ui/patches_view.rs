@@ -13,7 +13,7 @@ const PER_ROW: usize = 12;
 pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &mut Vec<Command>) {
     let now = &app.document().patch_set;
     choice.show(ui, set_title(now), |ui| {
-        let groups = Library::bundled().groups().iter();
+        let groups = Library::bundled().all_groups();
         for group in groups.filter(|g| g.items.iter().any(|p| p.kind.is_factor())) {
             let response = ui.selectable_label(*now == group.id, set_title(&group.id));
             if response.on_hover_text(&group.title).clicked() {

@@ -16,6 +16,7 @@ mod cli_files;
 mod cli_studies;
 mod command_line;
 mod commands;
+mod line_names;
 mod no_window;
 mod recipes;
 mod workspace;

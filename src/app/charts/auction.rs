@@ -7,15 +7,14 @@ use crate::{
         chart::Inks,
         chart::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
         figures::{SMALLEST, Unit, brief},
-        line_names::{ElementLine, LineName, name_spikes},
+        line_names::{ElementLine, LineName},
+        spike_names::identified,
         studies::AuctionAsk,
     },
     io::many::numbers,
-    spectrum::{Spike, spikes::absolute_power},
     study::{
         Auction, Goal, Verdict, Way,
         auction::{Bid, Ended, Purchase, Step},
-        error::height,
     },
 };
 
@@ -63,23 +62,9 @@ pub fn error_words(goal: Goal, error: f64) -> String {
 
 /// Names of the lines on offer, in their order.
 pub fn names(ask: &AuctionAsk, auction: &Auction, lines: &[ElementLine]) -> Vec<LineName> {
-    let (entry, band) = (&ask.about.subject.0, ask.about.band);
-    let samples = &entry.spectrum.samples;
-    let step_nm = (samples.last_nm() - samples.first_nm()) / (samples.len() - 1) as f64;
-    let values = entry.on_band(band);
-    let power = height(&values).map_or(0.0, |unit| unit * absolute_power(band, &values));
-    // Neighbours are told apart by their order along the spectrum.
-    let mut order: Vec<usize> = (0..auction.lines.len()).collect();
-    order.sort_by(|a, b| auction.lines[*a].at_nm.total_cmp(&auction.lines[*b].at_nm));
-    let sorted: Vec<Spike> = order.iter().map(|i| auction.lines[*i]).collect();
-    let mut names = vec![LineName::default(); order.len()];
-    for (index, name) in order
-        .into_iter()
-        .zip(name_spikes(&sorted, step_nm, power, lines))
-    {
-        names[index] = name;
-    }
-    names
+    let light = identified(&ask.about.subject.0, lines);
+    let places = auction.lines.iter().map(|line| line.at_nm);
+    places.map(|at_nm| light.name_at(at_nm)).collect()
 }
 
 /// A purchase in words: "order 3", "435.8 nm (Hg 435.8)".

@@ -223,7 +223,7 @@ fn labels(app: &App, spikes: &[Spike]) -> Vec<String> {
     let sizes = spikes.iter().map(|spike| share(spike).unwrap_or(0.0).abs());
     let largest = sizes.fold(0.0, f64::max);
     let label = |(spike, name): (&Spike, &LineName)| {
-        let name = match &name.safe {
+        let name = match &name.label {
             Some(name) => name.clone(),
             None => format!("{:.1}", spike.at_nm),
         };

@@ -242,7 +242,7 @@ pub fn names_a_file(path: &Path) -> bool {
 fn of_library(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
     let word = path.as_os_str().to_string_lossy();
     let preset = Library::bundled()
-        .find(&word)
+        .find_or_make(&word)
         .map_err(|why| no_file(path).unwrap_or_else(|| why.to_string()))?;
     if pick.is_some() {
         return Err(format!(
@@ -253,7 +253,7 @@ fn of_library(path: &Path, pick: Option<&str>) -> Result<Entry, String> {
         Body::Lines(_) => Err(format!(
             "{word}: found a list of lines, expected a spectrum"
         )),
-        Body::Spectrum(_) | Body::Composite(_) => Entry::of_preset(preset).ok_or_else(|| {
+        Body::Spectrum(_) | Body::Composite(_) => Entry::of_preset(&preset).ok_or_else(|| {
             format!("{word}: found numbers that are no spectrum, expected a spectrum")
         }),
     }

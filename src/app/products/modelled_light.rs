@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::super::{
-    absorption_names::names_of,
     derived::Derived,
     document::{Document, Subject},
     line_names::LineName,
+    spike_names::names_of,
     state::{App, derived_of},
     tables::Tables,
 };

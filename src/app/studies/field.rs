@@ -83,8 +83,9 @@ impl RaceAsk {
             Field::Shipped => shipped(&|_| true),
             Field::Class(class) => shipped(&|preset| Class::of(preset) == Some(*class)),
             Field::Group(group) => Library::bundled()
-                .presets()
-                .filter(|preset| preset.group == *group)
+                .group(group)
+                .into_iter()
+                .flat_map(|group| &group.items)
                 .filter_map(|preset| Some((preset, Entry::of_preset(preset)?)))
                 .filter(|(_, entry)| entry.kind() == Kind::Light)
                 .map(|(preset, entry)| lamp(&entry.spectrum, class_word(preset)))

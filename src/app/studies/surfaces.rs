@@ -62,9 +62,13 @@ pub struct Surface {
 
 /// The factors of a group, or every shipped reflectance, on a band's grid.
 pub fn surfaces(group: Option<&str>, band: Band) -> Vec<Surface> {
-    let wanted = |g: &&Group| group.is_none_or(|id| g.id == id);
-    let groups = Library::bundled().groups().iter().filter(wanted);
+    let library = Library::bundled();
+    let groups: Vec<&Group> = match group {
+        Some(id) => library.group(id).into_iter().collect(),
+        None => library.groups().iter().collect(),
+    };
     groups
+        .into_iter()
         .flat_map(|group| &group.items)
         .filter_map(|preset| Some((preset, preset.spectrum()?)))
         .filter(|(_, s)| match group {

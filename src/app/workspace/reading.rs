@@ -143,6 +143,7 @@ fn restored(
     let mut missing = Vec::new();
     let mut find = |key: &str| {
         let found = own.iter().chain(bundled).find(|e| e.key == key).cloned();
+        let found = found.or_else(|| made(key));
         if found.is_none() {
             missing.push(format!("{key} is not in this version's library."));
         }
@@ -208,6 +209,12 @@ fn restored(
         preferences,
         losses,
     }
+}
+
+/// What the library makes when it is asked for, such as an ideal filter at any place.
+fn made(key: &str) -> Option<Arc<Entry>> {
+    let preset = Library::bundled().find_or_make(key).ok()?;
+    Entry::of_preset(&preset).map(Arc::new)
 }
 
 /// An entry where it is of the kind that its place asks for.

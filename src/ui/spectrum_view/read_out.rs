@@ -8,9 +8,12 @@ use super::super::{
     theme::{Theme, grey},
 };
 use crate::{
-    app::{App, line_names::nearest_line, ticks},
+    app::{App, line_names::spike_under, ticks},
     color::{Srgb, srgb_from_wavelength_over},
 };
+
+/// How near to a spike's place the pointer must be to be on it, points.
+const SPIKE_REACH: f32 = 6.0;
 
 /// The values under the pointer, written into the header's free room.
 pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen, room: Rect) {
@@ -40,8 +43,11 @@ pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen, room: Rect)
         "{nm:.1} nm   {measured}   model {}",
         value(&derived.model_values()),
     );
-    if let Some(line) = nearest_line(nm, app.element_lines()) {
-        text.push_str(&format!("   near {line}"));
+    // A line is named where a spike stands, and nowhere else.
+    let reach = (plot.values(pointer + egui::vec2(SPIKE_REACH, 0.0))[0] - nm).abs();
+    let under = spike_under(&derived.model.spikes, app.spike_names(), nm, reach);
+    if let Some(name) = under.and_then(|(_, name)| name.safe.as_deref().or(name.near.as_deref())) {
+        text.push_str(&format!("   {name}"));
     }
     let [r, g, b, _] = theme.ground.to_array();
     let Srgb([r, g, b]) = srgb_from_wavelength_over(nm, Srgb([r, g, b]));

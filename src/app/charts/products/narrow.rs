@@ -11,6 +11,7 @@ use crate::{
         chart::Inks,
         chart::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
         charts::spectrum::provenance,
+        made::is_made,
         products::ModelledLight,
         ticks::extent,
     },
@@ -384,7 +385,8 @@ pub fn of(point: &NarrowPoint, way: usize) -> Colours {
 
 /// Shipped filter glasses, and the user's own transmittances.
 pub fn is_filter(entry: &Entry) -> bool {
-    entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(|shelf| shelf == Shelf::Filters)
+    let is_glass = |shelf| shelf == Shelf::Filters && !is_made(&entry.key);
+    entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(is_glass)
 }
 
 fn derived_unit(app: &App) -> &str {

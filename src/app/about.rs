@@ -1,0 +1,248 @@
+//! What an entry is, in words: its family, a title and a sentence.
+
+use super::{
+    entry::Entry,
+    families::{Families, Family},
+    line_names::Identified,
+    made::is_made,
+    ticks::short,
+};
+use crate::{
+    color::{Observer, cct::cct_from_xyz, xyz::xyz_from_light},
+    spectrum::{Kind, Sampled},
+};
+
+/// What is said of an entry.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct About {
+    /// Its name.
+    pub name: String,
+    /// What it is in a few words; empty where nobody knows.
+    pub what: String,
+    /// Its correlated colour temperature, K; `None` for what is no light and for lights too far
+    /// from the black bodies.
+    pub kelvin: Option<f64>,
+    /// A sentence about it; may be empty.
+    pub about: String,
+    /// Whose table it is and in which steps.
+    pub table: String,
+}
+
+/// A CCT is told to so many kelvin: lamps of one kind differ by more.
+const KELVIN_STEP: f64 = 10.0;
+
+impl About {
+    /// What is said of a shipped entry, or of one of the user's own.
+    pub fn of(entry: &Entry) -> Self {
+        Self {
+            kelvin: kelvin_of(entry),
+            ..Self::words_of(entry)
+        }
+    }
+
+    /// The same without what must be computed.
+    pub(super) fn words_of(entry: &Entry) -> Self {
+        let families = Families::shipped();
+        let item = families.item(&entry.key);
+        let table = families.table_of(&entry.key);
+        let what = match (item, table) {
+            (Some(item), _) => item.what.clone(),
+            (None, Some(table)) => table.what.clone(),
+            (None, None) => String::new(),
+        };
+        Self {
+            name: entry.name().to_owned(),
+            what,
+            kelvin: None,
+            about: item.map_or_else(String::new, |item| item.about.clone()),
+            table: table_words(entry),
+        }
+    }
+
+    /// "FL2: cool white fluorescent tube, 4220 K".
+    pub fn title(&self) -> String {
+        let kelvin = self
+            .kelvin
+            .map(|kelvin| format!("{:.0} K", KELVIN_STEP * (kelvin / KELVIN_STEP).round()));
+        let what = Some(self.what.clone()).filter(|what| !what.is_empty());
+        let parts: Vec<String> = what.into_iter().chain(kelvin).collect();
+        if parts.is_empty() {
+            self.name.clone()
+        } else {
+            format!("{}: {}", self.name, parts.join(", "))
+        }
+    }
+
+    /// The title, the sentence and the table: "FL2: cool white fluorescent tube, 4220 K. Four
+    /// mercury lines on a phosphor glow. CIE table, 1 nm from 5 nm data."
+    pub fn sentence(&self) -> String {
+        let mut sentence = format!("{}.", self.title());
+        if !self.about.is_empty() {
+            sentence = format!("{sentence} {}", self.about);
+        }
+        if !self.table.is_empty() {
+            sentence = format!("{sentence} {}.", self.table);
+        }
+        sentence
+    }
+}
+
+fn kelvin_of(entry: &Entry) -> Option<f64> {
+    if entry.kind() != Kind::Light {
+        return None;
+    }
+    let samples = &entry.spectrum.samples;
+    let xyz = xyz_from_light(samples, entry.kind().outside(), Observer::Cie1931)?;
+    cct_from_xyz(xyz).ok().map(|cct| cct.kelvin)
+}
+
+fn table_words(entry: &Entry) -> String {
+    if is_made(&entry.key) {
+        return "Made by this program".to_owned();
+    }
+    let steps = steps_words(&entry.spectrum.samples);
+    match Families::shipped().table_of(&entry.key) {
+        Some(table) => {
+            let from = table.from_nm.map(|nm| format!(" from {nm} nm data"));
+            let mut of = table.of.chars();
+            let first = of.next().map(|c| c.to_uppercase().to_string());
+            let of = format!("{}{}", first.unwrap_or_default(), of.as_str());
+            format!("{of}, {steps}{}", from.unwrap_or_default())
+        }
+        None if entry.spectrum.source.is_empty() => String::new(),
+        None => format!("From {}, {steps}", entry.spectrum.source),
+    }
+}
+
+/// "1 nm", "0.5 to 1 nm".
+fn steps_words(samples: &Sampled) -> String {
+    if samples.has_even_steps() {
+        return format!("{} nm", short(samples.step_nm()));
+    }
+    let steps = samples.nm().windows(2).map(|w| w[1] - w[0]);
+    let (least, most) = steps.fold((f64::INFINITY, 0.0_f64), |(least, most), step| {
+        (least.min(step), most.max(step))
+    });
+    format!("{} to {} nm", short(least), short(most))
+}
+
+/// The family of an entry: of a shipped one as it is written, of the user's own light as far as
+/// its lines tell.
+pub fn family(entry: &Entry, light: &Identified) -> Option<&'static Family> {
+    let families = Families::shipped();
+    if entry.shelf().is_some() {
+        return families.family_of(&entry.key);
+    }
+    families.family(light.family_key()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::app::{
+        entry::bundled_entries, library::Library, line_names::ElementLine, spike_names::identified,
+    };
+
+    fn about(id: &str) -> About {
+        let preset = Library::bundled().find(id).expect(id);
+        About::of(&Entry::of_preset(preset).expect(id))
+    }
+
+    #[test]
+    fn the_first_lights_title_says_what_it_is() {
+        let fl2 = about("cie_fluorescent_1nm/FL2");
+        assert_eq!(fl2.title(), "FL2: cool white fluorescent tube, 4220 K");
+        assert_eq!(
+            fl2.sentence(),
+            "FL2: cool white fluorescent tube, 4220 K. Four mercury lines on a phosphor glow. CIE \
+             table, 1 nm from 5 nm data."
+        );
+        assert!(
+            about("cie_fluorescent_5nm/FL2")
+                .sentence()
+                .ends_with("CIE table, 5 nm.")
+        );
+        assert!(
+            about("line_tubes/Neon tube")
+                .sentence()
+                .ends_with("Made by this program.")
+        );
+        assert_eq!(
+            about("cie_illuminants/CIE A").title(),
+            "CIE A: standard tungsten bulb, 2860 K"
+        );
+    }
+
+    #[test]
+    fn every_shipped_light_has_a_family_and_a_sentence() {
+        for entry in bundled_entries() {
+            let told = About::of(&entry);
+            let family = family(&entry, &Identified::default());
+            assert!(family.is_some(), "{}", entry.key);
+            assert!(!told.table.is_empty(), "{}", entry.key);
+            if entry.kind() != Kind::Light {
+                continue;
+            }
+            assert!(
+                !told.what.is_empty() && told.about.ends_with('.'),
+                "{}",
+                entry.key
+            );
+            // Numbers are computed, not written: what stands beside a unit of temperature is ours.
+            for words in [&told.what, &told.about] {
+                assert!(!words.contains(" K"), "{}: {words}", entry.key);
+            }
+            assert!(
+                told.what.chars().count() <= 60,
+                "{}: {}",
+                entry.key,
+                told.what
+            );
+        }
+    }
+
+    #[test]
+    fn a_sentence_that_counts_mercury_lines_counts_those_that_have_names() {
+        let lines: Vec<ElementLine> = Library::bundled()
+            .lines()
+            .iter()
+            .map(|line| ElementLine {
+                element: line.element.clone(),
+                at_nm: line.at_nm,
+                strength: line.strength.unwrap_or(0.0),
+            })
+            .collect();
+        let mut counted = 0;
+        for entry in bundled_entries() {
+            let told = About::of(&entry);
+            let light = identified(&entry, &lines);
+            let named: BTreeSet<&str> = light.peaks().filter_map(|(_, name)| name).collect();
+            let mercury = named.iter().filter(|name| name.contains("Hg ")).count();
+            if told.about.starts_with("Four mercury lines") {
+                counted += 1;
+                assert_eq!(mercury, 4, "{}: {named:?}", entry.key);
+            }
+            let spoken = told.about.to_lowercase();
+            for (element, symbol) in [
+                ("mercury", "Hg"),
+                ("terbium", "terbium"),
+                ("europium", "europium"),
+                ("thallium", "Tl"),
+                ("lithium", "Li"),
+                ("scandium", "Sc"),
+            ] {
+                let is_told = spoken.contains(element) && entry.kind() == Kind::Light;
+                let is_named = named.iter().any(|name| name.contains(symbol));
+                let of_the_paper = entry.key.starts_with("paper/");
+                assert!(
+                    !is_told || is_named || of_the_paper,
+                    "{}: {element}",
+                    entry.key
+                );
+            }
+        }
+        assert!(counted > 20, "{counted}");
+    }
+}

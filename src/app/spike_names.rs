@@ -1,0 +1,47 @@
+//! Names of the spikes of a spectrum: of what stands up after elements and phosphors, of what
+//! hangs down after absorption lines.
+
+use super::{
+    absorption_names::{Curve, has_dark_lines, name_dips},
+    derived::Derived,
+    entry::Entry,
+    line_names::{ElementLine, Identified, LineName},
+};
+use crate::spectrum::{Band, Spike};
+
+/// The lines of a light with their names, whatever the settings are. A reflectance emits nothing,
+/// and where dark lines are what stands up between them is none either.
+pub fn identified(entry: &Entry, lines: &[ElementLine]) -> Identified {
+    if entry.kind().is_factor() {
+        return Identified::default();
+    }
+    let samples = &entry.spectrum.samples;
+    let first_nm = samples.first_nm().max(Band::VISIBLE.min_nm());
+    let last_nm = samples.last_nm().min(Band::VISIBLE.max_nm());
+    if let Ok(band) = Band::new(first_nm.ceil(), last_nm.floor()) {
+        let values = entry.on_band(band);
+        if has_dark_lines(Curve::of(entry, band, &values)) {
+            return Identified::default();
+        }
+    }
+    Identified::of(samples, entry.kind().outside(), lines)
+}
+
+/// Names of a model's spikes, in their order.
+pub fn names_of(entry: &Entry, derived: &Derived, lines: &[ElementLine]) -> Vec<LineName> {
+    let curve = Curve::of(entry, derived.band, &derived.measured);
+    names_of_spikes(&derived.model.spikes, curve, &identified(entry, lines))
+}
+
+/// Names of any spikes of a spectrum, in their order.
+pub fn names_of_spikes(spikes: &[Spike], curve: Curve<'_>, light: &Identified) -> Vec<LineName> {
+    let mut names: Vec<LineName> = spikes.iter().map(|s| light.name_at(s.at_nm)).collect();
+    let dips: Vec<usize> = (0..spikes.len())
+        .filter(|index| spikes[*index].weight < 0.0)
+        .collect();
+    let places: Vec<f64> = dips.iter().map(|index| spikes[*index].at_nm).collect();
+    for (index, name) in dips.into_iter().zip(name_dips(&places, curve)) {
+        names[index] = name;
+    }
+    names
+}
