@@ -211,6 +211,8 @@ fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme
             well_from: from.map(|order| order as f64 / most),
             step: 1.0 / most,
             value: settings.order as f64,
+            ends: [0.0, most],
+            place_of: |order| order / MOST as f64,
         };
         let slider = stops.show(ui, &mut place, width - (BOX + 10.0) * theme.scale, theme);
         if slider.changed() {
@@ -262,6 +264,8 @@ fn lines(
             well_from: None,
             step: 0.02,
             value: settings.threshold_percent,
+            ends: LINE_THRESHOLDS,
+            place_of,
         };
         let room = width - (BOX + 10.0) * theme.scale;
         let slider = ui
@@ -288,7 +292,7 @@ fn lines(
         if typed.changed() && count != found {
             settings.spikes = count > 0;
             if count > 0 {
-                settings.threshold_percent = answers::threshold_for(shares, count);
+                settings.threshold_percent = answers::threshold_for(app, shares, count);
             }
         }
         typed.on_hover_text("How many lines are kept: drag or type.");

@@ -143,7 +143,8 @@ impl Window {
             return;
         }
         let mut commands = Vec::new();
-        let mut closes = ui.input(|i| i.key_pressed(Key::Escape)) && self.library.search.is_empty();
+        let escapes = ui.input(|i| i.key_pressed(Key::Escape)) && !self.menu_open;
+        let mut closes = escapes && !self.library.escaped();
         let compares = self.drawer.compares;
         let (library, app, preferences) = (&mut self.library, &self.app, &mut self.preferences);
         let mut show = |ui: &mut Ui| {
