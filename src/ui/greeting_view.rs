@@ -70,7 +70,8 @@ fn tile(ui: &mut Ui, title: &str, words: &str, width: f32) -> bool {
     let (ink, strong) = (ui.visuals().text_color(), ui.visuals().strong_text_color());
     let room = width - 2.0 * MARGIN;
     let lay = |text: &str, font: &egui::FontId, ink: egui::Color32| {
-        ui.painter().layout(text.to_owned(), font.clone(), ink, room)
+        ui.painter()
+            .layout(text.to_owned(), font.clone(), ink, room)
     };
     let highest = TILES.map(|(title, words, _)| {
         lay(title, &head, strong).size().y + lay(words, &body, ink).size().y

@@ -115,9 +115,9 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                                 SpikeAct::Unlock { index }
                             });
                         }
-                        let delete = ui
-                            .small_button("✕")
-                            .on_hover_text("Deletes the line: its energy goes back to the smooth part.");
+                        let delete = ui.small_button("✕").on_hover_text(
+                            "Deletes the line: its energy goes back to the smooth part.",
+                        );
                         delete.widget_info(|| {
                             egui::WidgetInfo::labeled(
                                 egui::Role::Button,

@@ -301,9 +301,12 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
     });
     named(&help.response, egui::Role::Button, "Help");
     help.response.on_hover_text("Shortcuts, licences, zoom.");
-    let words = if room == Room::Little { "▶" } else { "Present" };
-    let present =
-        ui.add(Button::selectable(preferences.present, words).frame_when_inactive(true));
+    let words = if room == Room::Little {
+        "▶"
+    } else {
+        "Present"
+    };
+    let present = ui.add(Button::selectable(preferences.present, words).frame_when_inactive(true));
     named(&present, egui::Role::Button, "Present");
     let present = present
         .on_hover_text("Plot, swatch, patches and the two sliders, large, for a class (F5).");

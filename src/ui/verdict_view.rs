@@ -373,9 +373,13 @@ pub fn line(ui: &mut Ui, app: &App) -> bool {
     let words = Worst::of(app).map(|worst| Seen::of(worst.delta_e_2000).verdict().to_lowercase());
     let words = words.unwrap_or_else(|| "no colour".to_owned());
     let text = format!("Model: {} numbers, {words}", app.derived().numbers());
-    ui.add(Button::new(RichText::new(text).small()).frame(false).truncate())
-        .on_hover_text("Opens the model's verdict and its knobs beside the page.")
-        .clicked()
+    ui.add(
+        Button::new(RichText::new(text).small())
+            .frame(false)
+            .truncate(),
+    )
+    .on_hover_text("Opens the model's verdict and its knobs beside the page.")
+    .clicked()
 }
 
 /// The edge that the column folds to; whether it was clicked.

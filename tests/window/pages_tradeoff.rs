@@ -490,7 +490,10 @@ fn assert_best(app: &App, numbers: usize, judge: Measure) {
     let errors = affordable.filter_map(|p| p.verdict[judge]);
     let least = errors.fold(f64::INFINITY, f64::min);
     let now = verdict_now(app)[judge].expect("it can be measured");
-    assert!(now <= least + 2e-6 + 1e-6 * least, "{judge:?}: {now} of {least}");
+    assert!(
+        now <= least + 2e-6 + 1e-6 * least,
+        "{judge:?}: {now} of {least}"
+    );
     assert!(app.derived().numbers() <= numbers);
 }
 

@@ -67,7 +67,10 @@ impl Stops<'_> {
         }
         let name = self.name.to_owned();
         response.widget_info(|| egui::WidgetInfo::slider(true, self.value, &name));
-        let [least, most] = [self.ends[0].min(self.ends[1]), self.ends[0].max(self.ends[1])];
+        let [least, most] = [
+            self.ends[0].min(self.ends[1]),
+            self.ends[0].max(self.ends[1]),
+        ];
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_min_numeric_value(least);
             node.set_max_numeric_value(most);

@@ -70,6 +70,8 @@ pub struct Wishes {
     pub said: Option<(Tone, String)>,
     /// Back to the whole window.
     pub leaves: bool,
+    /// Every knob is to be shown.
+    pub opens_settings: bool,
 }
 
 /// Height of the patches, points: least and largest.
@@ -143,9 +145,9 @@ impl LookView {
         let Asked {
             automatic,
             reset,
-            said,
+            more,
         } = asked;
-        wishes.said = said.map(|words| (Tone::Info, words));
+        wishes.opens_settings = more;
         if automatic {
             scene.studies.sweep.retry();
             let about = About::of(app.document());
