@@ -157,8 +157,32 @@ pub fn line_shares(app: &App) -> Vec<f64> {
     shares
 }
 
-/// A threshold above which as many of the lines stay as were asked for, per cent.
-pub fn threshold_for(shares: &[f64], count: usize) -> f64 {
+/// The threshold above which as many of the lines stay as were asked for, or as nearly as many as
+/// there is a threshold for, per cent: moving it can part or join lines.
+pub fn threshold_for(app: &App, shares: &[f64], count: usize) -> f64 {
+    let (settings, derived) = (app.document().settings, app.derived());
+    let off = |threshold_percent: f64| {
+        let settings = Settings {
+            threshold_percent,
+            ..settings
+        };
+        let found = detect(derived.band, &derived.measured, settings.spike_settings());
+        found.spikes.len().abs_diff(count)
+    };
+    let thresholds = (0..=shares.len()).map(|count| between(shares, count));
+    let asked = between(shares, count);
+    let mut best = (off(asked), asked);
+    for threshold in thresholds {
+        let now = off(threshold);
+        if now < best.0 {
+            best = (now, threshold);
+        }
+    }
+    best.1
+}
+
+/// A threshold between the shares of so many lines and of the others, per cent.
+fn between(shares: &[f64], count: usize) -> f64 {
     let [lowest, highest] = LINE_THRESHOLDS;
     let least_in = count.checked_sub(1).and_then(|i| shares.get(i));
     let most_out = shares.get(count);

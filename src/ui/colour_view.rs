@@ -100,6 +100,16 @@ fn differences(ui: &mut Ui, app: &App) {
 }
 
 fn numbers(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
+    // Where they have no room side by side they scroll.
+    egui::ScrollArea::horizontal()
+        .id_salt("colour numbers")
+        .show(ui, |ui| grid(ui, exact, model, full));
+    if let Some(Err(why)) = exact.cct {
+        ui.weak(capitalised(&why.to_string()));
+    }
+}
+
+fn grid(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
     egui::Grid::new("colour numbers")
         .num_columns(4)
         .min_row_height(ROW)
@@ -131,9 +141,6 @@ fn numbers(ui: &mut Ui, exact: Colour, model: Colour, full: Option<Colour>) {
                 ui.end_row();
             }
         });
-    if let Some(Err(why)) = exact.cct {
-        ui.weak(capitalised(&why.to_string()));
-    }
 }
 
 fn errors(ui: &mut Ui, app: &App) {

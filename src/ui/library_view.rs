@@ -198,6 +198,14 @@ impl LibraryView {
         }
     }
 
+    /// Escape gives up a new name, then the search; whether there was either.
+    pub fn escaped(&mut self) -> bool {
+        if self.renaming.is_some() {
+            return true;
+        }
+        !std::mem::take(&mut self.search).is_empty()
+    }
+
     /// The rows, made anew when search, folds or spectra changed.
     fn listed(&mut self, app: &App, preferences: &Preferences) -> Arc<Vec<Row>> {
         if let Some((of, rows)) = &self.listed

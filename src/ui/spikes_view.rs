@@ -43,7 +43,7 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                     .on_hover_text("Full width at half maximum of the line it stands for, nm.");
                 ui.weak("line")
                     .on_hover_text("Named only where it is safe; otherwise the nearest line.");
-                ui.weak("");
+                ui.weak("lock");
                 ui.end_row();
                 for (index, spike) in spikes.iter().enumerate() {
                     let (mut at_nm, mut weight) = (spike.spike.at_nm, spike.spike.weight * factor);
@@ -97,7 +97,7 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                     ui.horizontal(|ui| {
                         let mut locked = spike.hand.is_some();
                         let lock = ui
-                            .checkbox(&mut locked, "lock")
+                            .checkbox(&mut locked, "")
                             .on_hover_text("Keeps the spike whatever the threshold says.");
                         let number = index + 1;
                         lock.widget_info(|| {
@@ -115,9 +115,9 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                                 SpikeAct::Unlock { index }
                             });
                         }
-                        let delete = ui
-                            .small_button("delete")
-                            .on_hover_text("Gives its energy back to the smooth part.");
+                        let delete = ui.small_button("✕").on_hover_text(
+                            "Deletes the line: its energy goes back to the smooth part.",
+                        );
                         delete.widget_info(|| {
                             egui::WidgetInfo::labeled(
                                 egui::Role::Button,

@@ -29,7 +29,7 @@ use spectral_explorer::{
     color::Observer,
     spectrum::{Band, Basis, Kind, NamedSpectrum, Sampled, Sampling},
     study::Measure,
-    ui::{Window, files::Picked, shell, theme},
+    ui::{Window, files::Picked, shell, theme, verdict_view::Side},
 };
 
 /// The largest texture of the driver: less than most have.
@@ -325,6 +325,24 @@ fn a_workspace_with_any_range_at_all_starts() {
 
 // -------------------------------------------------------------------------------- typed ranges
 
+/// The window with every knob.
+fn with_settings(app: App) -> Ui {
+    let mut ui = over(app, Preferences::default());
+    ui.state_mut().0.side = Side::Settings;
+    ui.run();
+    ui
+}
+
+#[test]
+fn a_range_typed_behind_more_is_said_too() {
+    let mut ui = over(App::new(), Preferences::default());
+    ui.get_by_role_and_label(Role::Button, "More").click();
+    ui.run();
+    type_into(&mut ui, "Range to", "30000");
+    assert_eq!(band(&ui), [380.0, 20_380.0]);
+    assert!(said(&ui).contains("at most 20000 nm"), "{:?}", said(&ui));
+}
+
 fn type_into(ui: &mut Ui, name: &str, text: &str) {
     ui.get_by_role_and_label(Role::SpinButton, name).click();
     ui.run();
@@ -358,7 +376,7 @@ fn a_typed_range_that_is_none_becomes_one_and_is_said() {
         ("Range from", "1e9", [760.0, 780.0], "20 nm above MIN"),
         ("Range from", "inf", [380.0, 780.0], "780 nm stays"),
     ] {
-        let mut ui = over(App::new(), Preferences::default());
+        let mut ui = with_settings(App::new());
         type_into(&mut ui, name, text);
         assert_eq!(band(&ui), taken, "{name} {text}");
         assert!(said(&ui).contains(word), "{name} {text}: {:?}", said(&ui));
@@ -368,7 +386,7 @@ fn a_typed_range_that_is_none_becomes_one_and_is_said() {
             said(&ui)
         );
     }
-    let mut ui = over(App::new(), Preferences::default());
+    let mut ui = with_settings(App::new());
     for (name, text) in [
         ("Range to", "20380"),
         ("Range to", "700 nm"),
@@ -391,7 +409,7 @@ fn a_tables_range_that_is_too_wide_is_cut_and_said() {
         };
         let mut app = App::new();
         app.apply(Command::Adopt(vec![far]));
-        let mut ui = over(app, Preferences::default());
+        let mut ui = with_settings(app);
         ui.get_by_role_and_label(Role::Button, "table's").click();
         ui.run();
         assert_eq!(band(&ui), [300.0, taken]);

@@ -358,7 +358,7 @@ fn scene(folder: &Path) -> PathBuf {
 #[test]
 fn without_an_image_the_page_says_what_opens_one() {
     let mut ui = fresh([1280.0, 800.0]);
-    click(&mut ui, "Image");
+    click(&mut ui, "Picture");
     assert_eq!(ui.state().0.preferences.pages.page, Page::Image);
     let words = text(&ui);
     for word in [

@@ -56,6 +56,15 @@ fn key(ui: &mut Ui, modifiers: Modifiers, key: Key) {
     ui.run();
 }
 
+/// The menu of a spectrum in the library.
+fn open_menu(ui: &mut Ui, name: &str) {
+    ui.state_mut().drawer.open = true;
+    ui.run();
+    ui.get_by_role_and_label(Role::Button, name)
+        .click_secondary();
+    ui.run();
+}
+
 fn asks(ui: &Ui) -> bool {
     is_written(ui, "Remove it again")
 }
@@ -101,7 +110,7 @@ fn a_click_turns_the_kind_round_as_one_step_that_is_undone_in_both_places() {
         document.factor.as_ref().map(|f| f.key.as_str()),
         Some("own/1")
     );
-    assert_eq!(document.light.name(), "FL11", "it left the light's place");
+    assert_eq!(document.light.name(), "FL2", "it left the light's place");
     assert_eq!(own(&ui, 0).2[2], 0.4, "40 is per cent");
     assert!(is_written(&ui, "chosen by hand"));
     click(&mut ui, "Counted in fraction");
@@ -184,16 +193,14 @@ fn a_file_that_states_everything_asks_nothing_but_can_be_looked_at() {
     drop_files(&mut ui, &[("stated.csv", text)]);
     assert_eq!(app(&ui).document().light.name(), "stated");
     assert!(!asks(&ui), "{}", words(&ui).join(" | "));
-    ui.get_by_role_and_label(Role::Button, "stated")
-        .click_secondary();
-    ui.run();
+    open_menu(&mut ui, "stated");
     click(&mut ui, "How it was read…");
     assert!(asks(&ui));
     assert!(is_written(&ui, "Nothing is open"));
     assert!(is_written(&ui, "stated by the file: the column's title"));
     // A kind that is neither lies over the plot; a light again takes the light's place.
     click(&mut ui, "Values are other");
-    assert_eq!(app(&ui).document().light.name(), "FL11");
+    assert_eq!(app(&ui).document().light.name(), "FL2");
     click(&mut ui, "Values are light");
     assert_eq!(app(&ui).document().light.name(), "stated");
     assert!(app(&ui).document().overlays.is_empty());
@@ -206,9 +213,7 @@ fn photons_are_power_until_a_person_wants_them_as_they_are() {
     drop_files(&mut ui, &[("plants.csv", text)]);
     let unit = |ui: &Ui| app(ui).document().own[0].spectrum.unit.clone();
     assert_eq!(unit(&ui), "W m-2 nm-1");
-    ui.get_by_role_and_label(Role::Button, "plants")
-        .click_secondary();
-    ui.run();
+    open_menu(&mut ui, "plants");
     click(&mut ui, "How it was read…");
     click(&mut ui, "Photons are as they are");
     assert_eq!(unit(&ui), "µmol m-2 s-1 nm-1");
@@ -547,6 +552,7 @@ fn the_panel_shows_the_instruments_numbers_beside_ours() {
     let text = METER;
     let mut ui = fresh();
     drop_files(&mut ui, &[("meter.xls", text)]);
+    click(&mut ui, "All figures");
     let tab = words(&ui)
         .into_iter()
         .find(|w| w.starts_with("By the instrument ("));

@@ -6,10 +6,16 @@ use std::sync::Arc;
 use crate::soft_renderer::SoftRenderer;
 use eframe::egui;
 use egui::{Rect, Role, pos2, vec2};
-use egui_kittest::{Harness, kittest::Queryable as _};
+use egui_kittest::{
+    Harness,
+    kittest::{NodeT as _, Queryable as _},
+};
 use spectral_explorer::{
     app::{App, pages::Place, workspace::Preferences},
-    ui::{Window, files::Picked, model_view::names, theme},
+    ui::{
+        Window, files::Picked, look_view::names as knobs, model_view::names, theme,
+        verdict_view::Side,
+    },
 };
 
 struct Shown(Window);
@@ -52,7 +58,7 @@ fn zoomed() -> Preferences {
 
 /// Lets a few frames pass; computations on other threads are not waited for.
 fn rest(ui: &mut Ui) {
-    for _ in 0..8 {
+    for _ in 0..6 {
         ui.step();
     }
 }
@@ -65,46 +71,77 @@ fn click(ui: &mut Ui, name: &str) {
 }
 
 fn rect(ui: &Ui, role: Role, name: &str) -> Option<Rect> {
-    ui.query_by_role_and_label(role, name)
+    ui.query_all_by_role_and_label(role, name)
+        .next()
         .map(|node| node.rect())
 }
 
-/// The top bar's controls; "Model" is there only where it has no room beside the page.
-const BAR: [(Role, &str); 13] = [
-    (Role::Button, "Library"),
-    (Role::Button, "Model"),
-    (Role::Button, "Open"),
-    (Role::Button, "Save"),
+/// The top bar's controls.
+const BAR: [(Role, &str); 9] = [
+    (Role::Button, "Library: FL2"),
+    (Role::Button, "+ Compare"),
     (Role::Button, "Undo"),
     (Role::Button, "Redo"),
-    (Role::ComboBox, "Scale"),
+    (Role::Button, "Open"),
+    (Role::Button, "Save"),
+    (Role::Button, "Surroundings"),
+    (Role::Button, "Present"),
     (Role::Button, "Help"),
-    (Role::Button, "Light"),
-    (Role::Button, "Projector"),
-    (Role::Button, "Larger"),
-    (Role::Button, "Zoom 100 %"),
-    (Role::Button, "Smaller"),
 ];
 
-/// Controls of the model's panel.
-const MODEL: [(Role, &str); 12] = [
+/// The two knobs.
+const KNOBS: [(Role, &str); 4] = [
+    (Role::Slider, knobs::ORDER),
+    (Role::SpinButton, knobs::ORDER_TYPED),
+    (Role::Slider, knobs::LINES),
+    (Role::SpinButton, knobs::LINES_TYPED),
+];
+
+/// The rest of the first screen that is there at every width.
+const LOOK: [(Role, &str); 10] = [
+    (Role::Button, "Spectrum"),
+    (Role::Button, "Dark lines"),
+    (Role::CheckBox, "Show measured"),
+    (Role::CheckBox, "Show model"),
+    (Role::Button, "Layers"),
+    (Role::Button, knobs::AUTOMATIC),
+    (Role::SpinButton, knobs::BUDGET),
+    (Role::Button, knobs::MORE),
+    (Role::Button, knobs::RESET),
+    (Role::ComboBox, "How patches are seen"),
+];
+
+/// Every knob, in the column.
+const SETTINGS: [(Role, &str); 12] = [
     (Role::Button, "Fourier"),
     (Role::CheckBox, names::COLOUR_EXACT),
     (Role::Slider, names::ORDER),
-    (Role::SpinButton, names::ORDER),
     (Role::ComboBox, "Spike detector"),
+    (Role::Slider, names::THRESHOLD),
     (Role::SpinButton, names::THRESHOLD),
     (Role::SpinButton, names::WIDTH),
     (Role::SpinButton, "Range from"),
     (Role::SpinButton, "Range to"),
     (Role::ComboBox, "Observer"),
     (Role::ComboBox, "Products by"),
-    (Role::ComboBox, "What the curve shows"),
+    (Role::ComboBox, "Scale"),
 ];
 
-/// The tabs of the pages.
-fn tabs() -> [(Role, &'static str); 5] {
+/// What the column folds to.
+const EDGE: &str = "Verdict, figures, settings";
+/// The library's field.
+const SEARCH: &str = "Search the library";
+
+/// The entries of the rail.
+fn places() -> [(Role, &'static str); 5] {
     Place::ALL.map(|place| (Role::Button, place.title()))
+}
+
+/// Widths of the window, points: from 1000 pixels at 250 % to 2560 at 80 %.
+fn widths() -> impl Iterator<Item = f32> {
+    let steps = (400..1200).step_by(50).chain([1600, 3200]);
+    let others = [512, 640, 853, 1149, 1151, 1280, 1599, 1920, 2560];
+    steps.chain(others).map(|width| width as f32)
 }
 
 fn rects(ui: &Ui, controls: &[(Role, &'static str)]) -> Vec<(&'static str, Rect)> {
@@ -114,14 +151,44 @@ fn rects(ui: &Ui, controls: &[(Role, &'static str)]) -> Vec<(&'static str, Rect)
         .collect()
 }
 
+/// Whatever can be worked or looked at, and every word.
+fn everything(ui: &Ui) -> Vec<(String, Rect)> {
+    let nodes = ui.root().children_recursive();
+    nodes
+        .filter(|node| {
+            matches!(
+                node.accesskit_node().role(),
+                Role::Button
+                    | Role::Slider
+                    | Role::SpinButton
+                    | Role::TextInput
+                    | Role::ComboBox
+                    | Role::CheckBox
+                    | Role::RadioButton
+                    | Role::Image
+                    | Role::Label
+            )
+        })
+        .map(|node| {
+            let shown = node.accesskit_node();
+            let name = shown.label().or(shown.value()).unwrap_or_default();
+            (format!("{:?} {name}", shown.role()), node.rect())
+        })
+        // A row of words without a word.
+        .filter(|(name, _)| !name.ends_with(' '))
+        .collect()
+}
+
 #[track_caller]
-fn assert_apart(controls: &[(&str, Rect)], screen: Rect, case: &str) {
+fn assert_apart<N: AsRef<str>>(controls: &[(N, Rect)], screen: Rect, case: &str) {
     for (i, (name, rect)) in controls.iter().enumerate() {
+        let name = name.as_ref();
         assert!(
-            rect.left() >= screen.left() && rect.right() <= screen.right(),
+            rect.left() >= screen.left() - 0.5 && rect.right() <= screen.right() + 0.5,
             "{case}: {name} at {rect:?} is not within {screen:?}"
         );
         for (other, taken) in &controls[..i] {
+            let other = other.as_ref();
             // Neighbours may touch.
             assert!(
                 !rect.shrink(0.5).intersects(taken.shrink(0.5)),
@@ -131,111 +198,181 @@ fn assert_apart(controls: &[(&str, Rect)], screen: Rect, case: &str) {
     }
 }
 
+#[track_caller]
+fn assert_all(ui: &Ui, controls: &[(Role, &'static str)], case: &str) {
+    for (role, name) in controls {
+        assert!(rect(ui, *role, name).is_some(), "{case}: no {name}");
+    }
+}
+
+/// Height of the plot.
+fn plot(ui: &Ui) -> f32 {
+    let transform = ui.state().0.look.spectrum.transform.expect("a plot");
+    transform.frame().height()
+}
+
 #[test]
-fn the_top_bars_controls_never_lie_over_one_another() {
-    for present in [false, true] {
-        let preferences = Preferences {
-            present,
-            ..zoomed()
-        };
-        let mut ui = over(preferences, SMALL);
-        for width in (400..=1400).step_by(50).chain([512, 640, 853, 1100, 1280]) {
-            let size = vec2(width as f32, 800.0);
-            ui.set_size(size);
-            rest(&mut ui);
-            let bar = rects(&ui, &BAR);
-            assert!(bar.len() >= BAR.len() - 1, "{width}: {bar:?}");
-            let screen = Rect::from_min_size(pos2(0.0, 0.0), size);
-            assert_apart(&bar, screen, &format!("{width} points, present {present}"));
+fn nothing_in_the_window_covers_anything_else_at_any_width() {
+    let mut ui = over(zoomed(), SMALL);
+    for width in widths() {
+        let size = vec2(width, 860.0);
+        ui.set_size(size);
+        rest(&mut ui);
+        let case = format!("{width} points");
+        for all in [&BAR[..], &places(), &KNOBS, &LOOK] {
+            assert_all(&ui, all, &case);
         }
+        let screen = Rect::from_min_size(pos2(0.0, 0.0), size);
+        assert_apart(&everything(&ui), screen, &case);
+        assert!(plot(&ui) >= 70.0, "{case}: the plot is {} high", plot(&ui));
+        let column = rect(&ui, Role::Button, "All figures").is_some();
+        assert_eq!(column, width >= 1150.0, "{case}: the column");
     }
 }
 
 #[test]
-fn no_part_of_the_window_covers_another_at_any_width() {
+fn nothing_covers_anything_while_presenting() {
+    let preferences = Preferences {
+        present: true,
+        ..zoomed()
+    };
+    let mut ui = over(preferences, SMALL);
+    for width in widths() {
+        let size = vec2(width, 860.0);
+        ui.set_size(size);
+        rest(&mut ui);
+        let case = format!("{width} points");
+        assert_all(&ui, &KNOBS, &case);
+        assert_all(&ui, &[(Role::Button, "Whole window")], &case);
+        let screen = Rect::from_min_size(pos2(0.0, 0.0), size);
+        assert_apart(&everything(&ui), screen, &case);
+        assert!(plot(&ui) >= 70.0, "{case}: the plot is {} high", plot(&ui));
+    }
+}
+
+#[test]
+fn the_column_and_the_library_cover_nothing_at_any_width() {
+    for side in [Side::Verdict, Side::Figures, Side::Settings] {
+        let mut ui = over(zoomed(), SMALL);
+        ui.state_mut().0.side = side;
+        click(&mut ui, EDGE);
+        for width in widths() {
+            let size = vec2(width, 860.0);
+            ui.set_size(size);
+            rest(&mut ui);
+            let case = format!("{width} points, {side:?}");
+            let inside = match side {
+                Side::Verdict => &[(Role::Button, "All figures"), (Role::Button, "Settings")][..],
+                Side::Figures => &[(Role::Button, "◀ Verdict")],
+                Side::Settings => &SETTINGS,
+            };
+            assert_all(&ui, inside, &case);
+            let mut controls = rects(&ui, inside);
+            // The column has the window, or the page beside it is whole.
+            if rect(&ui, Role::Button, knobs::AUTOMATIC).is_some() {
+                for all in [&KNOBS[..], &LOOK] {
+                    assert_all(&ui, all, &case);
+                    // The order can be typed in both.
+                    let once = all
+                        .iter()
+                        .filter(|c| side != Side::Settings || c.1 != "Order N");
+                    controls.extend(rects(&ui, &once.copied().collect::<Vec<_>>()));
+                }
+            }
+            for all in [&BAR[..], &places()] {
+                assert_all(&ui, all, &case);
+                controls.extend(rects(&ui, all));
+            }
+            let screen = Rect::from_min_size(pos2(0.0, 0.0), size);
+            assert_apart(&controls, screen, &case);
+        }
+    }
     let mut ui = over(zoomed(), SMALL);
-    for width in (400..=1400).step_by(50).chain([512, 640, 853, 1100, 1280]) {
-        let size = vec2(width as f32, 800.0);
+    ui.state_mut().0.drawer.open = true;
+    for width in widths() {
+        let size = vec2(width, 860.0);
         ui.set_size(size);
         rest(&mut ui);
         let screen = Rect::from_min_size(pos2(0.0, 0.0), size);
-        let (tabs, model) = (rects(&ui, &tabs()), rects(&ui, &MODEL));
-        assert_eq!(tabs.len(), 8, "{width}: the page is there at first");
-        let all: Vec<_> = tabs.into_iter().chain(model).collect();
-        assert_apart(&all, screen, &format!("{width} points"));
-        if let Some(search) = rect(&ui, Role::TextInput, "Library") {
-            let left = all.iter().map(|(_, rect)| rect.left());
-            let left = left.fold(f32::INFINITY, f32::min);
-            assert!(
-                search.right() <= left,
-                "{width}: the library reaches to {search:?}"
-            );
+        let library = [(Role::TextInput, SEARCH), (Role::Button, "Pin")];
+        assert_all(&ui, &library, &format!("{width} points"));
+        let mut controls = rects(&ui, &library);
+        controls.extend(rects(&ui, &BAR));
+        controls.extend(rects(&ui, &places()));
+        // Beside the page it covers none of it; over it, it is on top.
+        if width >= 1150.0 {
+            controls.extend(rects(&ui, &KNOBS));
+            controls.extend(rects(&ui, &LOOK));
         }
+        assert_apart(&controls, screen, &format!("{width} points, library"));
     }
 }
 
 #[test]
-fn at_250_percent_library_page_and_model_each_have_the_window_in_turn() {
+fn at_250_percent_library_page_and_column_each_have_the_window_in_turn() {
     let mut ui = over(zoomed(), SMALL);
     let screen = Rect::from_min_size(pos2(0.0, 0.0), SMALL.into());
     let shown = |ui: &Ui| {
         [
-            rect(ui, Role::TextInput, "Library").is_some(),
-            rect(ui, Role::Button, "Coefficients").is_some(),
-            rect(ui, Role::Slider, names::ORDER).is_some(),
+            rect(ui, Role::TextInput, SEARCH).is_some(),
+            rect(ui, Role::Slider, knobs::ORDER).is_some(),
+            rect(ui, Role::Button, "All figures").is_some(),
         ]
     };
     assert_eq!(shown(&ui), [false, true, false]);
-    click(&mut ui, "Model");
+    click(&mut ui, EDGE);
     assert_eq!(shown(&ui), [false, false, true]);
-    let model = rects(&ui, &MODEL);
-    assert_eq!(model.len(), MODEL.len(), "{model:?}");
-    assert_apart(&model, screen, "model");
+    click(&mut ui, "Settings");
+    assert_all(&ui, &SETTINGS, "the column");
+    let settings = rects(&ui, &SETTINGS);
+    assert_apart(&settings, screen, "the column");
     let bar = rects(&ui, &BAR);
     let bottom = bar.iter().map(|(_, r)| r.bottom()).fold(0.0, f32::max);
-    // The knobs stand in the window without scrolling; the curve and the numbers are below.
-    for (name, rect) in &model[..MODEL.len() - 1] {
+    // The first knobs stand in the window without scrolling.
+    for (name, rect) in &settings[..5] {
         assert!(
             rect.top() > bottom && rect.bottom() < screen.bottom(),
             "{name} at {rect:?} is not to be seen below {bottom}"
         );
     }
-    click(&mut ui, "Library");
-    assert_eq!(shown(&ui), [true, false, false]);
-    click(&mut ui, "Library");
+    click(&mut ui, EDGE);
     assert_eq!(shown(&ui), [false, true, false]);
-    assert!(
-        !ui.state().0.drawer.open,
-        "a larger window has its library still"
-    );
+    // Over the page, until a light was chosen.
+    click(&mut ui, "Library: FL2");
+    assert_eq!(shown(&ui), [true, true, false]);
+    let field = rect(&ui, Role::TextInput, SEARCH).expect("there");
+    assert!(screen.contains_rect(field), "{field:?}");
+    click(&mut ui, "CIE A");
+    assert_eq!(shown(&ui), [false, true, false]);
     ui.set_size(vec2(1280.0, 800.0));
     rest(&mut ui);
-    assert_eq!(shown(&ui), [true, true, true]);
+    assert_eq!(shown(&ui), [false, true, true]);
 }
 
 #[test]
 fn a_low_window_scrolls_its_page_instead_of_covering_the_plot() {
-    for (size, scale) in [(SMALL, false), ([640.0, 400.0], false), (SMALL, true)] {
+    for (size, present) in [
+        (SMALL, false),
+        ([640.0, 400.0], false),
+        ([400.0, 280.0], false),
+        ([1280.0, 400.0], false),
+        (SMALL, true),
+    ] {
         let preferences = Preferences {
-            present: scale,
+            present,
             ..zoomed()
         };
         let ui = over(preferences, size);
-        let below = rect(&ui, Role::Button, "Through reflectances").expect("the patches");
+        let below = rect(&ui, Role::Slider, knobs::ORDER).expect("the knobs");
         let images = ui.query_all_by_role(Role::Image);
-        let lowest = images.map(|node| node.rect().bottom()).fold(0.0, f32::max);
-        let frame = ui
-            .state()
-            .0
-            .look
-            .spectrum
-            .transform
-            .expect("a plot")
-            .frame()
-            .height();
+        let lowest = images
+            .map(|node| node.rect())
+            .filter(|r| r.right() < size[0] - 320.0);
+        let lowest = lowest.map(|rect| rect.bottom()).fold(0.0, f32::max);
+        let frame = plot(&ui);
         assert!(
             lowest <= below.top(),
-            "{size:?}: the plots reach to {lowest}, the patches begin at {below:?}"
+            "{size:?}: the plots reach to {lowest}, the knobs begin at {below:?}"
         );
         assert!(frame >= 70.0, "{size:?}: the plot is {frame} points high");
     }
@@ -255,6 +392,18 @@ fn small_windows_over_the_window_keep_their_buttons_within_it() {
     click(&mut ui, "About and licences");
     let close = rect(&ui, Role::Button, "Close").expect("a way out");
     assert!(screen.contains_rect(close), "about: {close:?}");
+    ui.key_press(egui::Key::Escape);
+    rest(&mut ui);
+    click(&mut ui, "Help");
+    click(&mut ui, "Three ways to begin");
+    let first = rect(&ui, Role::Button, "Show a class").expect("a tile");
+    assert!(screen.contains_rect(first), "tiles: {first:?}");
+    ui.key_press(egui::Key::Escape);
+    rest(&mut ui);
+    ui.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
+    rest(&mut ui);
+    let field = rect(&ui, Role::TextInput, "Find anything").expect("a field");
+    assert!(screen.contains_rect(field), "palette: {field:?}");
 }
 
 #[test]
@@ -263,8 +412,8 @@ fn the_page_looks_as_it_did_at_250_percent() {
 }
 
 #[test]
-fn the_model_looks_as_it_did_at_250_percent() {
+fn the_column_looks_as_it_did_at_250_percent() {
     let mut ui = over(zoomed(), SMALL);
-    click(&mut ui, "Model");
+    click(&mut ui, EDGE);
     ui.snapshot("zoomed-model");
 }

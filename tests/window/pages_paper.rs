@@ -8,7 +8,7 @@ use egui::Role;
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        App, Command,
+        App, Command, Settings,
         chart::Theme,
         charts::{
             coefficients::{CoefficientCharts, Sight},
@@ -26,29 +26,35 @@ use spectral_explorer::{
     },
 };
 
+/// A program as the paper has it: a plain Fourier series.
+fn plain(key: &str) -> App {
+    with(about(key), |s| *s = Settings::plain())
+}
+
 /// Everything that the pages may be opened on.
 fn all_sorts() -> Vec<(&'static str, App)> {
     let band = |min, max| Band::new(min, max).unwrap();
-    let mut reflectance = about("FL11");
+    let mut reflectance = plain("FL11");
     let orange = resolve("colorchecker_ohta:orange", None, None)
         .or_else(|_| resolve("orange", None, None))
         .unwrap();
     reflectance.apply(Command::Show(Arc::new(orange)));
     assert!(!reflectance.document().is_about_light());
     vec![
-        ("spiky", about("FL11")),
-        ("smooth", about("CIE D65")),
+        ("as it starts", App::new()),
+        ("spiky", plain("FL11")),
+        ("smooth", plain("CIE D65")),
         ("cosine", with(about("FL2"), |s| s.basis = Basis::Cosine)),
-        ("order 0", with(about("FL2"), |s| s.order = 0)),
-        ("order 100", with(about("FL2"), |s| s.order = 100)),
-        ("short", with(about("FL2"), |s| s.band = band(540.0, 560.0))),
+        ("order 0", with(plain("FL2"), |s| s.order = 0)),
+        ("order 100", with(plain("FL2"), |s| s.order = 100)),
+        ("short", with(plain("FL2"), |s| s.band = band(540.0, 560.0))),
         (
             "dark",
-            with(about("FL11"), |s| s.band = band(2000.0, 2400.0)),
+            with(plain("FL11"), |s| s.band = band(2000.0, 2400.0)),
         ),
         (
             "infrared",
-            with(about("CIE A"), |s| s.band = band(800.0, 1000.0)),
+            with(plain("CIE A"), |s| s.band = band(800.0, 1000.0)),
         ),
         ("reflectance", reflectance),
     ]
@@ -56,7 +62,7 @@ fn all_sorts() -> Vec<(&'static str, App)> {
 
 #[test]
 fn the_paper_misprints_eq_7_so_that_illuminant_c_leaves_its_place() {
-    let claims = Claims::of(&with(about("CIE C"), |s| {
+    let claims = Claims::of(&with(plain("CIE C"), |s| {
         s.band = Band::PAPER;
         s.order = 20;
     }));
@@ -226,7 +232,7 @@ fn playing_adds_two_orders_a_second_and_ends_at_the_model() {
 
 #[test]
 fn pointing_at_a_bar_tells_its_order_and_a_click_takes_the_sum_there() {
-    let mut ui = open(about("FL11"), Page::Coefficients, [1920.0, 1080.0]);
+    let mut ui = open(plain("FL11"), Page::Coefficients, [1920.0, 1080.0]);
     let rect = ui
         .get_by_role_and_label(Role::Image, "Coefficients of the light")
         .rect();

@@ -1,4 +1,4 @@
-//! The pages "Trade-off" and "Auction" and the row "Spend": what is clicked is what one gets.
+//! The pages "Trade-off" and "Auction" and the button "Automatic": what is clicked is what one gets.
 
 use std::{
     sync::Arc,
@@ -378,7 +378,7 @@ fn a_row_of_the_front_takes_its_model() {
     assert_eq!(app(&ui).derived().numbers(), 9);
     ui.state_mut().0.app.apply(Command::Undo);
     settle(&mut ui);
-    assert_eq!(settings(app(&ui)), Settings::default());
+    assert_eq!(settings(app(&ui)), settings(&plain()));
 }
 
 #[test]
@@ -409,7 +409,6 @@ fn what_cannot_be_measured_is_greyed_and_nothing_breaks() {
             &ui,
             "there is nothing to measure on this spectrum and range",
         );
-        assert!(is_disabled(&ui, "Spend"));
         for make in [reflectance, infrared, dark, many_lines] {
             assert!(!is_written(&on(make(), page), "NaN"));
         }
@@ -473,71 +472,112 @@ fn a_mix_is_weighed_by_hand() {
     assert_eq!(auction.steps[0].error, 1.0);
 }
 
+/// The message that is in force.
+fn said(ui: &Ui) -> String {
+    let message = app(ui).current_message();
+    message.map_or_else(String::new, |message| message.text.clone())
+}
+
+/// What Automatic goes by: the first of these that is known.
+const JUDGES: [Measure; 3] = [Measure::Patches, Measure::Own, Measure::RmsBlurred];
+
+/// No model with so many numbers is better than the one in force.
+#[track_caller]
+fn assert_best(app: &App, numbers: usize, judge: Measure) {
+    let sweep = SweepAsk::of(app.document()).answer(&Progress::default());
+    let sweep = sweep.expect("it shines");
+    let affordable = sweep.points.iter().filter(|p| p.numbers <= numbers);
+    let errors = affordable.filter_map(|p| p.verdict[judge]);
+    let least = errors.fold(f64::INFINITY, f64::min);
+    let now = verdict_now(app)[judge].expect("it can be measured");
+    assert!(
+        now <= least + 2e-6 + 1e-6 * least,
+        "{judge:?}: {now} of {least}"
+    );
+    assert!(app.derived().numbers() <= numbers);
+}
+
 #[test]
-fn spending_buys_once_says_so_and_is_one_step_of_undo() {
+fn automatic_takes_the_best_says_so_and_is_one_step_of_undo() {
     let mut ui = on(fl2(), Page::Spectrum);
-    click(&mut ui, "Spend");
+    let before = app(&ui).document().clone();
+    click(&mut ui, "Automatic");
+    let now = settings(app(&ui));
     let numbers = app(&ui).derived().numbers();
-    assert!(numbers <= 21 && numbers > 1);
-    let message = app(&ui).message().expect("a message").text.clone();
-    assert!(
-        message.starts_with(&format!("Spent {numbers} of 21 numbers: order ")),
-        "{message}"
+    assert!(numbers > 1);
+    assert_best(app(&ui), 21, Measure::Patches);
+    let words = said(&ui);
+    let begins = format!(
+        "The best of all eight ways with at most 21 numbers: {}",
+        now.basis.word()
     );
-    assert!(
-        message.contains("ΔE00 on the patches (mean)") && message.contains("(was "),
-        "{message}"
-    );
-    let said = app(&ui).messages().len();
+    assert!(words.starts_with(&begins), "{words}");
+    assert!(words.contains(&format!("order {}", now.order)), "{words}");
+    assert_eq!(words.contains("with its lines"), now.spikes, "{words}");
+    assert_eq!(words.contains("colour-exact"), now.colour_exact, "{words}");
     ui.state_mut().0.app.apply(Command::Undo);
     settle(&mut ui);
-    assert_eq!(settings(app(&ui)), Settings::default());
-    assert_eq!(app(&ui).messages().len(), said);
+    assert_eq!(app(&ui).document(), &before);
+    assert!(!said(&ui).contains("eight ways"), "{}", said(&ui));
     // The same click again finds its answer at once.
-    click(&mut ui, "Spend");
+    control(&ui, Role::Button, "Automatic").click();
+    ui.run();
+    assert_eq!(settings(app(&ui)), now);
     assert_eq!(app(&ui).derived().numbers(), numbers);
 }
 
 #[test]
-fn spending_is_dropped_when_the_spectrum_changed_meanwhile() {
+fn automatic_is_dropped_when_the_spectrum_changed_meanwhile() {
     let mut ui = on(fl2(), Page::Spectrum);
-    control(&ui, Role::Button, "Spend").click();
+    control(&ui, Role::Button, "Automatic").click();
     ui.step();
     let other = app(&ui).entry("cie_fluorescent_1nm/FL11").expect("FL11");
     ui.state_mut().0.app.apply(Command::Show(other));
+    let before = settings(app(&ui));
     settle(&mut ui);
-    assert_eq!(settings(app(&ui)), Settings::default());
+    assert_eq!(settings(app(&ui)), before);
     assert!(app(&ui).document().subject_edits().is_empty());
-    let message = &app(&ui).message().expect("a message").text;
-    assert!(message.starts_with("Nothing was spent"), "{message}");
+    assert!(said(&ui).starts_with("Automatic gave up"), "{}", said(&ui));
+    // It can be asked again.
+    click(&mut ui, "Automatic");
+    assert_best(app(&ui), 21, Measure::Patches);
 }
 
 #[test]
-fn the_count_to_spend_is_typed_and_always_odd() {
+fn the_count_for_automatic_is_typed_and_kept_to() {
     let mut ui = on(fl2(), Page::Spectrum);
-    for (typed, numbers) in [("32", 31), ("1", 1), ("500", 101), ("9", 9)] {
-        control(&ui, Role::SpinButton, "Numbers to spend").click();
+    for (typed, numbers) in [("32", 32), ("1", 1), ("500", 101), ("9", 9)] {
+        control(&ui, Role::SpinButton, "Numbers for Automatic").click();
         ui.run();
         ui.event(egui::Event::Text(typed.to_owned()));
         ui.run();
         ui.key_press(egui::Key::Enter);
         ui.run();
         assert_eq!(ui.state().0.preferences.pages.spend_numbers, numbers);
+        click(&mut ui, "Automatic");
+        assert_best(app(&ui), numbers, Measure::Patches);
     }
 }
 
 #[test]
-fn the_goal_of_spending_is_a_plain_one_or_the_auctions() {
-    let mut ui = on(fl2(), Page::Spectrum);
-    ui.state_mut().0.preferences.pages.goal = Goal::FILTERS;
-    ui.state_mut().0.preferences.pages.spend_goal = None;
-    ui.run();
-    click(&mut ui, "Spend");
-    let message = app(&ui).message().expect("a message").text.clone();
-    assert!(message.contains("behind narrow filters"), "{message}");
-    for nm in ["404.9", "435.8", "546.1", "578.0"] {
-        assert!(message.contains(nm), "{message}");
+fn automatic_goes_by_what_can_be_measured() {
+    for (make, judge) in [
+        (many_lines as fn() -> App, Measure::Patches),
+        (reflectance, Measure::Own),
+        (infrared, Measure::RmsBlurred),
+    ] {
+        let mut ui = on(make(), Page::Spectrum);
+        let there = |measure: &Measure| lack(app(&ui), *measure).is_none();
+        assert_eq!(JUDGES.into_iter().find(there), Some(judge));
+        click(&mut ui, "Automatic");
+        assert_best(app(&ui), 21, judge);
     }
+    let mut ui = on(dark(), Page::Spectrum);
+    let before = app(&ui).document().clone();
+    click(&mut ui, "Automatic");
+    let words = "There is nothing to measure on this spectrum and range.";
+    assert_eq!(said(&ui), words);
+    assert_eq!(app(&ui).document(), &before);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use egui::{Pos2, Role, Vec2, pos2};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        App, Command,
+        App, Command, Settings,
         chart::Theme,
         charts::products::absorption::{absorption_chart, dip_rows},
         open::resolve,
@@ -219,7 +219,10 @@ fn stages_and_spikes_are_copied_as_tables() {
 fn what_goes_wrong_at_a_stage_is_told_on_its_card() {
     // Fifteen numbers of a glass that is black at 404.9 nm ring below zero there.
     let app = with(chained(about("FL2"), &[GLASS]), |s| {
-        s.sampling = Sampling::Double
+        *s = Settings {
+            sampling: Sampling::Double,
+            ..Settings::plain()
+        }
     });
     let ui = open(app, Page::Chain, [1280.0, 800.0]);
     ui.get_by_label_contains("turns the line there negative");

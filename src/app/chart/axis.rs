@@ -172,8 +172,8 @@ fn fitted_range(series: &[Series], scale: Scale) -> [f64; 2] {
             );
             let head = match high {
                 // Two lines of a label, and the head below them.
-                _ if labelled && scale == Scale::Root => high * 1.42,
-                _ if labelled => high + 3.6 * air,
+                _ if labelled && scale == Scale::Root => high * 1.6,
+                _ if labelled => high + 5.0 * air,
                 0.0 => 0.0,
                 _ => high + air,
             };

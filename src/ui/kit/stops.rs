@@ -2,7 +2,11 @@
 //! where all is well.
 
 use eframe::egui;
-use egui::{Key, Rect, Response, Sense, Ui, pos2, vec2};
+use egui::{
+    Key, Rect, Response, Sense, Ui,
+    accesskit::{Action, ActionData},
+    pos2, vec2,
+};
 
 use crate::ui::theme::Theme;
 
@@ -17,8 +21,12 @@ pub struct Stops<'a> {
     pub well_from: Option<f64>,
     /// How far an arrow key moves.
     pub step: f64,
-    /// The value in words, for screen readers.
+    /// The value, for screen readers.
     pub value: f64,
+    /// The values at both ends.
+    pub ends: [f64; 2],
+    /// From a value to its place: screen readers set values.
+    pub place_of: fn(f64) -> f64,
 }
 
 /// Height that can be taken hold of, points.
@@ -53,11 +61,23 @@ impl Stops<'_> {
             });
             *place = (*place + steps * self.step).clamp(0.0, 1.0);
         }
+        self.obey_reader(ui, response.id, place);
         if *place != before {
             response.mark_changed();
         }
         let name = self.name.to_owned();
         response.widget_info(|| egui::WidgetInfo::slider(true, self.value, &name));
+        let [least, most] = [
+            self.ends[0].min(self.ends[1]),
+            self.ends[0].max(self.ends[1]),
+        ];
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_min_numeric_value(least);
+            node.set_max_numeric_value(most);
+            for action in [Action::SetValue, Action::Increment, Action::Decrement] {
+                node.add_action(action);
+            }
+        });
         let x = |place: f64| left + (right - left) * place.clamp(0.0, 1.0) as f32;
         let painter = ui.painter();
         let half = 2.0 * scale;
@@ -92,5 +112,24 @@ impl Stops<'_> {
             painter.rect_stroke(handle.expand(2.0), 4.0, stroke, egui::StrokeKind::Outside);
         }
         response
+    }
+
+    /// What a screen reader asks of the slider.
+    fn obey_reader(&self, ui: &Ui, id: egui::Id, place: &mut f64) {
+        let (steps, value) = ui.input(|input| {
+            let count = |action| input.num_accesskit_action_requests(id, action) as f64;
+            let values = input
+                .accesskit_action_requests(id, Action::SetValue)
+                .filter_map(|request| match request.data {
+                    Some(ActionData::NumericValue(value)) if value.is_finite() => Some(value),
+                    _ => None,
+                });
+            let steps = count(Action::Increment) - count(Action::Decrement);
+            (steps, values.last())
+        });
+        if let Some(value) = value {
+            *place = (self.place_of)(value).clamp(0.0, 1.0);
+        }
+        *place = (*place + steps * self.step).clamp(0.0, 1.0);
     }
 }

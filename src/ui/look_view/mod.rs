@@ -22,7 +22,7 @@ use crate::{
         pages::PageMemory,
         spike_hand::SpikeAct,
         state::Tone,
-        studies::{Stage, Studies, SweepAsk},
+        studies::{About, Stage, Studies, SweepAsk},
     },
     io::many::numbers,
 };
@@ -33,8 +33,8 @@ pub struct LookView {
     /// The plot and what is being dragged in it.
     pub spectrum: SpectrumView,
     sliders: SlidersView,
-    /// Numbers that Automatic was asked for and has not answered yet.
-    waiting: Option<usize>,
+    /// What Automatic was asked about, and for how many numbers, and has not answered yet.
+    waiting: Option<(About, usize)>,
 }
 
 /// What the page sees.
@@ -70,6 +70,8 @@ pub struct Wishes {
     pub said: Option<(Tone, String)>,
     /// Back to the whole window.
     pub leaves: bool,
+    /// Every knob is to be shown.
+    pub opens_settings: bool,
 }
 
 /// Height of the patches, points: least and largest.
@@ -143,12 +145,13 @@ impl LookView {
         let Asked {
             automatic,
             reset,
-            said,
+            more,
         } = asked;
-        wishes.said = said.map(|words| (Tone::Info, words));
+        wishes.opens_settings = more;
         if automatic {
             scene.studies.sweep.retry();
-            self.waiting = Some(scene.memory.spend_numbers);
+            let about = About::of(app.document());
+            self.waiting = Some((about, scene.memory.spend_numbers));
         }
         if reset {
             wishes.commands.push(Command::Reset);
@@ -157,8 +160,17 @@ impl LookView {
 
     /// Carries out what Automatic was asked for, once the sweep is there.
     fn settle(&mut self, scene: &mut Scene<'_>, wishes: &mut Wishes) {
-        let Some(most) = self.waiting else { return };
+        let Some((about, most)) = &self.waiting else {
+            return;
+        };
+        let most = *most;
         let ask = SweepAsk::of(scene.app.document());
+        if *about != ask.about {
+            self.waiting = None;
+            let words = "Automatic gave up: another spectrum is shown.".to_owned();
+            wishes.said = Some((Tone::Info, words));
+            return;
+        }
         let job = &mut scene.studies.sweep;
         job.ask_by(&ask, scene.wake, SweepAsk::answer);
         let settings = scene.app.document().settings;

@@ -6,14 +6,13 @@ use egui::{DragValue, RichText, Ui, vec2};
 use crate::{
     app::{
         App, Command, Settings,
-        answers::{self, LINE_THRESHOLDS, as_in_the_paper},
+        answers::{self, LINE_THRESHOLDS},
         memo::Memo,
         pages::SPENDABLE,
         settings::Detector,
     },
     ui::{
         kit::{Stops, named},
-        model_view,
         theme::Theme,
     },
 };
@@ -51,14 +50,14 @@ pub struct SlidersView {
 }
 
 /// What the card asks for beside commands.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Asked {
     /// The best way for the count of numbers.
     pub automatic: bool,
     /// Everything back to the start.
     pub reset: bool,
-    /// What is to be said of a knob behind "More".
-    pub said: Option<String>,
+    /// All other knobs.
+    pub more: bool,
 }
 
 impl SlidersView {
@@ -112,7 +111,7 @@ impl SlidersView {
             child(at, size).horizontal(|ui| {
                 ui.spacing_mut().interact_size.y = ACTS;
                 ui.spacing_mut().item_spacing.x = 8.0;
-                acts(ui, app, (budget, busy), &mut asked, commands);
+                acts(ui, (budget, busy), &mut asked);
             });
         }
         if settings != before {
@@ -211,6 +210,8 @@ fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme
             well_from: from.map(|order| order as f64 / most),
             step: 1.0 / most,
             value: settings.order as f64,
+            ends: [0.0, most],
+            place_of: |order| order / MOST as f64,
         };
         let slider = stops.show(ui, &mut place, width - (BOX + 10.0) * theme.scale, theme);
         if slider.changed() {
@@ -262,6 +263,8 @@ fn lines(
             well_from: None,
             step: 0.02,
             value: settings.threshold_percent,
+            ends: LINE_THRESHOLDS,
+            place_of,
         };
         let room = width - (BOX + 10.0) * theme.scale;
         let slider = ui
@@ -288,7 +291,7 @@ fn lines(
         if typed.changed() && count != found {
             settings.spikes = count > 0;
             if count > 0 {
-                settings.threshold_percent = answers::threshold_for(shares, count);
+                settings.threshold_percent = answers::threshold_for(app, shares, count);
             }
         }
         typed.on_hover_text("How many lines are kept: drag or type.");
@@ -296,13 +299,7 @@ fn lines(
 }
 
 /// What decides in the place of the knobs, and the other knobs.
-fn acts(
-    ui: &mut Ui,
-    app: &App,
-    (budget, busy): (&mut usize, bool),
-    asked: &mut Asked,
-    commands: &mut Vec<Command>,
-) {
+fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
     let button = egui::Button::new(names::AUTOMATIC).selected(true);
     asked.automatic = ui
         .add_enabled(!busy, button)
@@ -314,24 +311,10 @@ fn acts(
     let count = ui.add(DragValue::new(budget).range(SPENDABLE).speed(0.1));
     named(&count, egui::Role::SpinButton, names::BUDGET);
     count.on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
-    let more = ui.menu_button(names::MORE, |ui| {
-        ui.set_min_width(360.0);
-        asked.said = model_view::controls(ui, app, commands);
-        ui.separator();
-        if ui
-            .button(names::PAPER)
-            .on_hover_text(
-                "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
-                 slope, products on the paper's points.",
-            )
-            .clicked()
-        {
-            commands.push(Command::Edit(as_in_the_paper(app)));
-            ui.close();
-        }
-    });
-    more.response
-        .on_hover_text("Basis, colour-exact, widest line, dips, range, observer, products.");
+    asked.more = ui
+        .button(names::MORE)
+        .on_hover_text("Basis, colour-exact, widest line, dips, range, observer, products.")
+        .clicked();
     asked.reset = ui
         .button(names::RESET)
         .on_hover_text("Everything back to the start (R): model, layers and patches.")

@@ -61,7 +61,7 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
     let document = app.document();
     let inks = theme.inks;
     let width = ui.available_width();
-    let (wide, tight) = (width >= 640.0, width < 440.0);
+    let (wide, tight) = (width >= 712.0, width < 440.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = if tight { 4.0 } else { 8.0 };
         chip(
@@ -129,7 +129,7 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
         });
         menu.response
             .on_hover_text("Further layers, and the spectra laid over for comparison.");
-        if !document.overlays.is_empty() && wide {
+        let laid_over = |ui: &mut Ui| {
             let count = document.overlays.len();
             let scaled = document
                 .overlays
@@ -146,10 +146,13 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
                 n => format!("{names}, {n} of them at the same brightness"),
             };
             ui.add(Label::new(RichText::new(words).small().color(theme.faint)).truncate());
-        }
+        };
         if !tight {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 heights(ui, app, view, wide);
+                if !document.overlays.is_empty() && ui.available_width() > 60.0 {
+                    ui.with_layout(Layout::left_to_right(Align::Center), laid_over);
+                }
             });
         }
     });

@@ -31,8 +31,7 @@ impl Window {
             return;
         }
         let is_bare = self.preferences.presents() || self.plot_alone;
-        let others =
-            self.palette.is_open() || self.drawer.open || egui::Popup::is_any_open(context);
+        let others = self.palette.is_open() || self.drawer.open || self.menu_open;
         if is_bare && !others && context.input(|i| i.key_pressed(egui::Key::Escape)) {
             self.leave();
         }

@@ -67,6 +67,8 @@ pub struct Window {
     side_open: Option<bool>,
     /// The plot alone.
     plot_alone: bool,
+    /// A menu or list was open when the frame began: Escape is for it.
+    menu_open: bool,
     palette: PaletteView,
     loader: Loader,
     batch: BatchView,
@@ -116,6 +118,7 @@ impl Window {
             side: Side::default(),
             side_open: None,
             plot_alone: false,
+            menu_open: false,
             palette: PaletteView::default(),
             loader: Loader::default(),
             batch: BatchView::default(),
@@ -172,6 +175,7 @@ impl Window {
         let context = ui.ctx().clone();
         self.dress(&context);
         let theme = Theme::of(&self.preferences);
+        self.menu_open = egui::Popup::is_any_open(&context);
         self.take_in(ui);
         self.keys(&context);
 

@@ -17,7 +17,9 @@ use super::{
     },
     Window,
 };
-use crate::app::{Command, pages::Page, spike_hand::SpikeAct, state::Tone, workspace::Preferences};
+use crate::app::{
+    App, Command, answers, pages::Page, spike_hand::SpikeAct, state::Tone, workspace::Preferences,
+};
 
 /// Widths from which the column of the verdict stands beside the page, and from which it is wider,
 /// points.
@@ -39,7 +41,7 @@ const PAGE_MARGIN: Margin = Margin::symmetric(16, 12);
 /// Width of a page from which the model's line stands beside its tabs.
 const LINE_BESIDE: f32 = 820.0;
 /// Least height of a page: a lower window scrolls it.
-const LEAST_PAGE: f32 = 480.0;
+const LEAST_PAGE: f32 = 540.0;
 
 /// The shape of the window: which of its parts have room.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,7 +144,8 @@ impl Window {
             return;
         }
         let mut commands = Vec::new();
-        let mut closes = ui.input(|i| i.key_pressed(Key::Escape)) && self.library.search.is_empty();
+        let escapes = ui.input(|i| i.key_pressed(Key::Escape)) && !self.menu_open;
+        let mut closes = escapes && !self.library.escaped();
         let compares = self.drawer.compares;
         let (library, app, preferences) = (&mut self.library, &self.app, &mut self.preferences);
         let mut show = |ui: &mut Ui| {
@@ -269,6 +272,8 @@ impl Window {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 if self.side == Side::Settings {
                     said = model_view::controls(ui, &self.app, &mut commands);
+                    ui.add_space(8.0);
+                    as_in_the_paper(ui, &self.app, &mut commands);
                 } else {
                     self.figures(ui, theme);
                 }
@@ -312,7 +317,8 @@ impl Window {
         let above = look_view::stacked(inner, with_verdict, theme.scale);
         let least = match self.plot_alone && on_look {
             true => 0.0,
-            false => LEAST_PAGE + above,
+            // Large type at the axes and the knobs takes the plot's room.
+            false => LEAST_PAGE + above + 120.0 * (theme.scale - 1.0),
         };
         if room.height() >= least {
             return self.whole_page(ui, shape, theme);
@@ -402,6 +408,13 @@ impl Window {
         if let Some((tone, words)) = wishes.said {
             self.app.say(tone, words);
         }
+        if wishes.opens_settings {
+            self.side = Side::Settings;
+            if !self.side_is_open(shape) {
+                self.side_open = Some(true);
+            }
+            context.request_repaint();
+        }
         if wishes.leaves {
             self.leave();
         }
@@ -471,6 +484,20 @@ impl Window {
     /// Shows the three ways to begin to who was never here.
     pub fn greet(&mut self) {
         self.greets = !self.preferences.greeted;
+    }
+}
+
+/// The paper's settings in one click.
+fn as_in_the_paper(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+    if ui
+        .button(look_view::names::PAPER)
+        .on_hover_text(
+            "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
+             slope, products on the paper's points.",
+        )
+        .clicked()
+    {
+        commands.push(Command::Edit(answers::as_in_the_paper(app)));
     }
 }
 
