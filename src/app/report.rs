@@ -7,12 +7,10 @@
 use serde_json::{Map, Value, json};
 
 use super::{
-    about::{self, About},
     absorption_names::{Curve, DarkFamily, dark_lines},
     derived::{Colour, Derived},
     figures::{ColourFigure, OF_COLOUR, OF_LIGHT, by_key},
     makers::{Beside, beside},
-    spike_names::identified,
     state::App,
     ticks::short,
 };
@@ -29,8 +27,8 @@ pub fn json(app: &App) -> Value {
     let spectrum = &subject.spectrum;
     let mut notes = spectrum.notes.clone();
     notes.extend(derived.warnings.iter().cloned());
-    let light = identified(subject, app.element_lines());
-    let family = about::family(subject, &light);
+    let told = app.told();
+    let family = told.and_then(|told| told.family);
     let curve = Curve::of(subject, derived.band, &derived.measured);
     json!({
         "program": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
@@ -47,8 +45,8 @@ pub fn json(app: &App) -> Value {
         },
         "family": family.map(|family| &family.key),
         "family_title": family.map(|family| &family.title),
-        "about": About::of(subject).sentence(),
-        "elements": light.elements(),
+        "about": told.map(|told| told.about.sentence()),
+        "elements": told.map(|told| told.light.elements()),
         "dark_lines": dark_lines(curve).iter().map(dark_json).collect::<Vec<_>>(),
         "settings": settings_json(app),
         "model": model_json(app, derived),
@@ -240,9 +238,11 @@ pub fn text(app: &App) -> String {
         short(spectrum.samples.first_nm()),
         short(spectrum.samples.last_nm()),
     )];
-    if let Some(family) = about::family(subject, &identified(subject, app.element_lines())) {
+    if let Some(told) = app.told()
+        && let Some(family) = told.family
+    {
         lines.push(format!("Family    {}", family.title));
-        lines.push(format!("About     {}", About::of(subject).sentence()));
+        lines.push(format!("About     {}", told.about.sentence()));
     }
     lines.push(format!(
         "Model     {} order {} on {}-{} nm, {}: {}{}",

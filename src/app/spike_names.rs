@@ -1,10 +1,14 @@
 //! Names of the spikes of a spectrum: of what stands up after elements and phosphors, of what
 //! hangs down after absorption lines.
 
+use std::sync::Arc;
+
 use super::{
+    about::{About, family},
     absorption_names::{Curve, has_dark_lines, name_dips},
     derived::Derived,
     entry::Entry,
+    families::Family,
     line_names::{ElementLine, Identified, LineName},
 };
 use crate::spectrum::{Band, Spike};
@@ -29,8 +33,39 @@ pub fn identified(entry: &Entry, lines: &[ElementLine]) -> Identified {
 
 /// Names of a model's spikes, in their order.
 pub fn names_of(entry: &Entry, derived: &Derived, lines: &[ElementLine]) -> Vec<LineName> {
+    names_in(&identified(entry, lines), entry, derived)
+}
+
+/// The same of a light whose lines are told already.
+pub fn names_in(light: &Identified, entry: &Entry, derived: &Derived) -> Vec<LineName> {
     let curve = Curve::of(entry, derived.band, &derived.measured);
-    names_of_spikes(&derived.model.spikes, curve, &identified(entry, lines))
+    names_of_spikes(&derived.model.spikes, curve, light)
+}
+
+/// What is told of a spectrum whatever its model is.
+#[derive(Debug)]
+pub struct Told {
+    /// The spectrum.
+    pub of: Arc<Entry>,
+    /// Its lines with their names.
+    pub light: Identified,
+    /// Its title and a sentence.
+    pub about: About,
+    /// Its family.
+    pub family: Option<&'static Family>,
+}
+
+impl Told {
+    /// Of a spectrum, beside all atomic lines.
+    pub fn of(entry: &Arc<Entry>, lines: &[ElementLine]) -> Self {
+        let light = identified(entry, lines);
+        Self {
+            of: entry.clone(),
+            about: About::of(entry),
+            family: family(entry, &light),
+            light,
+        }
+    }
 }
 
 /// Names of any spikes of a spectrum, in their order.

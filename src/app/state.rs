@@ -19,7 +19,7 @@ use super::{
     origin::Origin,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
-    spike_names::names_of,
+    spike_names::{Told, names_in},
     studies::about::reflectances,
     tables::{CURVE_ORDER, Tables, Viewing},
     undo_words::difference,
@@ -56,6 +56,7 @@ pub struct App {
     tables_for: TablesFor,
     derived: Arc<Derived>,
     names: Vec<LineName>,
+    told: Option<Arc<Told>>,
     product: Option<ProductView>,
     scale_factor: f64,
     unit: String,
@@ -111,6 +112,7 @@ impl App {
             tables_for,
             derived,
             names: Vec::new(),
+            told: None,
             product: None,
             scale_factor: 1.0,
             unit: String::new(),
@@ -163,6 +165,11 @@ impl App {
     /// Names of the model's spikes, in their order.
     pub fn spike_names(&self) -> &[LineName] {
         &self.names
+    }
+
+    /// What the spectrum shown is, in words.
+    pub fn told(&self) -> Option<&Told> {
+        self.told.as_deref()
     }
 
     /// All atomic lines, for hover.
@@ -398,7 +405,12 @@ impl App {
         }
         self.derived = Arc::new(derive(&self.document, &self.tables));
         let spectrum = &self.document.subject_entry().spectrum;
-        self.names = names_of(self.document.subject_entry(), &self.derived, &self.lines);
+        let subject = self.document.subject_entry();
+        let is_told = |told: &Arc<Told>| Arc::ptr_eq(&told.of, subject);
+        let told = self.told.take().filter(is_told);
+        let told = told.unwrap_or_else(|| Arc::new(Told::of(subject, &self.lines)));
+        self.names = names_in(&told.light, subject, &self.derived);
+        self.told = Some(told);
         self.product = self.document.patch.and_then(|index| {
             let patches = self.tables.patches.as_ref()?;
             let sampling = self.document.settings.sampling;

@@ -1,7 +1,7 @@
 //! The line at the bottom: what to notice, and a question to try; else what was said last.
 
 use crate::{
-    app::{App, answers::not_seen_from, pages::Page},
+    app::{App, Settings, answers::not_seen_from, pages::Page},
     io::many::many,
 };
 
@@ -26,6 +26,12 @@ pub fn words(app: &App, page: Page) -> (String, String) {
         ),
     };
     let order = derived.model.smooth.order();
+    let as_it_starts = app.document().settings == Settings::default();
+    let family = app.told().and_then(|told| told.family);
+    let of_family = family.map_or("", |family| family.question.as_str());
+    if as_it_starts && !of_family.is_empty() {
+        return (notice, of_family.to_owned());
+    }
     let question = match not_seen_from(app) {
         Some(from) if from > 0 && order > from => {
             format!("Pull Smoothness down to {from}. The curve goes wrong: do the colours?")

@@ -6,14 +6,21 @@ use std::{
 };
 
 use eframe::egui;
-use egui::{Align2, Color32, FontId, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Align2, Color32, FontId, Key, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 use super::{
     swatch,
     theme::{Theme, ink},
 };
 use crate::{
-    app::{App, Command, Entry, recipe::Recipe, workspace::Preferences},
+    app::{
+        App, Command, Entry,
+        about::About,
+        families::Families,
+        recipe::Recipe,
+        search::{Folded, Index, favourites, fold},
+        workspace::Preferences,
+    },
     color::{
         Adaptation, Observer, Swatch, Xyz,
         xyz::{xyz_from_light, xyz_from_reflectance},
@@ -39,6 +46,10 @@ pub struct LibraryView {
     art: HashMap<String, (Arc<Entry>, Art)>,
     /// The rows and what they were made for: thousands are not looked through in every frame.
     listed: Option<(RowsOf, Arc<Vec<Row>>)>,
+    /// What can be searched, and the user's own spectra that it was made for.
+    index: Option<(Vec<Arc<Entry>>, Index)>,
+    /// The row that Enter takes, of those that a search found.
+    at: usize,
 }
 
 /// What the rows are made of.
@@ -65,6 +76,8 @@ struct Art {
     colour: Color32,
     /// Heights 0-1 over 380-780 nm.
     curve: Vec<f32>,
+    /// What it is, in a few words.
+    what: String,
 }
 
 /// Points of a row's small curve.
@@ -73,7 +86,7 @@ const CURVE_POINTS: usize = 36;
 /// One line of the list.
 enum Row {
     Heading {
-        title: &'static str,
+        title: String,
         count: usize,
         folded: bool,
     },
@@ -133,7 +146,8 @@ impl LibraryView {
                     .desired_width(f32::INFINITY),
             )
             .on_hover_text(
-                "Shows only spectra whose name, group or file holds these words (Ctrl+F).",
+                "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter shows \
+                 the first.",
             );
         search.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the library")
@@ -141,20 +155,36 @@ impl LibraryView {
         if std::mem::take(&mut self.wants_search) {
             search.request_focus();
         }
+        let searches = !self.search.trim().is_empty();
+        if !searches {
+            favourites_row(ui, app, theme, self.compares, commands);
+        }
         let rows = self.listed(app, preferences);
         if rows.is_empty() {
             ui.add_space(8.0);
             ui.weak("Nothing is called that.");
             return;
         }
-        let height = (22.0 * theme.scale).round();
+        if search.changed() {
+            self.at = 0;
+        }
+        let typing = search.has_focus() || search.lost_focus();
+        let chosen = searches && self.keys(ui, typing, rows.len());
+        if chosen && let Some(Row::Item { entry, .. }) = rows.get(self.at) {
+            commands.push(if self.compares {
+                Command::ToggleOverlay(entry.clone())
+            } else {
+                Command::Show(entry.clone())
+            });
+        }
+        let height = (ROW * theme.scale).round();
         let mut wish = None;
         egui::ScrollArea::vertical().auto_shrink(false).show_rows(
             ui,
             height - ui.spacing().item_spacing.y,
             rows.len(),
             |ui, range| {
-                for row in &rows[range] {
+                for (row, place) in rows[range.clone()].iter().zip(range) {
                     let size = vec2(ui.available_width(), height - ui.spacing().item_spacing.y);
                     match row {
                         Row::Heading {
@@ -163,7 +193,7 @@ impl LibraryView {
                             folded,
                         } => {
                             if heading(ui, size, title, *count, *folded) {
-                                wish = Some(Wish::Fold((*title).to_owned()));
+                                wish = Some(Wish::Fold(title.clone()));
                             }
                         }
                         Row::File {
@@ -177,7 +207,8 @@ impl LibraryView {
                         }
                         Row::Item { entry, in_file } => {
                             let row = (entry, *in_file);
-                            if let Some(command) = self.item(ui, size, row, app, theme) {
+                            let is_next = searches && place == self.at;
+                            if let Some(command) = self.item(ui, size, row, is_next, (app, theme)) {
                                 wish = Some(Wish::Command(command));
                             }
                         }
@@ -206,6 +237,23 @@ impl LibraryView {
         !std::mem::take(&mut self.search).is_empty()
     }
 
+    /// Moves the chosen row by the arrows while a search is typed; whether Enter was pressed.
+    fn keys(&mut self, ui: &Ui, typing: bool, count: usize) -> bool {
+        if !typing {
+            return false;
+        }
+        let [up, down, enter] =
+            [Key::ArrowUp, Key::ArrowDown, Key::Enter].map(|key| ui.input(|i| i.key_pressed(key)));
+        if down {
+            self.at += 1;
+        }
+        if up {
+            self.at = self.at.saturating_sub(1);
+        }
+        self.at = self.at.min(count.saturating_sub(1));
+        enter
+    }
+
     /// The rows, made anew when search, folds or spectra changed.
     fn listed(&mut self, app: &App, preferences: &Preferences) -> Arc<Vec<Row>> {
         if let Some((of, rows)) = &self.listed
@@ -228,61 +276,80 @@ impl LibraryView {
         rows
     }
 
-    fn rows(&self, app: &App, preferences: &Preferences) -> Vec<Row> {
-        let wanted: Vec<String> = self
-            .search
-            .split_whitespace()
-            .map(str::to_lowercase)
-            .collect();
-        let matches = |entry: &Entry| {
-            if wanted.is_empty() {
-                return true;
-            }
-            // A spectrum of the user's own is found by the file that it came from, too.
-            let source = match entry.shelf() {
-                None => entry.spectrum.source.as_str(),
-                Some(_) => "",
-            };
-            let text = format!("{} {} {source}", entry.key, entry.name()).to_lowercase();
-            wanted.iter().all(|word| text.contains(word))
-        };
+    fn rows(&mut self, app: &App, preferences: &Preferences) -> Vec<Row> {
+        if !self.search.trim().is_empty() {
+            return self.found(app);
+        }
         let mut rows = Vec::new();
-        let mut shelf = |title: &'static str, entries: Vec<Arc<Entry>>| {
-            if entries.is_empty() {
-                return;
+        let is_folded = |title: &str| preferences.folded.iter().any(|f| f == title);
+        let heading = |rows: &mut Vec<Row>, title: &str, count: usize| {
+            let folded = is_folded(title);
+            if count > 0 {
+                rows.push(Row::Heading {
+                    title: title.to_owned(),
+                    count,
+                    folded,
+                });
             }
-            // A search opens every shelf that holds a match.
-            let folded = wanted.is_empty() && preferences.folded.iter().any(|f| f == title);
-            rows.push(Row::Heading {
-                title,
-                count: entries.len(),
-                folded,
-            });
-            if folded {
-                return;
-            }
-            if title == OWN {
-                let is_folded = |file: &str| {
-                    let fold = fold_of(file);
-                    wanted.is_empty() && preferences.folded.contains(&fold)
-                };
-                return by_file(entries, is_folded, &mut rows);
-            }
-            rows.extend(entries.into_iter().map(|entry| Row::Item {
-                entry,
-                in_file: None,
-            }));
+            count > 0 && !folded
         };
-        let own = app.document().own.iter();
-        shelf(OWN, own.filter(|e| matches(e)).cloned().collect());
+        let own = &app.document().own;
+        if heading(&mut rows, OWN, own.len()) {
+            by_file(own.clone(), |file| is_folded(&fold_of(file)), &mut rows);
+        }
+        let item = |row: Folded| Row::Item {
+            entry: row.entry,
+            in_file: None,
+        };
+        let is_light = |entry: &&Arc<Entry>| entry.kind() == Kind::Light;
+        let lights = fold(app.bundled().iter().filter(is_light));
+        let families = Families::shipped();
+        let mut headings: Vec<&str> = Vec::new();
+        for family in families.all() {
+            if !headings.contains(&family.heading.as_str()) {
+                headings.push(&family.heading);
+            }
+        }
+        for title in headings {
+            let is_its = |row: &&Folded| {
+                let family = families.family_of(&row.entry.key);
+                family.is_some_and(|family| family.heading == title)
+            };
+            let under: Vec<Folded> = lights.iter().filter(is_its).cloned().collect();
+            if heading(&mut rows, title, under.len()) {
+                rows.extend(under.into_iter().map(item));
+            }
+        }
         for place in Shelf::ALL {
-            let on_shelf = app.bundled().iter().filter(|e| e.shelf() == Some(place));
-            shelf(
-                place.heading(),
-                on_shelf.filter(|e| matches(e)).cloned().collect(),
-            );
+            let others = app.bundled().iter().filter(|entry| !is_light(entry));
+            let under = fold(others.filter(|e| e.shelf() == Some(place)));
+            if heading(&mut rows, place.heading(), under.len()) {
+                rows.extend(under.into_iter().map(item));
+            }
         }
         rows
+    }
+
+    /// What a search finds, the best first.
+    fn found(&mut self, app: &App) -> Vec<Row> {
+        let own = &app.document().own;
+        let is_still = |(of, _): &(Vec<Arc<Entry>>, Index)| {
+            of.len() == own.len() && of.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
+        };
+        if !self.index.as_ref().is_some_and(is_still) {
+            let index = Index::of(own.iter().chain(app.bundled()));
+            self.index = Some((own.clone(), index));
+        }
+        let found = self
+            .index
+            .iter()
+            .flat_map(|(_, index)| index.search(&self.search));
+        found
+            .map(|row| Row::Item {
+                entry: row.entry,
+                in_file: None,
+            })
+            .collect()
     }
 
     fn item(
@@ -290,8 +357,8 @@ impl LibraryView {
         ui: &mut Ui,
         size: Vec2,
         (entry, in_file): (&Arc<Entry>, Option<[usize; 2]>),
-        app: &App,
-        theme: Theme,
+        is_next: bool,
+        (app, theme): (&App, Theme),
     ) -> Option<Command> {
         let document = app.document();
         let is_light = document.light.key == entry.key;
@@ -322,7 +389,7 @@ impl LibraryView {
         if selected {
             ui.painter()
                 .rect_filled(rect, 3.0, visuals.selection.bg_fill);
-        } else if response.hovered() || response.has_focus() {
+        } else if response.hovered() || response.has_focus() || is_next {
             ui.painter()
                 .rect_filled(rect, 3.0, visuals.widgets.hovered.bg_fill);
         }
@@ -335,17 +402,19 @@ impl LibraryView {
                 .insert(entry.key.clone(), (entry.clone(), Art::of(entry)));
         }
         let (_, art) = self.art.get(&entry.key)?;
-        let side = rect.height() - 7.0;
+        let side = rect.height() - 12.0;
         let indent = in_file.map_or(0.0, |_| INDENT * theme.scale);
         let field = Rect::from_min_size(
             pos2(rect.left() + 4.0 + indent, rect.center().y - side / 2.0),
             Vec2::splat(side),
         );
+        ui.painter()
+            .rect_filled(field.expand(3.0), 3.0, theme.swatch_ground);
         ui.painter().rect_filled(field, 2.0, art.colour);
         let curve_width = (0.24 * rect.width()).clamp(30.0, 64.0);
         let curve = Rect::from_min_max(
-            pos2(rect.right() - curve_width - 4.0, rect.top() + 3.0),
-            pos2(rect.right() - 4.0, rect.bottom() - 3.0),
+            pos2(rect.right() - curve_width - 4.0, rect.top() + 7.0),
+            pos2(rect.right() - 4.0, rect.bottom() - 7.0),
         );
         let text_colour = if selected {
             visuals.selection.stroke.color
@@ -362,21 +431,28 @@ impl LibraryView {
             name_right -= 14.0;
         }
         let name_rect = Rect::from_min_max(
-            pos2(field.right() + 6.0, rect.top()),
+            pos2(field.right() + 10.0, rect.top()),
             pos2(name_right, rect.bottom()),
         );
         let font = egui::TextStyle::Body.resolve(ui.style());
         let common = in_file.unwrap_or_default();
         let name = elided(ui, &row_name(entry), common, &font, name_rect.width());
-        ui.painter()
-            .with_clip_rect(name_rect.intersect(ui.clip_rect()))
-            .text(
-                pos2(name_rect.left(), rect.center().y),
-                Align2::LEFT_CENTER,
-                name,
-                font,
-                text_colour,
-            );
+        let painter = ui
+            .painter()
+            .with_clip_rect(name_rect.intersect(ui.clip_rect()));
+        let small = egui::TextStyle::Small.resolve(ui.style());
+        let middle = rect.center().y;
+        let lift = if art.what.is_empty() {
+            0.0
+        } else {
+            8.0 * theme.scale
+        };
+        let at = pos2(name_rect.left(), middle - lift);
+        painter.text(at, Align2::LEFT_CENTER, name, font, text_colour);
+        let what = elided(ui, &art.what, [0; 2], &small, name_rect.width());
+        let below = pos2(name_rect.left(), middle + 9.0 * theme.scale);
+        let faint = if selected { text_colour } else { theme.faint };
+        painter.text(below, Align2::LEFT_CENTER, what, small, faint);
         let add = self.compares || ui.input(|i| i.modifiers.command || i.modifiers.shift);
         let mut command = None;
         if response.clicked() {
@@ -523,7 +599,14 @@ impl Art {
             }
             Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => None,
         };
+        let about = About::of(entry);
+        let kelvin = about
+            .kelvin
+            .map(|k| format!("{:.0} K", 10.0 * (k / 10.0).round()));
+        let words = Some(about.what).filter(|what| !what.is_empty());
+        let what: Vec<String> = words.into_iter().chain(kelvin).collect();
         Self {
+            what: what.join(", "),
             colour: swatch.map_or(Color32::from_gray(110), |s| swatch::colour(s.rgb8)),
             curve: values
                 .iter()
@@ -550,6 +633,41 @@ fn row_name(entry: &Entry) -> String {
     } else {
         entry.name().to_owned()
     }
+}
+
+/// Height of a row, points.
+const ROW: f32 = 40.0;
+
+/// The lights on top of the library, three in a row.
+fn favourites_row(
+    ui: &mut Ui,
+    app: &App,
+    theme: Theme,
+    compares: bool,
+    commands: &mut Vec<Command>,
+) {
+    let all = favourites(app.bundled());
+    ui.add_space(4.0);
+    ui.label(egui::RichText::new("Favourites").small().color(theme.faint));
+    for row in all.chunks(3) {
+        ui.columns(3, |columns| {
+            for (ui, favourite) in columns.iter_mut().zip(row) {
+                let size = vec2(ui.available_width(), 26.0 * theme.scale);
+                let button = egui::Button::new(favourite.label).truncate();
+                let response = ui.add_sized(size, button);
+                if response.clicked() {
+                    let entry = favourite.entry.clone();
+                    commands.push(if compares {
+                        Command::ToggleOverlay(entry)
+                    } else {
+                        Command::Show(entry)
+                    });
+                }
+                response.on_hover_text(favourite.entry.name());
+            }
+        });
+    }
+    ui.add_space(4.0);
 }
 
 fn heading(ui: &mut Ui, size: Vec2, title: &str, count: usize, folded: bool) -> bool {

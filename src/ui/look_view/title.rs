@@ -11,7 +11,7 @@ use crate::{
 /// Draws title and sentence; returns where the read-out may be written. Where nothing else of the
 /// window is shown, a button leads back to it.
 pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> Rect {
-    let subject = app.document().subject_entry();
+    let (subject, told) = (app.document().subject_entry(), app.told());
     let bare = leaves.is_some();
     let size = if bare && theme.scale > 1.0 {
         16.0
@@ -20,7 +20,8 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> 
     };
     let mut room = Rect::NOTHING;
     let mut title = |ui: &mut Ui| {
-        let title = RichText::new(subject.name())
+        let title = told.map_or_else(|| subject.name().to_owned(), |told| told.about.title());
+        let title = RichText::new(title)
             .size(size * theme.scale)
             .color(ui.visuals().strong_text_color());
         ui.add(Label::new(title).truncate());
@@ -49,7 +50,13 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> 
                 "" => "no unit stated",
                 unit => unit,
             };
-            let words = format!("{unit}, {}", app.document().scale.words());
+            let about = told.map_or("", |told| told.about.about.as_str());
+            let table = told.map_or("", |told| told.about.table.as_str());
+            let scale = app.document().scale.words();
+            let words = [about, table, &format!("{unit}, {scale}")];
+            let words: Vec<&str> = words.into_iter().filter(|part| !part.is_empty()).collect();
+            // A sentence ends with its own full stop.
+            let words = words.join(" · ").replace(". · ", ". ");
             ui.add(Label::new(RichText::new(words).color(theme.faint)).truncate());
         });
     }
