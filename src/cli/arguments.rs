@@ -1,5 +1,7 @@
 //! What may stand on the command line. The comments here are what `--help` prints.
 
+mod optics;
+
 use std::{ffi::OsString, path::PathBuf};
 
 use clap::{Args, Parser, Subcommand};
@@ -13,6 +15,8 @@ use crate::{
     spectrum::Kind,
     study::Goal,
 };
+
+pub use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
 ///
@@ -52,6 +56,12 @@ pub enum Command {
     Race(Race),
     /// Print a light through filters and off surfaces, exact beside the model.
     Product(Product),
+    /// Print where a light's spikes land behind a prism.
+    Prism(Prism),
+    /// Print where the bows of a light's spikes stand.
+    Rainbow(Rainbow),
+    /// Trace a brilliant under a light, and say how noisy the picture is.
+    Gem(Gem),
     /// Print what files hold and how they were read.
     Read(Read),
     /// List the shipped spectra.

@@ -310,6 +310,30 @@ fn the_keys_of_a_product_are_told() {
 }
 
 #[test]
+fn the_keys_of_prism_and_rainbow_are_told() {
+    // N-SF11 has no index at 100 nm, and reflects the shortest under so flat an incidence.
+    let far = ["--at", "100,300,900", "--json"];
+    let flat: Vec<&str> = ["prism", "FL2", "--incidence", "35"]
+        .into_iter()
+        .chain(far)
+        .collect();
+    holds("prism --json", &[&["prism", "FL2", "--json"], &flat]);
+    holds(
+        "rainbow --json",
+        &[&["rainbow", "FL2", "--at", "100", "--json"]],
+    );
+}
+
+#[test]
+fn the_keys_of_a_gem_are_told() {
+    let small = ["--size", "16", "--rays", "1", "--json"];
+    let with = |more: &[&'static str]| [&["gem"], more, &small].concat();
+    let (light, line) = (with(&["--light", "FL2"]), with(&["--wavelength", "589.3"]));
+    let still = ["gem", "--size", "16", "--rays", "4", "--json"];
+    holds("gem --json", &[&light, &line, &still]);
+}
+
+#[test]
 fn the_keys_of_what_files_hold_are_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
