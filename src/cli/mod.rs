@@ -12,6 +12,8 @@
 mod arguments;
 mod auction;
 mod convert;
+mod decode;
+mod encode;
 mod factor;
 mod gem;
 mod inputs;
@@ -136,6 +138,8 @@ fn carry_out(
             Command::Auction(options) => auction::run(&options, out, inputs)?,
             Command::Race(options) => race::run(&options, out, inputs)?,
             Command::Product(options) => product::run(&options, out, inputs)?,
+            Command::Encode(options) => encode::run(&options, out, inputs)?,
+            Command::Decode(options) => decode::run(&options, out, inputs)?,
             Command::Prism(options) => prism::run(&options, out, inputs)?,
             Command::Rainbow(options) => rainbow::run(&options, out, inputs)?,
             Command::Gem(options) => gem::run(&options, out, inputs)?,

@@ -160,6 +160,12 @@ pub fn seed(word: &str) -> Result<u64, String> {
     whole(word, &(0..=u64::MAX))
 }
 
+/// A count whose limits are told where it is used.
+pub fn whole_number(word: &str) -> Result<usize, String> {
+    let number = word.trim().parse().ok();
+    number.ok_or_else(|| refused(word, "a whole number"))
+}
+
 /// `--blocks`.
 pub fn blocks(word: &str) -> Result<usize, String> {
     whole(word, &(1..=*optics::SIZES.end()))

@@ -310,6 +310,23 @@ fn the_keys_of_a_product_are_told() {
 }
 
 #[test]
+fn the_keys_of_an_encoding_are_told() {
+    let encode = ["encode", "FL2", "--json"];
+    let portable = ["encode", "FL2", "--portable", "--json"];
+    holds("encode --json", &[&encode, &portable]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let with_lamps = put(folder.path(), "lamps.json", printed(&encode));
+    let portable = put(folder.path(), "portable.json", printed(&portable));
+    holds(
+        "decode --json",
+        &[
+            &["decode", &with_lamps, "--json"],
+            &["decode", &portable, "--json"],
+        ],
+    );
+}
+
+#[test]
 fn the_keys_of_prism_and_rainbow_are_told() {
     // N-SF11 has no index at 100 nm, and reflects the shortest under so flat an incidence.
     let far = ["--at", "100,300,900", "--json"];

@@ -11,6 +11,7 @@ mod root;
 
 mod cli;
 mod cli_files;
+mod cli_lamps;
 mod cli_optics;
 mod cli_studies;
 mod command_line;

@@ -14,6 +14,8 @@ mod colour;
 mod detector;
 mod documents;
 mod fine_data;
+mod lamps;
+mod lamps_golden;
 mod layers;
 mod model;
 mod optics_any_settings;
