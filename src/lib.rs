@@ -6,26 +6,30 @@
 //! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches
 //! rivals     the other representations          samples bins legendre principal moments wavelet
 //! study      accuracy against numbers           error sweep auction race truth products
+//! lamps      lights in few words                encoder decoder known lamps, wide lines, their race
+//! optics     light through things               index prism rainbow gem film
 //! io         files <-> spectra, one format a file
 //! app        what the program is doing          document command derived state report export
 //! ui         what it looks like                 one view a file; egui only here
 //! cli        the same engine without a window   one command a file
 //! ```
 //!
-//! Imports point one way: `main -> {ui, cli} -> app -> study -> {rivals, color} -> {spectrum,
-//! preset}`, and `io -> spectrum`. docs/map.md tells of every folder. The feature `window`, on by
-//! default, builds `ui`.
+//! Imports point one way: `main -> {ui, cli} -> app -> {lamps, optics} -> study -> {rivals,
+//! color} -> {spectrum, preset}`, and `io -> spectrum`. docs/map.md tells of every folder. The feature
+//! `window`, on by default, builds `ui`.
 //!
 //! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its
 //! Applications" (2000); its misprints are corrected and each correction is tested.
 //!
-//! Out of scope: fluorescence, polarisation and scattering. What light meets is one factor for each
-//! wavelength.
+//! Out of scope: fluorescence and scattering. What light meets is one factor for each wavelength;
+//! only `optics` bends it, in clear bodies, and knows of polarisation at single faces alone.
 
 pub mod app;
 pub mod cli;
 pub mod color;
 pub mod io;
+pub mod lamps;
+pub mod optics;
 pub mod preset;
 pub mod rivals;
 pub mod spectrum;

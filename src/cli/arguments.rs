@@ -1,5 +1,8 @@
 //! What may stand on the command line. The comments here are what `--help` prints.
 
+mod encoding;
+mod optics;
+
 use std::{ffi::OsString, path::PathBuf};
 
 use clap::{Args, Parser, Subcommand};
@@ -13,6 +16,9 @@ use crate::{
     spectrum::Kind,
     study::Goal,
 };
+
+pub use encoding::{Decode, Encode};
+pub use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
 ///
@@ -52,6 +58,16 @@ pub enum Command {
     Race(Race),
     /// Print a light through filters and off surfaces, exact beside the model.
     Product(Product),
+    /// Print a light in few words: known lamps, a short series and lines of their own width.
+    Encode(Encode),
+    /// Write the spectrum that such words stand for.
+    Decode(Decode),
+    /// Print where a light's spikes land behind a prism.
+    Prism(Prism),
+    /// Print where the bows of a light's spikes stand.
+    Rainbow(Rainbow),
+    /// Trace a brilliant under a light, and say how noisy the picture is.
+    Gem(Gem),
     /// Print what files hold and how they were read.
     Read(Read),
     /// List the shipped spectra.

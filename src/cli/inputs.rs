@@ -3,7 +3,8 @@
 use std::{
     collections::HashMap,
     ffi::{OsStr, OsString},
-    io::Write,
+    fs::File,
+    io::{Read, Write},
     path::Path,
     sync::Arc,
 };
@@ -99,6 +100,30 @@ impl<'e> Inputs<'e> {
         reading.map_err(|why| why.at(path))
     }
 
+    /// The text in a short file or stream.
+    ///
+    /// # Errors
+    /// One line that says what was found and what was expected.
+    pub fn text(&mut self, path: &Path) -> Result<String, String> {
+        let named = shown(path);
+        let bytes = match self.stream(path) {
+            Some(bytes) => bytes.map_err(|why| why.to_string())?.to_vec(),
+            None => short_file(path).map_err(|error| {
+                let (found, expected) = unopened::words(path, &error);
+                format!("{named}: found {found}, expected {expected}")
+            })?,
+        };
+        if bytes.len() > MOST_TEXT_BYTES {
+            return Err(format!(
+                "{named}: found more than {MOST_TEXT_BYTES} bytes, expected a short text"
+            ));
+        }
+        if io::text::is_binary(&bytes) {
+            return Err(format!("{named}: found no text, expected one"));
+        }
+        Ok(io::text::decode(&bytes).text.into_owned())
+    }
+
     /// All of a stream; `None` for what can be read again.
     fn stream(&mut self, path: &Path) -> Option<Result<Arc<[u8]>, ReadError>> {
         if let Some(bytes) = self.streams.get(path.as_os_str()) {
@@ -125,6 +150,17 @@ impl<'e> Inputs<'e> {
         self.streams.insert(path.into(), bytes.clone());
         Some(Ok(bytes))
     }
+}
+
+/// Most bytes of a short text.
+const MOST_TEXT_BYTES: usize = 1 << 20;
+
+/// The bytes of a file, one more than a short text may have at most.
+fn short_file(path: &Path) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let most = MOST_TEXT_BYTES as u64 + 1;
+    File::open(path)?.take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// What messages and spectra call a file or a stream.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! spectral-explorer [FILES] [--window]          the window, opened by the caller
-//! spectral-explorer report|sweep|race|product|read|list|render ...   one command a file
+//! spectral-explorer report|sweep|race|product|gem|read|list ...    one command a file
 //! ```
 //!
 //! Everything is written to what the caller hands in, and pictures are made by the caller's
@@ -12,14 +12,20 @@
 mod arguments;
 mod auction;
 mod convert;
+mod decode;
+mod encode;
 mod factor;
+mod gem;
 mod inputs;
 mod list;
+mod material;
 mod no_display;
 mod options;
 mod plot;
+mod prism;
 mod product;
 mod race;
+mod rainbow;
 mod read;
 mod refusal;
 mod render;
@@ -132,6 +138,11 @@ fn carry_out(
             Command::Auction(options) => auction::run(&options, out, inputs)?,
             Command::Race(options) => race::run(&options, out, inputs)?,
             Command::Product(options) => product::run(&options, out, inputs)?,
+            Command::Encode(options) => encode::run(&options, out, inputs)?,
+            Command::Decode(options) => decode::run(&options, out, inputs)?,
+            Command::Prism(options) => prism::run(&options, out, inputs)?,
+            Command::Rainbow(options) => rainbow::run(&options, out, inputs)?,
+            Command::Gem(options) => gem::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out)?,
             Command::Render(options) => render::run(&options, pictures, out, inputs)?,

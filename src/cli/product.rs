@@ -74,8 +74,7 @@ pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Resul
             }
             let app = about(light_name, *model, inputs)?;
             if let Some(outgoing) = check {
-                let (name, spectrum) = named_spectrum(outgoing);
-                let outgoing = light("--check", name, spectrum, inputs)?;
+                let outgoing = named_light("--check", outgoing, inputs)?;
                 inputs.note_sampling(*model, false);
                 return print(out, &of_check(&app, &chain, outgoing, *json));
             }
@@ -131,8 +130,7 @@ fn of_set(app: &App, group: &str, json: bool) -> String {
 
 /// The state about a light that has something to multiply.
 fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, Refusal> {
-    let (name, spectrum) = named_spectrum(word);
-    let app = subject::about_light(light("LIGHT", name, spectrum, inputs)?, model);
+    let app = subject::about_light(named_light("LIGHT", word, inputs)?, model);
     let derived = app.derived();
     if derived.has_errors() {
         return Ok(app);
@@ -144,6 +142,16 @@ fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, 
         short(derived.band.min_nm()),
         short(derived.band.max_nm())
     )))
+}
+
+/// A light by a word that may tell which of a file's spectra it is; `what` is the word of the
+/// command line that names it.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be read or is no light.
+pub fn named_light(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Entry, Refusal> {
+    let (name, spectrum) = named_spectrum(word);
+    light(what, name, spectrum, inputs)
 }
 
 /// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.

@@ -107,6 +107,14 @@ pub fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(
 
 /// The input as the only light.
 fn alone(app: &App) -> Result<Field, Refusal> {
+    Ok(Field::One(ByAddress(light_alone(app)?)))
+}
+
+/// The light that the input is.
+///
+/// # Errors
+/// [`Refusal::File`] for an input that is no light.
+pub fn light_alone(app: &App) -> Result<Arc<Entry>, Refusal> {
     let document = app.document();
     if !document.is_about_light() {
         let subject = document.subject_entry();
@@ -116,7 +124,7 @@ fn alone(app: &App) -> Result<Field, Refusal> {
             subject.kind(),
         )));
     }
-    Ok(Field::One(ByAddress(document.light.clone())))
+    Ok(document.light.clone())
 }
 
 /// The lights of a class, a group or a folder.

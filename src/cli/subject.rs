@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// The light on a reflectance when none is named.
-const USUAL_LIGHT: &str = "cie_illuminants/CIE D65";
+pub const USUAL_LIGHT: &str = "cie_illuminants/CIE D65";
 
 /// The state about an input: a light, a reflectance under a light, or a saved project.
 ///

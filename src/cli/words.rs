@@ -2,8 +2,10 @@
 
 use std::{
     ffi::OsString,
+    fmt::Display,
     ops::RangeInclusive,
     path::{Path, PathBuf},
+    str::FromStr,
 };
 
 use clap::builder::{OsStringValueParser, TypedValueParser};
@@ -16,6 +18,7 @@ use crate::{
     },
     color::Observer,
     io::error::quoted,
+    optics::{self, View},
     spectrum::{
         Band, Basis, Kind, Rect, Sampling,
         band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
@@ -27,7 +30,7 @@ use crate::{
 /// takes hundreds of MB while it is made.
 pub const SIZES: [[u32; 2]; 2] = [[320, 240], [7680, 4320]];
 
-fn refused(word: &str, expected: impl std::fmt::Display) -> String {
+fn refused(word: &str, expected: impl Display) -> String {
     format!("found {}, expected {expected}", quoted(word))
 }
 
@@ -115,6 +118,72 @@ fn number(word: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, St
                 format_args!("a number from {least} to {most} ({unit})"),
             )
         })
+}
+
+/// Any number that is finite.
+pub fn finite(word: &str) -> Result<f64, String> {
+    let value: Option<f64> = word.trim().parse().ok();
+    value
+        .filter(|value| value.is_finite())
+        .ok_or_else(|| refused(word, "a number"))
+}
+
+fn whole<T: Copy + Display + FromStr + PartialOrd>(
+    word: &str,
+    range: &RangeInclusive<T>,
+) -> Result<T, String> {
+    let value = word.trim().parse().ok();
+    value.filter(|value| range.contains(value)).ok_or_else(|| {
+        let (least, most) = (range.start(), range.end());
+        refused(word, format_args!("a whole number from {least} to {most}"))
+    })
+}
+
+/// `--size` of a traced picture.
+pub fn side(word: &str) -> Result<usize, String> {
+    whole(word, &optics::SIZES)
+}
+
+/// `--rays`.
+pub fn rays(word: &str) -> Result<u32, String> {
+    whole(word, &optics::RAYS)
+}
+
+/// `--seed`.
+pub fn seed(word: &str) -> Result<u64, String> {
+    whole(word, &(0..=u64::MAX))
+}
+
+/// A count whose limits are told where it is used.
+pub fn whole_number(word: &str) -> Result<usize, String> {
+    let number = word.trim().parse().ok();
+    number.ok_or_else(|| refused(word, "a whole number"))
+}
+
+/// `--blocks`.
+pub fn blocks(word: &str) -> Result<usize, String> {
+    whole(word, &(1..=*optics::SIZES.end()))
+}
+
+/// `--stops`.
+pub fn stops(word: &str) -> Result<f64, String> {
+    number(word, &(-20.0..=20.0), "stops")
+}
+
+/// Three numbers: a place.
+pub fn place(word: &str) -> Result<[f64; 3], String> {
+    let numbers: Option<Vec<f64>> = word.split(',').map(|n| finite(n).ok()).collect();
+    numbers
+        .and_then(|numbers| numbers.try_into().ok())
+        .ok_or_else(|| refused(word, "X,Y,Z: three numbers"))
+}
+
+/// `--view`.
+pub fn view(word: &str) -> Result<View, String> {
+    match word {
+        "A" | "a" => Ok(View::A),
+        _ => Err(refused(word, "A (or --from X,Y,Z)")),
+    }
 }
 
 /// `--pixel`.
@@ -259,6 +328,11 @@ pub fn size(word: &str) -> Result<[u32; 2], String> {
 /// `--out` of a picture of the window.
 pub fn png_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["png"]))
+}
+
+/// `--out` of a traced picture.
+pub fn traced_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["png", "exr"]))
 }
 
 /// `--out` of a plot.

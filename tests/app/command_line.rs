@@ -307,6 +307,47 @@ fn the_keys_of_a_product_are_told() {
 }
 
 #[test]
+fn the_keys_of_an_encoding_are_told() {
+    let encode = ["encode", "FL2", "--json"];
+    let portable = ["encode", "FL2", "--portable", "--json"];
+    holds("encode --json", &[&encode, &portable]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let with_lamps = put(folder.path(), "lamps.json", printed(&encode));
+    let portable = put(folder.path(), "portable.json", printed(&portable));
+    holds(
+        "decode --json",
+        &[
+            &["decode", &with_lamps, "--json"],
+            &["decode", &portable, "--json"],
+        ],
+    );
+}
+
+#[test]
+fn the_keys_of_prism_and_rainbow_are_told() {
+    // N-SF11 has no index at 100 nm, and reflects the shortest under so flat an incidence.
+    let far = ["--at", "100,300,900", "--json"];
+    let flat: Vec<&str> = ["prism", "FL2", "--incidence", "35"]
+        .into_iter()
+        .chain(far)
+        .collect();
+    holds("prism --json", &[&["prism", "FL2", "--json"], &flat]);
+    holds(
+        "rainbow --json",
+        &[&["rainbow", "FL2", "--at", "100", "--json"]],
+    );
+}
+
+#[test]
+fn the_keys_of_a_gem_are_told() {
+    let small = ["--size", "16", "--rays", "1", "--json"];
+    let with = |more: &[&'static str]| [&["gem"], more, &small].concat();
+    let (light, line) = (with(&["--light", "FL2"]), with(&["--wavelength", "589.3"]));
+    let still = ["gem", "--size", "16", "--rays", "4", "--json"];
+    holds("gem --json", &[&light, &line, &still]);
+}
+
+#[test]
 fn the_keys_of_what_files_hold_are_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();

@@ -13,6 +13,8 @@ mod root;
 
 mod cli;
 mod cli_files;
+mod cli_lamps;
+mod cli_optics;
 mod cli_studies;
 mod command_line;
 mod commands;

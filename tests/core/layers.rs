@@ -9,27 +9,31 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 9] = [
+const ROOMS: [(&str, &[&str]); 11] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
     ("rivals", &["spectrum"]),
     ("study", &["rivals", "color", "spectrum"]),
+    ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
+    ("optics", &["study", "color", "spectrum"]),
     ("io", &["spectrum"]),
     (
         "app",
-        &["study", "rivals", "color", "preset", "spectrum", "io"],
+        &[
+            "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
+        ],
     ),
     (
         "cli",
         &[
-            "app", "study", "rivals", "color", "preset", "spectrum", "io",
+            "app", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
         ],
     ),
     (
         "ui",
         &[
-            "app", "study", "rivals", "color", "preset", "spectrum", "io",
+            "app", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
         ],
     ),
 ];

@@ -1,0 +1,268 @@
+//! `gem`: a brilliant under a light as figures and as a picture.
+
+use std::{fmt::Display, io::Write, path::Path, time::Instant};
+
+use super::{
+    arguments::{CutOptions, Gem, ViewOptions},
+    inputs::Inputs,
+    material::{absorption_of, material},
+    print,
+    prism::light_of,
+    product::named_light,
+    refusal::Refusal,
+    subject::{self, USUAL_LIGHT},
+    target::{Replaces, Target},
+    words::extension,
+};
+use crate::{
+    app::ticks::short,
+    color::Observer,
+    io::{atomic::save_atomically, error::shown},
+    optics::{
+        Absorption, Brilliant, Film, FilmSettings, GemReport, Light, Material, Picture, Scene,
+        Studio, View, film_bytes, gem_json, png, spectral_exr,
+    },
+    study::Progress,
+};
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for a light or material that cannot be read, a gem or view that is none, and a file
+/// that cannot be written.
+pub fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+    let target = options.out.as_deref().map(|path| target(options, path));
+    if let Some(target) = &target {
+        target.path()?;
+    }
+    let is_png = target.as_ref().is_some_and(|t| extension(t.path) == "png");
+    if options.stops.is_some() && !is_png {
+        inputs.note("--stops is not used: no PNG is written");
+    }
+    let (light, observer) = light(options, inputs)?;
+    let material = material(&options.material, inputs)?;
+    let cut = brilliant(options.cut);
+    let mut film = film(options, &cut, material, inputs)?;
+    let planes = film.settings().strata + Film::lines_of(&light).len();
+    let bytes = film_bytes(options.size, planes);
+    inputs.remark(&format!("a film of {} MB", bytes.div_ceil(1 << 20)));
+    let start = Instant::now();
+    film.trace(&light, options.rays, None, &Progress::default())
+        .map_err(usage)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let picture = film.picture(&light, observer);
+    say_doubts(&film, &picture, &light, inputs);
+    let report = GemReport {
+        film: &film,
+        picture: &picture,
+        noise: film.noise(&light, observer),
+        light: &light,
+        wavelength_nm: options.wavelength,
+        cut: Some(&cut),
+        rays: options.rays,
+        blocks: Some(options.blocks),
+        seconds,
+    };
+    let text = if options.json {
+        format!("{:#}\n", gem_json(&report))
+    } else {
+        words(&report)
+    };
+    // Written first, so that nobody is told of a picture that is not there.
+    let Some(target) = target else {
+        return print(out, &text);
+    };
+    let file = picture_file(target.path, &film, &picture, &light, options)?;
+    save_atomically(target.path()?, &file).map_err(|why| Refusal::File(why.to_string()))?;
+    let (path, size) = (shown(target.path), options.size);
+    let line = format!("Wrote {path}, {size} x {size} px.");
+    if options.json {
+        inputs.note(line);
+        return print(out, &text);
+    }
+    print(out, &format!("{text}{line}\n"))
+}
+
+fn usage(why: impl Display) -> Refusal {
+    Refusal::Usage(why.to_string())
+}
+
+/// Where the picture goes: a PNG may replace a picture, spectral planes are data.
+fn target<'a>(options: &'a Gem, path: &'a Path) -> Target<'a> {
+    let target = Target {
+        what: "--out",
+        path,
+        replaces: match extension(path).as_str() {
+            "png" => Replaces::Pictures,
+            _ => Replaces::Nothing,
+        },
+        force: options.force,
+        read: Vec::new(),
+    };
+    target.beside(&[
+        options.light.as_deref(),
+        Some(&options.material),
+        options.filter.as_deref(),
+    ])
+}
+
+/// The light, or the one wavelength, and whose eye looks.
+fn light(options: &Gem, inputs: &mut Inputs) -> Result<(Light, Observer), Refusal> {
+    if let Some(nm) = options.wavelength {
+        if options.model.is_given() {
+            inputs.note("the model's options are not used: --wavelength is no light to model");
+        }
+        return Ok((Light::of_line(nm).map_err(usage)?, Observer::default()));
+    }
+    let usual = USUAL_LIGHT.as_ref();
+    let light = named_light("--light", options.light.as_deref().unwrap_or(usual), inputs)?;
+    let app = subject::about_light(light, options.model);
+    inputs.note_sampling(options.model, false);
+    Ok((light_of(&app)?, app.document().settings.observer))
+}
+
+fn brilliant(cut: CutOptions) -> Brilliant {
+    let CutOptions {
+        table,
+        crown,
+        pavilion,
+        star,
+        lower,
+        girdle,
+        culet,
+    } = cut;
+    Brilliant {
+        table,
+        crown_deg: crown,
+        pavilion_deg: pavilion,
+        star,
+        lower,
+        girdle,
+        culet,
+    }
+}
+
+fn view(options: ViewOptions) -> View {
+    let named = options.view.unwrap_or(View::A);
+    View {
+        from: options.from.unwrap_or(named.from),
+        towards: options.towards.unwrap_or(named.towards),
+        angle_deg: options.angle.unwrap_or(named.angle_deg),
+    }
+}
+
+/// The gem in its scene before anything is traced.
+fn film(
+    options: &Gem,
+    cut: &Brilliant,
+    material: Material,
+    inputs: &mut Inputs,
+) -> Result<Film, Refusal> {
+    if options.blocks > options.size {
+        return Err(usage(format_args!(
+            "--blocks: found {}, expected at most {}, one a pixel",
+            options.blocks, options.size
+        )));
+    }
+    let absorption = match options.absorption {
+        Some(per_unit) => {
+            Absorption::even(per_unit).map_err(|why| usage(format_args!("--{why}")))?
+        }
+        None => absorption_of(options.filter.as_ref(), options.thickness, inputs)?,
+    };
+    let scene = Scene {
+        view: view(options.view),
+        ..Scene::default()
+    };
+    let solid = cut.solid().map_err(usage)?;
+    let studio = Studio::new(solid, material, absorption, scene).map_err(usage)?;
+    let settings = FilmSettings {
+        size: options.size,
+        seed: options.seed,
+        ..FilmSettings::default()
+    };
+    Film::new(studio, settings).map_err(usage)
+}
+
+/// What is to be known of the picture beside its figures.
+fn say_doubts(film: &Film, picture: &Picture, light: &Light, inputs: &mut Inputs) {
+    let material = film.studio().material();
+    let unseen = light.share_unseen();
+    if unseen >= LEAST_UNSEEN {
+        inputs.note(format!(
+            "{:.1} % of the light's power is outside 380 to 780 nm and is not traced",
+            100.0 * unseen
+        ));
+    }
+    if !picture.stand_ins_nm.is_empty() {
+        let places: Vec<String> = picture.stand_ins_nm.iter().map(|nm| short(*nm)).collect();
+        inputs.note(format!(
+            "the spikes at {} nm have no rays of their own: strata stand in for them",
+            places.join(", ")
+        ));
+    }
+    let mut traced = (380..=780).map(f64::from);
+    if let Some([from, to]) = material.published_nm
+        && traced.any(|nm| material.is_extrapolated(nm))
+    {
+        inputs.note(format!(
+            "{}: the index was published for {} to {} nm, beyond them it is extrapolated",
+            material.name,
+            short(from),
+            short(to)
+        ));
+    }
+}
+
+/// Shares of the power that are less round to none.
+const LEAST_UNSEEN: f64 = 0.0005;
+
+/// The figures in words.
+fn words(report: &GemReport) -> String {
+    let traced = report.film.traced();
+    let size = report.picture.size;
+    let light = match report.wavelength_nm {
+        Some(nm) => format!("light of {} nm", short(nm)),
+        None => report.light.name.clone(),
+    };
+    let noise = match report.noise {
+        Some(noise) => format!(
+            "noise: relative MSE {:.2e}, \u{394}E\u{2080}\u{2080} {:.2} (median), {:.2} (95 %)",
+            noise.relative_mse, noise.delta_e_median, noise.delta_e_p95
+        ),
+        None => "noise: not known with one ray a pixel".to_owned(),
+    };
+    format!(
+        "{} under {light}, {size} x {size} px, {} rays a pixel, {:.1} faces a ray\n\
+         {noise}\n{:.2} s, {:.2} million rays a second\n",
+        report.film.studio().material().name,
+        report.rays,
+        traced.segments_per_ray(),
+        report.seconds,
+        traced.rays as f64 / report.seconds.max(1e-9) / 1e6,
+    )
+}
+
+/// The picture's file: what a screen shows, or every plane.
+fn picture_file(
+    path: &Path,
+    film: &Film,
+    picture: &Picture,
+    light: &Light,
+    options: &Gem,
+) -> Result<Vec<u8>, Refusal> {
+    if extension(path) == "png" {
+        let pixels = picture.shown(options.stops.unwrap_or(0.0)).pixels;
+        return png(picture.size, &pixels)
+            .ok_or_else(|| Refusal::File(format!("{}: found no picture", shown(path))));
+    }
+    let facts = [
+        ("light", light.name.clone()),
+        ("gem", film.studio().material().name.clone()),
+        ("cut", format!("{:?}", brilliant(options.cut))),
+        ("view", format!("{:?}", film.studio().scene().view)),
+        ("rays", options.rays.to_string()),
+    ];
+    spectral_exr(film, light, &facts)
+        .map_err(|why| Refusal::File(format!("{}: {why}", shown(path))))
+}

@@ -1,0 +1,102 @@
+//! What bodies are made of and what they absorb, by the words of the command line.
+
+use std::{
+    ffi::{OsStr, OsString},
+    path::Path,
+};
+
+use super::{inputs::Inputs, refusal::Refusal, words};
+use crate::{
+    app::open::Wanted,
+    io::{
+        Choices,
+        error::{quoted, shown},
+    },
+    optics::{Absorption, Material, Stuff},
+    spectrum::Kind,
+};
+
+/// The material of `--material`: a word, `n_d,V_d`, or a file with a curve of n.
+///
+/// # Errors
+/// [`Refusal`] for another word, a file without such a curve and numbers that are no material.
+pub fn material(word: &OsStr, inputs: &mut Inputs) -> Result<Material, Refusal> {
+    let text = word.to_string_lossy();
+    if let Some(stuff) = Stuff::from_word(&text) {
+        return Ok(stuff.material());
+    }
+    let path = Path::new(word);
+    if let ("yml" | "yaml", true) = (words::extension(path).as_str(), path.exists()) {
+        return of_file(path, inputs);
+    }
+    let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
+    if let Some([n_d, v_d]) = numbers.as_deref() {
+        let material = Material::from_two_numbers(*n_d, *v_d);
+        return material.map_err(|why| Refusal::Usage(format!("--material: {why}")));
+    }
+    let known: Vec<&str> = Stuff::ALL.into_iter().map(Stuff::word).collect();
+    Err(Refusal::Usage(format!(
+        "--material: found {}, expected {}, n_d,V_d or a .yml file",
+        quoted(&text),
+        known.join(", ")
+    )))
+}
+
+fn of_file(path: &Path, inputs: &mut Inputs) -> Result<Material, Refusal> {
+    let reading = inputs.reading(path, &Choices::default());
+    let reading = reading.map_err(|why| Refusal::File(format!("--material: {why}")))?;
+    let is_index = |name: &str| name == "n" || name.ends_with(" n");
+    let curve = reading
+        .spectra
+        .iter()
+        .find(|s| s.kind == Kind::Other && is_index(&s.name));
+    let Some(curve) = curve else {
+        return Err(Refusal::File(format!(
+            "--material: {}: found no curve of n, expected one",
+            shown(path)
+        )));
+    };
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    Material::from_table(&name, &curve.source, &curve.samples, false)
+        .map_err(|why| Refusal::File(format!("--material: {}: {why}", shown(path))))
+}
+
+/// What a filter of a thickness absorbs a unit of length; nothing without a filter.
+///
+/// # Errors
+/// [`Refusal`] for what cannot be read or is no transmittance, and a thickness that is none.
+pub fn absorption_of(
+    filter: Option<&OsString>,
+    thickness: Option<f64>,
+    inputs: &mut Inputs,
+) -> Result<Absorption, Refusal> {
+    let (Some(name), Some(thickness)) = (filter, thickness) else {
+        return Ok(Absorption::None);
+    };
+    let refused = |why: String| Refusal::File(format!("--filter: {why}"));
+    let mut wanted = Wanted::default();
+    let mut found = inputs.find(name, &wanted).map_err(refused)?;
+    let named = shown(Path::new(name));
+    if found.is_kind_open && found.entry.kind() != Kind::Transmittance {
+        wanted.choices.kind = Some(Kind::Transmittance);
+        found = inputs.find(name, &wanted).map_err(refused)?;
+        inputs.note(format!(
+            "--filter: {named}: found nothing that says what its values are, taken as \
+             transmittance"
+        ));
+    }
+    if found.entry.kind() != Kind::Transmittance {
+        return Err(refused(format!(
+            "{named}: found {} values, expected a transmittance",
+            found.entry.kind()
+        )));
+    }
+    let absorption = Absorption::of_filter(&found.entry.spectrum.samples, thickness)
+        .map_err(|why| Refusal::Usage(format!("--{why}")))?;
+    if absorption.is_floored() {
+        inputs.note(format!(
+            "--filter: {named}: found transmittances below 1e-6, taken as 1e-6"
+        ));
+    }
+    Ok(absorption)
+}

@@ -1,0 +1,138 @@
+//! `prism`: where a light's spikes and any wavelengths land behind a prism.
+
+use std::{fmt::Write as _, io::Write};
+
+use serde_json::Value;
+
+use super::{
+    arguments::Prism,
+    inputs::Inputs,
+    material::{absorption_of, material},
+    print,
+    product::named_light,
+    refusal::Refusal,
+    subject,
+};
+use crate::{
+    app::{App, ticks::short},
+    optics::{Bench, BenchSettings, Incidence, Light, Strip, prism_csv, prism_json},
+};
+
+/// Columns of the screen that the light is put on to see what falls beside it.
+const COLUMNS: usize = 1000;
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for a light or material that cannot be read, and a bench that lets no light leave.
+pub fn run(options: &Prism, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+    let light = named_light("INPUT", &options.input, inputs)?;
+    let app = subject::about_light(light, options.model);
+    inputs.note_sampling(options.model, false);
+    let light = light_of(&app)?;
+    let material = material(&options.material, inputs)?;
+    let absorption = absorption_of(options.filter.as_ref(), options.thickness, inputs)?;
+    let settings = BenchSettings {
+        apex_deg: options.apex,
+        incidence: match options.incidence {
+            Some(degrees) => Incidence::Degrees(degrees),
+            None => Incidence::MinimumFor(options.minimum),
+        },
+        entry_mm: options.entry,
+        screen_mm: options.screen,
+        slit_mm: options.slit,
+        reference_nm: options.reference,
+        absorption,
+    };
+    let bench = Bench::new(settings, material).map_err(|why| Refusal::Usage(why.to_string()))?;
+    let observer = app.document().settings.observer;
+    let strip = bench
+        .whole_screen(&light, COLUMNS)
+        .map(|screen| bench.strip(&light, screen, observer));
+    if strip.as_ref().is_some_and(|strip| strip.extrapolated) {
+        say_extrapolated(&bench, inputs);
+    }
+    let text = match (options.json, options.csv) {
+        (true, _) => {
+            let json = prism_json(&bench, &light, &options.at, strip.as_ref());
+            format!("{json:#}\n")
+        }
+        (_, true) => prism_csv(&bench, &light, &options.at),
+        _ => words(&bench, &light, &options.at, strip.as_ref()),
+    };
+    print(out, &text)
+}
+
+/// The model of the document's light as the rooms of optics take it.
+///
+/// # Errors
+/// [`Refusal::File`] for a light that nothing is seen of.
+pub fn light_of(app: &App) -> Result<Light, Refusal> {
+    let name = app.document().light.name().to_owned();
+    Light::of_composite(&name, &app.derived().model).map_err(|why| Refusal::File(why.to_string()))
+}
+
+fn say_extrapolated(bench: &Bench, inputs: &mut Inputs) {
+    let material = bench.material();
+    if let Some([from, to]) = material.published_nm {
+        inputs.note(format!(
+            "{}: the index was published for {} to {} nm, beyond them it is extrapolated",
+            material.name,
+            short(from),
+            short(to)
+        ));
+    }
+}
+
+/// The figures in words: the bench, one line a wavelength, what does not leave.
+fn words(bench: &Bench, light: &Light, at_nm: &[f64], strip: Option<&Strip>) -> String {
+    let json = prism_json(bench, light, at_nm, strip);
+    let (prism, settings) = (bench.prism(), bench.settings());
+    let mut text = format!(
+        "{} through {}, apex {}\u{b0}, met at {:.3}\u{b0}\n\
+         slit {} mm, screen {} mm behind, across the way of {} nm\n\n",
+        light.name,
+        bench.material().name,
+        short(prism.apex_deg()),
+        prism.incidence_deg(),
+        short(settings.slit_mm),
+        short(settings.screen_mm),
+        bench.reference_nm(),
+    );
+    let columns = [
+        ("nm", "nm", 3),
+        ("n", "n", 6),
+        ("deviation", "deviation", 5),
+        ("least", "minimum_deviation", 5),
+        ("x mm", "x_mm", 4),
+        ("width mm", "width_mm", 4),
+        ("through", "transmittance", 4),
+        ("resolving", "resolving_power", 0),
+    ];
+    add_table(&mut text, &columns, &json);
+    if let Some(words) = bench.reflected_words() {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{words}");
+    }
+    text
+}
+
+/// The rows of a JSON's `at` under titles, each with its key and digits, and why others are none.
+pub fn add_table(text: &mut String, columns: &[(&str, &str, usize)], json: &Value) {
+    let mut line = |cells: Vec<String>| {
+        let cells: Vec<String> = cells.iter().map(|cell| format!("{cell:>11}")).collect();
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}", cells.concat());
+    };
+    line(columns.iter().map(|column| column.0.to_owned()).collect());
+    for row in json["at"].as_array().into_iter().flatten() {
+        let cell = |&(_, key, digits): &(&str, &str, usize)| match row[key].as_f64() {
+            Some(value) => format!("{value:.digits$}"),
+            None => "-".to_owned(),
+        };
+        line(columns.iter().map(cell).collect());
+    }
+    for row in json["refused"].as_array().into_iter().flatten() {
+        let _ = writeln!(text, "{}", row["why"].as_str().unwrap_or_default());
+    }
+}

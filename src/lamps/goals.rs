@@ -1,0 +1,316 @@
+//! The three goals near one light: small differences of a spectrum to small errors.
+//!
+//! Of each colour, `|M d|^2` is the squared CIEDE2000 that a small difference `d` of its X, Y, Z
+//! makes: `M = H^(1/2) J`, with `J` the derivative of L\*a\*b\* and `H` the quadratic form of
+//! CIEDE2000 at the exact colour. `M` is divided by the root of the count of colours, so that the
+//! norm of all rows is the RMS error; the blurred rows give the relative RMS.
+
+use nalgebra::{Matrix3, SymmetricEigen};
+
+use super::{judge::MOST_GAIN, operators::Operators};
+use crate::color::{
+    Lab, Xyz,
+    ciede2000::delta_e_2000,
+    lab::{EPSILON, KAPPA, lab_from_xyz},
+};
+
+/// Step in each axis of L\*a\*b\* for the quadratic form.
+const STEP: f64 = 0.05;
+
+/// Least eigenvalue of a quadratic form.
+const LEAST_EIGENVALUE: f64 = 1e-9;
+
+/// Share of the white's Y below which its X or Z counts as absent, as `lab_from_xyz` has it.
+const ABSENT: f64 = 1e-9;
+
+/// The goals: patches, filters, spectrum.
+pub const GOALS: usize = 3;
+
+/// A light's goals.
+#[derive(Clone, Debug)]
+pub struct Goals {
+    /// One matrix a colour, by rows, upper triangular or full.
+    forms: Vec<[[f64; 3]; 3]>,
+    /// What a blurred row is multiplied by.
+    blur: f64,
+    /// First row of filters, of the blurred spectrum, and of nothing.
+    ends: [usize; GOALS],
+}
+
+impl Goals {
+    /// The goals near a light given by its rows and its X, Y, Z; `blurred_norm` is the root of the
+    /// sum of squares of the blurred light on the grid.
+    pub fn near(operators: &Operators, rows: &[f64], white: [f64; 3], blurred_norm: f64) -> Self {
+        let [patches, filters] = operators.colours();
+        let white = Xyz::from_array(white);
+        let triples = rows[..3 * (patches + filters)].chunks_exact(3);
+        let forms = triples
+            .enumerate()
+            .map(|(i, xyz)| {
+                let xyz = Xyz::new(xyz[0], xyz[1], xyz[2]);
+                let (gain, count) = if i < patches {
+                    (1.0, patches)
+                } else {
+                    ((0.5 * white.y / xyz.y.max(0.0)).min(MOST_GAIN), filters)
+                };
+                form(xyz * gain, white, gain / (count as f64).sqrt())
+            })
+            .collect();
+        Self {
+            forms,
+            // Every fourth nm stands for four.
+            blur: 2.0 / blurred_norm,
+            ends: [3 * patches, 3 * (patches + filters), operators.rows()],
+        }
+    }
+
+    /// Rows of a difference turned into errors.
+    pub fn errors_of(&self, rows: &[f64]) -> Vec<f64> {
+        let mut out = rows.to_vec();
+        let (colours, blur) = out.split_at_mut(self.ends[1]);
+        for (triple, form) in colours.chunks_exact_mut(3).zip(&self.forms) {
+            let [x, y, z] = [triple[0], triple[1], triple[2]];
+            for (row, m) in triple.iter_mut().zip(form) {
+                *row = m[0] * x + m[1] * y + m[2] * z;
+            }
+        }
+        blur.iter_mut().for_each(|v| *v *= self.blur);
+        out
+    }
+
+    /// The transpose of [`Goals::errors_of`].
+    pub fn transposed(&self, errors: &[f64]) -> Vec<f64> {
+        let mut out = errors.to_vec();
+        let (colours, blur) = out.split_at_mut(self.ends[1]);
+        for (triple, form) in colours.chunks_exact_mut(3).zip(&self.forms) {
+            let [a, b, c] = [triple[0], triple[1], triple[2]];
+            for (k, row) in triple.iter_mut().enumerate() {
+                *row = form[0][k] * a + form[1][k] * b + form[2][k] * c;
+            }
+        }
+        blur.iter_mut().for_each(|v| *v *= self.blur);
+        out
+    }
+
+    /// The squared form of each colour, as its six numbers `xx yy zz xy xz yz`, times the square of
+    /// its goal's weight; the last is that of a blurred row.
+    pub fn squares(&self, weights: [f64; GOALS]) -> (Vec<[f64; 6]>, f64) {
+        let patches = self.ends[0] / 3;
+        let squares = self.forms.iter().enumerate().map(|(i, form)| {
+            let t = weights[usize::from(i >= patches)];
+            let product = |j: usize, k: usize| {
+                t * t
+                    * (form[0][j] * form[0][k] + form[1][j] * form[1][k] + form[2][j] * form[2][k])
+            };
+            [
+                product(0, 0),
+                product(1, 1),
+                product(2, 2),
+                2.0 * product(0, 1),
+                2.0 * product(0, 2),
+                2.0 * product(1, 2),
+            ]
+        });
+        (squares.collect(), (weights[2] * self.blur).powi(2))
+    }
+
+    /// Each goal's rows times its weight, in place.
+    pub fn weigh(&self, weights: [f64; GOALS], errors: &mut [f64]) {
+        for (range, t) in self.ranges().into_iter().zip(weights) {
+            errors[range].iter_mut().for_each(|v| *v *= t);
+        }
+    }
+
+    /// The rows of each goal.
+    pub fn ranges(&self) -> [std::ops::Range<usize>; GOALS] {
+        [
+            0..self.ends[0],
+            self.ends[0]..self.ends[1],
+            self.ends[1]..self.ends[2],
+        ]
+    }
+
+    /// Norm of each goal's rows.
+    pub fn norms(&self, errors: &[f64]) -> [f64; GOALS] {
+        self.ranges().map(|range| {
+            let rows = &errors[range];
+            crate::spectrum::band::dot(rows, rows).sqrt()
+        })
+    }
+}
+
+/// `H^(1/2) J` at a colour, times a scale.
+fn form(xyz: Xyz, white: Xyz, scale: f64) -> [[f64; 3]; 3] {
+    let lab = lab_from_xyz(xyz, white);
+    let difference = |step: [f64; 3]| {
+        let moved = Lab::new(lab.l + step[0], lab.a + step[1], lab.b + step[2]);
+        delta_e_2000(lab, moved).powi(2) / (STEP * STEP)
+    };
+    let axis = |i: usize| std::array::from_fn::<f64, 3, _>(|k| if k == i { STEP } else { 0.0 });
+    let alone = [0, 1, 2].map(|i| difference(axis(i)));
+    let mut h = Matrix3::zeros();
+    for i in 0..3 {
+        h[(i, i)] = alone[i];
+        for j in 0..i {
+            let both = std::array::from_fn(|k| axis(i)[k] + axis(j)[k]);
+            h[(i, j)] = 0.5 * (difference(both) - alone[i] - alone[j]);
+            h[(j, i)] = h[(i, j)];
+        }
+    }
+    let j = jacobian(xyz, white) * scale;
+    // Any root will do; the triangular one is cheapest.
+    let root = match h.cholesky() {
+        Some(root) if (0..3).all(|i| root.l_dirty()[(i, i)].powi(2) > LEAST_EIGENVALUE) => {
+            root.l().transpose()
+        }
+        _ => root_of(h),
+    };
+    let m = root * j;
+    std::array::from_fn(|i| std::array::from_fn(|k| m[(i, k)]))
+}
+
+/// A root of a form whose eigenvalues are first brought to the least.
+fn root_of(h: Matrix3<f64>) -> Matrix3<f64> {
+    let SymmetricEigen {
+        eigenvectors,
+        eigenvalues,
+    } = SymmetricEigen::new(h);
+    let roots = eigenvalues.map(|v| v.max(LEAST_EIGENVALUE).sqrt());
+    Matrix3::from_diagonal(&roots) * eigenvectors.transpose()
+}
+
+/// Derivative of L\*a\*b\* by X, Y, Z.
+fn jacobian(xyz: Xyz, white: Xyz) -> Matrix3<f64> {
+    let slope = |value: f64, of_white: f64| {
+        if of_white.abs() <= ABSENT * white.y {
+            return 0.0;
+        }
+        let t = value / of_white;
+        let slope = if t > EPSILON {
+            let root = t.cbrt();
+            1.0 / (3.0 * root * root)
+        } else {
+            KAPPA / 116.0
+        };
+        slope / of_white
+    };
+    let y = slope(xyz.y, white.y);
+    let (x, z) = (slope(xyz.x, white.x), slope(xyz.z, white.z));
+    // Where the white has no X or Z, the ratio of Y stands in for it and the axis is empty.
+    let (ya, yb) = (
+        if x == 0.0 { 0.0 } else { y },
+        if z == 0.0 { 0.0 } else { y },
+    );
+    Matrix3::new(
+        0.0,
+        116.0 * y,
+        0.0,
+        500.0 * x,
+        -500.0 * ya,
+        0.0,
+        0.0,
+        200.0 * yb,
+        -200.0 * z,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        color::Observer,
+        lamps::Panel,
+        spectrum::{Band, band::dot},
+    };
+
+    fn light() -> Vec<f64> {
+        Band::VISIBLE
+            .grid()
+            .map(|nm| 1.0 + 0.6 * (nm / 45.0).sin())
+            .collect()
+    }
+
+    #[test]
+    fn a_small_difference_makes_the_error_that_the_goals_say() {
+        let panel = Panel::choosing(Band::VISIBLE, Observer::Cie1931);
+        let operators = Operators::new(&panel);
+        let light = light();
+        let rows = operators.rows_of(0, &light);
+        let blurred = panel.blur().values(&light);
+        let goals = Goals::near(
+            &operators,
+            &rows,
+            operators.xyz(0, &light),
+            dot(&blurred, &blurred).sqrt(),
+        );
+        let difference: Vec<f64> = Band::VISIBLE
+            .grid()
+            .map(|nm| 1e-4 * (nm / 17.0).cos())
+            .collect();
+        let said = goals.norms(&goals.errors_of(&operators.rows_of(0, &difference)));
+        let other: Vec<f64> = light.iter().zip(&difference).map(|(a, b)| a + b).collect();
+        let white = Xyz::from_array(operators.xyz(0, &light));
+        // RMS of CIEDE2000 over the same colours.
+        let (a, b) = (rows, operators.rows_of(0, &other));
+        let [patches, filters] = operators.colours();
+        let rms = |range: std::ops::Range<usize>, is_filter: bool| {
+            let count = range.len() as f64;
+            let squares = range.map(|i| {
+                let xyz = |rows: &[f64]| Xyz::new(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]);
+                let gain = if is_filter {
+                    (0.5 * white.y / a[3 * i + 1]).min(MOST_GAIN)
+                } else {
+                    1.0
+                };
+                delta_e_2000(
+                    lab_from_xyz(xyz(&a) * gain, white),
+                    lab_from_xyz(xyz(&b) * gain, white),
+                )
+                .powi(2)
+            });
+            (squares.sum::<f64>() / count).sqrt()
+        };
+        let found = [
+            rms(0..patches, false),
+            rms(patches..patches + filters, true),
+        ];
+        for (said, found) in said.iter().zip(found) {
+            // The form is exact to the second order in steps of .05: half a per cent.
+            assert!((said - found).abs() < 0.01 * found, "{said} {found}");
+        }
+    }
+
+    #[test]
+    fn the_transpose_weighs_rows_as_the_errors_are_weighed() {
+        let panel = Panel::choosing(Band::VISIBLE, Observer::Cie1931);
+        let operators = Operators::new(&panel);
+        let rows = operators.rows_of(0, &light());
+        let goals = Goals::near(&operators, &rows, operators.xyz(0, &light()), 3.0);
+        let weights: Vec<f64> = (0..rows.len()).map(|i| (i as f64).sin()).collect();
+        let (a, b) = (
+            dot(&weights, &goals.errors_of(&rows)),
+            dot(&goals.transposed(&weights), &rows),
+        );
+        assert!((a - b).abs() < 1e-10 * a.abs().max(1.0));
+        // The squares are the squared norm of the errors.
+        let t = [2.0, 3.0, 0.5];
+        let mut errors = goals.errors_of(&rows);
+        goals.weigh(t, &mut errors);
+        let (squares, blur) = goals.squares(t);
+        let colours: f64 = squares
+            .iter()
+            .zip(rows.chunks_exact(3))
+            .map(|(h, r)| {
+                h[0] * r[0] * r[0]
+                    + h[1] * r[1] * r[1]
+                    + h[2] * r[2] * r[2]
+                    + h[3] * r[0] * r[1]
+                    + h[4] * r[0] * r[2]
+                    + h[5] * r[1] * r[2]
+            })
+            .sum();
+        let rest = &rows[3 * squares.len()..];
+        let whole = colours + blur * dot(rest, rest);
+        assert!((whole - dot(&errors, &errors)).abs() < 1e-9 * whole);
+    }
+}

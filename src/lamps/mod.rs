@@ -1,0 +1,58 @@
+//! Known lamps and lines of their own width: the composite ahead of every representation.
+//!
+//! ```text
+//! composite    a line with a width, and the composite of such lines
+//! detector     the house's lines, each as wide as it is
+//! known        the lamps that an encoding may be made of
+//! encoding     an encoded light and its decoder; words, makeup: the same as bits and for people
+//! ask encoder  what is asked, and the encoder; work: one light on its way
+//!              operators goals columns orthonormal search fit refine today: its parts
+//! judge        the three errors, on what chooses and on what judges
+//! race         the new ways beside the others; standing: what it gave; report: JSON
+//! ```
+//!
+//! Wavelengths in nm, values in the spectrum's own unit, weights in that unit x nm. Not modelled:
+//! lines that are no Gaussian, and what a smooth factor does to the shape of a wide line (its power
+//! is exact).
+
+mod ask;
+mod columns;
+mod composite;
+mod detector;
+mod encoder;
+mod encoding;
+mod error;
+mod fit;
+mod goals;
+mod judge;
+mod known;
+mod makeup;
+mod operators;
+mod orthonormal;
+mod race;
+mod refine;
+mod report;
+mod search;
+mod shipped;
+mod standing;
+mod today;
+mod window;
+mod words;
+mod work;
+
+pub use ask::{Ask, Count, LeaveOut, NUMBERS};
+pub use composite::{Composite, Shape, Spike, add_spikes, weigh_spikes};
+pub use detector::{WideDecomposition, as_wide_as_it_is, decompose};
+pub use encoder::{Chosen, Encoder};
+pub use encoding::{AtomWeight, Decoder, Encoding};
+pub use error::EncodingError;
+pub use judge::{Errors, Exact, Panel};
+pub use known::{Atom, KnownLamp, atoms_on, known_lamps};
+pub use makeup::{Makeup, Part};
+pub use race::race;
+pub use report::{
+    Encoded, decode_json, encode_json, encode_words, judged, race_json, read_encoding,
+};
+pub use shipped::table;
+pub use standing::{Cell, Entrant, ErrorKind, FIGURES, Standing, Wins, figures};
+pub use words::{from_words, rounded, to_words, words_from_text};

@@ -1,0 +1,177 @@
+//! What the three goals look at, as linear functions of a spectrum on the grid: the same for every
+//! light.
+//!
+//! ```text
+//! patches   X, Y, Z of the ColorChecker's reflectances
+//! filters   X, Y, Z behind Gaussian 10 nm band-passes at 418, 422 ... 678 nm
+//! spectrum  the spectrum behind a 10 nm blur at every fourth nm
+//! ```
+//!
+//! One value each is a row. No band-pass here has a centre that chooses or judges.
+
+use super::{
+    judge::{Panel, band_pass},
+    window::Window,
+};
+use crate::{
+    spectrum::{Band, band::dot},
+    study::error::BLUR_NM,
+};
+
+/// Centres of the band-passes: first, distance, last, nm.
+const FILTERS_NM: [u32; 3] = [418, 4, 678];
+
+/// The blurred spectrum is looked at every so many nm.
+const BLUR_STEP: usize = 4;
+
+/// The rows of the three goals on one band for one observer.
+#[derive(Clone, Debug)]
+pub struct Operators {
+    band: Band,
+    /// Colour-matching functions times trapezoid weights.
+    seen: [Vec<f64>; 3],
+    patches: Vec<Vec<f64>>,
+    filters: Vec<Window>,
+    blur: Vec<Window>,
+}
+
+impl Operators {
+    /// The operators beside a panel that chooses.
+    pub fn new(panel: &Panel) -> Self {
+        let band = panel.band();
+        let [first, step, last] = FILTERS_NM;
+        let centres = (first..=last).step_by(step as usize).map(f64::from);
+        let inside = centres.filter(|nm| band.contains(*nm));
+        let sigma = BLUR_NM / super::composite::FWHM_IN_SIGMAS;
+        let blurred = |centre: usize| {
+            let at = |i: usize| {
+                let t = (i as f64 - centre as f64) / sigma;
+                band.weight(i) * (-0.5 * t * t).exp() / (sigma * std::f64::consts::TAU.sqrt())
+            };
+            let values: Vec<f64> = (0..band.points()).map(at).collect();
+            Window::of(&values)
+        };
+        Self {
+            band,
+            seen: panel.observer().table().weighted_on_band(band),
+            patches: panel.reflectances().to_vec(),
+            filters: inside.map(|nm| Window::of(&band_pass(band, nm))).collect(),
+            blur: (0..band.points()).step_by(BLUR_STEP).map(blurred).collect(),
+        }
+    }
+
+    /// The band.
+    pub fn band(&self) -> Band {
+        self.band
+    }
+
+    /// Colours among the rows: patches, then filters, three rows each.
+    pub fn colours(&self) -> [usize; 2] {
+        [self.patches.len(), self.filters.len()]
+    }
+
+    /// Rows in all; the blurred spectrum comes last.
+    pub fn rows(&self) -> usize {
+        3 * (self.patches.len() + self.filters.len()) + self.blur.len()
+    }
+
+    /// X, Y, Z of values that begin at grid point `first`, in value x nm.
+    pub fn xyz(&self, first: usize, values: &[f64]) -> [f64; 3] {
+        self.seen
+            .each_ref()
+            .map(|row| dot(&row[first..first + values.len()], values))
+    }
+
+    /// The rows of values that begin at grid point `first` and are zero elsewhere.
+    pub fn rows_of(&self, first: usize, values: &[f64]) -> Vec<f64> {
+        let here = first..first + values.len();
+        let mut rows = vec![0.0; self.rows()];
+        let seen = self.seen.each_ref().map(|row| -> Vec<f64> {
+            let weighed = row[here.clone()].iter().zip(values);
+            weighed.map(|(w, v)| w * v).collect()
+        });
+        let (patches, rest) = rows.split_at_mut(3 * self.patches.len());
+        for (triple, reflectance) in patches.chunks_exact_mut(3).zip(&self.patches) {
+            for (row, seen) in triple.iter_mut().zip(&seen) {
+                *row = dot(&reflectance[here.clone()], seen);
+            }
+        }
+        let (filters, blur) = rest.split_at_mut(3 * self.filters.len());
+        for (triple, filter) in filters.chunks_exact_mut(3).zip(&self.filters) {
+            for (row, seen) in triple.iter_mut().zip(&seen) {
+                *row = filter.dot(first, seen);
+            }
+        }
+        for (row, blur) in blur.iter_mut().zip(&self.blur) {
+            *row = blur.dot(first, values);
+        }
+        rows
+    }
+
+    /// The function `h` on the grid with `sum h x = sum rows (rows of x)` for every `x`.
+    pub fn adjoint(&self, rows: &[f64]) -> Vec<f64> {
+        let points = self.band.points();
+        let mut through = [(); 3].map(|()| vec![0.0; points]);
+        let (patches, rest) = rows.split_at(3 * self.patches.len());
+        for (triple, reflectance) in patches.chunks_exact(3).zip(&self.patches) {
+            for (through, weight) in through.iter_mut().zip(triple) {
+                for (t, r) in through.iter_mut().zip(reflectance) {
+                    *t += weight * r;
+                }
+            }
+        }
+        let (filters, blur) = rest.split_at(3 * self.filters.len());
+        for (triple, filter) in filters.chunks_exact(3).zip(&self.filters) {
+            for (through, weight) in through.iter_mut().zip(triple) {
+                filter.add_to(*weight, through);
+            }
+        }
+        let mut h = vec![0.0; points];
+        for (through, seen) in through.iter().zip(&self.seen) {
+            for ((h, t), s) in h.iter_mut().zip(through).zip(seen) {
+                *h += t * s;
+            }
+        }
+        for (weight, blur) in blur.iter().zip(&self.blur) {
+            blur.add_to(*weight, &mut h);
+        }
+        h
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{color::Observer, lamps::Shape};
+
+    fn operators() -> Operators {
+        Operators::new(&Panel::choosing(Band::VISIBLE, Observer::Cie1931))
+    }
+
+    #[test]
+    fn rows_of_a_window_are_rows_of_the_whole() {
+        let operators = operators();
+        let shape = Shape::new(Band::VISIBLE, 546.1, 12.0);
+        let mut whole = vec![0.0; 401];
+        shape.add_to(1.0, &mut whole);
+        let (part, all) = (
+            operators.rows_of(shape.first, &shape.values),
+            operators.rows_of(0, &whole),
+        );
+        // Sums of a hundred products below 1 in another order.
+        assert!(part.iter().zip(&all).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+
+    #[test]
+    fn the_adjoint_weighs_a_spectrum_as_its_rows_are_weighed() {
+        let operators = operators();
+        let spectrum: Vec<f64> = Band::VISIBLE.grid().map(|nm| (nm / 31.0).sin()).collect();
+        let weights: Vec<f64> = (0..operators.rows())
+            .map(|i| (i as f64 * 0.7).cos())
+            .collect();
+        let by_rows = dot(&weights, &operators.rows_of(0, &spectrum));
+        let by_grid = dot(&operators.adjoint(&weights), &spectrum);
+        // 150 000 products of size 1.
+        assert!((by_rows - by_grid).abs() < 1e-9 * by_rows.abs().max(1.0));
+    }
+}

@@ -1,0 +1,228 @@
+//! Encodings and races as JSON; the keys are stable.
+
+use serde_json::{Map, Value, json};
+
+use super::{
+    ask::{Count, LeaveOut},
+    encoder::Encoder,
+    encoding::Encoding,
+    error::EncodingError,
+    judge::{Errors, Panel},
+    known::known_lamps,
+    makeup::Makeup,
+    standing::{Entrant, ErrorKind, FIGURES, Standing, figures},
+    words::{from_words, rounded, to_words, words_from_text},
+};
+use crate::spectrum::{Band, Basis};
+
+/// An encoding as it is handed on: rounded to words, judged by what took no part in the choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Encoded {
+    /// The encoding, its numbers those of the words.
+    pub encoding: Encoding,
+    /// Its words.
+    pub words: Vec<u32>,
+    /// Its errors on the panel that judges.
+    pub errors: Errors,
+    /// CIEDE2000 of its own colour.
+    pub own: f64,
+}
+
+/// Rounds an encoding of a light (values on the band's grid) to words and judges what they decode
+/// to; the reflectances of the patches have as many numbers.
+///
+/// # Errors
+/// [`EncodingError`] for a light without colour and numbers that no word holds.
+pub fn judged(
+    encoder: &Encoder,
+    judge: &Panel,
+    values: &[f64],
+    encoding: &Encoding,
+) -> Result<Encoded, EncodingError> {
+    let decoder = encoder.decoder();
+    let encoding = rounded(encoding, decoder, judge.observer())?;
+    let words = to_words(&encoding)?;
+    let exact = judge
+        .exact(values)
+        .ok_or(EncodingError::NoColour { band: judge.band() })?;
+    let decoded = decoder.decode(&encoding)?;
+    let patches = judge.patches_as_cosines(words.len());
+    Ok(Encoded {
+        errors: judge.errors(&exact, &decoded, &patches),
+        own: judge.own(&exact, &decoded),
+        encoding,
+        words,
+    })
+}
+
+/// What `encode --json` prints.
+pub fn encode_json(encoded: &Encoded) -> Value {
+    let Encoded {
+        encoding,
+        words,
+        errors,
+        own,
+    } = encoded;
+    let mut all = parts_json(encoding, words);
+    all.insert(
+        "error".to_owned(),
+        json!({
+            "patches_check": errors.patches,
+            "filters": errors.filters,
+            "relative_rms_10nm": errors.blurred,
+            "delta_e_own": own,
+        }),
+    );
+    Value::Object(all)
+}
+
+/// What `decode --json` prints: the same without errors, which need the light.
+pub fn decode_json(encoding: &Encoding, words: &[u32]) -> Value {
+    Value::Object(parts_json(encoding, words))
+}
+
+fn parts_json(encoding: &Encoding, words: &[u32]) -> Map<String, Value> {
+    let title = |index: u8| {
+        known_lamps()
+            .get(usize::from(index))
+            .map(|lamp| lamp.title.as_str())
+    };
+    let atoms = encoding
+        .atoms
+        .iter()
+        .map(|a| json!({"name": title(a.index), "weight": a.weight}));
+    let lines = encoding
+        .lines
+        .iter()
+        .map(|l| json!({"at_nm": l.at_nm, "fwhm_nm": l.width_nm, "weight": l.weight}));
+    let words: Vec<String> = words.iter().map(|word| format!("{word:08x}")).collect();
+    let smooth = &encoding.smooth.coefficients;
+    let none: &[f64] = &[];
+    let (cosine, fourier) = match encoding.smooth.basis {
+        Basis::Cosine => (&smooth[..], None),
+        Basis::Fourier => (none, Some(&smooth[..])),
+    };
+    let mut all = Map::new();
+    all.insert("numbers".to_owned(), json!(encoding.numbers()));
+    all.insert("words".to_owned(), json!(words));
+    all.insert("atoms".to_owned(), atoms.collect());
+    all.insert("cosine".to_owned(), json!(cosine));
+    // There only where one of today's Fourier ways was the best.
+    all.insert("fourier".to_owned(), json!(fourier));
+    all.insert("lines".to_owned(), lines.collect());
+    all
+}
+
+/// What `encode` prints without `--json`: words, makeup and errors for people.
+pub fn encode_words(encoded: &Encoded) -> String {
+    let Encoded {
+        encoding,
+        words,
+        errors,
+        own,
+    } = encoded;
+    let words: Vec<String> = words.iter().map(|word| format!("{word:08x}")).collect();
+    let makeup = Makeup::of(encoding);
+    let mut text = format!("{}\n{}\n", words.join(" "), makeup.in_words());
+    for line in makeup.lines_in_words() {
+        text.push_str(&format!("  line at {line}\n"));
+    }
+    text.push_str(&format!(
+        "{} numbers; patches {:.4}, behind 10 nm filters {:.4}, spectrum {:.3} %, own colour {:.1e}\n",
+        encoding.numbers(),
+        errors.patches,
+        errors.filters,
+        100.0 * errors.blurred,
+        own
+    ));
+    text
+}
+
+/// The encoding in a text: words in hexadecimal digits, or the JSON that `encode` prints.
+///
+/// # Errors
+/// [`EncodingError::Words`] with what is wrong.
+pub fn read_encoding(text: &str, band: Band) -> Result<(Encoding, Vec<u32>), EncodingError> {
+    let text = text.trim();
+    let words = if text.starts_with('{') {
+        let wrong = |found: String| EncodingError::Words {
+            found,
+            expected: "JSON with the list \"words\"",
+        };
+        let json: Value = serde_json::from_str(text).map_err(|e| wrong(e.to_string()))?;
+        let list = json["words"]
+            .as_array()
+            .ok_or_else(|| wrong("JSON without it".to_owned()))?;
+        let mut words = Vec::with_capacity(list.len());
+        for word in list {
+            let word = word
+                .as_str()
+                .ok_or_else(|| wrong(format!("the word {word}")))?;
+            words.extend(words_from_text(word)?);
+        }
+        words
+    } else {
+        words_from_text(text)?
+    };
+    Ok((from_words(&words, band)?, words))
+}
+
+/// What `race --json` gains: rows of the new ways and their peers, and per cent of cells won.
+pub fn race_json(standing: &Standing) -> Value {
+    let mut rows = Vec::new();
+    for class in standing.classes() {
+        for (budget, numbers) in standing.budgets.iter().enumerate() {
+            for entrant in Entrant::ALL {
+                let mut row = Map::new();
+                row.insert("set".to_owned(), json!(class));
+                row.insert("numbers".to_owned(), json!(numbers));
+                row.insert("representation".to_owned(), json!(entrant.word()));
+                row.insert("needs_table".to_owned(), json!(entrant.needs_table()));
+                for error in ErrorKind::ALL {
+                    let spread = standing
+                        .spread(class, budget, entrant, error)
+                        .map(|spread| {
+                            let named = FIGURES.into_iter().zip(figures(spread));
+                            named
+                                .map(|(name, v)| (name.to_owned(), json!(v)))
+                                .collect::<Map<_, _>>()
+                        });
+                    row.insert(error.word().to_owned(), json!(spread));
+                }
+                rows.push(Value::Object(row));
+            }
+        }
+    }
+    let ours = [Entrant::KnownLamps, Entrant::WideLines];
+    let cells: Vec<Value> = ours
+        .into_iter()
+        .flat_map(|entrant| {
+            let peers = Entrant::ALL
+                .into_iter()
+                .filter(move |peer| !ours.contains(peer));
+            peers.map(move |peer| (entrant, standing.wins(entrant, peer)))
+        })
+        .map(|(entrant, wins)| {
+            let behind = wins.behind.iter().map(|cell| {
+                json!({
+                    "set": cell.class, "numbers": cell.numbers, "error": cell.error.word(),
+                    "figure": cell.figure, "ours": cell.values[0], "theirs": cell.values[1],
+                })
+            });
+            json!({
+                "representation": entrant.word(), "against": wins.against.word(), "won": wins.won(),
+                "of": wins.of, "per_cent": wins.per_cent(), "behind": behind.collect::<Vec<_>>(),
+            })
+        })
+        .collect();
+    json!({
+        "count": match standing.count { Count::Words => "words", Count::Strict => "strict" },
+        "left_out": match standing.leave_out {
+            LeaveOut::None => "nothing",
+            LeaveOut::Itself => "the light itself",
+            LeaveOut::Likes => "the light, its namesakes and its likes",
+        },
+        "rows": rows,
+        "cells": cells,
+    })
+}

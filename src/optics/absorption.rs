@@ -1,0 +1,147 @@
+//! Loss along a path through a body.
+
+use std::fmt;
+
+use crate::spectrum::{Outside, Sampled};
+
+/// A transmittance below this counts as this: what lets nothing through has no coefficient.
+const LEAST_TRANSMITTANCE: f64 = 1e-6;
+
+/// How much a body absorbs per unit of length: `exp(-a d)` is left after a path `d`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Absorption {
+    /// Clear.
+    #[default]
+    None,
+    /// The same at every wavelength, per unit of length.
+    Even(f64),
+    /// From a transmittance.
+    Filter(FilterAbsorption),
+}
+
+/// The coefficient of a filter of known thickness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilterAbsorption {
+    coefficients: Sampled,
+    floored: bool,
+}
+
+/// Why there is no absorption.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AbsorptionError {
+    /// A coefficient that is negative or not finite.
+    Coefficient { found: f64 },
+    /// A thickness that is not above 0.
+    Thickness { found: f64 },
+}
+
+impl fmt::Display for AbsorptionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Coefficient { found } => write!(
+                f,
+                "absorption: expected a number from 0 to 1e6 per unit of length, found {found}"
+            ),
+            Self::Thickness { found } => {
+                write!(
+                    f,
+                    "thickness: expected a length above 0, up to 1e6, found {found}"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for AbsorptionError {}
+
+impl Absorption {
+    /// The same coefficient at every wavelength.
+    ///
+    /// # Errors
+    /// For a coefficient that is negative, above 1e6 or not a number.
+    pub fn even(per_unit: f64) -> Result<Self, AbsorptionError> {
+        if !(0.0..=1e6).contains(&per_unit) {
+            return Err(AbsorptionError::Coefficient { found: per_unit });
+        }
+        if per_unit == 0.0 {
+            return Ok(Self::None);
+        }
+        Ok(Self::Even(per_unit))
+    }
+
+    /// `a = -ln(transmittance) / thickness` at the table's wavelengths, straight between, its ends
+    /// held. Transmittances above 1 are 1, those below 1e-6 are 1e-6 ([`Absorption::is_floored`]).
+    ///
+    /// # Errors
+    /// For a thickness that is not above 0.
+    pub fn of_filter(transmittance: &Sampled, thickness: f64) -> Result<Self, AbsorptionError> {
+        if !(thickness > 0.0 && thickness <= 1e6) {
+            return Err(AbsorptionError::Thickness { found: thickness });
+        }
+        let values = transmittance.values();
+        let coefficient = |tau: &f64| -tau.clamp(LEAST_TRANSMITTANCE, 1.0).ln() / thickness;
+        let coefficients: Vec<f64> = values.iter().map(coefficient).collect();
+        if coefficients.iter().any(|a| !a.is_finite()) {
+            return Err(AbsorptionError::Thickness { found: thickness });
+        }
+        let coefficients = transmittance
+            .sharing(coefficients)
+            .map_err(|_| AbsorptionError::Thickness { found: thickness })?;
+        Ok(Self::Filter(FilterAbsorption {
+            coefficients,
+            floored: values.iter().any(|tau| *tau < LEAST_TRANSMITTANCE),
+        }))
+    }
+
+    /// Coefficient at a wavelength, per unit of length.
+    pub fn at(&self, at_nm: f64) -> f64 {
+        match self {
+            Self::None => 0.0,
+            Self::Even(a) => *a,
+            Self::Filter(filter) => filter.coefficients.at(at_nm, Outside::Hold),
+        }
+    }
+
+    /// Whether nothing is absorbed.
+    pub fn is_none(&self) -> bool {
+        matches!(self, Self::None)
+    }
+
+    /// Whether some transmittance was so low that 1e-6 was taken for it.
+    pub fn is_floored(&self) -> bool {
+        matches!(self, Self::Filter(filter) if filter.floored)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_filter_of_its_own_thickness_lets_through_what_it_says() {
+        let glass = Sampled::new(vec![400.0, 500.0, 600.0], vec![0.9, 0.5, 0.0]).unwrap();
+        let loss = Absorption::of_filter(&glass, 2.0).unwrap();
+        for (nm, left) in [(400.0, 0.9), (500.0, 0.5), (600.0, 1e-6), (900.0, 1e-6)] {
+            assert!(
+                ((-2.0 * loss.at(nm)).exp() / left - 1.0).abs() < 1e-12,
+                "{nm}"
+            );
+        }
+        assert!(loss.is_floored());
+    }
+
+    #[test]
+    fn what_is_no_absorption_is_refused_in_words() {
+        let said = |a: f64| Absorption::even(a).unwrap_err().to_string();
+        assert_eq!(
+            said(-1.0),
+            "absorption: expected a number from 0 to 1e6 per unit of length, found -1"
+        );
+        assert!(Absorption::even(f64::NAN).is_err());
+        assert!(Absorption::even(0.0).unwrap().is_none());
+        let glass = Sampled::new(vec![400.0, 500.0], vec![0.9, 0.5]).unwrap();
+        for thickness in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(Absorption::of_filter(&glass, thickness).is_err());
+        }
+    }
+}

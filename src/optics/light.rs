@@ -1,0 +1,257 @@
+//! The light that is sent through things: a smooth part and spikes, as the model has them.
+
+use std::fmt;
+
+use crate::{
+    color::{Observer, Xyz},
+    spectrum::{Band, Composite, Spike},
+};
+
+/// First and last wavelength that is traced, nm: what the eye sees but for a trace.
+pub const SEEN_NM: [f64; 2] = [380.0, 780.0];
+
+/// Places and weights of Gauss-Legendre's rule of three points on [0, 1]: exact to the fifth power.
+pub(super) const GAUSS: [[f64; 2]; 3] = [
+    [0.112_701_665_379_258_31, 5.0 / 18.0],
+    [0.5, 8.0 / 18.0],
+    [0.887_298_334_620_741_7, 5.0 / 18.0],
+];
+
+/// A smooth part on a band's 1 nm grid, straight between, and spikes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// What people call it.
+    pub name: String,
+    band: Band,
+    smooth: Vec<f64>,
+    spikes: Vec<Spike>,
+}
+
+/// Why there is no light.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightError {
+    /// Not one value per grid point.
+    Values { expected: usize, found: usize },
+    /// A value, place or weight that is no finite number.
+    NotFinite,
+    /// Nothing shines between 380 and 780 nm.
+    Dark { name: String },
+}
+
+impl fmt::Display for LightError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Values { expected, found } => {
+                write!(f, "expected {expected} values of a light, found {found}")
+            }
+            Self::NotFinite => write!(f, "expected finite numbers of a light, found others"),
+            Self::Dark { name } => write!(
+                f,
+                "{name}: expected a light with power between 380 and 780 nm, found none"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for LightError {}
+
+impl Light {
+    /// From a smooth part on a band's grid (value) and spikes (weights in value x nm).
+    ///
+    /// # Errors
+    /// [`LightError`] for another count of values, numbers that are not finite, and a light with
+    /// nothing between 380 and 780 nm.
+    pub fn new(
+        name: &str,
+        band: Band,
+        smooth: Vec<f64>,
+        mut spikes: Vec<Spike>,
+    ) -> Result<Self, LightError> {
+        if smooth.len() != band.points() {
+            return Err(LightError::Values {
+                expected: band.points(),
+                found: smooth.len(),
+            });
+        }
+        let finite = smooth.iter().all(|v| v.is_finite())
+            && spikes
+                .iter()
+                .all(|s| s.at_nm.is_finite() && s.weight.is_finite());
+        if !finite {
+            return Err(LightError::NotFinite);
+        }
+        spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+        let light = Self {
+            name: name.to_owned(),
+            band,
+            smooth,
+            spikes,
+        };
+        if light.power_within(SEEN_NM) > 0.0 {
+            Ok(light)
+        } else {
+            Err(LightError::Dark { name: light.name })
+        }
+    }
+
+    /// The model's own light: its series on the grid and its spikes.
+    ///
+    /// # Errors
+    /// As [`Light::new`].
+    pub fn of_composite(name: &str, composite: &Composite) -> Result<Self, LightError> {
+        Self::new(
+            name,
+            composite.band(),
+            composite.smooth.on_band(),
+            composite.spikes.clone(),
+        )
+    }
+
+    /// One wavelength alone.
+    ///
+    /// # Errors
+    /// As [`Light::new`].
+    pub fn of_line(at_nm: f64) -> Result<Self, LightError> {
+        let band = Band::VISIBLE;
+        let spike = Spike { at_nm, weight: 1.0 };
+        Self::new(
+            &format!("{at_nm} nm"),
+            band,
+            vec![0.0; band.points()],
+            vec![spike],
+        )
+    }
+
+    /// The smooth part at a wavelength, straight between whole nm and zero outside the band.
+    pub fn smooth_at(&self, at_nm: f64) -> f64 {
+        self.band.interpolate(&self.smooth, at_nm)
+    }
+
+    /// The band of the smooth part.
+    pub fn band(&self) -> Band {
+        self.band
+    }
+
+    /// The smooth part on the band's grid.
+    pub fn smooth(&self) -> &[f64] {
+        &self.smooth
+    }
+
+    /// All spikes by rising wavelength.
+    pub fn spikes(&self) -> &[Spike] {
+        &self.spikes
+    }
+
+    /// Spikes between 380 and 780 nm, by rising wavelength.
+    pub fn seen_spikes(&self) -> impl Iterator<Item = Spike> + '_ {
+        let [from, to] = SEEN_NM;
+        let seen = move |s: &&Spike| (from..=to).contains(&s.at_nm) && s.weight != 0.0;
+        self.spikes.iter().filter(seen).copied()
+    }
+
+    /// Share of the power (absolute values) outside 380-780 nm, which is not traced.
+    pub fn share_unseen(&self) -> f64 {
+        let all = self.power_within([f64::NEG_INFINITY, f64::INFINITY]);
+        (1.0 - self.power_within(SEEN_NM) / all).max(0.0)
+    }
+
+    /// Absolute power between two wavelengths, value x nm.
+    fn power_within(&self, [from, to]: [f64; 2]) -> f64 {
+        let spikes: f64 = self
+            .spikes
+            .iter()
+            .filter(|s| (from..=to).contains(&s.at_nm))
+            .map(|s| s.weight.abs())
+            .sum();
+        let (from, to) = (from.max(self.band.min_nm()), to.min(self.band.max_nm()));
+        let smooth: f64 = pieces(from, to)
+            .map(|[a, b]| {
+                let ends = self.smooth_at(a).abs() + self.smooth_at(b).abs();
+                0.5 * (b - a) * ends
+            })
+            .sum();
+        spikes + smooth
+    }
+
+    /// Integral of the smooth part times colour-matching functions between two wavelengths, value
+    /// x nm; of its absolute value with `absolute`.
+    pub(super) fn smooth_xyz(
+        &self,
+        [from, to]: [f64; 2],
+        observer: Observer,
+        absolute: bool,
+    ) -> Xyz {
+        let table = observer.table();
+        let (from, to) = (from.max(self.band.min_nm()), to.min(self.band.max_nm()));
+        let mut sum = Xyz::ZERO;
+        for [a, b] in pieces(from, to) {
+            for [place, weight] in GAUSS {
+                let nm = a + place * (b - a);
+                let value = self.smooth_at(nm);
+                let value = if absolute { value.abs() } else { value };
+                sum += Xyz::from_array(table.at(nm)) * (value * weight * (b - a));
+            }
+        }
+        sum
+    }
+
+    /// Integral of the smooth part between two wavelengths, value x nm.
+    pub(super) fn smooth_power(&self, [from, to]: [f64; 2]) -> f64 {
+        let (from, to) = (from.max(self.band.min_nm()), to.min(self.band.max_nm()));
+        let piece = |[a, b]: [f64; 2]| 0.5 * (b - a) * (self.smooth_at(a) + self.smooth_at(b));
+        pieces(from, to).map(piece).sum()
+    }
+
+    /// XYZ of the whole light between 380 and 780 nm, value x nm.
+    pub fn white(&self, observer: Observer) -> Xyz {
+        let table = observer.table();
+        let smooth = self.smooth_xyz(SEEN_NM, observer, false);
+        self.seen_spikes().fold(smooth, |sum, s| {
+            sum + Xyz::from_array(table.at(s.at_nm)) * s.weight
+        })
+    }
+}
+
+/// A range cut at whole nm, where straight lines bend.
+pub(super) fn pieces(from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
+    let first = from.floor();
+    let count = if to > from {
+        (to - first).ceil().max(0.0) as usize
+    } else {
+        0
+    };
+    (0..count).map(move |i| {
+        let left = first + i as f64;
+        [left.max(from), (left + 1.0).min(to)]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_is_cut_at_whole_nm() {
+        let cut: Vec<_> = pieces(400.25, 402.5).collect();
+        assert_eq!(cut, [[400.25, 401.0], [401.0, 402.0], [402.0, 402.5]]);
+        assert_eq!(pieces(5.0, 5.0).count(), 0);
+        assert_eq!(pieces(6.0, 5.0).count(), 0);
+        assert_eq!(pieces(5.0, 7.0).count(), 2);
+    }
+
+    #[test]
+    fn darkness_is_refused_and_what_is_unseen_is_told() {
+        let band = Band::new(700.0, 900.0).unwrap();
+        let flat = Light::new("flat", band, vec![1.0; 201], Vec::new()).unwrap();
+        assert!((flat.share_unseen() - 0.6).abs() < 1e-12);
+        let far = Band::new(800.0, 900.0).unwrap();
+        let said = Light::new("far", far, vec![1.0; 101], Vec::new()).unwrap_err();
+        assert_eq!(
+            said.to_string(),
+            "far: expected a light with power between 380 and 780 nm, found none"
+        );
+        assert!(Light::new("x", far, vec![f64::NAN; 101], Vec::new()).is_err());
+        assert!(Light::new("x", far, vec![1.0; 3], Vec::new()).is_err());
+        assert!(Light::of_line(546.1).is_ok() && Light::of_line(900.0).is_err());
+    }
+}

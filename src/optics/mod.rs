@@ -1,0 +1,68 @@
+//! Light through prisms, drops and gems: every spike one exact ray.
+//!
+//! ```text
+//! index       dispersion formulas, materials    prism, bench, strip   a slit, a prism, a screen
+//! rainbow     a ray in a drop, the bows         sky                   the strip of sky
+//! solid, cut  convex bodies, the brilliant      scene, studio         dome, lamps, camera
+//! chain       the whole tree of rays as a chain film, tile, plan      planes of transport
+//! picture     a film under a light, its noise   develop, png, exr     what goes out
+//! ```
+//!
+//! The smooth part and the spikes of a light are told apart before anything is traced: a spike is
+//! one wavelength, refracted exactly, and never smeared. Units: wavelengths are nm in air, angles
+//! in public are degrees, lengths mm on the bench and radii of the girdle at the gem. Clear
+//! bodies, unpolarised light at each face of a gem, no double refraction, geometric optics.
+
+mod absorption;
+mod bench;
+mod chain;
+mod cut;
+mod develop;
+mod exr;
+mod film;
+mod fresnel;
+mod index;
+mod lanes;
+mod light;
+mod lines;
+mod materials;
+mod monotone;
+mod picture;
+mod plan;
+mod png;
+mod points;
+mod prism;
+mod rainbow;
+mod real;
+mod report;
+mod scene;
+mod screen;
+mod sky;
+mod solid;
+mod strip;
+mod studio;
+mod tile;
+
+pub use absorption::{Absorption, AbsorptionError, FilterAbsorption};
+pub use bench::{Bench, BenchError, BenchSettings, Landing, RayPath, Resolving};
+pub use chain::{Ending, Traced};
+pub use cut::{Brilliant, CutError};
+pub use develop::{Shown, into_gamut};
+pub use exr::{ExrError, lines_of_exr, spectral_exr};
+pub use film::{
+    Film, FilmError, FilmSettings, MOST_BYTES, MOST_LINES, Plane, RAYS, SIZES, film_bytes,
+};
+pub use fresnel::reflectances;
+pub use index::{AbbeFigures, IndexError, Material, Term, n_air};
+pub use light::{Light, LightError, SEEN_NM};
+pub use materials::Stuff;
+pub use picture::{Noise, Picture};
+pub use png::png;
+pub use prism::{Incidence, Limits, Passage, Prism, PrismError, limits, minimum_deviation};
+pub use rainbow::{Bow, Bows, DropRay, bow, from_antisolar};
+pub use report::{GemReport, gem_json, prism_csv, prism_json, rainbow_json};
+pub use scene::{Camera, Lamp, Scene, SceneError, View};
+pub use sky::{SKY_DEG, SUN_DEG, Sky, SkyStrip};
+pub use solid::{HalfSpace, Solid, SolidError, Vec3};
+pub use strip::{LineImage, MOST_COLUMNS, Screen, Strip};
+pub use studio::{Seen, Studio, StudioError};

@@ -1,0 +1,328 @@
+//! What is around a gem: a dome, lamps, and a pinhole camera.
+
+use std::fmt;
+
+use super::solid::{Solid, Vec3, cross, dot, minus, plus, unit};
+
+/// A rectangle that shines on one side, black behind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lamp {
+    /// Its middle.
+    pub centre: Vec3,
+    /// Half of one edge.
+    pub half_edge_u: Vec3,
+    /// Half of the other edge; it shines on the side of `u x v`.
+    pub half_edge_v: Vec3,
+    /// Radiance.
+    pub radiance: f64,
+}
+
+/// A pinhole camera with a square picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Where it is.
+    pub from: Vec3,
+    /// What it looks at.
+    pub towards: Vec3,
+    /// Full angle of the picture, degrees.
+    pub angle_deg: f64,
+}
+
+/// Dome, lamps and camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Radiance from everywhere.
+    pub dome: f64,
+    /// Rectangles before the dome.
+    pub lamps: Vec<Lamp>,
+    /// The camera.
+    pub view: View,
+}
+
+/// A camera's axes, ready to make rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    pub(super) origin: Vec3,
+    forward: Vec3,
+    right: Vec3,
+    upward: Vec3,
+}
+
+/// Why a scene cannot be looked at.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SceneError {
+    /// A place or direction that is not finite, or the same twice.
+    View { what: &'static str },
+    /// An angle that is none.
+    Angle { found: f64 },
+    /// The camera is inside the gem or on it.
+    Inside,
+    /// A lamp's back hides the gem.
+    BehindLamp { number: usize },
+    /// A lamp that is no rectangle or shines with what is no radiance.
+    Lamp { number: usize },
+    /// A lamp reaches into the gem.
+    LampInGem { number: usize },
+    /// A dome that shines with what is no radiance.
+    Dome { found: f64 },
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::View { what } => {
+                write!(
+                    f,
+                    "view: expected a camera and another place it looks at, found {what}"
+                )
+            }
+            Self::Angle { found } => write!(
+                f,
+                "angle: expected an angle above 0 and below 180 degrees, found {found}"
+            ),
+            Self::Inside => write!(
+                f,
+                "view: expected a camera outside the gem, found it inside"
+            ),
+            Self::BehindLamp { number } => write!(
+                f,
+                "view: expected a free view of the gem, found the camera behind lamp {number}"
+            ),
+            Self::Lamp { number } => write!(
+                f,
+                "lamp {number}: expected a rectangle and a radiance from 0, found none"
+            ),
+            Self::LampInGem { number } => {
+                write!(
+                    f,
+                    "lamp {number}: expected it outside the gem, found it inside"
+                )
+            }
+            Self::Dome { found } => {
+                write!(f, "dome: expected a radiance from 0 to 1e6, found {found}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+impl View {
+    /// View A of the definition: down on the crown from the front.
+    pub const A: Self = Self {
+        from: [0.0, -4.6, 7.2],
+        towards: [0.0, 0.0, -0.2],
+        angle_deg: 16.0,
+    };
+}
+
+impl Default for Scene {
+    /// Four soft boxes and two small lamps that make the fire, before a dim dome; view A.
+    fn default() -> Self {
+        let lamp = |centre, half_edge_u, half_edge_v, radiance| Lamp {
+            centre,
+            half_edge_u,
+            half_edge_v,
+            radiance,
+        };
+        Self {
+            dome: 0.1,
+            lamps: vec![
+                lamp([-3.0, 1.0, 8.0], [0.0, 2.5, 0.0], [2.5, 0.0, 0.0], 1.0),
+                lamp([7.0, -1.0, 3.0], [0.0, 0.0, 2.0], [0.0, 2.5, 0.0], 1.0),
+                lamp([2.0, 7.0, 3.5], [3.0, 0.0, 0.0], [0.0, 0.0, 1.5], 1.0),
+                lamp([-7.0, 2.0, 2.5], [0.0, 2.0, 0.0], [0.0, 0.0, 1.5], 1.0),
+                lamp([3.0, -2.5, 8.0], [0.0, 0.3, 0.0], [0.3, 0.0, 0.0], 12.0),
+                lamp([-6.0, -4.5, 5.0], [0.0, 0.0, 0.5], [0.3, -0.4, 0.0], 12.0),
+            ],
+            view: View::A,
+        }
+    }
+}
+
+impl Lamp {
+    /// Its normal on the bright side; `None` when it is no rectangle.
+    pub(super) fn normal(&self) -> Option<Vec3> {
+        unit(cross(self.half_edge_u, self.half_edge_v))
+    }
+
+    pub(super) fn corners(&self) -> [Vec3; 4] {
+        [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]]
+            .map(|[a, b]| plus(plus(self.centre, self.half_edge_u, a), self.half_edge_v, b))
+    }
+
+    /// How far along a ray it is met, in lengths of the direction.
+    fn met(&self, origin: Vec3, direction: Vec3) -> Option<f64> {
+        let normal = self.normal()?;
+        let way = dot(normal, minus(self.centre, origin)) / dot(normal, direction);
+        let place = minus(plus(origin, direction, way), self.centre);
+        let within = |edge: Vec3| dot(place, edge).abs() <= dot(edge, edge);
+        (way > 0.0 && within(self.half_edge_u) && within(self.half_edge_v)).then_some(way)
+    }
+}
+
+impl Scene {
+    /// The camera, once all is seen to be in order around a gem.
+    ///
+    /// # Errors
+    /// [`SceneError`] for a view, lamps or dome that are none, a camera in the gem or behind a
+    /// lamp, a lamp in the gem.
+    pub fn camera(&self, gem: &Solid) -> Result<Camera, SceneError> {
+        if !(0.0..=1e6).contains(&self.dome) {
+            return Err(SceneError::Dome { found: self.dome });
+        }
+        let camera = self.view.camera()?;
+        if gem.contains(self.view.from) {
+            return Err(SceneError::Inside);
+        }
+        for (index, lamp) in self.lamps.iter().enumerate() {
+            let number = index + 1;
+            let finite = |v: Vec3| v.iter().all(|v| v.abs() <= 1e6);
+            let is_rectangle = finite(lamp.centre)
+                && finite(lamp.half_edge_u)
+                && finite(lamp.half_edge_v)
+                && lamp.normal().is_some()
+                && dot(lamp.half_edge_u, lamp.half_edge_v).abs()
+                    < 1e-6
+                        * (dot(lamp.half_edge_u, lamp.half_edge_u)
+                            + dot(lamp.half_edge_v, lamp.half_edge_v));
+            if !is_rectangle || !(0.0..=1e6).contains(&lamp.radiance) {
+                return Err(SceneError::Lamp { number });
+            }
+            let meets = lamp
+                .corners()
+                .iter()
+                .chain([&lamp.centre])
+                .any(|corner| gem.contains(*corner));
+            if meets {
+                return Err(SceneError::LampInGem { number });
+            }
+            let to_gem = minus(self.view.towards, self.view.from);
+            let behind = lamp.normal().is_some_and(|n| dot(n, to_gem) > 0.0);
+            if behind
+                && lamp
+                    .met(self.view.from, to_gem)
+                    .is_some_and(|way| way < 1.0)
+            {
+                return Err(SceneError::BehindLamp { number });
+            }
+        }
+        Ok(camera)
+    }
+}
+
+impl View {
+    fn camera(&self) -> Result<Camera, SceneError> {
+        let finite = |v: Vec3| v.iter().all(|v| v.abs() <= 1e6);
+        if !finite(self.from) || !finite(self.towards) {
+            return Err(SceneError::View {
+                what: "numbers that are not finite or above 1e6",
+            });
+        }
+        if !(self.angle_deg > 0.0 && self.angle_deg < 180.0) {
+            return Err(SceneError::Angle {
+                found: self.angle_deg,
+            });
+        }
+        let forward = unit(minus(self.towards, self.from));
+        let forward = forward.ok_or(SceneError::View {
+            what: "both at one place",
+        })?;
+        // Straight from above or below any side may be up: y.
+        let is_steep = forward[2].abs() > 1.0 - 1e-9;
+        let up = if is_steep {
+            [0.0, 1.0, 0.0]
+        } else {
+            [0.0, 0.0, 1.0]
+        };
+        let right = unit(cross(forward, up)).ok_or(SceneError::View {
+            what: "no direction",
+        })?;
+        let tangent = (0.5 * self.angle_deg).to_radians().tan();
+        Ok(Camera {
+            origin: self.from,
+            forward,
+            right: right.map(|v| v * tangent),
+            upward: cross(right, forward).map(|v| v * tangent),
+        })
+    }
+}
+
+impl Camera {
+    /// Direction, of length 1, through a film point from -1 to 1 to the right and upward.
+    pub fn direction(&self, [x, y]: [f64; 2]) -> Vec3 {
+        let d = plus(plus(self.forward, self.right, x), self.upward, y);
+        let over = 1.0 / dot(d, d).sqrt();
+        d.map(|v| v * over)
+    }
+
+    /// Film point of a place; `None` behind the camera.
+    pub fn film_point(&self, place: Vec3) -> Option<[f64; 2]> {
+        let off = minus(place, self.origin);
+        let depth = dot(off, self.forward);
+        let along = |axis: Vec3| dot(off, axis) / (depth * dot(axis, axis));
+        (depth > 1e-9).then(|| [along(self.right), along(self.upward)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cube() -> Solid {
+        Solid::cube(0.5).unwrap()
+    }
+
+    #[test]
+    fn a_film_point_and_its_ray_lead_to_one_another() {
+        let camera = Scene::default().camera(&cube()).unwrap();
+        for point in [[0.0, 0.0], [-0.7, 0.3], [1.0, -1.0]] {
+            let place = plus(camera.origin, camera.direction(point), 5.0);
+            let back = camera.film_point(place).unwrap();
+            assert!((0..2).all(|k| (back[k] - point[k]).abs() < 1e-12));
+        }
+        let [x, y] = camera.film_point([0.0, 0.0, 1.0]).unwrap();
+        assert!(x.abs() < 1e-12 && y > 0.0, "up is up");
+        assert!(
+            camera.film_point([1.0, 0.0, 0.0]).unwrap()[0] > 0.0,
+            "right is right"
+        );
+    }
+
+    #[test]
+    fn scenes_that_are_none_are_refused_in_words() {
+        let refused = |change: &dyn Fn(&mut Scene)| {
+            let mut scene = Scene::default();
+            change(&mut scene);
+            scene.camera(&cube()).unwrap_err().to_string()
+        };
+        assert_eq!(
+            refused(&|s| s.view.from = [0.1, 0.0, 0.0]),
+            "view: expected a camera outside the gem, found it inside"
+        );
+        assert_eq!(
+            refused(&|s| {
+                s.lamps[1].centre = [0.0, -2.3, 3.5];
+                s.lamps[1].half_edge_u = [1.0, 0.0, 0.0];
+                s.lamps[1].half_edge_v = [0.0, -1.0, 0.0];
+            }),
+            "view: expected a free view of the gem, found the camera behind lamp 2"
+        );
+        assert!(refused(&|s| s.view.angle_deg = 180.0).starts_with("angle"));
+        assert!(refused(&|s| s.view.from = s.view.towards).contains("view: expected a camera"));
+        assert!(refused(&|s| s.view.from[0] = f64::NAN).contains("not finite"));
+        assert!(refused(&|s| s.lamps[0].half_edge_u = [0.0; 3]).starts_with("lamp 1"));
+        assert!(refused(&|s| s.lamps[0].centre = [0.0; 3]).contains("inside"));
+        assert!(refused(&|s| s.dome = -1.0).starts_with("dome"));
+    }
+
+    #[test]
+    fn straight_from_above_there_is_a_picture_too() {
+        let mut scene = Scene::default();
+        scene.view.from = [0.0, 0.0, 9.0];
+        scene.lamps.clear();
+        scene.view.towards = [0.0; 3];
+        let camera = scene.camera(&cube()).unwrap();
+        assert!(camera.direction([0.3, 0.2]).iter().all(|v| v.is_finite()));
+    }
+}

@@ -1,0 +1,275 @@
+//! Prism, rainbow and gem on the command line: what they print, write and refuse.
+
+use std::{ffi::OsString, fs, path::Path};
+
+use serde_json::Value;
+use spectral_explorer::{
+    cli::{self, Outcome},
+    optics::lines_of_exr,
+};
+
+/// What the command line makes of some words: exit code, output, errors.
+fn tell(args: &[&str]) -> (u8, String, String) {
+    let words = std::iter::once(&cli::PROGRAM).chain(args);
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
+    let Outcome::Done(code) = outcome else {
+        panic!("{args:?}: opened a window");
+    };
+    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+    (code, text(out), text(err))
+}
+
+fn json(args: &[&str]) -> Value {
+    let (code, out, err) = tell(args);
+    assert_eq!(code, 0, "{args:?}: {err}");
+    serde_json::from_str(&out).expect("JSON")
+}
+
+/// One line on `err`, nothing on `out`, and the exit code.
+fn refusal(args: &[&str]) -> (String, u8) {
+    let (code, out, err) = tell(args);
+    assert_ne!(code, 0, "{args:?}: {out}");
+    assert_eq!(
+        (out.as_str(), err.lines().count()),
+        ("", 1),
+        "{args:?}: {err}"
+    );
+    (err, code)
+}
+
+fn numbers(json: &Value, list: &str, key: &str) -> Vec<f64> {
+    let rows = json[list].as_array().expect("a list").iter();
+    rows.filter_map(|row| row[key].as_f64()).collect()
+}
+
+/// A small picture that takes a moment.
+const SMALL: [&str; 4] = ["--size", "32", "--rays", "8"];
+
+fn gem(more: &[&str]) -> Vec<String> {
+    let words = [&["gem"], more, &SMALL].concat();
+    words.into_iter().map(str::to_owned).collect()
+}
+
+fn told_of_gem(more: &[&str]) -> (u8, String, String) {
+    let words = gem(more);
+    tell(&words.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+fn word(path: &Path) -> &str {
+    path.to_str().expect("UTF-8")
+}
+
+#[test]
+fn the_spikes_that_land_are_those_of_the_model() {
+    let model = json(&["report", "FL2", "--json"]);
+    let spikes = model["model"]["spikes"].as_array().expect("spikes");
+    let places: Vec<f64> = spikes.iter().filter_map(|s| s["at_nm"].as_f64()).collect();
+    assert!(places.len() > 2);
+    let prism = json(&["prism", "FL2", "--json"]);
+    assert_eq!(numbers(&prism, "at", "nm"), places);
+    assert_eq!(
+        numbers(&json(&["rainbow", "FL2", "--json"]), "at", "nm"),
+        places
+    );
+    let none = json(&["prism", "FL2", "--no-spikes", "--at", "500", "--json"]);
+    assert_eq!(numbers(&none, "at", "nm"), [500.0]);
+}
+
+#[test]
+fn a_longer_wavelength_is_bent_less_and_words_and_csv_tell_the_same() {
+    let args = ["prism", "CIE D65", "--at", "450,550", "--at", "650"];
+    let prism = json(&[&args[..], &["--json"]].concat());
+    let turned = numbers(&prism, "at", "deviation");
+    assert_eq!(turned.len(), 3);
+    assert!(turned[0] > turned[1] && turned[1] > turned[2], "{turned:?}");
+    let (_, csv, _) = tell(&[&args[..], &["--csv"]].concat());
+    let (_, words, _) = tell(&args);
+    for deviation in turned {
+        assert!(csv.contains(&format!("{deviation:.8}")), "{csv}");
+        assert!(words.contains(&format!("{deviation:.5}")), "{words}");
+    }
+}
+
+#[test]
+fn a_bow_needs_no_light_and_stands_where_it_is_known_to() {
+    let bows = json(&["rainbow", "--at", "589.294", "--json"]);
+    // Water at 589 nm: the bows of every textbook.
+    assert!((numbers(&bows, "at", "primary")[0] - 42.4).abs() < 0.3);
+    assert!((numbers(&bows, "at", "secondary")[0] - 50.5).abs() < 0.5);
+    let (err, code) = refusal(&["rainbow"]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("found no INPUT and no --at, expected one of them"),
+        "{err}"
+    );
+}
+
+#[test]
+fn a_material_is_a_word_two_numbers_or_a_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("glass.yml");
+    let rows: String = (0..9)
+        .map(|i| {
+            format!(
+                "        {} {}\n",
+                0.3 + 0.1 * f64::from(i),
+                1.6 - 0.005 * f64::from(i)
+            )
+        })
+        .collect();
+    let text = format!("REFERENCES: a table\nDATA:\n  - type: tabulated n\n    data: |\n{rows}");
+    fs::write(&file, text).expect("a file");
+    let index = |material: &str| {
+        let args = [
+            "prism",
+            "CIE D65",
+            "--at",
+            "500",
+            "--material",
+            material,
+            "--json",
+        ];
+        numbers(&json(&args), "at", "n")[0]
+    };
+    assert!((index("n-bk7") - 1.5214).abs() < 1e-4);
+    assert!((index(word(&file)) - 1.59).abs() < 1e-9);
+    let by_hand = index("1.5168,64.17");
+    assert!((by_hand - 1.5214).abs() < 2e-3, "{by_hand}");
+    let (err, code) = refusal(&["prism", "FL2", "--material", "cheese"]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("--material: found \"cheese\", expected diamond, zirconia"),
+        "{err}"
+    );
+}
+
+#[test]
+fn a_bench_that_is_none_is_refused_in_its_own_words() {
+    for (args, part) in [
+        (["--apex", "180"], "apex"),
+        (["--incidence", "90"], "incidence"),
+        (["--screen", "0"], "screen"),
+        (["--slit", "-1"], "slit"),
+        (["--apex", "100"], "apex"),
+        (["--slit", "NaN"], "--slit: found"),
+        (["--thickness", "2"], "--filter"),
+    ] {
+        let (err, code) = refusal(&[&["prism", "FL2"][..], &args].concat());
+        assert_eq!(code, 2, "{args:?}");
+        assert!(err.contains(part), "{args:?}: {err}");
+    }
+    let (err, code) = refusal(&["prism", "colorchecker_ohta/red"]);
+    assert_eq!(code, 1);
+    assert!(err.contains("expected a light"), "{err}");
+}
+
+#[test]
+fn a_filter_in_the_glass_takes_light_away() {
+    let glass = "isuzu IVG550 (Green filter) 2 mm";
+    let clear = ["prism", "CIE D65", "--at", "650", "--json"];
+    let through = |args: &[&str]| numbers(&json(args), "at", "transmittance")[0];
+    let green = [&clear[..], &["--filter", glass, "--thickness", "2"]].concat();
+    assert!(through(&green) < 0.5 * through(&clear));
+    let wrong = ["prism", "FL2", "--filter", "CIE A", "--thickness", "2"];
+    let (err, code) = refusal(&wrong);
+    assert_eq!(code, 1);
+    assert!(err.contains("expected a transmittance"), "{err}");
+}
+
+#[test]
+fn a_gem_says_its_noise_and_is_the_same_for_the_same_seed() {
+    let (code, words, err) = told_of_gem(&["--light", "FL11"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(words.contains("noise: relative MSE"), "{words}");
+    assert!(err.contains("a film of "), "{err}");
+    let told = |seed: &str| {
+        let words = gem(&["--light", "FL11", "--json", "--seed", seed]);
+        let json = json(&words.iter().map(String::as_str).collect::<Vec<_>>());
+        assert!(json["noise"]["relative_mse"].as_f64().expect("noise") > 0.0);
+        json["blocks"].clone()
+    };
+    assert_eq!(told("7"), told("7"));
+    assert_ne!(told("7"), told("8"));
+}
+
+#[test]
+fn a_picture_is_written_and_replaces_only_a_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let png = folder.path().join("gem.png");
+    for _ in 0..2 {
+        let (code, out, err) = told_of_gem(&["--out", word(&png)]);
+        assert_eq!(code, 0, "{err}");
+        assert!(out.contains("32 x 32 px."), "{out}");
+    }
+    assert!(
+        fs::read(&png)
+            .expect("a picture")
+            .starts_with(b"\x89PNG\r\n\x1a\n")
+    );
+    fs::write(&png, "380,1\n").expect("a file");
+    let words = gem(&["--out", word(&png)]);
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    assert!(refusal(&words).0.contains("is no picture"));
+    assert_eq!(tell(&[&words[..], &["--force"]].concat()).0, 0);
+}
+
+#[test]
+fn an_exr_holds_the_spikes_and_is_not_replaced_unasked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let exr = folder.path().join("gem.exr");
+    let more = ["--light", "FL2", "--out", word(&exr), "--json"];
+    let (code, out, err) = told_of_gem(&more);
+    assert_eq!(code, 0, "{err}");
+    assert!(err.contains("Wrote "), "{err}");
+    let told: Value = serde_json::from_str(&out).expect("JSON alone");
+    let lines = lines_of_exr(&fs::read(&exr).expect("an image")).expect("OpenEXR");
+    let places = numbers(&told, "lines", "nm");
+    assert_eq!(lines.len(), places.len());
+    for ((nm, energy), place) in lines.iter().zip(places) {
+        // Names of channels have six decimals.
+        assert!((nm - place).abs() < 1e-6);
+        assert_eq!(energy.len(), 32 * 32);
+    }
+    let (code, out, err) = told_of_gem(&more);
+    assert_eq!((code, out.as_str()), (1, ""));
+    assert!(err.contains("--force"), "{err}");
+}
+
+#[test]
+fn what_is_no_gem_is_refused_in_one_line() {
+    for (args, part) in [
+        (&["--table", "1.5"][..], "table"),
+        (&["--crown", "89"], "crown"),
+        (&["--rays", "0"], "--rays: found"),
+        (&["--size", "8"], "--size: found"),
+        (&["--blocks", "64"], "--blocks: found 64"),
+        (&["--from", "0,0,0"], "outside the gem"),
+        (&["--from", "1,2"], "three numbers"),
+        (&["--view", "B"], "--view: found"),
+        (&["--absorption", "-1"], "--absorption: "),
+        (&["--wavelength", "900"], "380 and 780 nm"),
+        (&["--out", "gem.jpg"], ".png or .exr"),
+        (
+            &["--light", "FL2", "--wavelength", "500"],
+            "expected one of them",
+        ),
+        (&["--view", "A", "--angle", "9"], "expected one of them"),
+    ] {
+        let words = gem(args);
+        let mut words: Vec<&str> = words.iter().map(String::as_str).collect();
+        if args[0] == "--rays" || args[0] == "--size" {
+            words.truncate(3);
+        }
+        let (err, code) = refusal(&words);
+        assert_eq!(code, 2, "{args:?}: {err}");
+        assert!(err.contains(part), "{args:?}: {err}");
+    }
+}
+
+#[test]
+fn what_changes_nothing_is_said() {
+    let (_, _, err) = told_of_gem(&["--wavelength", "589.3", "--order", "3", "--stops", "1"]);
+    assert!(err.contains("--stops is not used"), "{err}");
+    assert!(err.contains("the model's options are not used"), "{err}");
+}
