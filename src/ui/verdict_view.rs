@@ -224,19 +224,23 @@ fn headline(ui: &mut Ui, app: &App, theme: Theme) {
         .color(ui.visuals().strong_text_color());
     ui.add(Label::new(words).wrap());
     scale(ui, seen, theme);
-    ui.horizontal(|ui| {
-        let at = worst.patch.map_or_else(
-            || "of the light itself".to_owned(),
-            |patch| format!("at worst ({patch})"),
-        );
-        let words = format!("ΔE₀₀ {} {at}", figure(worst.delta_e_2000));
-        ui.add(Label::new(RichText::new(words).small()).truncate())
-            .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if let Some(own) = app.derived().colour.delta_e_2000 {
-                let words = format!("the light itself {}", figure(own));
-                ui.label(RichText::new(words).small().color(theme.faint));
-            }
+    let at = match &worst.patch {
+        None => "of its own colour".to_owned(),
+        Some(patch) => format!("at worst ({patch})"),
+    };
+    // Where there are no patches it is said already.
+    let own = app.derived().colour.delta_e_2000;
+    let own = own.filter(|_| worst.patch.is_some());
+    let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
+        if let Some(own) = own {
+            let words = format!("the light itself {}", figure(own));
+            ui.label(RichText::new(words).small().color(theme.faint));
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let words = format!("ΔE₀₀ {} {at}", figure(worst.delta_e_2000));
+            ui.add(Label::new(RichText::new(words).small()).truncate())
+                .on_hover_text("CIEDE2000, the CIE's measure of how different two colours look.");
         });
     });
 }
@@ -300,8 +304,12 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
         });
     };
     let figure = |measure: Measure| Some((measure.figure(), derived.figures[measure]?));
+    let place = match app.document().is_about_light() {
+        true => "Is the light in the right place?",
+        false => "Is all of it in the right place?",
+    };
     for (question, measure) in [
-        ("Is the light in the right place?", Measure::Displacement),
+        (place, Measure::Displacement),
         ("What does a 10 nm slit see?", Measure::RmsBlurred),
     ] {
         if let Some((figure, value)) = figure(measure) {
