@@ -10,6 +10,7 @@ mod full;
 mod root;
 
 mod cli;
+mod cli_design;
 mod cli_files;
 mod cli_lamps;
 mod cli_optics;

@@ -11,6 +11,8 @@ mod lights;
 mod root;
 
 mod colour;
+mod design_recover;
+mod design_solve;
 mod detector;
 mod documents;
 mod fine_data;
