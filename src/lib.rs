@@ -6,6 +6,7 @@
 //! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches
 //! rivals     the other representations          samples bins legendre principal moments wavelet
 //! study      accuracy against numbers           error sweep auction race truth products
+//! design     making lights and spectra          recover mixture solve scales
 //! lamps      lights in few words                encoder decoder known lamps, wide lines, their race
 //! optics     light through things               index prism rainbow gem film
 //! io         files <-> spectra, one format a file
@@ -14,8 +15,8 @@
 //! cli        the same engine without a window   one command a file
 //! ```
 //!
-//! Imports point one way: `main -> {ui, cli} -> app -> {lamps, optics} -> study -> {rivals,
-//! color} -> {spectrum, preset}`, and `io -> spectrum`. docs/map.md tells of every folder. The feature
+//! Imports point one way: `main -> {ui, cli} -> app -> {design, lamps, optics} -> study ->
+//! {rivals, color} -> {spectrum, preset}`, and `io -> spectrum`. docs/map.md tells of every folder. The feature
 //! `window`, on by default, builds `ui`.
 //!
 //! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its
@@ -27,6 +28,7 @@
 pub mod app;
 pub mod cli;
 pub mod color;
+pub mod design;
 pub mod io;
 pub mod lamps;
 pub mod optics;

@@ -1,5 +1,6 @@
 //! What may stand on the command line. The comments here are what `--help` prints.
 
+mod design;
 mod encoding;
 mod optics;
 
@@ -17,6 +18,7 @@ use crate::{
     study::Goal,
 };
 
+pub use design::{Mix, Recover};
 pub use encoding::{Decode, Encode};
 pub use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
 
@@ -58,6 +60,10 @@ pub enum Command {
     Race(Race),
     /// Print a light through filters and off surfaces, exact beside the model.
     Product(Product),
+    /// Print the spectrum of a surface or a light from its colour.
+    Recover(Recover),
+    /// Print how channels mix to a light of a colour.
+    Mix(Mix),
     /// Print a light in few words: known lamps, a short series and lines of their own width.
     Encode(Encode),
     /// Write the spectrum that such words stand for.

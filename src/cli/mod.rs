@@ -19,6 +19,7 @@ mod gem;
 mod inputs;
 mod list;
 mod material;
+mod mix;
 mod no_display;
 mod options;
 mod plot;
@@ -27,6 +28,8 @@ mod product;
 mod race;
 mod rainbow;
 mod read;
+mod recover;
+mod recover_image;
 mod refusal;
 mod render;
 mod report;
@@ -138,6 +141,8 @@ fn carry_out(
             Command::Auction(options) => auction::run(&options, out, inputs)?,
             Command::Race(options) => race::run(&options, out, inputs)?,
             Command::Product(options) => product::run(&options, out, inputs)?,
+            Command::Recover(options) => recover::run(&options, out, inputs)?,
+            Command::Mix(options) => mix::run(&options, out, inputs)?,
             Command::Encode(options) => encode::run(&options, out, inputs)?,
             Command::Decode(options) => decode::run(&options, out, inputs)?,
             Command::Prism(options) => prism::run(&options, out, inputs)?,

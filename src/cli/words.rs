@@ -16,7 +16,11 @@ use crate::{
         pages::{Page, SPENDABLE},
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
-    color::Observer,
+    color::{Observer, Srgb},
+    design::{
+        recover::Method,
+        solve::{Against, Favour},
+    },
     io::error::quoted,
     optics::{self, View},
     spectrum::{
@@ -158,6 +162,35 @@ pub fn seed(word: &str) -> Result<u64, String> {
 pub fn whole_number(word: &str) -> Result<usize, String> {
     let number = word.trim().parse().ok();
     number.ok_or_else(|| refused(word, "a whole number"))
+}
+
+/// `--colour`.
+pub fn colour(word: &str) -> Result<Srgb, String> {
+    word.parse().map_err(|_| refused(word, "#rrggbb"))
+}
+
+/// `--method`.
+pub fn method(word: &str) -> Result<Method, String> {
+    one_of(word, &Method::ALL, Method::word)
+}
+
+/// `--favour`.
+pub fn favour(word: &str) -> Result<Favour, String> {
+    one_of(word, &Favour::ALL, Favour::word)
+}
+
+/// `--front`.
+pub fn against(word: &str) -> Result<Against, String> {
+    word.parse().map_err(|_| refused(word, "rf,ler or ra,ler"))
+}
+
+/// `--lines` of a front.
+pub fn free_lines(word: &str) -> Result<usize, String> {
+    match word.trim() {
+        "3" => Ok(3),
+        "4" => Ok(4),
+        _ => Err(refused(word, "3 or 4")),
+    }
 }
 
 /// `--blocks`.
@@ -333,6 +366,11 @@ pub fn png_path() -> impl TypedValueParser<Value = PathBuf> {
 /// `--out` of a traced picture.
 pub fn traced_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["png", "exr"]))
+}
+
+/// `--out` of a spectral picture.
+pub fn exr_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["exr"]))
 }
 
 /// `--out` of a plot.

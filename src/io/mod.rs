@@ -73,6 +73,7 @@ pub mod spd;
 pub mod spdx;
 pub mod spdx_write;
 pub mod spectral_exr;
+pub mod spectral_exr_write;
 pub mod spectral_image;
 pub mod spectrum_json;
 pub mod spotread;

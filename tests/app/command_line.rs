@@ -12,6 +12,7 @@ use serde_json::Value;
 use spectral_explorer::{
     app::pages::Page,
     cli::{self, Outcome},
+    optics::png,
 };
 
 const DOCUMENT: &str = "docs/command_line.md";
@@ -304,6 +305,38 @@ fn the_keys_of_a_product_are_told() {
         "product --check --json",
         &[&["product", "FL2", red, "--check", "CIE A", "--json"]],
     );
+}
+
+#[test]
+fn the_keys_of_recovered_spectra_are_told() {
+    let one = ["recover", "--colour", "#c08040", "--json"];
+    let second = ["--second-colour", "#c08040", "--second-light", "CIE A"];
+    let two = [&one[..], &second].concat();
+    // No surface is so.
+    let none = ["recover", "--xyz", "10,90,5", "--json"];
+    let lines = [
+        "recover", "--colour", "#ffeedd", "--method", "lines", "--json",
+    ];
+    holds("recover --json", &[&one, &two, &none, &lines]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let pixels = [[200, 128, 64]; 4];
+    let png = png(2, &pixels).expect("a picture");
+    let png = put(folder.path(), "photo.png", png);
+    let out = folder.path().join("photo.exr");
+    let out = out.to_str().expect("UTF-8");
+    let image = ["recover", "--image", &png, "--out", out, "--json"];
+    holds("recover --image --json", &[&image]);
+}
+
+#[test]
+fn the_keys_of_a_mixture_are_told() {
+    let target = ["--target", "4000K", "--json"];
+    let channels = ["line:450", "gauss:540,30", "gauss:620,20"];
+    let channels = channels.iter().flat_map(|spec| ["--channel", spec]);
+    let args: Vec<&str> = ["mix"].into_iter().chain(channels).chain(target).collect();
+    holds("mix --json", &[&args]);
+    let front = ["mix", "--front", "ra,ler", "--lines", "3", "--json"];
+    holds("mix --front --json", &[&front]);
 }
 
 #[test]

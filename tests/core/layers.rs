@@ -9,31 +9,34 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 11] = [
+const ROOMS: [(&str, &[&str]); 12] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
     ("rivals", &["spectrum"]),
     ("study", &["rivals", "color", "spectrum"]),
+    ("design", &["study", "color", "preset", "spectrum"]),
     ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
     ("optics", &["study", "color", "spectrum"]),
     ("io", &["spectrum"]),
     (
         "app",
         &[
-            "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
+            "design", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
         ],
     ),
     (
         "cli",
         &[
-            "app", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
+            "app", "design", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum",
+            "io",
         ],
     ),
     (
         "ui",
         &[
-            "app", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
+            "app", "design", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum",
+            "io",
         ],
     ),
 ];

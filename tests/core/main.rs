@@ -13,6 +13,8 @@ mod plain;
 mod root;
 
 mod colour;
+mod design_recover;
+mod design_solve;
 mod detector;
 mod documents;
 mod fine_data;

@@ -1,0 +1,289 @@
+//! `recover`: a spectrum from a colour, and a spectral picture from a picture of colours.
+
+use std::{ffi::OsStr, fmt::Write as _, io::Write};
+
+use super::{
+    arguments::Recover,
+    inputs::Inputs,
+    print,
+    product::named_light,
+    recover_image,
+    refusal::Refusal,
+    subject::{self, USUAL_LIGHT},
+};
+use crate::{
+    app::{Entry, library::Library},
+    color::{Adaptation, Lab, Observer, Srgb, Xyz},
+    design::recover::{
+        Colour, LineLight, LitColour, Method, Prediction, RecoverError, Recovered, Seen, Viewing,
+        json, line_light_json, metamers, predictions,
+    },
+    spectrum::Sampled,
+};
+
+/// The observer that colours are meant for.
+pub const OBSERVER: Observer = Observer::Cie1931;
+
+/// Lights that a recovered surface is looked at under, by their names.
+const UNDER: [&str; 6] = [
+    "cie_illuminants/CIE D65",
+    "cie_illuminants/CIE A",
+    "cie_fluorescent_1nm/FL2",
+    "cie_fluorescent_1nm/FL11",
+    "cie_led_1nm/LED-B3",
+    "cie_led_1nm/LED-RGB1",
+];
+
+/// Lines of mercury, where none are told.
+const MERCURY_NM: [f64; 4] = [405.0, 436.0, 546.0, 578.0];
+
+/// The lamp whose smooth part stands behind the lines where no background is told.
+const USUAL_BACKGROUND: &str = "cie_fluorescent_1nm/FL2";
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for a light that cannot be read or shows no colours, and colours that do not fit
+/// the method.
+pub fn run(options: &Recover, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+    if let (Some(image), Some(path)) = (&options.image, &options.out) {
+        return recover_image::run(options, image, path, out, inputs);
+    }
+    let method = options.method.unwrap_or_default();
+    let Some(colour) = colour(options.colour, options.xyz, options.lab) else {
+        return Err(Refusal::Usage(
+            "found no --colour, --xyz, --lab or --image, expected one of them".to_owned(),
+        ));
+    };
+    if method == Method::Lines {
+        return of_lines(options, colour, out, inputs);
+    }
+    for (option, given) in [
+        ("--lines", !options.lines.is_empty()),
+        ("--background", options.background.is_some()),
+    ] {
+        if given {
+            inputs.note(format!("{option} is not used: the method is not lines"));
+        }
+    }
+    let mut views = vec![view(options.light.as_deref(), "--light", colour, inputs)?];
+    match (second(options), &options.second_light) {
+        (None, None) => {}
+        (Some(colour), Some(light)) => {
+            views.push(view(Some(light), "--second-light", colour, inputs)?);
+        }
+        (Some(_), None) => return Err(half("colour", "--second-light")),
+        (None, Some(_)) => return Err(half("light", "--second-colour")),
+    }
+    let seen: Vec<Seen> = views.iter().map(View::seen).collect();
+    let recovered = Recovered::new(method, &seen).map_err(usage)?;
+    let lights: Vec<(&str, Xyz)> = views
+        .iter()
+        .map(|view| (view.light.name(), view.viewing.white()))
+        .collect();
+    let band = metamers(&seen);
+    let under = predictions(&recovered.reflectance, &under()?, Adaptation::ToLight);
+    if let Some(nearest) = &recovered.nearest {
+        let worst = nearest.delta_e.iter().copied().fold(0.0, f64::max);
+        inputs.note(format!(
+            "no surface has this colour under this light: the nearest is {worst:.2} \u{394}E\u{2080}\u{2080} off"
+        ));
+    }
+    if options.json {
+        let json = json(&recovered, &lights, band.as_ref(), &under);
+        return print(out, &format!("{json:#}\n"));
+    }
+    print(out, &words(&recovered, &lights, &under))
+}
+
+/// The colour that one of three options tells.
+fn colour(srgb: Option<Srgb>, xyz: Option<[f64; 3]>, lab: Option<[f64; 3]>) -> Option<Colour> {
+    let of_xyz = || Some(Colour::Xyz(Xyz::from_array(xyz?)));
+    let of_lab = || lab.map(|[l, a, b]| Colour::Lab(Lab::new(l, a, b)));
+    srgb.map(Colour::Srgb).or_else(of_xyz).or_else(of_lab)
+}
+
+fn second(options: &Recover) -> Option<Colour> {
+    let Recover {
+        second_colour,
+        second_xyz,
+        second_lab,
+        ..
+    } = options;
+    colour(*second_colour, *second_xyz, *second_lab)
+}
+
+fn half(what: &str, missing: &str) -> Refusal {
+    Refusal::Usage(format!(
+        "found a second {what} and no {missing}, expected both or neither"
+    ))
+}
+
+fn usage(why: RecoverError) -> Refusal {
+    Refusal::Usage(why.to_string())
+}
+
+/// A colour under a light.
+struct View {
+    light: Entry,
+    viewing: Viewing,
+    xyz: Xyz,
+}
+
+impl View {
+    fn seen(&self) -> Seen<'_> {
+        Seen {
+            under: &self.viewing,
+            xyz: self.xyz,
+        }
+    }
+}
+
+fn view(
+    name: Option<&OsStr>,
+    what: &str,
+    colour: Colour,
+    inputs: &mut Inputs,
+) -> Result<View, Refusal> {
+    let (light, viewing) = light(name, what, inputs)?;
+    let xyz = colour.under(&viewing).map_err(usage)?;
+    Ok(View {
+        light,
+        viewing,
+        xyz,
+    })
+}
+
+/// A light that colours are recovered under.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be read and for a light that shows too few colours.
+pub fn light(
+    name: Option<&OsStr>,
+    what: &str,
+    inputs: &mut Inputs,
+) -> Result<(Entry, Viewing), Refusal> {
+    let entry = named_light(what, name.unwrap_or(USUAL_LIGHT.as_ref()), inputs)?;
+    let viewing = Viewing::new(&entry.spectrum.samples, OBSERVER)
+        .map_err(|why| Refusal::File(format!("{what}: {}: {why}", entry.name())))?;
+    Ok((entry, viewing))
+}
+
+/// The lights that a surface is looked at under.
+fn under() -> Result<Vec<(String, Viewing)>, Refusal> {
+    let one = |id: &&str| {
+        let preset = Library::bundled().find(id).ok()?;
+        let samples = &preset.spectrum()?.samples;
+        let viewing = Viewing::to_look(samples, OBSERVER).ok()?;
+        Some((preset.name.clone(), viewing))
+    };
+    // Shipped lights are all there, which a test holds.
+    Ok(UNDER.iter().filter_map(one).collect())
+}
+
+/// A light of lines over a background.
+fn of_lines(
+    options: &Recover,
+    colour: Colour,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
+    if second(options).is_some() || options.second_light.is_some() {
+        return Err(Refusal::Usage(
+            "lines: found a second colour or light, expected one colour".to_owned(),
+        ));
+    }
+    if options.light.is_some() {
+        inputs.note("--light is not used: the method lines makes a light");
+    }
+    // A light's own colour is against no other white than the equal-energy one.
+    let equal = Sampled::even(360.0, 1.0, vec![1.0; 471]).map_err(|why| {
+        Refusal::Usage(why.to_string()) // Rising places and finite values: it cannot be.
+    })?;
+    let viewing = Viewing::new(&equal, OBSERVER).map_err(usage)?;
+    let asked = LitColour {
+        surface: None,
+        xyz: colour.under(&viewing).map_err(usage)?,
+    };
+    let places = match &options.lines[..] {
+        [] => &MERCURY_NM[..],
+        places => places,
+    };
+    let background = background(options, inputs)?;
+    let light = LineLight::new(places, &background, &[asked], OBSERVER).map_err(usage)?;
+    if let Some(nearest) = &light.nearest {
+        let worst = nearest.delta_e.iter().copied().fold(0.0, f64::max);
+        inputs.note(format!(
+            "no mixture of these lines has this colour: the nearest is {worst:.2} \u{394}E\u{2080}\u{2080} off"
+        ));
+    }
+    if options.json {
+        return print(out, &format!("{:#}\n", line_light_json(&light, &[])));
+    }
+    let mut text = format!(
+        "lines over a background; round trip {:.1e} \u{394}E\u{2080}\u{2080}, condition number {:.1e}\n\n",
+        light.round_trip_delta_e, light.condition_number
+    );
+    for line in &light.lines {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{:>9.3} nm {:>12.6}", line.at_nm, line.weight);
+    }
+    let power: f64 = light.background.iter().sum();
+    let _ = writeln!(text, "{:>12} {power:>12.6}", "background");
+    print(out, &text)
+}
+
+/// The shape behind the lines.
+fn background(options: &Recover, inputs: &mut Inputs) -> Result<Sampled, Refusal> {
+    if let Some(word) = &options.background {
+        return Ok(named_light("--background", word, inputs)?.spectrum.samples);
+    }
+    let lamp = named_light("--background", USUAL_BACKGROUND.as_ref(), inputs)?;
+    let app = subject::about_light(lamp, super::options::ModelOptions::default());
+    let derived = app.derived();
+    // What a series takes below zero is no light.
+    let values = derived.smooth.iter().map(|v| v.max(0.0)).collect();
+    Sampled::even(derived.band.min_nm(), 1.0, values).map_err(|why| Refusal::File(why.to_string()))
+}
+
+/// The reflectance in words: what to trust it by, how it looks, its values every 20 nm.
+fn words(recovered: &Recovered, lights: &[(&str, Xyz)], under: &[Prediction]) -> String {
+    let names: Vec<&str> = lights.iter().map(|(name, _)| *name).collect();
+    let [lowest, highest] = recovered.reflectance.extent();
+    let inside = if recovered.is_inside_0_1() {
+        "within 0-1"
+    } else {
+        "not within 0-1: no surface is so"
+    };
+    let mut text = format!(
+        "{}, under {}\nround trip {:.1e} \u{394}E\u{2080}\u{2080}; from {lowest:.4} to {highest:.4}, {inside}\n",
+        recovered.method,
+        names.join(" and "),
+        recovered.round_trip_delta_e,
+    );
+    // Writing to a string cannot fail.
+    if let Some(condition) = recovered.condition_number {
+        let _ = writeln!(text, "condition number {condition:.1e}");
+    }
+    for seen in under {
+        let _ = writeln!(text, "{:>10}  {}", seen.light, seen.swatch.hex());
+    }
+    text.push('\n');
+    let table = recovered.reflectance.sampled();
+    for (nm, value) in table.nm().iter().zip(table.values()) {
+        if nm % 20.0 == 0.0 {
+            let _ = writeln!(text, "{nm:>6} nm {value:>9.5}");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_light_to_look_under_is_shipped() {
+        assert_eq!(under().map(|lights| lights.len()).ok(), Some(UNDER.len()));
+    }
+}

@@ -1,0 +1,102 @@
+//! Channels and their mixture.
+
+use super::{
+    error::MixError,
+    spec::{Source, Spec},
+};
+use crate::{
+    design::whole_nm::{self, of_unit_power},
+    spectrum::{Band, Basis, BasisTable, Composite, Sampled, Series, Spike},
+};
+
+/// Most channels of a mixture.
+pub const MOST_CHANNELS: usize = 128;
+
+/// Numbers of the series that a mixture's smooth part is told by, half-range cosines.
+const COSINES: usize = 61;
+
+/// A channel: a light of unit power in 360-830 nm, to be weighed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// What it is, in words.
+    pub spec: Spec,
+    /// Power a nm on 360-830, sum 1; a line is split over its two neighbours.
+    pub values: Vec<f64>,
+}
+
+impl Channel {
+    /// A channel of its words; `light` is the table of a name.
+    ///
+    /// # Errors
+    /// [`MixError::NoPower`] for a light without power, or with less than none anywhere in sum;
+    /// [`MixError::Spec`] for a name without a table.
+    pub fn new(spec: Spec, light: Option<&Sampled>) -> Result<Self, MixError> {
+        let values = match (&spec.source, light) {
+            (Source::Line { at_nm }, _) => whole_nm::line(*at_nm),
+            (Source::Gauss { centre_nm, fwhm_nm }, _) => whole_nm::gauss(*centre_nm, *fwhm_nm),
+            (Source::Blackbody { kelvin }, _) => whole_nm::planck(*kelvin),
+            (Source::Daylight { kelvin }, _) => whole_nm::daylight(*kelvin),
+            (Source::Named(_), Some(light)) => of_unit_power(whole_nm::table(light)),
+            (Source::Named(name), None) => {
+                return Err(MixError::Spec {
+                    found: name.clone(),
+                    expected: "a light that is known".to_owned(),
+                });
+            }
+        };
+        match values {
+            Some(values) => Ok(Self { spec, values }),
+            None => Err(MixError::NoPower { spec: spec.words }),
+        }
+    }
+
+    /// Its place, if it is a line.
+    pub fn line_nm(&self) -> Option<f64> {
+        match self.spec.source {
+            Source::Line { at_nm } => Some(at_nm),
+            _ => None,
+        }
+    }
+}
+
+/// The light of channels with weights on whole nm 360-830, power a nm.
+pub fn mixed(channels: &[Channel], weights: &[f64]) -> Vec<f64> {
+    let mut sum = vec![0.0; crate::color::xyz::POINTS];
+    for (channel, weight) in channels.iter().zip(weights) {
+        let both = sum.iter_mut().zip(&channel.values);
+        both.for_each(|(s, v)| *s += weight * v);
+    }
+    sum
+}
+
+/// The mixture as a composite on 380-780 nm: lines stay spikes, the rest is a series of cosines.
+pub fn composite(channels: &[Channel], weights: &[f64]) -> Composite {
+    let band = Band::VISIBLE;
+    let mut smooth = vec![0.0; band.points()];
+    let mut spikes = Vec::new();
+    let first = (band.min_nm() - f64::from(crate::color::xyz::FIRST_NM)) as usize;
+    for (channel, weight) in channels.iter().zip(weights) {
+        match channel.line_nm() {
+            Some(at_nm) if *weight > 0.0 && band.contains(at_nm) => spikes.push(Spike {
+                at_nm,
+                weight: *weight,
+            }),
+            Some(_) => {}
+            None => {
+                let values = &channel.values[first..first + band.points()];
+                let both = smooth.iter_mut().zip(values);
+                both.for_each(|(s, v)| *s += weight * v);
+            }
+        }
+    }
+    spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+    let table = BasisTable::new(band, Basis::Cosine, COSINES);
+    Composite {
+        smooth: Series {
+            band,
+            basis: Basis::Cosine,
+            coefficients: table.project(&smooth, COSINES),
+        },
+        spikes,
+    }
+}

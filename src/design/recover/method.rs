@@ -1,0 +1,63 @@
+//! The ways from colours to a spectrum.
+
+use std::fmt;
+
+/// A way from colours to a spectrum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// The smoothest reflectance within 0-1, for one colour or two.
+    #[default]
+    Smoothest,
+    /// The paper's three lowest Fourier coefficients (Eq. 18), for one colour.
+    Fourier3,
+    /// The six lowest, for the colours under two lights.
+    Fourier6,
+    /// A light of lines at given places over a background of known shape.
+    Lines,
+}
+
+impl Method {
+    /// Every method, the default first.
+    pub const ALL: [Self; 4] = [Self::Smoothest, Self::Fourier3, Self::Fourier6, Self::Lines];
+
+    /// The word used in JSON and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Smoothest => "smoothest",
+            Self::Fourier3 => "fourier3",
+            Self::Fourier6 => "fourier6",
+            Self::Lines => "lines",
+        }
+    }
+
+    /// The method of a [`Method::word`].
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.word() == word)
+    }
+
+    /// The name that people read.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Smoothest => "smoothest within 0-1",
+            Self::Fourier3 => "three Fourier coefficients (Eq. 18)",
+            Self::Fourier6 => "six Fourier coefficients, two lights",
+            Self::Lines => "lines over a background",
+        }
+    }
+
+    /// What colours it takes, in words.
+    pub(super) fn colours_words(self) -> &'static str {
+        match self {
+            Self::Smoothest => "a colour, or two under two lights",
+            Self::Fourier3 => "one colour",
+            Self::Fourier6 => "two colours under two lights",
+            Self::Lines => "at least one colour",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.title())
+    }
+}

@@ -1,0 +1,43 @@
+//! Spectra from colours.
+//!
+//! ```text
+//! viewing     a light and an observer: colours as sums over 81 nodes
+//! colour      sRGB, XYZ, Lab, xyY, and what they ask of a surface under a light
+//! method      the ways: smoothest, three and six Fourier coefficients, lines
+//! smoothest   the bounded smoothest reflectance
+//! fourier     the paper's Eq. 18
+//! possible    colours that no surface has, and the nearest that one has
+//! lines       a light of lines over a background
+//! metamers    least and greatest reflectance of a colour
+//! recovered   the reflectance with what must be known to trust it
+//! prediction  the same surface under other lights, and beside the real one
+//! picture     a picture of colours as a spectral one
+//! report      JSON
+//! ```
+
+mod colour;
+mod error;
+mod fourier;
+mod lines;
+mod metamers;
+mod method;
+mod picture;
+mod possible;
+mod prediction;
+mod recovered;
+mod report;
+mod smoothest;
+mod viewing;
+
+pub use colour::Colour;
+pub use error::RecoverError;
+pub use lines::{LineLight, LitColour};
+pub use metamers::MetamerBand;
+pub use method::Method;
+pub use picture::{
+    ColourPicture, Encoded, PictureCount, spectral_cube, spectral_rows, usual_bands,
+};
+pub use prediction::{Prediction, Told, predictions, told};
+pub use recovered::{Nearest, Recovered, Reflectance, Seen, can_be, metamers};
+pub use report::{json, line_light_json};
+pub use viewing::{BAND, NODES, Nodes, STEP_NM, Viewing, node_nm, sampled_nodes};

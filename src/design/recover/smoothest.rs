@@ -1,0 +1,305 @@
+//! The smoothest reflectance within 0-1 that has given colours.
+//!
+//! ```text
+//! r_j = (1 + tanh z_j) / 2        least  sum (z_{j+1} - z_j)^2 / 2    with  sum r_j c_j = colour
+//! ```
+//!
+//! `tanh` keeps every value inside, so that only the equations of the colour are left, three for
+//! each light. Newton's method on them and the multipliers (the Karush-Kuhn-Tucker system): its
+//! matrix is a tridiagonal one with a border of three or six rows, so a step costs a few passes
+//! over the nodes. Near the edge of what a surface can do the path goes there from grey in
+//! smaller steps; at the very edge, where the solution is a step function that `tanh` reaches only
+//! at infinity, the last bit is a mixture with the one reflectance that the edge has.
+//!
+//! Source of the idea: S. A. Burns, "Numerical methods for smoothest reflectance reconstruction",
+//! Color Research and Application 45 (2020) 8-21, "least hyperbolic tangent slope squared".
+
+use super::viewing::NODES;
+use crate::design::{
+    programme::Programme,
+    small::{add, dot, solved},
+};
+
+/// Newton's steps from one start; most colours take six to ten.
+const MOST_STEPS: usize = 40;
+
+/// Largest change of z in one step: beyond it `tanh` is no straight line any more.
+const LONGEST_STEP: f64 = 3.0;
+
+/// |z| beyond which 1 - r is nothing to f64.
+const FARTHEST: f64 = 19.0;
+
+/// A step this small was the last: the next one would be its square.
+const LAST_STEP: f64 = 1e-6;
+
+/// How exact the colours are met, white = 1: four digits below what dE00 .01 asks.
+const EXACT: f64 = 1e-10;
+
+/// Added to the diagonal of the differences, which by themselves do not see a constant.
+const STIFFNESS: f64 = 1e-7;
+
+/// Smallest piece of the way from grey.
+const SHORTEST_WAY: f64 = 1.0 / 512.0;
+
+/// Where the mixture with the edge's reflectance starts, as a share of the way from grey.
+const SAFE_SHARE: f64 = 0.999;
+
+/// A colour that is beyond the edge by no more than this share is on it but for rounding.
+const EDGE: f64 = 1e-9;
+
+/// Unknowns of the equations: where a search starts and ends.
+#[derive(Clone, Debug)]
+pub(super) struct State<const M: usize> {
+    z: [f64; NODES],
+    multipliers: [f64; M],
+}
+
+impl<const M: usize> State<M> {
+    /// The same reflectance everywhere.
+    pub(super) fn grey(reflectance: f64) -> Self {
+        let share = reflectance.clamp(1e-4, 1.0 - 1e-4);
+        Self {
+            z: [0.5 * (share / (1.0 - share)).ln(); NODES],
+            multipliers: [0.0; M],
+        }
+    }
+
+    /// The reflectance.
+    pub(super) fn reflectance(&self) -> [f64; NODES] {
+        self.z.map(|z| 1.0 / (1.0 + (-2.0 * z).exp()))
+    }
+}
+
+/// The smoothest reflectance of these colours (white = 1), from a start near by or grey; `None`
+/// where no reflectance has them. Values lie in 0-1.
+pub(super) fn smoothest<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    target: [f64; M],
+    start: Option<&State<M>>,
+) -> Option<([f64; NODES], Option<State<M>>)> {
+    let mut greys = [0.0; M];
+    columns
+        .iter()
+        .for_each(|column| add(&mut greys, column, 1.0));
+    let level = dot(&greys, &target) / dot(&greys, &greys);
+    // Black, white and the greys between them are what they are.
+    let is_grey = (0..M).all(|k| (target[k] - level * greys[k]).abs() < 1e-12);
+    if is_grey {
+        let inside = level.clamp(0.0, 1.0);
+        return ((level - inside).abs() < EDGE).then_some(([inside; NODES], None));
+    }
+    if let Some(start) = start {
+        let mut state = start.clone();
+        if newton(columns, target, &mut state) {
+            return Some((state.reflectance(), Some(state)));
+        }
+    }
+    let mut state = State::grey(level);
+    if newton(columns, target, &mut state) {
+        return Some((state.reflectance(), Some(state)));
+    }
+    let level = level.clamp(0.02, 0.98);
+    let grey = greys.map(|v| v * level);
+    let (state, reached) = from_grey(columns, target, grey, level);
+    if reached == 1.0 {
+        return Some((state.reflectance(), Some(state)));
+    }
+    let mixed = mixed_with_edge(columns, target, grey, level)?;
+    Some((mixed, None))
+}
+
+/// Goes from grey towards the target as far as Newton's method leads.
+fn from_grey<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    target: [f64; M],
+    grey: [f64; M],
+    level: f64,
+) -> (State<M>, f64) {
+    let on_way = |share: f64| std::array::from_fn(|k| grey[k] + share * (target[k] - grey[k]));
+    let mut state = State::grey(level);
+    let (mut reached, mut step) = (0.0_f64, 0.5);
+    while reached < 1.0 && step >= SHORTEST_WAY {
+        let next = (reached + step).min(1.0);
+        let mut trial = state.clone();
+        if newton(columns, on_way(next), &mut trial) {
+            (state, reached) = (trial, next);
+        } else {
+            step *= 0.5;
+        }
+    }
+    (state, reached)
+}
+
+/// A reflectance of exactly these colours: that of a colour a little nearer to grey mixed with
+/// the one of the edge behind it. `None` where the target lies beyond the edge.
+fn mixed_with_edge<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    target: [f64; M],
+    grey: [f64; M],
+    level: f64,
+) -> Option<[f64; NODES]> {
+    let away: [f64; M] = std::array::from_fn(|k| target[k] - grey[k]);
+    let (edge, at_edge) = edge_behind(columns, grey, away)?;
+    if edge < 1.0 - EDGE {
+        return None;
+    }
+    let edge = edge.max(1.0);
+    let mut share = SAFE_SHARE;
+    for _ in 0..8 {
+        let inner = std::array::from_fn(|k| grey[k] + share * away[k]);
+        let (state, reached) = from_grey(columns, inner, grey, level);
+        if reached == 1.0 {
+            let part = (1.0 - share) / (edge - share);
+            let inside = state.reflectance();
+            return Some(std::array::from_fn(|j| {
+                ((1.0 - part) * inside[j] + part * at_edge[j]).clamp(0.0, 1.0)
+            }));
+        }
+        share = 1.0 - 2.0 * (1.0 - share);
+    }
+    // The edge itself, taken back towards grey.
+    Some(std::array::from_fn(|j| {
+        (level + (at_edge[j] - level) / edge).clamp(0.0, 1.0)
+    }))
+}
+
+/// How far the way from grey goes before it reaches the edge of what a surface can do, as a
+/// multiple of `away`, and the reflectance there.
+fn edge_behind<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    grey: [f64; M],
+    away: [f64; M],
+) -> Option<(f64, [f64; NODES])> {
+    // sum r_j c_j - t away = grey, greatest t.
+    let mut wide: Vec<[f64; M]> = columns.to_vec();
+    wide.push(away.map(|v| -v));
+    let mut upper = vec![1.0; NODES];
+    upper.push(f64::INFINITY);
+    let mut gain = vec![0.0; NODES];
+    gain.push(1.0);
+    let mut programme = Programme::new(&wide, &upper, grey);
+    let mut corner = programme.corner()?;
+    let edge = programme.maximise(&mut corner, &gain)?;
+    let found = programme.solution(&corner);
+    Some((edge, std::array::from_fn(|j| found[j])))
+}
+
+/// A reflectance for a colour that no surface has: where the way to it from the grey of its
+/// luminance leaves the body of what a surface can do. Not the nearest, but found at once.
+pub(super) fn towards_grey<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    target: [f64; M],
+) -> [f64; NODES] {
+    let mut greys = [0.0; M];
+    columns
+        .iter()
+        .for_each(|column| add(&mut greys, column, 1.0));
+    let level = target[1].clamp(0.02, 0.98);
+    let grey = greys.map(|v| v * level);
+    let away: [f64; M] = std::array::from_fn(|k| target[k] - grey[k]);
+    let edge = edge_behind(columns, grey, away);
+    edge.map_or([level; NODES], |(_, found)| {
+        found.map(|v| v.clamp(0.0, 1.0))
+    })
+}
+
+/// Newton's method from a state; false where it does not arrive.
+fn newton<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    target: [f64; M],
+    state: &mut State<M>,
+) -> bool {
+    for _ in 0..MOST_STEPS {
+        let Some(longest) = step(columns, &target, state) else {
+            return false;
+        };
+        if longest < LAST_STEP && miss(columns, &target, &state.reflectance()) < EXACT {
+            return true;
+        }
+    }
+    false
+}
+
+/// How far the colours of a reflectance are from the target, white = 1.
+fn miss<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    target: &[f64; M],
+    reflectance: &[f64; NODES],
+) -> f64 {
+    let mut rest = *target;
+    for (column, value) in columns.iter().zip(reflectance) {
+        add(&mut rest, column, -value);
+    }
+    // NaN must not pass for small.
+    rest.iter()
+        .fold(0.0, |a: f64, v| if v.abs() <= a { a } else { v.abs() })
+}
+
+/// One step; how far it wanted to go, or `None` where the matrix has no inverse.
+fn step<const M: usize>(
+    columns: &[[f64; M]; NODES],
+    target: &[f64; M],
+    state: &mut State<M>,
+) -> Option<f64> {
+    let z = &state.z;
+    let mut rest = *target;
+    // H = differences + curvature of the equations; its factors, with the border B and the
+    // right side solved along the way.
+    let mut border = [[0.0; M]; NODES];
+    let mut pivots = [0.0; NODES];
+    let mut solved_border = [[0.0; M]; NODES];
+    let mut solved_right = [0.0; NODES];
+    let mut before = (0.0, [0.0; M], 0.0);
+    for j in 0..NODES {
+        let value = 1.0 / (1.0 + (-2.0 * z[j]).exp());
+        let slope = 2.0 * value * (1.0 - value);
+        add(&mut rest, &columns[j], -value);
+        border[j] = columns[j].map(|c| c * slope);
+        let bend = 2.0 * (1.0 - 2.0 * value) * dot(&border[j], &state.multipliers);
+        let (left, right) = (z[j.saturating_sub(1)], z[(j + 1).min(NODES - 1)]);
+        let neighbours = if j == 0 || j == NODES - 1 { 1.0 } else { 2.0 };
+        let (over_before, border_before, right_before) = before;
+        let mut pivot = neighbours + STIFFNESS + bend - over_before;
+        if pivot.abs() < 1e-12 {
+            pivot = 1e-12;
+        }
+        let over = 1.0 / pivot;
+        pivots[j] = over;
+        for k in 0..M {
+            solved_border[j][k] = (border[j][k] + border_before[k]) * over;
+        }
+        solved_right[j] = (left + right - 2.0 * z[j] + right_before) * over;
+        before = (over, solved_border[j], solved_right[j]);
+    }
+    for j in (0..NODES - 1).rev() {
+        let over = pivots[j];
+        solved_right[j] += over * solved_right[j + 1];
+        let next = solved_border[j + 1];
+        add(&mut solved_border[j], &next, over);
+    }
+    let mut matrix = [[0.0; M]; M];
+    let mut right = rest.map(|v| -v);
+    for j in 0..NODES {
+        for row in 0..M {
+            add(&mut matrix[row], &solved_border[j], border[j][row]);
+        }
+        add(&mut right, &border[j], solved_right[j]);
+    }
+    let multipliers = solved(matrix, right)?;
+    let mut change = solved_right;
+    for (value, row) in change.iter_mut().zip(&solved_border) {
+        *value -= dot(row, &multipliers);
+    }
+    let longest = change.iter().fold(0.0, |a: f64, v| a.max(v.abs()));
+    if !longest.is_finite() {
+        return None;
+    }
+    let part = (LONGEST_STEP / longest).min(1.0);
+    for (z, change) in state.z.iter_mut().zip(&change) {
+        *z = (*z + part * change).clamp(-FARTHEST, FARTHEST);
+    }
+    for (old, new) in state.multipliers.iter_mut().zip(&multipliers) {
+        *old += part * (new - *old);
+    }
+    Some(longest)
+}

@@ -1,0 +1,32 @@
+//! Mixtures that are wished for.
+//!
+//! ```text
+//! target    the colour: xy, CCT and Duv, another light
+//! wish      what to favour, floors
+//! figures   the figures of a mixture
+//! polytope  all mixtures of a colour
+//! climb     the best by a figure that is no sum
+//! solution  weights for a wish
+//! front     the trade between efficacy and colour rendering with free lines
+//! line_search  lines of a colour: powers and figures
+//! line_moves   lines that move: the best places
+//! report    JSON
+//! ```
+
+mod climb;
+mod figures;
+mod front;
+mod line_moves;
+mod line_search;
+mod polytope;
+mod report;
+mod solution;
+mod target;
+mod wish;
+
+pub use figures::MixFigures;
+pub use front::{Against, FrontLine, FrontPoint, FrontWish, front};
+pub use report::{Fader, faders, front_json, mix_json};
+pub use solution::{Mixer, Solution};
+pub use target::Target;
+pub use wish::{Favour, Floors, Wish};

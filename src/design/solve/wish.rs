@@ -1,0 +1,108 @@
+//! What a mixture is to be best at.
+
+use std::str::FromStr;
+
+use super::target::Target;
+use crate::design::mixture::MixError;
+
+/// What to favour among the mixtures of the right colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Favour {
+    /// Light for the power: greatest luminous efficacy of radiation.
+    #[default]
+    Ler,
+    /// Greatest fidelity index.
+    Rf,
+    /// Greatest colour rendering index.
+    Ra,
+    /// Greatest melanopic daylight efficacy ratio.
+    Melanopic,
+    /// Fewest channels; among those, the greatest efficacy.
+    Fewest,
+}
+
+impl Favour {
+    /// Every favour, the default first.
+    pub const ALL: [Self; 5] = [Self::Ler, Self::Rf, Self::Ra, Self::Melanopic, Self::Fewest];
+
+    /// The word used on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Ler => "ler",
+            Self::Rf => "rf",
+            Self::Ra => "ra",
+            Self::Melanopic => "melanopic",
+            Self::Fewest => "fewest",
+        }
+    }
+}
+
+impl FromStr for Favour {
+    type Err = MixError;
+
+    fn from_str(word: &str) -> Result<Self, MixError> {
+        let found = Self::ALL.into_iter().find(|favour| favour.word() == word);
+        found.ok_or_else(|| MixError::Word {
+            found: word.to_owned(),
+            expected: "ler, rf, ra, melanopic or fewest",
+        })
+    }
+}
+
+/// What a mixture must not fall below.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Floors {
+    /// Luminous efficacy of radiation, lm/W.
+    pub ler: Option<f64>,
+    /// Fidelity index.
+    pub rf: Option<f64>,
+    /// Colour rendering index.
+    pub ra: Option<f64>,
+    /// Melanopic daylight efficacy ratio.
+    pub melanopic: Option<f64>,
+}
+
+impl Floors {
+    /// Adds a floor in words, `rf=80`.
+    ///
+    /// # Errors
+    /// [`MixError::Word`] for another figure or no number.
+    pub fn with(mut self, words: &str) -> Result<Self, MixError> {
+        let refused = || MixError::Word {
+            found: words.to_owned(),
+            expected: "a floor such as rf=80, ra=90, ler=300 or melanopic=0.5",
+        };
+        let (figure, value) = words.split_once('=').ok_or_else(refused)?;
+        let value: f64 = value.trim().parse().map_err(|_| refused())?;
+        if !value.is_finite() {
+            return Err(refused());
+        }
+        match figure.trim() {
+            "ler" => self.ler = Some(value),
+            "rf" => self.rf = Some(value),
+            "ra" => self.ra = Some(value),
+            "melanopic" => self.melanopic = Some(value),
+            _ => return Err(refused()),
+        }
+        Ok(self)
+    }
+
+    /// Whether a floor needs the samples.
+    pub(super) fn of_samples(self) -> bool {
+        self.rf.is_some() || self.ra.is_some()
+    }
+}
+
+/// What is wished of a mixture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wish<'a> {
+    /// Its colour; without one the weights are what is fixed, or one each.
+    pub target: Option<Target>,
+    /// What it is to be best at.
+    pub favour: Favour,
+    /// What it must not fall below.
+    pub floors: Floors,
+    /// A light on whole nm 360-830 to come near to in the least squares, instead of a favour; the
+    /// colour is met all the same.
+    pub alike: Option<&'a [f64]>,
+}

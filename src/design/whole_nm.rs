@@ -1,0 +1,153 @@
+//! Lights on the whole nm of 360-830, of unit power: what channels are made of.
+//!
+//! A line without width is split over its two neighbouring nm, so that every weighting function
+//! counts as it does between its own whole nm: by a straight line.
+
+use std::sync::LazyLock;
+
+use crate::{
+    color::{
+        blackbody,
+        xyz::{FIRST_NM, LAST_NM, POINTS},
+    },
+    preset::{Body, Group, SHIPPED},
+    spectrum::{Outside, Sampled},
+};
+
+/// Hottest and coldest daylight for which the formula is stated, K (CIE 15:2018).
+pub(super) const DAYLIGHT_K: [f64; 2] = [4000.0, 25_000.0];
+
+/// Wavelengths of the sums, nm.
+pub(super) fn nm() -> impl Iterator<Item = f64> {
+    (FIRST_NM..=LAST_NM).map(f64::from)
+}
+
+/// Divided by its sum; `None` without a positive one, and where a number is not finite.
+pub(super) fn of_unit_power(mut values: Vec<f64>) -> Option<Vec<f64>> {
+    let sum: f64 = values.iter().sum();
+    values.iter_mut().for_each(|v| *v /= sum);
+    (sum > 0.0 && values.iter().all(|v| v.is_finite())).then_some(values)
+}
+
+/// The two places that a line is split over, with its shares there; `None` outside 360-830 nm.
+pub(super) fn split(at_nm: f64) -> Option<[(usize, f64); 2]> {
+    let x = at_nm - f64::from(FIRST_NM);
+    if !(x >= 0.0 && x <= (POINTS - 1) as f64) {
+        return None;
+    }
+    let left = (x as usize).min(POINTS - 2);
+    let share = x - left as f64;
+    Some([(left, 1.0 - share), (left + 1, share)])
+}
+
+/// A line of unit power.
+pub(super) fn line(at_nm: f64) -> Option<Vec<f64>> {
+    let mut values = vec![0.0; POINTS];
+    split(at_nm)?
+        .iter()
+        .for_each(|(i, share)| values[*i] += share);
+    Some(values)
+}
+
+/// A Gaussian of full width `fwhm_nm` at half its height.
+pub(super) fn gauss(centre_nm: f64, fwhm_nm: f64) -> Option<Vec<f64>> {
+    let exponent = |nm: f64| -4.0 * std::f64::consts::LN_2 * ((nm - centre_nm) / fwhm_nm).powi(2);
+    of_unit_power(nm().map(|nm| exponent(nm).exp()).collect())
+}
+
+/// A blackbody.
+pub(super) fn planck(kelvin: f64) -> Option<Vec<f64>> {
+    of_unit_power(nm().map(|nm| blackbody::relative(nm, kelvin)).collect())
+}
+
+/// Daylight by its components, `S0 + M1 S1 + M2 S2`, M1 and M2 as they come; `None` where that is
+/// no light.
+pub(super) fn daylight(kelvin: f64) -> Option<Vec<f64>> {
+    let t = 1000.0 / kelvin;
+    // CIE 15:2018, equations for 4000-7000 K and 7000-25000 K.
+    let [c0, c1, c2, c3] = if kelvin <= 7000.0 {
+        [0.244_063, 0.099_11, 2.967_8, -4.607_0]
+    } else {
+        [0.237_040, 0.247_48, 1.901_8, -2.006_4]
+    };
+    let x = c0 + t * (c1 + t * (c2 + t * c3));
+    let y = -3.0 * x * x + 2.870 * x - 0.275;
+    let below = 0.0241 + 0.2562 * x - 0.7341 * y;
+    let m1 = (-1.3515 - 1.7703 * x + 5.9114 * y) / below;
+    let m2 = (0.0300 - 31.4424 * x + 30.0717 * y) / below;
+    let [s0, s1, s2] = &*COMPONENTS;
+    let sum = s0
+        .iter()
+        .zip(s1)
+        .zip(s2)
+        .map(|((a, b), c)| a + m1 * b + m2 * c);
+    of_unit_power(sum.collect())
+}
+
+/// A table, zero outside.
+pub(super) fn table(light: &Sampled) -> Vec<f64> {
+    light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero)
+}
+
+/// The shipped table of a group; its absence is a broken build, which a test would show.
+pub(super) fn shipped(group: &str, name: &str) -> Sampled {
+    let found = shipped_group(group).into_iter().find(|(n, _)| n == name);
+    found.map_or_else(
+        || panic!("no shipped table {group}/{name}"),
+        |(_, table)| table,
+    )
+}
+
+/// The tables of a shipped group in its order.
+pub(super) fn shipped_group(id: &str) -> Vec<(String, Sampled)> {
+    let key = format!("\"group\":\"{id}\"");
+    let text = SHIPPED.iter().find(|text| text.contains(&key));
+    let text = text.unwrap_or_else(|| panic!("no shipped group {id}"));
+    let group = Group::from_json(text).expect("a shipped file, read in a test of the presets");
+    let tables = group.items.into_iter().filter_map(|item| match item.body {
+        Body::Spectrum(table) => Some((item.name, table.samples)),
+        Body::Composite(_) | Body::Lines(_) => None,
+    });
+    tables.collect()
+}
+
+static COMPONENTS: LazyLock<[Vec<f64>; 3]> = LazyLock::new(|| {
+    ["S0", "S1", "S2"].map(|name| {
+        let name = format!("CIE daylight component {name}");
+        table(&shipped("cie_illuminants", &name))
+    })
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_has_unit_power_and_daylight_of_d65_is_d65() {
+        for values in [
+            line(546.07),
+            gauss(500.0, 20.0),
+            planck(2700.0),
+            daylight(6504.0),
+        ] {
+            // Sums of 471 numbers below one.
+            assert!((values.unwrap().iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        }
+        let d65 = of_unit_power(table(&shipped("cie_illuminants", "CIE D65"))).unwrap();
+        let made = daylight(6503.6).unwrap();
+        for (a, b) in d65.iter().zip(&made) {
+            // The table was made with M1 and M2 rounded to three decimals, the components are
+            // straight between 10 nm.
+            assert!((a - b).abs() < 2e-3 * a.max(1e-3), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_light_is_none() {
+        assert_eq!(line(359.0), None);
+        assert_eq!(line(f64::NAN), None);
+        assert_eq!(gauss(500.0, 0.0), None);
+        assert_eq!(gauss(5000.0, 1.0), None);
+        assert_eq!(planck(-1.0), None);
+    }
+}

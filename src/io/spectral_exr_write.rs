@@ -1,0 +1,85 @@
+//! Spectral OpenEXR out: a picture of reflectances, one channel a band.
+//!
+//! The layout is that of Fichet, Pacanowski and Wilkie, JCGT 10(3), 2021: `T.550,000000nm` is the
+//! reflectance at 550 nm. `io/spectral_exr.rs` reads it back.
+
+use std::io::Cursor;
+
+use exr::{
+    image::{AnyChannel, AnyChannels, FlatSamples, Image, Layer},
+    meta::attribute::{AttributeValue, Text},
+    prelude::{Encoding, LayerAttributes, SmallVec, WritableImage},
+};
+
+/// A picture as a file; `planes` hold a band each, row after row from the top, and `facts` become
+/// attributes (`made.light` for "light").
+///
+/// # Errors
+/// What the encoder says, in words.
+pub fn reflectance_exr(
+    [width, height]: [usize; 2],
+    bands_nm: &[f64],
+    planes: Vec<Vec<f32>>,
+    facts: &[(&str, String)],
+) -> Result<Vec<u8>, String> {
+    let agrees = planes.iter().all(|plane| plane.len() == width * height);
+    if !agrees || planes.len() != bands_nm.len() {
+        return Err("found planes of another size, expected one value a pixel and band".to_owned());
+    }
+    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = bands_nm
+        .iter()
+        .zip(planes)
+        .map(|(nm, plane)| {
+            let place = format!("{nm:.6}").replace('.', ",");
+            let name = format!("T.{place}nm");
+            AnyChannel::new(name.as_str(), FlatSamples::F32(plane))
+        })
+        .collect();
+    let mut layer = Layer::new(
+        (width, height),
+        LayerAttributes::default(),
+        Encoding::FAST_LOSSLESS,
+        AnyChannels::sort(channels),
+    );
+    let version = [("spectralLayoutVersion".to_owned(), "1.0".to_owned())];
+    let facts = facts
+        .iter()
+        .map(|(key, value)| (format!("made.{key}"), value.clone()));
+    for (key, value) in version.into_iter().chain(facts) {
+        let (Some(key), Some(value)) = (Text::new_or_none(&key), Text::new_or_none(&value)) else {
+            continue;
+        };
+        let value = AttributeValue::Text(value);
+        layer.attributes.other.insert(key, value);
+    }
+    let mut file = Cursor::new(Vec::new());
+    let written = Image::from_layer(layer)
+        .write()
+        .non_parallel()
+        .to_buffered(&mut file);
+    written.map_err(|why| format!("found {why}, expected to write OpenEXR"))?;
+    Ok(file.into_inner())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+
+    #[test]
+    fn a_picture_reads_back_as_its_bands() {
+        let bands = [400.0, 455.5, 700.0];
+        let planes: Vec<Vec<f32>> = (0..3).map(|b| vec![0.25 * b as f32; 6]).collect();
+        let facts = [("light", "CIE D65".to_owned())];
+        let file = reflectance_exr([3, 2], &bands, planes, &facts).unwrap();
+        let reading = read_bytes("a.exr", &file).unwrap();
+        let image = &reading.images[0];
+        assert!(image.kind.is_factor());
+        assert_eq!([image.cube.width(), image.cube.height()], [3, 2]);
+        let pixel = image.pixel(2, 1).unwrap();
+        assert_eq!(pixel.samples.nm(), bands);
+        assert_eq!(pixel.samples.values(), [0.0, 0.25, 0.5]);
+        let wrong = reflectance_exr([3, 2], &bands, vec![vec![0.0; 6]; 2], &[]);
+        assert!(wrong.is_err());
+    }
+}
