@@ -201,7 +201,7 @@ pub struct Product {
 }
 
 /// Options of `list`.
-#[derive(Args, Clone, Copy, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct List {
     /// Only this kind: light, reflectance, transmittance, absorbance, weighting, lines or other
     /// [default: the first three, which the other commands take].
