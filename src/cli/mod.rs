@@ -36,6 +36,7 @@ mod report;
 mod subject;
 mod sweep;
 mod target;
+mod viewing;
 mod window;
 mod words;
 

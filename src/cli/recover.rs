@@ -9,20 +9,18 @@ use super::{
     product::named_light,
     recover_image,
     refusal::Refusal,
-    subject::{self, USUAL_LIGHT},
+    subject,
+    viewing::{OBSERVER, light},
 };
 use crate::{
     app::{Entry, library::Library},
-    color::{Adaptation, Lab, Observer, Srgb, Xyz},
+    color::{Adaptation, Lab, Srgb, Xyz},
     design::recover::{
         Colour, LineLight, LitColour, Method, Prediction, RecoverError, Recovered, Seen, Viewing,
         json, line_light_json, metamers, predictions,
     },
     spectrum::Sampled,
 };
-
-/// The observer that colours are meant for.
-pub const OBSERVER: Observer = Observer::Cie1931;
 
 /// Lights that a recovered surface is looked at under, by their names.
 const UNDER: [&str; 6] = [
@@ -152,21 +150,6 @@ fn view(
         viewing,
         xyz,
     })
-}
-
-/// A light that colours are recovered under.
-///
-/// # Errors
-/// [`Refusal::File`] for what cannot be read and for a light that shows too few colours.
-pub fn light(
-    name: Option<&OsStr>,
-    what: &str,
-    inputs: &mut Inputs,
-) -> Result<(Entry, Viewing), Refusal> {
-    let entry = named_light(what, name.unwrap_or(USUAL_LIGHT.as_ref()), inputs)?;
-    let viewing = Viewing::new(&entry.spectrum.samples, OBSERVER)
-        .map_err(|why| Refusal::File(format!("{what}: {}: {why}", entry.name())))?;
-    Ok((entry, viewing))
 }
 
 /// The lights that a surface is looked at under.

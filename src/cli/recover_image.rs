@@ -6,9 +6,9 @@ use super::{
     arguments::Recover,
     inputs::Inputs,
     print,
-    recover::light,
     refusal::Refusal,
     target::{Replaces, Target},
+    viewing::light,
 };
 use crate::{
     design::recover::{ColourPicture, Encoded, PictureCount, spectral_rows, usual_bands},

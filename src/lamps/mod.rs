@@ -5,7 +5,7 @@
 //! detector     the house's lines, each as wide as it is
 //! known        the lamps that an encoding may be made of
 //! encoding     an encoded light and its decoder; words, makeup: the same as bits and for people
-//! ask encoder  what is asked, and the encoder; work: one light on its way
+//! ask encoder  what is asked, and the encoder; choice: the way to an encoding, work: one light on it
 //!              operators goals columns orthonormal search fit refine today: its parts
 //! judge        the three errors, on what chooses and on what judges
 //! race         the new ways beside the others; standing: what it gave; report: JSON
@@ -16,6 +16,7 @@
 //! is exact).
 
 mod ask;
+mod choice;
 mod columns;
 mod composite;
 mod detector;
@@ -41,9 +42,10 @@ mod words;
 mod work;
 
 pub use ask::{Ask, Count, LeaveOut, NUMBERS};
+pub use choice::Chosen;
 pub use composite::{Composite, Shape, Spike, add_spikes, weigh_spikes};
 pub use detector::{WideDecomposition, as_wide_as_it_is, decompose};
-pub use encoder::{Chosen, Encoder};
+pub use encoder::Encoder;
 pub use encoding::{AtomWeight, Decoder, Encoding};
 pub use error::EncodingError;
 pub use judge::{Errors, Exact, Panel};

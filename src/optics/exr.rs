@@ -14,10 +14,7 @@ use exr::{
     prelude::{Encoding, LayerAttributes, ReadChannels, ReadLayers, SmallVec, WritableImage, read},
 };
 
-use super::{
-    film::{Film, Plane},
-    light::Light,
-};
+use super::{film::Film, light::Light, plane::Plane};
 use crate::spectrum::Spike;
 
 /// Why there is no image.

@@ -17,6 +17,7 @@ use super::{
     chain::Traced,
     light::{Light, SEEN_NM},
     plan::{Importance, Plan},
+    plane::{FilmSettings, Plane},
     studio::Studio,
     tile::{Entries, Entry, SIDE, Tile},
 };
@@ -39,44 +40,6 @@ const DIFFERENCES_BYTES: usize = 8 << 20;
 
 /// One round of tracing has at most so many rays a pixel: cancel is heard between tiles.
 const RAYS_A_ROUND: u32 = 256;
-
-/// What a plane of a film is for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Plane {
-    /// Wavelengths between two, nm.
-    Stratum {
-        /// First, nm.
-        from_nm: f64,
-        /// Last, nm.
-        to_nm: f64,
-    },
-    /// One wavelength, nm.
-    Line {
-        /// Where, nm.
-        at_nm: f64,
-    },
-}
-
-/// How large and fine a film is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FilmSettings {
-    /// Side of the square picture, pixels.
-    pub size: usize,
-    /// Equal strata of 380-780 nm.
-    pub strata: usize,
-    /// The same seed gives the same bits.
-    pub seed: u64,
-}
-
-impl Default for FilmSettings {
-    fn default() -> Self {
-        Self {
-            size: 480,
-            strata: 40,
-            seed: 1,
-        }
-    }
-}
 
 /// Why there is no film, or no more of it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 //! index       dispersion formulas, materials    prism, bench, strip   a slit, a prism, a screen
 //! rainbow     a ray in a drop, the bows         sky                   the strip of sky
 //! solid, cut  convex bodies, the brilliant      scene, studio         dome, lamps, camera
-//! chain       the whole tree of rays as a chain film, tile, plan      planes of transport
+//! chain       the whole tree of rays as a chain film, plane, tile, plan  its planes
 //! picture     a film under a light, its noise   develop, png, exr     what goes out
 //! ```
 //!
@@ -29,6 +29,7 @@ mod materials;
 mod monotone;
 mod picture;
 mod plan;
+mod plane;
 mod png;
 mod points;
 mod prism;
@@ -49,14 +50,13 @@ pub use chain::{Ending, Traced};
 pub use cut::{Brilliant, CutError};
 pub use develop::{Shown, into_gamut};
 pub use exr::{ExrError, lines_of_exr, spectral_exr};
-pub use film::{
-    Film, FilmError, FilmSettings, MOST_BYTES, MOST_LINES, Plane, RAYS, SIZES, film_bytes,
-};
+pub use film::{Film, FilmError, MOST_BYTES, MOST_LINES, RAYS, SIZES, film_bytes};
 pub use fresnel::reflectances;
 pub use index::{AbbeFigures, IndexError, Material, Term, n_air};
 pub use light::{Light, LightError, SEEN_NM};
 pub use materials::Stuff;
 pub use picture::{Noise, Picture};
+pub use plane::{FilmSettings, Plane};
 pub use png::png;
 pub use prism::{Incidence, Limits, Passage, Prism, PrismError, limits, minimum_deviation};
 pub use rainbow::{Bow, Bows, DropRay, bow, from_antisolar};

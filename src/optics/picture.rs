@@ -1,8 +1,9 @@
 //! From a film and a light to a picture, and how noisy it is.
 
 use super::{
-    film::{Film, Plane},
+    film::Film,
     light::Light,
+    plane::Plane,
     studio::Studio,
     tile::{BLOCK, BLOCKS_ACROSS, PIXELS, SIDE, Tile},
 };

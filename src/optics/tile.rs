@@ -2,8 +2,8 @@
 
 use super::{
     chain::{Traced, Work},
-    film::{FilmSettings, Plane},
     lanes::Start,
+    plane::{FilmSettings, Plane},
     points::{mixed, point_2, point_3, share},
     studio::Studio,
 };

@@ -360,7 +360,7 @@ fn the_keys_of_an_encoding_are_told() {
 fn the_keys_of_prism_and_rainbow_are_told() {
     // N-SF11 has no index at 100 nm, and reflects the shortest under so flat an incidence.
     let far = ["--at", "100,300,900", "--json"];
-    let flat: Vec<&str> = ["prism", "FL2", "--incidence", "35"]
+    let flat: Vec<&str> = ["prism", "FL2", "--incidence", "54"]
         .into_iter()
         .chain(far)
         .collect();

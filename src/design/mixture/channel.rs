@@ -9,9 +9,6 @@ use crate::{
     spectrum::{Band, Basis, BasisTable, Composite, Sampled, Series, Spike},
 };
 
-/// Most channels of a mixture.
-pub const MOST_CHANNELS: usize = 128;
-
 /// Numbers of the series that a mixture's smooth part is told by, half-range cosines.
 const COSINES: usize = 61;
 

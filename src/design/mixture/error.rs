@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// Most channels of a mixture.
+pub const MOST_CHANNELS: usize = 128;
+
 /// Why channels do not make a light.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MixError {
@@ -52,7 +55,7 @@ impl fmt::Display for MixError {
                 write!(
                     f,
                     "channels: expected 1 to {}, found {found}",
-                    super::MOST_CHANNELS
+                    MOST_CHANNELS
                 )
             }
             Self::Target { found, expected } => {

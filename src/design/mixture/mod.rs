@@ -10,6 +10,6 @@ mod channel;
 mod error;
 mod spec;
 
-pub use channel::{Channel, MOST_CHANNELS, composite, mixed};
-pub use error::MixError;
+pub use channel::{Channel, composite, mixed};
+pub use error::{MOST_CHANNELS, MixError};
 pub use spec::{Source, Spec};

@@ -6,12 +6,12 @@
 //! the same bits whatever their number.
 
 use std::{
-    str::FromStr,
     sync::atomic::{AtomicUsize, Ordering},
     thread,
 };
 
 use super::{
+    against::Against,
     figures::MixFigures,
     line_search::{Found, LineSearch},
     polytope::Polytope,
@@ -39,31 +39,6 @@ const CLASSES: usize = 64;
 
 /// Greatest efficacy of the classes, lm/W.
 const GREATEST_LER: f64 = 683.0;
-
-/// Which figure the efficacy is traded for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Against {
-    /// The fidelity index.
-    Rf,
-    /// The colour rendering index.
-    Ra,
-}
-
-impl FromStr for Against {
-    type Err = MixError;
-
-    /// `rf,ler` or `ra,ler`.
-    fn from_str(words: &str) -> Result<Self, MixError> {
-        match words {
-            "rf,ler" => Ok(Self::Rf),
-            "ra,ler" => Ok(Self::Ra),
-            _ => Err(MixError::Word {
-                found: words.to_owned(),
-                expected: "rf,ler or ra,ler",
-            }),
-        }
-    }
-}
 
 /// Which front is wanted.
 #[derive(Clone, Debug, PartialEq)]

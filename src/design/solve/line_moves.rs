@@ -5,7 +5,7 @@
 //! with, moves along the surface of places of that very efficacy.
 
 use super::{
-    front::Against,
+    against::Against,
     line_search::{Found, LUMENS_PER_WATT, LineSearch},
 };
 

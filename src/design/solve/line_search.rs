@@ -3,7 +3,7 @@
 //! Three lines of a colour have fixed shares; four have one share free, and along it the figure
 //! has a sharp kinked top.
 
-use super::front::Against;
+use super::against::Against;
 use crate::design::{
     scales::{BASIC, SampleTables, Scales, Sums},
     small::solved,

@@ -7,12 +7,14 @@
 //! polytope  all mixtures of a colour
 //! climb     the best by a figure that is no sum
 //! solution  weights for a wish
+//! against   what efficacy is traded for
 //! front     the trade between efficacy and colour rendering with free lines
 //! line_search  lines of a colour: powers and figures
 //! line_moves   lines that move: the best places
 //! report    JSON
 //! ```
 
+mod against;
 mod climb;
 mod figures;
 mod front;
@@ -24,8 +26,9 @@ mod solution;
 mod target;
 mod wish;
 
+pub use against::Against;
 pub use figures::MixFigures;
-pub use front::{Against, FrontLine, FrontPoint, FrontWish, front};
+pub use front::{FrontLine, FrontPoint, FrontWish, front};
 pub use report::{Fader, faders, front_json, mix_json};
 pub use solution::{Mixer, Solution};
 pub use target::Target;
