@@ -9,6 +9,7 @@ mod root;
 
 mod cli;
 mod cli_files;
+mod cli_names;
 mod cli_studies;
 mod commands;
 mod line_names;
