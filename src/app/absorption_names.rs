@@ -505,4 +505,89 @@ mod tests {
             ]
         );
     }
+
+    fn entry(id: &str) -> std::sync::Arc<Entry> {
+        let all = bundled_entries();
+        all.into_iter().find(|e| e.key == id).expect(id)
+    }
+
+    fn families(id: &str, band: Band) -> Vec<DarkFamily> {
+        let entry = entry(id);
+        let values = entry.on_band(band);
+        dark_lines(Curve::of(&entry, band, &values))
+    }
+
+    #[test]
+    fn sodium_and_hydrogen_are_found_in_the_sun_on_the_ground_and_in_space() {
+        for id in [
+            "solar_astm_g173/ASTM G173-03 extraterrestrial",
+            "solar_astm_g173/ASTM G173-03 global tilt AM1.5G",
+            "solar_astm_g173/ASTM G173-03 direct+circumsolar AM1.5D",
+        ] {
+            let families = families(id, Band::VISIBLE);
+            let [sun] = &families[..] else {
+                panic!("{id}: {families:?}");
+            };
+            assert_eq!((sun.title, sun.are_bands), ("sunlight", false));
+            for name in ["Na D 589.3", "H-beta 486.1", "Ca K 393.4"] {
+                let line = sun.lines.iter().find(|line| line.name == name);
+                assert!(line.is_some_and(|line| line.is_seen), "{id}: {name}");
+            }
+            // What the air takes is told where there is air, and not known where there is none.
+            let oxygen = sun.lines.iter().any(|line| line.name == "O2 A 759-762");
+            assert_eq!(oxygen, !id.ends_with("extraterrestrial"), "{id}");
+            for line in &sun.lines {
+                assert!((0.0..=1.0).contains(&line.depth), "{line:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_line_too_weak_to_be_seen_is_told_as_known() {
+        let sun = entry("solar_astm_g173/ASTM G173-03 extraterrestrial");
+        let band = Band::VISIBLE;
+        let mut values = sun.on_band(band);
+        // Sodium's line filled up to what stands beside it.
+        for (nm, value) in band.grid().zip(&mut values) {
+            if (587.0..=592.0).contains(&nm) {
+                *value = 1.8;
+            }
+        }
+        let families = dark_lines(Curve::of(&sun, band, &values));
+        let sodium = families[0]
+            .lines
+            .iter()
+            .find(|line| line.name == "Na D 589.3");
+        assert!(sodium.is_some_and(|line| !line.is_seen), "{families:?}");
+    }
+
+    #[test]
+    fn holmiums_dips_are_called_bands_and_more_orders_are_offered() {
+        let id = "usgs_splib07/Holmium oxide powder (USGS splib07a Record 18789)";
+        let band = Band::new(380.0, 700.0).unwrap();
+        let families = families(id, band);
+        let [holmium] = &families[..] else {
+            panic!("{families:?}");
+        };
+        assert!(
+            holmium
+                .lines
+                .iter()
+                .all(|line| line.name.starts_with("Ho band "))
+        );
+        let entry = entry(id);
+        let values = entry.on_band(band);
+        let curve = Curve::of(&entry, band, &values);
+        let fourier = holmium.advice(curve, Basis::Fourier).expect("bands");
+        let cosine = holmium.advice(curve, Basis::Cosine).expect("bands");
+        assert!(fourier.contains("bands, not lines"), "{fourier}");
+        let order = |words: &str| -> f64 {
+            let rest = words.split("N = ").nth(1).expect("an order");
+            rest.split(' ').next().unwrap().parse().expect("a number")
+        };
+        println!("{fourier}");
+        // A cosine needs twice the order for the same turns.
+        assert!((order(&cosine) / order(&fourier) - 2.0).abs() < 0.1);
+        assert!((5.0..60.0).contains(&order(&fourier)), "{fourier}");
+    }
 }

@@ -252,6 +252,11 @@ fn the_keys_of_a_report_are_told() {
         &[
             &["report", "FL2", "--json"],
             &["report", "FL2", "--basis", "cosine", "--json"],
+            &[
+                "report",
+                "solar_astm_g173/ASTM G173-03 extraterrestrial",
+                "--json",
+            ],
             &["report", &meter, "--json"],
         ],
     );
@@ -399,5 +404,11 @@ fn the_keys_of_what_files_hold_are_told() {
 
 #[test]
 fn the_keys_of_a_list_are_told() {
-    holds("list --json", &[&["list", "--json"]]);
+    holds(
+        "list --json",
+        &[
+            &["list", "--json"],
+            &["list", "--search", "street lamp", "--json"],
+        ],
+    );
 }

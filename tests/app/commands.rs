@@ -557,7 +557,7 @@ fn a_command_that_changes_nothing_is_no_step_and_no_work() {
     let revision = app.revision();
     app.apply(Command::Edit(app.document().settings));
     app.apply(Command::ClearOverlays);
-    app.apply(Command::Show(preset(&app, FL11)));
+    app.apply(Command::Show(app.document().light.clone()));
     app.apply(Command::Remove {
         key: "own/7".to_owned(),
     });

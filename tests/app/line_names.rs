@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::root::root;
 use spectral_explorer::{
-    app::{App, Command, Entry, Settings, entry::bundled_entries},
+    app::{
+        App, Command, Entry, Settings, entry::bundled_entries, families::Families,
+        spike_hand::SpikeAct,
+    },
     spectrum::{Band, Kind},
 };
 
@@ -76,4 +79,100 @@ fn the_names_do_not_change_while_the_knobs_are_turned() {
             }
         }
     }
+}
+
+/// Which elements' names a family of lamps may carry.
+fn may_be_in(family: &str) -> &'static [&'static str] {
+    match family {
+        "tube" | "broad-tube" | "three-band" => &["Hg", "terbium", "europium"],
+        "mercury" => &["Hg", "europium"],
+        "hps" => &["Na", "K"],
+        "lps" => &["Na"],
+        "metal-halide" => &["Hg", "Na", "Tl", "Sc", "Li", "In", "Dy"],
+        "paper" => &["Hg", "Na"],
+        "laser" => &["Ne"],
+        _ => &[],
+    }
+}
+
+#[test]
+fn no_light_carries_the_name_of_an_element_that_is_not_in_it() {
+    let mut app = App::new();
+    for light in lights() {
+        app.apply(Command::Show(light.clone()));
+        let family = Families::shipped().family_of(&light.key).expect("a family");
+        let tube = light.key.strip_prefix("line_tubes/");
+        for name in names(&app) {
+            let words = name.split_once(' ').unwrap().1;
+            let element = words.split(' ').next().unwrap();
+            if element == "-" {
+                continue;
+            }
+            match tube {
+                Some(tube) => {
+                    let symbol = TUBES.iter().find(|(name, _)| tube.starts_with(name));
+                    assert_eq!(Some(element), symbol.map(|(_, symbol)| *symbol), "{tube}");
+                }
+                None => assert!(
+                    may_be_in(&family.key).contains(&element),
+                    "{} ({}): {name}",
+                    light.key,
+                    family.key
+                ),
+            }
+        }
+    }
+}
+
+const TUBES: [(&str, &str); 9] = [
+    ("Hydrogen", "H"),
+    ("Helium", "He"),
+    ("Neon", "Ne"),
+    ("Sodium", "Na"),
+    ("Mercury", "Hg"),
+    ("Cadmium", "Cd"),
+    ("Argon", "Ar"),
+    ("Krypton", "Kr"),
+    ("Xenon", "Xe"),
+];
+
+#[test]
+fn the_cies_sodium_lamps_show_sodium_and_its_tubes_mercury() {
+    let mut app = App::new();
+    let mut show = |key: &str| {
+        app.apply(Command::Show(app.entry(key).expect(key)));
+        names(&app)
+    };
+    for key in ["cie_hp_5nm/HP1", "cie_hp_5nm/HP2"] {
+        let names = show(key);
+        let sodium = names.iter().filter(|name| name.contains(" Na "));
+        assert!(sodium.count() >= 2, "{key}: {names:?}");
+    }
+    let hp1 = show("cie_hp_5nm/HP1");
+    assert!(
+        hp1.iter()
+            .any(|name| name.ends_with("Na D 589.3, self-reversed"))
+    );
+    for lamp in 1..=12 {
+        for group in ["cie_fluorescent_1nm", "cie_fluorescent_5nm"] {
+            let names = show(&format!("{group}/FL{lamp}"));
+            // The green line is there on every tube, by itself or in terbium's band.
+            let green = names.iter().filter(|name| name.contains("Hg 546.1"));
+            assert_eq!(green.count(), 1, "{group}/FL{lamp}: {names:?}");
+        }
+    }
+}
+
+#[test]
+fn a_spike_put_beside_the_lines_has_no_name() {
+    let mut app = App::new();
+    app.apply(Command::Show(
+        app.entry("cie_fluorescent_1nm/FL2").expect("FL2"),
+    ));
+    app.act_on_spikes(SpikeAct::Add {
+        at_nm: 611.0,
+        weight: 1.0,
+    });
+    let names = names(&app);
+    assert!(names.contains(&"611.0 -".to_owned()), "{names:?}");
 }

@@ -268,13 +268,17 @@ fn several_damages_cost_themselves_alone_and_are_each_told() {
     let losses = &restored.losses;
     for (place, found, stands) in [
         ("settings.observer", "\"1066\"", "\"1931\" stands"),
-        ("settings.basis", "\"wavelets\"", "\"fourier\" stands"),
+        ("settings.basis", "\"wavelets\"", "\"cosine\" stands"),
         (
             "preferences.pages.page",
             "\"poetry\"",
             "\"spectrum\" stands",
         ),
-        ("preferences.curve", "\"filters\"", "\"patches\" stands"),
+        (
+            "preferences.curve",
+            "\"filters\"",
+            "\"patches_worst\" stands",
+        ),
         ("scale", "5", "\"as_measured\" stands"),
         ("kind", "\"sound\"", "\"other\" stands"),
         ("overlays", "null", "left out"),

@@ -1,12 +1,16 @@
 //! Gases and vapours of line tubes: many lines, which only fine data can tell.
 
 use super::{
-    scene::{Scene, Told},
+    peaks::Peak,
+    scene::{Scene, Told, is_line},
     table::{GASES, Gas},
 };
 
 /// The strongest lines carry at least this share of the highest peak that the gas explains.
 const LEAST_SHARE: f64 = 0.25;
+
+/// Of lines within reach of a peak those with this share of the strongest one may name it.
+const STRONG: f64 = 0.3;
 
 /// Names the gases that are there, the one that explains most first.
 pub(super) fn name_gases(scene: &mut Scene<'_>) {
@@ -45,11 +49,34 @@ fn support(scene: &Scene<'_>, gas: &Gas) -> Option<f64> {
         .then(|| peaks.iter().map(|peak| scene.peaks[*peak].power()).sum())
 }
 
+/// Names peaks, the highest first: each after the nearest of the strong lines within reach, and
+/// each line once.
 fn name(scene: &mut Scene<'_>, gas: &Gas) {
-    for at_nm in scene.lines_of(gas.symbol) {
-        if let Some(peak) = scene.within(at_nm, scene.gas_reach_nm) {
-            let told = Told::plain(gas.symbol, format!("{} {at_nm:.1}", gas.symbol));
-            scene.tell([peak], &told);
-        }
+    let mut lines = scene.lines_of(gas.symbol);
+    while let Some((peak, line)) = next(scene, &lines) {
+        let told = Told::plain(gas.symbol, format!("{} {:.1}", gas.symbol, lines[line].0));
+        scene.tell([peak], &told);
+        lines.remove(line);
     }
+}
+
+/// The highest peak without a name that has lines within reach, and the line it is.
+fn next(scene: &Scene<'_>, lines: &[(f64, f64)]) -> Option<(usize, usize)> {
+    let off = |peak: &Peak, line: usize| (lines[line].0 - peak.at_nm).abs();
+    let within = |peak: &Peak| -> Vec<usize> {
+        let all = 0..lines.len();
+        all.filter(|line| off(peak, *line) <= scene.gas_reach_nm)
+            .collect()
+    };
+    let peak = scene.highest(|peak| is_line(peak) && !within(peak).is_empty())?;
+    let about = &scene.peaks[peak];
+    let near = within(about);
+    let strongest = near
+        .iter()
+        .fold(0.0_f64, |most, line| most.max(lines[*line].1));
+    let strong = near
+        .into_iter()
+        .filter(|line| lines[*line].1 >= STRONG * strongest);
+    let nearest = strong.min_by(|a, b| off(about, *a).total_cmp(&off(about, *b)))?;
+    Some((peak, nearest))
 }

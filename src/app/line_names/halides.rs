@@ -150,7 +150,7 @@ fn name_dysprosium(scene: &mut Scene<'_>) {
     if !is_there || others.count() < DY_LEAST {
         return;
     }
-    for at_nm in scene.lines_of(DY) {
+    for (at_nm, _) in scene.lines_of(DY) {
         if let Some(peak) = scene.near(middle(&[at_nm])) {
             let told = scene.name_of(DY, &[at_nm]);
             scene.tell([peak], &told);

@@ -25,9 +25,9 @@ const KNOWN_NM: [f64; 2] = [380.0, 780.0];
 const COARSEST_NM: f64 = 6.0;
 /// Above this share of the power lines stand alone.
 const LINES_ALONE: f64 = 0.5;
-/// A spike stands for the highest peak at most so far away, or for the nearest within reach, nm.
-const SAME_PEAK_NM: f64 = 1.5;
-const LEAST_REACH_NM: f64 = 2.0;
+/// A spike stands for the highest peak at most so far away, since peaks that are closer together
+/// are one spike, or else for the nearest within reach, nm.
+const SAME_PEAK_NM: f64 = 2.0;
 
 /// The peaks of a light with their names.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,8 +75,7 @@ impl Identified {
         let told = match highest {
             Some(peak) => self.told[peak].as_ref(),
             None => self.band_at(at_nm).or_else(|| {
-                let reach_nm = self.reach_nm.max(LEAST_REACH_NM);
-                let nearest = within(reach_nm).min_by(|a, b| off(a).total_cmp(&off(b)));
+                let nearest = within(self.reach_nm).min_by(|a, b| off(a).total_cmp(&off(b)));
                 self.told[nearest?].as_ref()
             }),
         };

@@ -184,12 +184,10 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// All tabulated lines of an element, the strongest first.
-    pub(super) fn lines_of(&self, symbol: &str) -> Vec<f64> {
-        let mut lines: Vec<&ElementLine> =
-            self.lines.iter().filter(|l| l.element == symbol).collect();
-        lines.sort_by(|a, b| b.strength.total_cmp(&a.strength));
-        lines.iter().map(|line| line.at_nm).collect()
+    /// Place and strength of all tabulated lines of an element.
+    pub(super) fn lines_of(&self, symbol: &str) -> Vec<(f64, f64)> {
+        let lines = self.lines.iter().filter(|line| line.element == symbol);
+        lines.map(|line| (line.at_nm, line.strength)).collect()
     }
 
     /// The table's place of a line that is written to a tenth of a nanometre.

@@ -137,16 +137,16 @@ const fn band(about_nm: f64, from_nm: f64, to_nm: f64) -> BandOf {
 pub(super) const TB: [BandOf; 4] = [
     band(490.0, 484.0, 497.0),
     band(545.0, 541.0, 551.0),
-    band(587.0, 581.0, 592.0),
+    band(585.0, 581.0, 589.0),
     band(620.0, 617.5, 624.0),
 ];
 /// Europium in yttrium oxide, the red of tubes; the third is the strongest.
 pub(super) const EU_OXIDE: [BandOf; 6] = [
-    band(593.0, 590.0, 600.0),
+    band(593.0, 589.0, 600.0),
     band(630.0, 624.0, 634.0),
     band(611.0, 608.5, 617.0),
     band(650.0, 648.0, 655.0),
-    band(690.0, 685.0, 692.0),
+    band(690.0, 685.0, 697.0),
     band(709.0, 704.0, 713.0),
 ];
 /// Europium in yttrium vanadate, the red of coated mercury lamps; the second is the strongest.
