@@ -14,8 +14,7 @@ use approx::assert_abs_diff_eq;
 use proptest::prelude::*;
 use spectral_explorer::{
     app::{
-        App, Command, Document, Entry, Settings, library::Library, settings::Detector,
-        spike_hand::SpikeAct,
+        App, Command, Entry, Settings, library::Library, settings::Detector, spike_hand::SpikeAct,
     },
     color::blackbody,
     preset::Shelf,
