@@ -7,6 +7,7 @@ use std::{
     path::Path,
 };
 
+use crate::cli_pictures::wall;
 use crate::docs::{document, quoted, rows, section};
 use serde_json::Value;
 use spectral_explorer::{
@@ -340,6 +341,39 @@ fn the_keys_of_a_mixture_are_told() {
     holds("mix --json", &[&args]);
     let front = ["mix", "--front", "ra,ler", "--lines", "3", "--json"];
     holds("mix --front --json", &[&front]);
+}
+
+#[test]
+fn the_keys_of_a_picture_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let wall = wall(folder.path());
+    let lined = [
+        "picture",
+        &wall,
+        "--numbers",
+        "9",
+        "--lines",
+        "550",
+        "--json",
+    ];
+    let kept = folder.path().join("wall.exr");
+    let kept = kept.to_str().expect("UTF-8");
+    let written = ["picture", &wall, "--numbers", "9", "--out", kept, "--json"];
+    holds("picture --json", &[&lined, &written]);
+    let peers = ["picture", &wall, "--numbers", "9", "--peers", "--json"];
+    holds("picture --peers --json", &[&peers]);
+    let out = folder.path().join("relit.png");
+    let out = out.to_str().expect("UTF-8");
+    let relit = [
+        "picture",
+        kept,
+        "--relight",
+        "CIE A",
+        "--out",
+        out,
+        "--json",
+    ];
+    holds("picture --relight --json", &[&relit]);
 }
 
 #[test]

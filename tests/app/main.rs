@@ -14,6 +14,7 @@ mod cli_design;
 mod cli_files;
 mod cli_lamps;
 mod cli_optics;
+mod cli_pictures;
 mod cli_studies;
 mod command_line;
 mod commands;
