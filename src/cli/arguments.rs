@@ -3,6 +3,7 @@
 mod design;
 mod encoding;
 mod optics;
+mod pictures;
 
 use std::{ffi::OsString, path::PathBuf};
 
@@ -21,6 +22,7 @@ use crate::{
 pub use design::{Mix, Recover};
 pub use encoding::{Decode, Encode};
 pub use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
+pub use pictures::{Fit, Picture};
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
 ///
@@ -74,6 +76,10 @@ pub enum Command {
     Rainbow(Rainbow),
     /// Trace a brilliant under a light, and say how noisy the picture is.
     Gem(Gem),
+    /// Keep a spectral picture in few numbers a pixel, or show one under another light.
+    Picture(Picture),
+    /// Write tables of many spectra in few numbers each.
+    Fit(Fit),
     /// Print what files hold and how they were read.
     Read(Read),
     /// List the shipped spectra.

@@ -15,6 +15,7 @@ mod convert;
 mod decode;
 mod encode;
 mod factor;
+mod fit;
 mod gem;
 mod inputs;
 mod list;
@@ -22,6 +23,8 @@ mod material;
 mod mix;
 mod no_display;
 mod options;
+mod picture;
+mod picture_relit;
 mod plot;
 mod prism;
 mod product;
@@ -149,6 +152,8 @@ fn carry_out(
             Command::Prism(options) => prism::run(&options, out, inputs)?,
             Command::Rainbow(options) => rainbow::run(&options, out, inputs)?,
             Command::Gem(options) => gem::run(&options, out, inputs)?,
+            Command::Picture(options) => picture::run(&options, out, inputs)?,
+            Command::Fit(options) => fit::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out)?,
             Command::Render(options) => render::run(&options, pictures, out, inputs)?,

@@ -23,6 +23,7 @@ use crate::{
     },
     io::error::quoted,
     optics::{self, View},
+    pictures::ReferenceKind,
     spectrum::{
         Band, Basis, Kind, Rect, Sampling,
         band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
@@ -191,6 +192,71 @@ pub fn free_lines(word: &str) -> Result<usize, String> {
         "4" => Ok(4),
         _ => Err(refused(word, "3 or 4")),
     }
+}
+
+/// `--bound`.
+pub fn bound(word: &str) -> Result<f64, String> {
+    number(word, &(0.01..=20.0), "CIEDE2000")
+}
+
+/// `--reference` of a picture.
+pub fn reference(word: &str) -> Result<ReferenceKind, String> {
+    let all = [
+        ReferenceKind::One,
+        ReferenceKind::Light,
+        ReferenceKind::Mean,
+    ];
+    one_of(word, &all, reference_word)
+}
+
+/// `--reference` of a table.
+pub fn fit_reference(word: &str) -> Result<ReferenceKind, String> {
+    one_of(
+        word,
+        &[ReferenceKind::One, ReferenceKind::Mean],
+        reference_word,
+    )
+}
+
+fn reference_word(kind: ReferenceKind) -> &'static str {
+    match kind {
+        ReferenceKind::One => "one",
+        ReferenceKind::Light => "light",
+        ReferenceKind::Mean => "mean",
+    }
+}
+
+/// Which lines of a picture have a number of their own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Lines {
+    /// Those that are found.
+    Auto,
+    /// None.
+    None,
+    /// Those at these places, nm.
+    At(Vec<f64>),
+}
+
+/// `--lines` of a picture.
+pub fn lines(word: &str) -> Result<Lines, String> {
+    match word {
+        "auto" => Ok(Lines::Auto),
+        "none" => Ok(Lines::None),
+        _ => {
+            let places: Option<Vec<f64>> = word.split(',').map(|n| finite(n).ok()).collect();
+            let expected = "auto, none or places in nm with commas";
+            places.map(Lines::At).ok_or_else(|| refused(word, expected))
+        }
+    }
+}
+
+/// `--lines` of a table: whether there are any.
+pub fn fit_lines(word: &str) -> Result<bool, String> {
+    one_of(
+        word,
+        &[true, false],
+        |auto| if auto { "auto" } else { "none" },
+    )
 }
 
 /// `--blocks`.
@@ -371,6 +437,11 @@ pub fn traced_path() -> impl TypedValueParser<Value = PathBuf> {
 /// `--out` of a spectral picture.
 pub fn exr_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["exr"]))
+}
+
+/// `--out` of numbers.
+pub fn numbers_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["csv", "json"]))
 }
 
 /// `--out` of a plot.

@@ -410,8 +410,7 @@ fn weight_factor_row(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
         )
         .labelled_by(label.id)
         .on_hover_text(
-            "The weights of the paper's Table 4 times this are unit x nm. 300 nm reads them as \
-             contributions to the mean over the range; the paper does not say.",
+            "The weights of the paper's Table 4 times this are unit x nm; the paper does not say.",
         )
         .changed();
     if changed {
@@ -425,8 +424,7 @@ pub(super) fn sampling_words(sampling: Sampling) -> (&'static str, &'static str)
     match sampling {
         Sampling::Paper => (
             "paper's points",
-            "Products on as many points as there are numbers, as the paper does: orders above N \
-             fold back. The reflectance is modelled too.",
+            "Products on as many points as there are numbers: orders above N fold back.",
         ),
         Sampling::ThreeN => (
             "3N + 1 points",
@@ -438,18 +436,15 @@ pub(super) fn sampling_words(sampling: Sampling) -> (&'static str, &'static str)
         ),
         Sampling::Double => (
             "twice the numbers",
-            "Products on twice as many points as there are numbers. The reflectance is modelled \
-             too.",
+            "Products on twice as many points as there are numbers.",
         ),
         Sampling::Convolution => (
             "convolution",
-            "The coefficients convolved and cut back to order N: nothing folds, all above N is \
-             lost. The reflectance is modelled too.",
+            "The coefficients convolved and cut back to order N: all above is lost.",
         ),
         Sampling::Exact => (
             "exact, 1 nm",
-            "Products on the 1 nm grid with the reflectance as measured; spikes weigh it where \
-             they stand.",
+            "Products on the 1 nm grid with the reflectance as measured.",
         ),
     }
 }

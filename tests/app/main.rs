@@ -17,6 +17,7 @@ mod cli_files;
 mod cli_lamps;
 mod cli_names;
 mod cli_optics;
+mod cli_pictures;
 mod cli_studies;
 mod command_line;
 mod commands;

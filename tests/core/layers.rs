@@ -9,7 +9,7 @@ use std::{
 };
 
 /// The rooms of `src`, and which others each may use.
-const ROOMS: [(&str, &[&str]); 12] = [
+const ROOMS: [(&str, &[&str]); 13] = [
     ("spectrum", &[]),
     ("preset", &["spectrum"]),
     ("color", &["preset", "spectrum"]),
@@ -19,24 +19,26 @@ const ROOMS: [(&str, &[&str]); 12] = [
     ("lamps", &["study", "rivals", "color", "preset", "spectrum"]),
     ("optics", &["study", "color", "spectrum"]),
     ("io", &["spectrum"]),
+    ("pictures", &["io", "study", "color", "preset", "spectrum"]),
     (
         "app",
         &[
-            "design", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum", "io",
+            "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
+            "spectrum", "io",
         ],
     ),
     (
         "cli",
         &[
-            "app", "design", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum",
-            "io",
+            "app", "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
+            "spectrum", "io",
         ],
     ),
     (
         "ui",
         &[
-            "app", "design", "lamps", "optics", "study", "rivals", "color", "preset", "spectrum",
-            "io",
+            "app", "design", "lamps", "optics", "pictures", "study", "rivals", "color", "preset",
+            "spectrum", "io",
         ],
     ),
 ];

@@ -1,3 +1,5 @@
+//! Tests of what is made by rule.
+
 use super::*;
 use crate::{
     app::{entry::composite_from_preset, library::Library},

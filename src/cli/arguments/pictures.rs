@@ -1,0 +1,85 @@
+//! Options of `picture` and `fit`. The comments here are what `--help` prints.
+
+use std::{ffi::OsString, path::PathBuf};
+
+use clap::Args;
+
+use crate::{
+    cli::words::{self, Lines},
+    pictures::ReferenceKind,
+};
+
+/// Options of `picture`.
+#[derive(Args, Debug)]
+pub struct Picture {
+    /// A spectral picture: an ENVI cube (its header or its data) or a spectral OpenEXR; with
+    /// --relight one of few numbers (.exr or .cspx.png).
+    #[arg(value_name = "IN")]
+    pub input: PathBuf,
+    /// Numbers a pixel, 3 or more and fewer than bands.
+    #[arg(long, value_name = "N", conflicts_with = "bound", allow_negative_numbers = true,
+        value_parser = words::whole_number)]
+    pub numbers: Option<usize>,
+    /// The fewest numbers that keep the 95th percentile of the colour difference within this, 0.01
+    /// to 20 [default: 0.5].
+    #[arg(long, value_name = "DE", allow_hyphen_values = true, value_parser = words::bound)]
+    pub bound: Option<f64>,
+    /// What multiplies the series: one, light (--light) or mean; with --numbers
+    /// [default: what is best].
+    #[arg(long, value_name = "REFERENCE", value_parser = words::reference, requires = "numbers")]
+    pub reference: Option<ReferenceKind>,
+    /// The light on a reflectance (then its own, CIE D65 without) or the one that lit a picture
+    /// of light, a file or a preset.
+    #[arg(long, value_name = "NAME")]
+    pub light: Option<OsString>,
+    /// Lines with a number of their own: auto, none or places in nm with commas; with --numbers
+    /// [default: what is best].
+    #[arg(long, value_name = "LINES", value_parser = words::lines, requires = "numbers")]
+    pub lines: Option<Lines>,
+    /// Keep bands that nobody sees too.
+    #[arg(long)]
+    pub all_bands: bool,
+    /// Tell of other ways of keeping the picture in as many numbers instead.
+    #[arg(long, conflicts_with_all = ["out", "relight"])]
+    pub peers: bool,
+    /// Show a picture of few numbers under this light, into --out A.png.
+    #[arg(long, value_name = "NAME", requires = "out",
+        conflicts_with_all = ["numbers", "bound", "all_bands"])]
+    pub relight: Option<OsString>,
+    /// The file to write: .exr holds every number, .cspx.png is small and opens as a picture; with
+    /// --relight a .png.
+    #[arg(long, value_name = "FILE", value_parser = words::traced_path())]
+    pub out: Option<PathBuf>,
+    /// Let it replace a file that exists.
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// Print JSON; its keys are stable.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `fit`.
+#[derive(Args, Debug)]
+pub struct Fit {
+    /// A file of spectra or a folder with such files; - reads lines of JSON with nm and values, and
+    /// answers each by a line.
+    #[arg(value_name = "TABLE|FOLDER")]
+    pub input: OsString,
+    /// Numbers a spectrum, 3 or more and fewer than wavelengths.
+    #[arg(long, value_name = "N", default_value = "20", allow_negative_numbers = true,
+        value_parser = words::whole_number)]
+    pub numbers: usize,
+    /// What multiplies the series: one or mean.
+    #[arg(long, value_name = "REFERENCE", default_value = "one",
+        value_parser = words::fit_reference)]
+    pub reference: ReferenceKind,
+    /// Lines with a number of their own: auto or none.
+    #[arg(long, value_name = "LINES", default_value = "auto", value_parser = words::fit_lines)]
+    pub lines: bool,
+    /// The file to write, .csv or .json; needed but for lines of JSON.
+    #[arg(long, value_name = "FILE", value_parser = words::numbers_path())]
+    pub out: Option<PathBuf>,
+    /// Let it replace a file that exists.
+    #[arg(long, requires = "out")]
+    pub force: bool,
+}

@@ -1,0 +1,152 @@
+//! `fit`: tables of many spectra in few numbers each; lines of JSON one by one.
+
+use std::{
+    fs,
+    io::{BufRead, BufReader, Write},
+    path::{Path, PathBuf},
+};
+
+use super::{
+    arguments::Fit,
+    inputs::Inputs,
+    print,
+    refusal::Refusal,
+    target::{Replaces, Target},
+    words::extension,
+};
+use crate::{
+    app::open::Loaded,
+    io::{Choices, atomic::save_atomically, error::shown, many::many, stream::is_standard_input},
+    pictures::{FitAsk, PictureError, fit_line, fit_spectra},
+    spectrum::NamedSpectrum,
+    study::Progress,
+};
+
+/// Most bytes of a line of JSON.
+const MOST_LINE: u64 = 16 << 20;
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for spectra that cannot be read or do not go together, and a file that cannot be
+/// written.
+pub fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+    let ask = FitAsk {
+        numbers: options.numbers,
+        reference: options.reference,
+        lines: options.lines,
+    };
+    let input = Path::new(&options.input);
+    if is_standard_input(input) && options.out.is_none() {
+        return of_lines(ask, &mut std::io::stdin().lock(), out);
+    }
+    let Some(path) = &options.out else {
+        return Err(Refusal::Usage(
+            "found no --out, expected a file to write the numbers to".to_owned(),
+        ));
+    };
+    let target = Target {
+        what: "--out",
+        path,
+        replaces: Replaces::Nothing,
+        force: options.force,
+        read: Vec::new(),
+    };
+    let target = target.beside(&[Some(options.input.as_os_str())]);
+    target.path()?;
+    let spectra = spectra(input, inputs)?;
+    let kind = spectra[0].kind;
+    if let Some(other) = spectra.iter().find(|spectrum| spectrum.kind != kind) {
+        return Err(Refusal::File(format!(
+            "{}: found {} values beside {kind} values, expected spectra of one kind",
+            other.name, other.kind
+        )));
+    }
+    let tables: Vec<_> = spectra
+        .iter()
+        .map(|s| (s.name.clone(), &s.samples))
+        .collect();
+    let fitted = fit_spectra(&tables, kind, ask, &Progress::default());
+    let fitted = fitted.map_err(|why| match why {
+        PictureError::Numbers { .. } => Refusal::Usage(format!("--numbers: {why}")),
+        why => Refusal::File(format!("{}: {why}", shown(input))),
+    })?;
+    let text = match extension(path).as_str() {
+        "csv" => fitted.csv(),
+        _ => format!("{:#}\n", fitted.json()),
+    };
+    save_atomically(target.path()?, text.as_bytes())
+        .map_err(|why| Refusal::File(why.to_string()))?;
+    let worst = fitted.relative_rms.iter().copied().fold(0.0, f64::max);
+    print(
+        out,
+        &format!(
+            "Wrote {}: {} in {} numbers each, relative rms at most {:.2} %\n",
+            shown(path),
+            many(spectra.len(), "spectrum", "spectra"),
+            fitted.operator.numbers(),
+            100.0 * worst
+        ),
+    )
+}
+
+/// A line out for each line in; one that is no spectrum is answered by why.
+fn of_lines(ask: FitAsk, lines: &mut dyn BufRead, out: &mut dyn Write) -> Result<(), Refusal> {
+    let mut lines = BufReader::new(lines);
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        let mut some = std::io::Read::take(&mut lines, MOST_LINE);
+        let read = some.read_until(b'\n', &mut line);
+        let read = read.map_err(|why| Refusal::File(format!("standard input: {why}")))?;
+        if read == 0 {
+            return out.flush().map_err(Refusal::Output);
+        }
+        let text = String::from_utf8_lossy(&line);
+        if text.trim().is_empty() {
+            continue;
+        }
+        let answer = fit_line(text.trim(), ask)
+            .unwrap_or_else(|why| serde_json::json!({ "error": why.to_string() }).to_string());
+        writeln!(out, "{answer}").map_err(Refusal::Output)?;
+    }
+}
+
+/// The spectra of a file, or of all files of a folder but not of those below it.
+fn spectra(input: &Path, inputs: &mut Inputs) -> Result<Vec<NamedSpectrum>, Refusal> {
+    let mut paths: Vec<PathBuf> = vec![input.to_owned()];
+    if input.is_dir() {
+        let unreadable = |why: std::io::Error| {
+            let name = shown(input);
+            Refusal::File(format!(
+                "{name}: found {}, expected a folder to read",
+                why.kind()
+            ))
+        };
+        paths.clear();
+        for item in fs::read_dir(input).map_err(unreadable)? {
+            paths.push(item.map_err(unreadable)?.path());
+        }
+        // A pipe in the folder would be waited for without end.
+        paths.retain(|path| path.is_file());
+        paths.sort();
+    }
+    let mut all = Vec::new();
+    for path in &paths {
+        match inputs.load(path, &Choices::default()) {
+            Loaded::File(opened) => all.extend(opened.into_spectra()),
+            Loaded::Refused(why) if paths.len() == 1 => return Err(Refusal::File(why)),
+            Loaded::Refused(why) => inputs.remark(&format!("skipped: {why}")),
+            Loaded::Project { .. } => {
+                inputs.remark(&format!("skipped: {}: a project", shown(path)))
+            }
+        }
+    }
+    if all.is_empty() {
+        return Err(Refusal::File(format!(
+            "{}: found no spectrum, expected at least one",
+            shown(input)
+        )));
+    }
+    Ok(all)
+}

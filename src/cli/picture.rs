@@ -1,0 +1,375 @@
+//! `picture`: a spectral picture in few numbers a pixel, and such a picture under another light.
+
+use std::{fmt::Write as _, io::Write, path::Path};
+
+use super::{
+    arguments::Picture,
+    inputs::Inputs,
+    picture_relit, print,
+    product::named_light,
+    refusal::Refusal,
+    target::{Replaces, Target},
+    words::Lines,
+};
+use crate::{
+    app::ticks::short,
+    io::{Choices, envi, error::shown},
+    pictures::{
+        About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Half, Light,
+        OfImage, Operator, Peer, PictureError, Pixels, Plan, Precision, Reference, ReferenceKind,
+        Survey, Trust, choose, compact_plan, exact_bytes, find_lines, lines_at, measure, peers,
+        peers_json, picture_json, save_compact, save_full, white_y_of,
+    },
+    study::Progress,
+};
+
+/// The light whose relighting is said how far to trust.
+const TRUSTED_UNDER: &str = "A";
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for a picture or a light that cannot be read, what cannot be kept in few numbers,
+/// and a file that cannot be written.
+pub fn run(options: &Picture, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+    let target = options.out.as_deref().map(|path| target(options, path));
+    if let Some(target) = &target {
+        target.path()?;
+    }
+    if let (Some(light), Some(target)) = (&options.relight, &target) {
+        return picture_relit::run(options, light, target, out, inputs);
+    }
+    let light = match &options.light {
+        Some(word) => Some(light_of("--light", word, inputs)?),
+        None => None,
+    };
+    with_pixels(options, inputs, |pixels, about, inputs| {
+        of_pixels(
+            options,
+            pixels,
+            about,
+            light.as_ref(),
+            target.as_ref(),
+            out,
+            inputs,
+        )
+    })
+}
+
+fn target<'a>(options: &'a Picture, path: &'a Path) -> Target<'a> {
+    let target = Target {
+        what: "--out",
+        path,
+        replaces: Replaces::Nothing,
+        force: options.force,
+        read: Vec::new(),
+    };
+    target.beside(&[
+        Some(options.input.as_os_str()),
+        options.light.as_deref(),
+        options.relight.as_deref(),
+    ])
+}
+
+/// A light by its name on the command line.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be read or is no light.
+pub fn light_of(what: &str, word: &std::ffi::OsStr, inputs: &mut Inputs) -> Result<Light, Refusal> {
+    let entry = named_light(what, word, inputs)?;
+    Ok(Light::new(entry.name(), &entry.spectrum.samples))
+}
+
+/// Words of an error about an input.
+pub fn about(path: &Path) -> impl Fn(PictureError) -> Refusal + '_ {
+    move |why| Refusal::File(format!("{}: {why}", shown(path)))
+}
+
+/// Opens the picture: a cube on disk stays there, others are read whole.
+fn with_pixels(
+    options: &Picture,
+    inputs: &mut Inputs,
+    work: impl FnOnce(&dyn Pixels, About, &mut Inputs) -> Result<(), Refusal>,
+) -> Result<(), Refusal> {
+    let path = options.input.as_path();
+    let source = shown(path);
+    if envi::pair_of(path).is_some() {
+        let file = EnviFile::open(path, options.all_bands).map_err(about(path))?;
+        file.said().iter().for_each(|said| inputs.note(said));
+        let about = About {
+            unit: file.unit().to_owned(),
+            source,
+            noise: 0.0,
+        };
+        return work(&file, about, inputs);
+    }
+    let reading = inputs.reading(path, &Choices::default());
+    let reading = reading.map_err(|why| Refusal::File(why.to_string()))?;
+    let Some(image) = reading.images.first() else {
+        return Err(Refusal::File(format!(
+            "{source}: found no spectral image, expected one"
+        )));
+    };
+    let pixels = OfImage::new(image, options.all_bands).map_err(about(path))?;
+    pixels.said().iter().for_each(|said| inputs.note(said));
+    let about = About {
+        unit: image.unit.clone(),
+        source,
+        noise: 0.0,
+    };
+    work(&pixels, about, inputs)
+}
+
+fn of_pixels(
+    options: &Picture,
+    pixels: &dyn Pixels,
+    said: About,
+    light: Option<&Light>,
+    target: Option<&Target>,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
+    let refused = about(&options.input);
+    let progress = Progress::default();
+    let survey = Survey::of(pixels, &progress).map_err(&refused)?;
+    let plan = plan(options, pixels, &survey, light, inputs).map_err(|why| match why {
+        PictureError::Numbers { .. } => Refusal::Usage(format!("--numbers: {why}")),
+        PictureError::LineOutside { .. } => Refusal::Usage(format!("--lines: {why}")),
+        why => refused(why),
+    })?;
+    let operator = Operator::steady(pixels.bands(), &plan).map_err(&refused)?;
+    if options.peers {
+        let peers = peers(pixels, &operator, &survey, &progress).map_err(&refused)?;
+        let text = if options.json {
+            format!("{:#}\n", peers_json(&peers))
+        } else {
+            peers_words(&peers)
+        };
+        return print(out, &text);
+    }
+    let noise = survey.usual_noise();
+    let said = About { noise, ..said };
+    let kept = kept(options, pixels, &operator, &survey, said, target).map_err(&refused)?;
+    let trust = trust(&operator, &survey, light);
+    let text = if options.json {
+        let json = picture_json(&operator, kept.bytes, &kept.error, noise, trust.as_ref());
+        format!("{json:#}\n")
+    } else {
+        words(&operator, &kept, trust.as_ref())
+    };
+    let wrote = target.map(|target| format!("Wrote {}.", shown(target.path)));
+    match wrote {
+        Some(line) if options.json => {
+            inputs.note(line);
+            print(out, &text)
+        }
+        Some(line) => print(out, &format!("{text}{line}\n")),
+        None => print(out, &text),
+    }
+}
+
+/// What is kept of every pixel: what is best within the bound or of so many numbers, or what was
+/// told by hand.
+fn plan(
+    options: &Picture,
+    pixels: &dyn Pixels,
+    survey: &Survey,
+    light: Option<&Light>,
+    inputs: &mut Inputs,
+) -> Result<Plan, PictureError> {
+    let bands = pixels.bands();
+    let mut base = Plan::new(bands, options.numbers.unwrap_or(3));
+    let known = light.filter(|_| !bands.is_factor());
+    if let Some(light) = light.filter(|_| bands.is_factor()) {
+        base.own = Some(light.clone());
+    }
+    if options.reference.is_none() && options.lines.is_none() {
+        let asked = match options.numbers {
+            Some(numbers) => Asked::Budget(numbers),
+            None => Asked::Bound {
+                p95: options.bound.unwrap_or(BOUND_P95),
+                rms: BOUND_RMS,
+            },
+        };
+        let choice = choose(bands, survey, known, &base, asked, &Progress::default())?;
+        if !choice.is_reached && options.numbers.is_none() {
+            inputs.note(format!(
+                "the bound is not reached: the nearest is {:.3} with {} numbers",
+                choice.chosen.p95, choice.chosen.numbers
+            ));
+        }
+        return Ok(choice.plan);
+    }
+    let most = bands.len() - 1;
+    let numbers = options.numbers.unwrap_or(3);
+    if !(3..=most).contains(&numbers) {
+        return Err(PictureError::Numbers {
+            found: numbers,
+            most,
+        });
+    }
+    base.reference = match (options.reference, known) {
+        (Some(ReferenceKind::Mean), _) => Reference::of_mean(&survey.mean)?,
+        (Some(ReferenceKind::Light), Some(light)) => {
+            base.noise = base.noise.max(survey.relative_noise());
+            Reference::of_light(bands, light)?
+        }
+        (Some(ReferenceKind::Light), None) => {
+            return Err(PictureError::NoRelighting(
+                "--reference light: found no light that lit the picture, expected --light and a \
+                 picture of light"
+                    .to_owned(),
+            ));
+        }
+        _ => Reference::one(bands),
+    };
+    let lines = match &options.lines {
+        Some(Lines::At(places)) => {
+            let found = lines_at(bands, &survey.mean, places, None)?;
+            found.said.iter().for_each(|said| inputs.note(said));
+            found.lines
+        }
+        Some(Lines::None) => Vec::new(),
+        Some(Lines::Auto) | None => find_lines(bands, &survey.mean, None)?,
+    };
+    base.lines = lines.into_iter().take(numbers - 3).collect();
+    base.series = numbers - base.lines.len();
+    Ok(base)
+}
+
+/// What was kept, where, and what it is off by.
+struct Kept {
+    bytes: Bytes,
+    error: Errors,
+}
+
+/// Writes the file, and measures what both forms take and the one asked for is off by.
+fn kept(
+    options: &Picture,
+    pixels: &dyn Pixels,
+    operator: &Operator,
+    survey: &Survey,
+    said: About,
+    target: Option<&Target>,
+) -> Result<Kept, PictureError> {
+    let progress = Progress::default();
+    let white_y = white_y_of(operator, &survey.sample);
+    let sample: Vec<Vec<f64>> = survey
+        .sample
+        .iter()
+        .map(|p| operator.numbers_of(p))
+        .collect();
+    let half = Half::of(&sample);
+    let error = measure(pixels, operator, &half, white_y, &progress)?;
+    let bound = options.bound.unwrap_or(BOUND_P95);
+    let plan: CompactPlan =
+        compact_plan(pixels, operator, &survey.sample, bound, white_y, &progress)?;
+    let path = target.map(|target| target.path);
+    let is_compact = path.is_some_and(|path| path.to_string_lossy().ends_with(".png"));
+    let folder = tempfile::tempdir()?;
+    let place = |form: bool, name: &str| match path {
+        Some(path) if form => path.to_owned(),
+        _ => folder.path().join(name),
+    };
+    let full = save_full(
+        &place(!is_compact, "full.exr"),
+        pixels,
+        operator,
+        (Precision::Half, half),
+        (&said, error.clone()),
+        &progress,
+    )?;
+    let compact = place(is_compact, "compact.png");
+    let compact = save_compact(&compact, pixels, operator, &plan, &said, &progress)?;
+    let exact = exact_bytes(pixels, Precision::Half, &progress)?;
+    Ok(Kept {
+        bytes: Bytes {
+            full: Some(full),
+            compact: Some(compact),
+            exact: Some(exact),
+        },
+        error: if is_compact { plan.error } else { error },
+    })
+}
+
+/// How far relighting to a bulb can be trusted; `None` where nobody knows what lit the picture.
+fn trust(operator: &Operator, survey: &Survey, light: Option<&Light>) -> Option<Trust> {
+    let new = Light::named(TRUSTED_UNDER)?;
+    let is_factor = operator.bands().is_factor();
+    let known = light.filter(|_| !is_factor);
+    let relit = operator
+        .relit(&new, known, crate::pictures::Between::Bands)
+        .ok()?;
+    let old = known.and_then(|light| light.on_bands(operator.bands()).ok());
+    Some(operator.trust(&relit, &new, old.as_deref(), &survey.noise))
+}
+
+fn words(operator: &Operator, kept: &Kept, trust: Option<&Trust>) -> String {
+    let plan = operator.plan();
+    let reference = match plan.reference.kind {
+        ReferenceKind::One => "no reference".to_owned(),
+        ReferenceKind::Light => format!("reference {}", plan.reference.name),
+        ReferenceKind::Mean => "reference mean".to_owned(),
+    };
+    let lines: Vec<String> = plan.lines.iter().map(|line| short(line.at_nm)).collect();
+    let lines = match &lines[..] {
+        [] => "no lines".to_owned(),
+        lines => format!("lines at {} nm", lines.join(", ")),
+    };
+    let mut text = format!("{} numbers a pixel, {reference}, {lines}\n", plan.numbers());
+    let Errors {
+        own,
+        lights,
+        relative_rms,
+        ..
+    } = &kept.error;
+    let all = std::iter::once(("own colour", own)).chain(lights.iter().map(|(n, s)| (&n[..], s)));
+    // Writing to a string cannot fail.
+    for (name, spread) in all {
+        let _ = writeln!(
+            text,
+            "{name:>12}  \u{394}E\u{2080}\u{2080} {:.3} mean, {:.3} (95 %), {:.2} most",
+            spread.mean, spread.p95, spread.max
+        );
+    }
+    let mib = |bytes: Option<u64>| bytes.unwrap_or(0) as f64 / f64::from(1 << 20);
+    let Bytes {
+        full,
+        compact,
+        exact,
+    } = kept.bytes;
+    let _ = writeln!(
+        text,
+        "relative rms {:.2} %; {:.2} MiB full, {:.2} compact, {:.2} exact",
+        100.0 * relative_rms,
+        mib(full),
+        mib(compact),
+        mib(exact)
+    );
+    if let Some(trust) = trust {
+        let _ = writeln!(text, "relit to {TRUSTED_UNDER}: {}", trust.words());
+    }
+    text
+}
+
+fn peers_words(peers: &[Peer]) -> String {
+    let mut text = format!(
+        "{:<24} {:>7} {:>12} {:>9} {:>9}\n",
+        "way", "numbers", "bytes", "\u{394}E own", "\u{394}E lights"
+    );
+    for peer in peers {
+        let number = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{:<24} {:>7} {:>12} {:>9} {:>9}  {}",
+            peer.name,
+            peer.numbers,
+            peer.bytes.map_or("-".to_owned(), |bytes| bytes.to_string()),
+            number(peer.error.as_ref().map(|error| error.own.p95)),
+            number(peer.lights().map(|spread| spread.p95)),
+            peer.said
+        );
+    }
+    text
+}

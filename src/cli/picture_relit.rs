@@ -1,0 +1,137 @@
+//! `picture --relight`: a picture of few numbers under another light, as PNG.
+
+use std::{ffi::OsStr, fs, io::Write, path::Path};
+
+use super::{
+    arguments::Picture as Options,
+    inputs::Inputs,
+    picture::{about, light_of},
+    print,
+    refusal::Refusal,
+    target::Target,
+    words::extension,
+};
+use crate::{
+    color::{Adaptation, Srgb, Swatch, Xyz},
+    io::{atomic::save_atomically, error::shown},
+    pictures::{Between, CompactFile, Light, Operator, Picture, Relit, read_full, relit_into},
+    study::Progress,
+};
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for a file that holds no picture of few numbers, and a light that it cannot be seen
+/// under.
+pub fn run(
+    options: &Options,
+    light: &OsStr,
+    target: &Target,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
+    if extension(target.path) != "png" {
+        return Err(Refusal::Usage(format!(
+            "--out: found {}, expected a file that ends in .png",
+            shown(target.path)
+        )));
+    }
+    let refused = about(&options.input);
+    let new = light_of("--relight", light, inputs)?;
+    let known = match &options.light {
+        Some(word) => Some(light_of("--light", word, inputs)?),
+        None => None,
+    };
+    let picture = opened(&options.input)?;
+    let operator = picture.header.operator().map_err(&refused)?;
+    let known = known.filter(|_| !operator.bands().is_factor());
+    let relit = operator
+        .relit(&new, known.as_ref(), Between::Bands)
+        .map_err(&refused)?;
+    say_trust(&operator, &picture, &relit, &new, known.as_ref(), inputs);
+    let size = [picture.header.width, picture.header.height];
+    let file = png_of(size, &pixels(&picture, &relit));
+    let file =
+        file.ok_or_else(|| Refusal::File(format!("{}: found no pixels", shown(&options.input))))?;
+    save_atomically(target.path()?, &file).map_err(|why| Refusal::File(why.to_string()))?;
+    if options.json {
+        let json = serde_json::json!({
+            "width": size[0], "height": size[1], "light": relit.light,
+            "white": relit.white.to_array(),
+        });
+        return print(out, &format!("{json:#}\n"));
+    }
+    let [width, height] = size;
+    print(
+        out,
+        &format!(
+            "Wrote {}, {width} x {height} px, under {}.\n",
+            shown(target.path),
+            relit.light
+        ),
+    )
+}
+
+/// A picture in the full or the compact form.
+fn opened(path: &Path) -> Result<Picture, Refusal> {
+    let bytes = fs::read(path).map_err(|why| {
+        let name = shown(path);
+        Refusal::File(format!(
+            "{name}: found {}, expected a picture of few numbers",
+            why.kind()
+        ))
+    })?;
+    let picture = if bytes.starts_with(b"\x89PNG") {
+        CompactFile::open(bytes).and_then(|file| file.picture(&Progress::default()))
+    } else {
+        read_full(&bytes)
+    };
+    picture.map_err(about(path))
+}
+
+fn say_trust(
+    operator: &Operator,
+    picture: &Picture,
+    relit: &Relit,
+    new: &Light,
+    known: Option<&Light>,
+    inputs: &mut Inputs,
+) {
+    let plan = operator.plan();
+    let lit = known.and_then(|light| light.on_bands(operator.bands()).ok());
+    let is_lit = plan.reference.kind == crate::pictures::ReferenceKind::Light;
+    let old = lit.or_else(|| is_lit.then(|| plan.reference.values.clone()));
+    let noise = vec![picture.header.noise; operator.bands().len()];
+    let trust = operator.trust(relit, new, old.as_deref(), &noise);
+    inputs.note(trust.words());
+}
+
+/// What a screen shows of every pixel, adapted to the light; black where nothing was measured.
+fn pixels(picture: &Picture, relit: &Relit) -> Vec<u8> {
+    let count = picture.header.width * picture.header.height;
+    let mut xyz = vec![0.0_f32; 3 * count];
+    relit_into(&picture.planes, count, relit, &mut xyz);
+    let shown = |i: usize| {
+        let of = |k: usize| f64::from(xyz[k * count + i]);
+        let xyz = Xyz::new(of(0), of(1), of(2));
+        if xyz.is_finite() {
+            Swatch::of_patch(xyz, relit.white, Adaptation::ToLight).rgb8
+        } else {
+            Srgb([0; 3])
+        }
+    };
+    (0..count).flat_map(|i| shown(i).0).collect()
+}
+
+fn png_of([width, height]: [usize; 2], rgb: &[u8]) -> Option<Vec<u8>> {
+    let (width, height) = (u32::try_from(width).ok()?, u32::try_from(height).ok()?);
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header().ok()?;
+    writer.write_image_data(rgb).ok()?;
+    writer.finish().ok()?;
+    Some(file)
+}

@@ -1,0 +1,309 @@
+//! The wavelengths of a picture: how a spectrum goes on between them, and which are kept.
+
+use crate::color::xyz::{FIRST_NM, LAST_NM, POINTS};
+use crate::spectrum::{Kind, Sampled, Spike};
+
+use super::PictureError;
+
+/// Bands closer than this are averaged, nm.
+pub const CLOSE_NM: f64 = 0.5;
+
+/// Bands missing in more than this share of the pixels are dropped.
+const MOST_MISSING: f64 = 0.5;
+
+/// When more than this share of the bands' length lies outside 360-830 nm, only what is seen is
+/// kept unless all bands are asked for.
+const MOST_UNSEEN: f64 = 0.2;
+
+/// The bands of a picture: strictly rising wavelengths (nm) and what the spectra stand for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bands {
+    nm: Vec<f64>,
+    weights_nm: Vec<f64>,
+    kind: Kind,
+}
+
+impl Bands {
+    /// Bands from wavelengths in nm.
+    ///
+    /// # Errors
+    /// [`PictureError`] when there are fewer than three or they do not rise.
+    pub fn new(nm: Vec<f64>, kind: Kind) -> Result<Self, PictureError> {
+        if nm.len() < 3 {
+            return Err(PictureError::TooFewBands { found: nm.len() });
+        }
+        for (index, at) in nm.iter().enumerate() {
+            let rises = index == 0 || *at > nm[index - 1];
+            if !(at.is_finite() && *at > 0.0 && *at < 1e9 && rises) {
+                return Err(PictureError::NotRising { index });
+            }
+        }
+        let last = nm.len() - 1;
+        let weights_nm = (0..nm.len())
+            .map(|j| 0.5 * (nm[(j + 1).min(last)] - nm[j.saturating_sub(1)]))
+            .collect();
+        Ok(Self {
+            nm,
+            weights_nm,
+            kind,
+        })
+    }
+
+    /// Wavelengths, nm.
+    pub fn nm(&self) -> &[f64] {
+        &self.nm
+    }
+
+    /// How many, at least three.
+    #[allow(clippy::len_without_is_empty)]
+    pub fn len(&self) -> usize {
+        self.nm.len()
+    }
+
+    /// What the spectra stand for.
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// Whether the pixels multiply a light.
+    pub fn is_factor(&self) -> bool {
+        self.kind.is_factor()
+    }
+
+    /// Trapezoid weight of each band, nm.
+    pub fn weights_nm(&self) -> &[f64] {
+        &self.weights_nm
+    }
+
+    /// From the first band to the last, nm.
+    pub fn length_nm(&self) -> f64 {
+        self.nm[self.nm.len() - 1] - self.nm[0]
+    }
+
+    /// The median distance between neighbours, nm.
+    pub fn median_spacing_nm(&self) -> f64 {
+        let mut steps: Vec<f64> = self.nm.windows(2).map(|w| w[1] - w[0]).collect();
+        let middle = steps.len() / 2;
+        *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+    }
+
+    /// The two bands about a wavelength and the share of the right one; `None` where the spectrum
+    /// is zero. A reflectance goes on with its end values.
+    fn about(&self, at_nm: f64) -> Option<(usize, f64)> {
+        let last = self.nm.len() - 1;
+        let hold = self.is_factor();
+        if at_nm < self.nm[0] {
+            return hold.then_some((0, 0.0));
+        }
+        if at_nm > self.nm[last] {
+            return hold.then_some((last - 1, 1.0));
+        }
+        let right = self.nm.partition_point(|w| *w < at_nm).clamp(1, last);
+        let (a, b) = (self.nm[right - 1], self.nm[right]);
+        Some((right - 1, (at_nm - a) / (b - a)))
+    }
+
+    /// What each band weighs when a spectrum, linear between bands, is summed with weights on the
+    /// whole nm 360-830 and at single places (nm, weight).
+    ///
+    /// # Panics
+    /// When `on_nm` does not have 471 values.
+    pub fn fold(&self, on_nm: &[f64], at: &[(f64, f64)]) -> Vec<f64> {
+        assert_eq!(on_nm.len(), POINTS, "one weight per nm of 360-830");
+        let mut out = vec![0.0; self.nm.len()];
+        let whole = (FIRST_NM..=LAST_NM)
+            .map(f64::from)
+            .zip(on_nm.iter().copied());
+        for (nm, weight) in whole.chain(at.iter().copied()) {
+            if let Some((left, t)) = self.about(nm) {
+                out[left] += weight * (1.0 - t);
+                out[left + 1] += weight * t;
+            }
+        }
+        out
+    }
+
+    /// A table as it falls on the bands: its mean under each band's tent (down to zero at both
+    /// neighbours, half a tent at the ends), spikes by the share that the tent gives them.
+    pub fn under_tents(&self, table: &Sampled, spikes: &[Spike]) -> Vec<f64> {
+        let last = self.nm.len() - 1;
+        let outside = crate::spectrum::Outside::Zero;
+        (0..=last)
+            .map(|j| {
+                let here = self.nm[j];
+                let sides = [
+                    (j > 0).then(|| here - self.nm[j - 1]),
+                    (j < last).then(|| self.nm[j + 1] - here),
+                ];
+                let (mut sum, mut area, mut middle, mut present) = (0.0, 0.0, 0.0, 0.0);
+                for (side, sign) in sides.into_iter().zip([-1.0, 1.0]) {
+                    let Some(width) = side else { continue };
+                    // Steps of one nm, or the next smaller even part of the side.
+                    let steps = (width.ceil() as usize).clamp(1, 1000);
+                    let step = width / steps as f64;
+                    (middle, present) = (middle + step, present + 1.0);
+                    for k in 1..steps {
+                        let share = 1.0 - k as f64 / steps as f64;
+                        sum += step * share * table.at(here + sign * step * k as f64, outside);
+                        area += step * share;
+                    }
+                }
+                let middle = middle / present;
+                sum += middle * table.at(here, outside);
+                area += middle;
+                for spike in spikes {
+                    let side = if spike.at_nm < here {
+                        sides[0]
+                    } else {
+                        sides[1]
+                    };
+                    let far = (spike.at_nm - here).abs();
+                    let share = side.map_or(f64::from(u8::from(far == 0.0)), |w| 1.0 - far / w);
+                    sum += spike.weight * share.max(0.0);
+                }
+                sum / area
+            })
+            .collect()
+    }
+}
+
+/// Which bands of a file make up those of a picture, and what was left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeptBands {
+    /// Wavelength of each kept band, nm: the mean of those that are averaged.
+    pub nm: Vec<f64>,
+    /// The file's bands that each kept one is the mean of.
+    pub of: Vec<Vec<usize>>,
+    /// What was merged or dropped, a sentence each.
+    pub said: Vec<String>,
+}
+
+impl KeptBands {
+    /// Decides about a file's bands (nm, rising). `missing` is each band's share of pixels without
+    /// a value (1 for one flagged bad); `all` keeps what nobody sees.
+    pub fn of_file(nm: &[f64], missing: &[f64], all: bool) -> Self {
+        let mut said = Vec::new();
+        let is_missing = |band: &usize| missing.get(*band).is_some_and(|m| *m > MOST_MISSING);
+        let (gone, mut kept): (Vec<usize>, Vec<usize>) = (0..nm.len()).partition(is_missing);
+        if !gone.is_empty() {
+            said.push(format!(
+                "{} of {} bands left out: bad, or missing in more than half of the pixels",
+                gone.len(),
+                nm.len()
+            ));
+        }
+        let (low, high) = (f64::from(FIRST_NM), f64::from(LAST_NM));
+        if let (Some(first), Some(last), false) = (kept.first(), kept.last(), all) {
+            let (first, last) = (nm[*first], nm[*last]);
+            let unseen = (low - first).max(0.0) + (last - high).max(0.0);
+            let seen = |band: &usize| (low..=high).contains(&nm[*band]);
+            let count = kept.iter().filter(|band| seen(band)).count();
+            if unseen > MOST_UNSEEN * (last - first) && count >= 3 {
+                said.push(format!(
+                    "only what is seen: {} bands outside 360-830 nm left out",
+                    kept.len() - count
+                ));
+                kept.retain(seen);
+            }
+        }
+        let mut of: Vec<Vec<usize>> = Vec::new();
+        for band in kept {
+            match of.last_mut() {
+                Some(group) if nm[band] - nm[group[0]] < CLOSE_NM => group.push(band),
+                _ => of.push(vec![band]),
+            }
+        }
+        let merged = of.iter().filter(|group| group.len() > 1).count();
+        if merged > 0 {
+            said.push(format!(
+                "bands within {CLOSE_NM} nm of one another averaged, {merged} times"
+            ));
+        }
+        let mean =
+            |group: &Vec<usize>| group.iter().map(|b| nm[*b]).sum::<f64>() / group.len() as f64;
+        Self {
+            nm: of.iter().map(mean).collect(),
+            of,
+            said,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bands(kind: Kind) -> Bands {
+        Bands::new((0..81).map(|i| 380.0 + 5.0 * f64::from(i)).collect(), kind).unwrap()
+    }
+
+    #[test]
+    fn folded_weights_of_one_are_the_nm_a_spectrum_covers() {
+        let ones = vec![1.0; POINTS];
+        // A reflectance covers all 471 nm, a light the 401 from its first band to its last.
+        let sum: f64 = bands(Kind::Reflectance).fold(&ones, &[]).iter().sum();
+        assert!((sum - 471.0).abs() < 1e-10, "{sum}");
+        let sum: f64 = bands(Kind::Light)
+            .fold(&ones, &[(546.1, 2.0), (900.0, 5.0)])
+            .iter()
+            .sum();
+        assert!((sum - 403.0).abs() < 1e-10, "{sum}");
+    }
+
+    #[test]
+    fn a_straight_table_falls_on_even_bands_as_itself() {
+        let table = Sampled::new(vec![300.0, 900.0], vec![300.0, 900.0]).unwrap();
+        let bands = bands(Kind::Light);
+        let found = bands.under_tents(&table, &[]);
+        for (value, nm) in found.iter().zip(bands.nm()).take(80).skip(1) {
+            // Symmetric sums about the band.
+            assert!((value - nm).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_spike_keeps_its_power_on_even_bands() {
+        let dark = Sampled::new(vec![300.0, 900.0], vec![0.0, 0.0]).unwrap();
+        let bands = bands(Kind::Light);
+        let spike = Spike {
+            at_nm: 546.1,
+            weight: 3.0,
+        };
+        let found = bands.under_tents(&dark, &[spike]);
+        let power: f64 = found
+            .iter()
+            .zip(bands.weights_nm())
+            .map(|(v, q)| v * q)
+            .sum();
+        // The tents of two neighbours add to one everywhere between them.
+        assert!((power - 3.0).abs() < 1e-12, "{power}");
+    }
+
+    #[test]
+    fn bands_that_do_not_rise_and_too_few_are_refused() {
+        let refused = |nm: &[f64]| Bands::new(nm.to_vec(), Kind::Light).unwrap_err();
+        assert_eq!(
+            refused(&[400.0, 500.0]),
+            PictureError::TooFewBands { found: 2 }
+        );
+        assert_eq!(
+            refused(&[400.0, 500.0, 500.0]),
+            PictureError::NotRising { index: 2 }
+        );
+        assert_eq!(
+            refused(&[400.0, f64::NAN, 500.0]),
+            PictureError::NotRising { index: 1 }
+        );
+    }
+
+    #[test]
+    fn close_bad_and_unseen_bands_are_left_out_and_said() {
+        let nm: Vec<f64> = (0..220).map(|i| 400.0 + 10.0 * f64::from(i)).collect();
+        let seen = KeptBands::of_file(&nm, &[], false);
+        assert_eq!((seen.nm.len(), seen.said.len()), (44, 1));
+        assert_eq!(KeptBands::of_file(&nm, &[], true).nm.len(), 220);
+        let close = KeptBands::of_file(&[400.0, 400.4, 410.0, 420.0], &[0.0, 0.0, 0.6, 0.5], false);
+        assert_eq!(close.nm, [400.2, 420.0]);
+        assert_eq!(close.said.len(), 2);
+    }
+}

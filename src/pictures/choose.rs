@@ -1,0 +1,319 @@
+//! Choosing the count of numbers, the reference and the lines by themselves, by a bound on the
+//! error or by a budget of numbers.
+
+use std::sync::Arc;
+
+use nalgebra::DMatrix;
+
+use crate::color::{Lab, Xyz, delta_e_2000, lab_from_xyz};
+use crate::study::Progress;
+
+use super::lines::{Line, find_lines};
+use super::measure::{Judge, white_y_of};
+use super::operator::MOST_NOISE_GAIN;
+use super::plan::MARGIN;
+use super::strips::over_parts;
+use super::survey::Survey;
+use super::{Bands, Light, Operator, PictureError, Plan, Reference, ReferenceKind};
+
+/// Most numbers a pixel that are tried.
+pub const MOST_NUMBERS: usize = 40;
+/// Default bound on the 95th percentile of dE00.
+pub const BOUND_P95: f64 = 0.5;
+/// Default bound on the relative rms.
+pub const BOUND_RMS: f64 = 0.02;
+/// Pixels of the sample that colours are worked out for.
+const MOST_JUDGED: usize = 1024;
+
+/// What is asked of a choice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Asked {
+    /// The fewest numbers that keep the 95th percentile of dE00 and the relative rms (or the
+    /// noise, where that is larger) within bounds.
+    Bound { p95: f64, rms: f64 },
+    /// The least error at a count of numbers.
+    Budget(usize),
+}
+
+/// One way of storing a picture, and what it is off by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// Numbers a pixel.
+    pub numbers: usize,
+    /// What multiplies the series.
+    pub reference: ReferenceKind,
+    /// How many lines.
+    pub lines: usize,
+    /// How far the range reaches beyond the bands.
+    pub margin: f64,
+    /// 95th percentile of dE00 under the judging lights; of own colour where there are none.
+    pub p95: f64,
+    /// Relative rms.
+    pub rms: f64,
+}
+
+impl Candidate {
+    /// The larger of both errors over its bound.
+    fn over(&self, p95: f64, rms: f64) -> f64 {
+        (self.p95 / p95).max(self.rms / rms)
+    }
+}
+
+/// What was chosen, and all that was tried.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// The plan.
+    pub plan: Plan,
+    /// What it is off by on the sample.
+    pub chosen: Candidate,
+    /// Whether the bound is kept; else it is the best there is.
+    pub is_reached: bool,
+    /// Every candidate, for the curve of error against numbers.
+    pub tried: Vec<Candidate>,
+    /// The bound on the rms in force: noise may raise it.
+    pub bound_rms: f64,
+}
+
+/// What candidates are formed from.
+struct Ways<'a> {
+    bands: &'a Bands,
+    base: Plan,
+    references: Vec<Reference>,
+    lines: Vec<Line>,
+    survey: &'a Survey,
+    known: Option<&'a Light>,
+    moments: DMatrix<f64>,
+}
+
+/// Chooses. `known` is the light on a picture that is light itself; `base` tells own light,
+/// observer and weighting.
+///
+/// # Errors
+/// [`PictureError`] when no candidate can be formed at all.
+pub fn choose(
+    bands: &Bands,
+    survey: &Survey,
+    known: Option<&Light>,
+    base: &Plan,
+    asked: Asked,
+    progress: &Progress,
+) -> Result<Choice, PictureError> {
+    let ways = Ways::new(bands, survey, known, base)?;
+    let bases = ways.bases();
+    let most = (bands.len() - 1).min(MOST_NUMBERS);
+    let jobs: Vec<(usize, usize)> = (3..=most)
+        .flat_map(|p| (0..bases.len()).map(move |b| (p, b)))
+        .collect();
+    let wanted = match asked {
+        Asked::Budget(numbers) if numbers < 3 || numbers > bands.len() - 1 => {
+            return Err(PictureError::Numbers {
+                found: numbers,
+                most: bands.len() - 1,
+            });
+        }
+        Asked::Budget(numbers) => Some(numbers),
+        Asked::Bound { .. } => None,
+    };
+    progress.expect(jobs.len());
+    let tried = over_parts(jobs.len(), 1 << 20, progress, |at| {
+        let (numbers, base) = jobs[at];
+        Ok(ways.try_one(&bases[base], numbers))
+    })?;
+    let mut tried: Vec<Candidate> = tried.into_iter().flatten().collect();
+    if let Some(numbers) = wanted.filter(|n| *n > most) {
+        tried.extend(bases.iter().filter_map(|base| ways.try_one(base, numbers)));
+    }
+    let (p95, rms) = match asked {
+        Asked::Bound { p95, rms } => (p95, rms.max(survey.relative_noise())),
+        Asked::Budget(_) => (BOUND_P95, BOUND_RMS.max(survey.relative_noise())),
+    };
+    let best = |from: &mut dyn Iterator<Item = &Candidate>| {
+        from.min_by(|a, b| a.over(p95, rms).total_cmp(&b.over(p95, rms)))
+            .cloned()
+    };
+    let chosen = match wanted {
+        Some(numbers) => best(&mut tried.iter().filter(|c| c.numbers == numbers)),
+        None => {
+            let keeps = |c: &&Candidate| c.over(p95, rms) <= 1.0;
+            let least = tried.iter().filter(keeps).map(|c| c.numbers).min();
+            match least {
+                Some(least) => tried
+                    .iter()
+                    .filter(keeps)
+                    .filter(|c| c.numbers == least)
+                    .min_by(|a, b| a.rms.total_cmp(&b.rms))
+                    .cloned(),
+                None => best(&mut tried.iter()),
+            }
+        }
+    };
+    let chosen = chosen.ok_or(PictureError::NotSolved)?;
+    Ok(Choice {
+        plan: ways.plan(&chosen),
+        is_reached: chosen.over(p95, rms) <= 1.0,
+        chosen,
+        tried,
+        bound_rms: rms,
+    })
+}
+
+/// A reference, whether lines are taken, and a margin.
+type Base = (usize, bool, f64);
+
+impl<'a> Ways<'a> {
+    fn new(
+        bands: &'a Bands,
+        survey: &'a Survey,
+        known: Option<&'a Light>,
+        base: &Plan,
+    ) -> Result<Self, PictureError> {
+        let known = known.filter(|_| !bands.is_factor());
+        let mut references = vec![Reference::one(bands)];
+        references.extend(Reference::of_mean(&survey.mean).ok());
+        let mut source = survey.mean.clone();
+        let mut plan = base.clone();
+        if let Some(light) = known {
+            references[0] = Reference::of_light(bands, light)?;
+            source.clone_from(&references[0].values);
+            plan.noise = survey
+                .usual_noise_under(&references[0].values)
+                .max(super::plan::LEAST_NOISE);
+        }
+        let lines = if bands.is_factor() {
+            Vec::new()
+        } else {
+            find_lines(bands, &source, None)?
+        };
+        let count = survey.sample.len().max(1) as f64;
+        let all = DMatrix::from_fn(bands.len(), survey.sample.len(), |j, i| survey.sample[i][j]);
+        Ok(Self {
+            bands,
+            base: plan,
+            references,
+            lines,
+            survey,
+            known,
+            moments: &all * all.transpose() / count,
+        })
+    }
+
+    fn bases(&self) -> Vec<Base> {
+        let mut bases = Vec::new();
+        for margin in [MARGIN, 0.0] {
+            for (at, reference) in self.references.iter().enumerate() {
+                let lit = reference.kind == ReferenceKind::Light;
+                bases.push((at, false, margin));
+                if !lit && !self.lines.is_empty() {
+                    bases.push((at, true, margin));
+                }
+            }
+        }
+        bases
+    }
+
+    fn form(&self, (reference, lines, margin): Base, numbers: usize) -> Plan {
+        // At least three numbers are left for the series.
+        let lines = if lines {
+            self.lines.len().min(numbers.saturating_sub(3))
+        } else {
+            0
+        };
+        Plan {
+            series: numbers - lines,
+            margin,
+            reference: self.references[reference].clone(),
+            second: None,
+            lines: self.lines[..lines].to_vec(),
+            ..self.base.clone()
+        }
+    }
+
+    fn plan(&self, chosen: &Candidate) -> Plan {
+        let at = self
+            .references
+            .iter()
+            .position(|r| r.kind == chosen.reference);
+        let mut plan = self.form(
+            (at.unwrap_or(0), chosen.lines > 0, chosen.margin),
+            chosen.numbers,
+        );
+        plan.lines.truncate(chosen.lines);
+        plan.series = chosen.numbers - plan.lines.len();
+        plan
+    }
+
+    fn try_one(&self, base: &Base, numbers: usize) -> Option<Candidate> {
+        let plan = self.form(*base, numbers);
+        let operator = Operator::new(self.bands, &plan).ok()?;
+        if operator.noise_gain() > MOST_NOISE_GAIN {
+            return None;
+        }
+        Some(Candidate {
+            numbers,
+            reference: plan.reference.kind,
+            lines: plan.lines.len(),
+            margin: plan.margin,
+            p95: self.colour_error(&operator)?,
+            rms: self.rms(&operator),
+        })
+    }
+
+    /// From the second moments of the sample alone.
+    fn rms(&self, operator: &Operator) -> f64 {
+        let count = self.bands.len();
+        let off = DMatrix::identity(count, count) - &operator.decode * &operator.encode;
+        let spread = &off * &self.moments;
+        let weights = self.bands.weights_nm();
+        let (mut error, mut all) = (0.0, 0.0);
+        for (j, weight) in weights.iter().enumerate() {
+            error += weight * spread.row(j).dot(&off.row(j));
+            all += weight * self.moments[(j, j)];
+        }
+        if all > 0.0 {
+            (error.max(0.0) / all).sqrt()
+        } else {
+            0.0
+        }
+    }
+
+    /// 95th percentile of dE00 under the judging lights, or of own colour.
+    fn colour_error(&self, operator: &Operator) -> Option<f64> {
+        let white_y = white_y_of(operator, &self.survey.sample);
+        let judges = Judge::all(operator, white_y, self.known).ok()?;
+        let judges = if judges.len() > 1 {
+            &judges[1..]
+        } else {
+            &judges[..]
+        };
+        let step = self.survey.sample.len().div_ceil(MOST_JUDGED).max(1);
+        let sample: Vec<&Vec<f64>> = self.survey.sample.iter().step_by(step).collect();
+        let mut off: Vec<f64> = Vec::with_capacity(judges.len() * sample.len());
+        for judge in judges {
+            let ends = judge.ends(operator);
+            let lab = |rows: &[Vec<f64>; 3], pixel: &[f64]| -> Lab {
+                let sum = |row: &Vec<f64>| crate::spectrum::band::dot(row, pixel);
+                lab_from_xyz(Xyz::from_array(rows.each_ref().map(sum)), ends.2)
+            };
+            let differences = sample
+                .iter()
+                .map(|p| delta_e_2000(lab(ends.0, p), lab(&ends.1, p)));
+            off.extend(differences.filter(|d| d.is_finite()));
+        }
+        if off.is_empty() {
+            return None;
+        }
+        let at = ((off.len() - 1) as f64 * 0.95).round() as usize;
+        Some(*off.select_nth_unstable_by(at, f64::total_cmp).1)
+    }
+}
+
+/// The weighting of a picture's kind, formed once for all candidates.
+pub fn usual_weighting(
+    bands: &Bands,
+    observer: crate::color::Observer,
+) -> Option<Arc<super::Weighting>> {
+    let lights = Light::weighting();
+    bands
+        .is_factor()
+        .then(|| Arc::new(super::Weighting::of(lights, bands, observer)))
+}

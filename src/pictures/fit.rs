@@ -1,0 +1,277 @@
+//! The same engine on tables of many spectra: every spectrum a row of numbers.
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use crate::spectrum::{Kind, Outside, Sampled};
+use crate::study::Progress;
+
+use super::header::About;
+use super::lines::find_lines;
+use super::measure::{Errors, Exactly};
+use super::survey::Survey;
+use super::{Bands, InMemory, Operator, Picture, PictureError, Plan, Reference, ReferenceKind};
+
+/// Most spectra or points that one line of JSON may hold.
+const MOST_POINTS: usize = 100_000;
+
+/// What is asked of a fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitAsk {
+    /// Numbers a spectrum.
+    pub numbers: usize,
+    /// `One` or `Mean`.
+    pub reference: ReferenceKind,
+    /// Whether lines are looked for in the mean.
+    pub lines: bool,
+}
+
+/// Many spectra in few numbers each.
+#[derive(Clone, Debug)]
+pub struct Fitted {
+    /// Their names.
+    pub names: Vec<String>,
+    /// The operator.
+    pub operator: Operator,
+    /// `[number * spectra + i]`; NaN for one that was not measured in full.
+    pub numbers: Vec<f32>,
+    /// Relative rms of each.
+    pub relative_rms: Vec<f64>,
+}
+
+/// The operator for spectra on common bands.
+fn operator_for(bands: &Bands, mean: &[f64], ask: FitAsk) -> Result<Operator, PictureError> {
+    let lines = if ask.lines {
+        find_lines(bands, mean, None)?
+    } else {
+        Vec::new()
+    };
+    let count = lines.len().min(ask.numbers.saturating_sub(3));
+    let reference = match ask.reference {
+        ReferenceKind::Mean => Reference::of_mean(mean)?,
+        ReferenceKind::One | ReferenceKind::Light => Reference::one(bands),
+    };
+    let plan = Plan {
+        reference,
+        lines: lines.into_iter().take(count).collect(),
+        ..Plan::new(bands, ask.numbers.saturating_sub(count))
+    };
+    Operator::steady(bands, &plan)
+}
+
+/// Fits spectra that lie band after band in memory: `values[band * spectra + i]`.
+///
+/// # Errors
+/// [`PictureError`] when they cannot be fitted, or it was cancelled.
+pub fn fit_values(
+    names: Vec<String>,
+    bands: Bands,
+    values: Vec<f32>,
+    ask: FitAsk,
+    progress: &Progress,
+) -> Result<Fitted, PictureError> {
+    let count = names.len();
+    // As a column, so that rows are shared out over threads.
+    let pixels = InMemory::new(1, count, bands.clone(), values)?;
+    let survey = Survey::of(&pixels, &Progress::default())?;
+    let operator = operator_for(&bands, &survey.mean, ask)?;
+    let (encode, decode) = (operator.encoder(), operator.decoder());
+    let picture = if count < 1 << 12 {
+        Picture::encode(
+            &pixels,
+            &operator,
+            &Exactly,
+            (&About::default(), Errors::default()),
+            progress,
+        )?
+        .planes
+    } else {
+        let mut numbers = vec![0.0; operator.numbers() * count];
+        encode.apply(pixels.values(), count, &mut numbers);
+        numbers
+    };
+    let mut back = vec![0.0; bands.len() * count];
+    decode.apply(&picture, count, &mut back);
+    let (mut off, mut all) = (vec![0.0; count], vec![0.0; count]);
+    for (j, weight) in bands.weights_nm().iter().enumerate() {
+        for i in 0..count {
+            let (exact, found) = (pixels.values()[j * count + i], back[j * count + i]);
+            off[i] += weight * f64::from(found - exact).powi(2);
+            all[i] += weight * f64::from(exact).powi(2);
+        }
+    }
+    let rms = |(off, all): (&f64, &f64)| if *all > 0.0 { (off / all).sqrt() } else { 0.0 };
+    Ok(Fitted {
+        names,
+        operator,
+        numbers: picture,
+        relative_rms: off.iter().zip(&all).map(rms).collect(),
+    })
+}
+
+/// Fits a table of spectra; those on other wavelengths than the first come to its by straight
+/// lines and must cover them.
+///
+/// # Errors
+/// [`PictureError`] with the name of the spectrum that does not fit.
+pub fn fit_spectra(
+    spectra: &[(String, &Sampled)],
+    kind: Kind,
+    ask: FitAsk,
+    progress: &Progress,
+) -> Result<Fitted, PictureError> {
+    let (_, first) = spectra.first().ok_or(PictureError::NothingMeasured)?;
+    let bands = Bands::new(first.nm().to_vec(), kind)?;
+    let mut values = vec![0.0; bands.len() * spectra.len()];
+    for (i, (name, table)) in spectra.iter().enumerate() {
+        if table.first_nm() > first.first_nm() || table.last_nm() < first.last_nm() {
+            let found = format!("{name} from {} to {} nm", table.first_nm(), table.last_nm());
+            let expected = format!(
+                "spectra that cover {} to {} nm",
+                first.first_nm(),
+                first.last_nm()
+            );
+            return Err(PictureError::broken(found, expected));
+        }
+        let same = table.nm() == bands.nm();
+        for j in 0..bands.len() {
+            let value = if same {
+                table.values()[j]
+            } else {
+                table.at(bands.nm()[j], Outside::Hold)
+            };
+            values[j * spectra.len() + i] = value as f32;
+        }
+    }
+    let names = spectra.iter().map(|(name, _)| name.clone()).collect();
+    fit_values(names, bands, values, ask, progress)
+}
+
+impl Fitted {
+    /// The numbers of one spectrum.
+    pub fn row(&self, index: usize) -> Vec<f64> {
+        let count = self.names.len();
+        (0..self.operator.numbers())
+            .map(|n| f64::from(self.numbers[n * count + index]))
+            .collect()
+    }
+
+    /// A table: a comment with what the numbers mean, then a row a spectrum.
+    pub fn csv(&self) -> String {
+        let plan = self.operator.plan();
+        let [lo, hi] = self.operator.range_nm();
+        let mut out = format!(
+            "# series {} over {lo}:{hi} nm, reference {:?}\n",
+            plan.series, plan.reference.kind
+        );
+        out.push_str("name");
+        (0..plan.series).for_each(|n| {
+            let _ = write!(out, ",c{n}");
+        });
+        plan.lines.iter().for_each(|line| {
+            let _ = write!(out, ",line {:.2} nm", line.at_nm);
+        });
+        out.push_str(",relative_rms\n");
+        for (i, name) in self.names.iter().enumerate() {
+            let plain = !name.contains([',', '"', '\n', '\r']);
+            let name = if plain {
+                name.clone()
+            } else {
+                format!("\"{}\"", name.replace('"', "\"\""))
+            };
+            out.push_str(&name);
+            self.row(i).iter().for_each(|z| {
+                let _ = write!(out, ",{}", *z as f32);
+            });
+            let _ = writeln!(out, ",{}", self.relative_rms[i] as f32);
+        }
+        out
+    }
+
+    /// The same as JSON.
+    pub fn json(&self) -> Value {
+        let plan = self.operator.plan();
+        let spectra: Vec<Value> = (0..self.names.len())
+            .map(|i| json!({"name": self.names[i], "coefficients": finite(&self.row(i)), "relative_rms": self.relative_rms[i]}))
+            .collect();
+        json!({
+            "numbers": plan.numbers(),
+            "series": plan.series,
+            "range_nm": self.operator.range_nm(),
+            "bands_nm": self.operator.bands().nm(),
+            "reference": {"kind": plan.reference.kind, "values": plan.reference.values},
+            "lines": plan.lines.iter().map(|l| json!({"at_nm": l.at_nm, "share": l.share, "shape": l.shape})).collect::<Vec<_>>(),
+            "spectra": spectra,
+        })
+    }
+}
+
+fn finite(values: &[f64]) -> Vec<Option<f64>> {
+    values.iter().map(|v| v.is_finite().then_some(*v)).collect()
+}
+
+/// One line of JSON in, one out: `{"name"?, "nm": [...], "values": [...], "kind"?}`. Nothing is
+/// remembered from line to line, so lines may be spread over machines.
+///
+/// # Errors
+/// [`PictureError`] when the line is no spectrum, or the mean of other lines is asked for.
+pub fn fit_line(line: &str, ask: FitAsk) -> Result<String, PictureError> {
+    if ask.reference != ReferenceKind::One {
+        return Err(PictureError::broken(
+            "a reference that needs all spectra",
+            "--reference one with lines of JSON, which are fitted one by one",
+        ));
+    }
+    let bad = |what: String| PictureError::broken(what, "{\"nm\": [...], \"values\": [...]}");
+    let value: Value =
+        serde_json::from_str(line).map_err(|error| bad(format!("no JSON ({error})")))?;
+    let list = |key: &str| -> Result<Vec<f64>, PictureError> {
+        let list = value
+            .get(key)
+            .and_then(Value::as_array)
+            .ok_or_else(|| bad(format!("no list {key:?}")))?;
+        let numbers: Option<Vec<f64>> = list
+            .iter()
+            .take(MOST_POINTS + 1)
+            .map(Value::as_f64)
+            .collect();
+        numbers
+            .filter(|n| n.len() <= MOST_POINTS)
+            .ok_or_else(|| bad(format!("no numbers in {key:?}")))
+    };
+    let (nm, values) = (list("nm")?, list("values")?);
+    let kind = match value.get("kind").and_then(Value::as_str) {
+        Some("reflectance") => Kind::Reflectance,
+        Some("transmittance") => Kind::Transmittance,
+        _ => Kind::Light,
+    };
+    if nm.len() != values.len() {
+        return Err(bad(format!(
+            "{} wavelengths and {} values",
+            nm.len(),
+            values.len()
+        )));
+    }
+    let bands = Bands::new(nm, kind)?;
+    let operator = operator_for(&bands, &values, ask)?;
+    let numbers = operator.numbers_of(&values);
+    let back = operator.pixel_of(&numbers);
+    let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
+        (0..bands.len())
+            .map(|j| bands.weights_nm()[j] * f(j).powi(2))
+            .sum()
+    };
+    let (off, all) = (weighed(&|j| back[j] - values[j]), weighed(&|j| values[j]));
+    let series = operator.plan().series;
+    let lines = operator.plan().lines.iter().zip(&numbers[series..]);
+    let answer = json!({
+        "name": value.get("name").cloned().unwrap_or(Value::Null),
+        "numbers": operator.numbers(),
+        "range_nm": operator.range_nm(),
+        "coefficients": finite(&numbers[..series]),
+        "lines": lines.map(|(line, w)| json!({"at_nm": line.at_nm, "weight": w})).collect::<Vec<_>>(),
+        "relative_rms": if all > 0.0 { (off / all).sqrt() } else { 0.0 },
+    });
+    Ok(answer.to_string())
+}

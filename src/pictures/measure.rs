@@ -1,0 +1,472 @@
+//! What a stored picture is off by, measured after decoding over every measured pixel.
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
+use crate::color::{Xyz, delta_e_2000, lab_from_xyz};
+use crate::study::Progress;
+
+use super::kernel::Kernel;
+use super::relight::Between;
+use super::strips::{Strip, over_strips};
+use super::{Light, Operator, PictureError, Pixels, Plan, ReferenceKind, Relit, STRIP_ROWS};
+
+/// Mean, 95th percentile and largest of a colour difference.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Spread {
+    /// Mean.
+    pub mean: f64,
+    /// 95th percentile, linear between ranks.
+    pub p95: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// What a picture is off by.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Errors {
+    /// Own colour.
+    pub own: Spread,
+    /// Under other lights, by name; empty where the picture cannot be relit.
+    pub lights: BTreeMap<String, Spread>,
+    /// Root of the squared difference over all pixels and bands, relative to the picture.
+    pub relative_rms: f64,
+    /// Decoded numbers below zero.
+    pub negative: u64,
+    /// Pixels that were not measured.
+    pub no_data: u64,
+}
+
+/// How numbers are kept: what becomes of them on the way into a file and back.
+pub trait Storage: Sync {
+    /// Numbers `[number * pixels + i]` as they will be read back.
+    fn kept(&self, numbers: &mut [f32], pixels: usize);
+}
+
+/// Single precision.
+pub struct Exactly;
+
+impl Storage for Exactly {
+    fn kept(&self, _: &mut [f32], _: usize) {}
+}
+
+/// Most lower octaves than 1 that a difference is counted in; below, it counts as none.
+const FIRST_BIN: u32 = (127 - 24) << 11;
+/// Up to differences of 1024.
+const BINS: usize = 34 << 11;
+
+/// Differences counted in bins a 2000th of their size apart, so that a percentile of any number of
+/// pixels needs no memory; the mean and the largest are exact.
+#[derive(Clone, Debug)]
+pub struct Tally {
+    bins: Vec<u32>,
+    count: u64,
+    sum: f64,
+    max: f64,
+}
+
+impl Default for Tally {
+    fn default() -> Self {
+        Self {
+            bins: vec![0; BINS],
+            count: 0,
+            sum: 0.0,
+            max: 0.0,
+        }
+    }
+}
+
+impl Tally {
+    /// One more difference.
+    pub fn add(&mut self, difference: f64) {
+        let bits = (difference as f32).to_bits() >> 12;
+        let bin = (bits.saturating_sub(FIRST_BIN) as usize).min(BINS - 1);
+        self.bins[bin] += 1;
+        self.count += 1;
+        self.sum += difference;
+        self.max = self.max.max(difference);
+    }
+
+    /// Those of another tally too.
+    pub fn merge(&mut self, other: &Self) {
+        self.bins
+            .iter_mut()
+            .zip(&other.bins)
+            .for_each(|(a, b)| *a += b);
+        self.count += other.count;
+        self.sum += other.sum;
+        self.max = self.max.max(other.max);
+    }
+
+    /// What was counted.
+    pub fn spread(&self) -> Spread {
+        if self.count == 0 {
+            return Spread::default();
+        }
+        let rank = 0.95 * (self.count - 1) as f64;
+        let (below, t) = (rank.floor(), rank.fract());
+        let low = self.ranked(below as u64);
+        let high = self.ranked((below as u64 + 1).min(self.count - 1));
+        Spread {
+            mean: self.sum / self.count as f64,
+            p95: low + t * (high - low),
+            max: self.max,
+        }
+    }
+
+    /// The difference of a rank, to the middle of its bin.
+    fn ranked(&self, rank: u64) -> f64 {
+        let mut seen = 0;
+        for (bin, count) in self.bins.iter().enumerate() {
+            seen += u64::from(*count);
+            if seen > rank {
+                if bin == 0 {
+                    return 0.0;
+                }
+                let bits = ((bin as u32 + FIRST_BIN) << 12) | (1 << 11);
+                return f64::from(f32::from_bits(bits)).min(self.max);
+            }
+        }
+        self.max
+    }
+}
+
+/// A light that a picture is judged under: exact weights of the bands, weights of the numbers.
+#[derive(Clone, Debug)]
+pub struct Judge {
+    /// Its name.
+    pub name: String,
+    exact: [Vec<f64>; 3],
+    numbers: [Vec<f64>; 3],
+    white: Xyz,
+}
+
+impl Judge {
+    /// Weights of the bands for the exact colour and for that of the decoded numbers, and white.
+    pub(super) fn ends(&self, operator: &Operator) -> (&[Vec<f64>; 3], [Vec<f64>; 3], Xyz) {
+        let relit = Relit {
+            light: String::new(),
+            rows: self.numbers.clone(),
+            white: self.white,
+        };
+        (&self.exact, operator.of_bands(&relit), self.white)
+    }
+}
+
+/// Orders of the regularised division that stands for the truth of a lit picture.
+const FINEST: usize = 40;
+
+impl Judge {
+    /// The own colour first, then the six lights where the picture can be relit. `white_y` is the
+    /// Y of a picture of an unknown lamp that counts as white (its 99th percentile).
+    ///
+    /// # Errors
+    /// [`PictureError`] where a light does not shine on the bands.
+    pub fn all(
+        operator: &Operator,
+        white_y: f64,
+        known: Option<&Light>,
+    ) -> Result<Vec<Self>, PictureError> {
+        let own = operator.own_colour();
+        let plan = operator.plan();
+        let (factor, lit) = (
+            operator.bands().is_factor(),
+            plan.reference.kind == ReferenceKind::Light,
+        );
+        let scale = if factor || lit || white_y <= 0.0 || white_y.is_nan() {
+            1.0
+        } else {
+            white_y
+        };
+        let mut judges = vec![Self {
+            name: own.light.clone(),
+            exact: operator.own_weights().clone(),
+            numbers: own.rows,
+            white: own.white * scale,
+        }];
+        let known = known.filter(|_| !factor && !lit);
+        let finest = match known {
+            _ if factor => None,
+            _ if lit => Some(finest(operator)?),
+            Some(light) => {
+                let series = (operator.bands().len() - 1).min(FINEST);
+                let plan = Plan::lit(operator.bands(), series, light, plan.noise)?;
+                Some(Operator::new(operator.bands(), &plan)?)
+            }
+            None => return Ok(judges),
+        };
+        for light in Light::judges() {
+            let Ok(relit) = operator.relit(light, known, Between::Bands) else {
+                continue;
+            };
+            let exact = match &finest {
+                Some(finest) => {
+                    let of_numbers = finest.relit(light, None, Between::Bands)?;
+                    finest.of_bands(&of_numbers)
+                }
+                None => light.weights(operator.bands(), plan.observer)?,
+            };
+            judges.push(Self {
+                name: relit.light,
+                exact,
+                numbers: relit.rows,
+                white: relit.white,
+            });
+        }
+        Ok(judges)
+    }
+}
+
+/// The operator of most numbers that the same division allows: what a lit picture's bands say
+/// about its surfaces.
+fn finest(operator: &Operator) -> Result<Operator, PictureError> {
+    let plan = operator.plan();
+    let plan = Plan {
+        series: (operator.bands().len() - 1).min(FINEST) - plan.lines.len().min(2),
+        lines: Vec::new(),
+        second: plan.second.clone(),
+        ..plan.clone()
+    };
+    Operator::new(operator.bands(), &plan)
+}
+
+impl Operator {
+    /// Weights of the bands for something that is a weighted sum of the numbers.
+    pub fn of_bands(&self, relit: &Relit) -> [Vec<f64>; 3] {
+        relit.rows.each_ref().map(|row| {
+            let columns = self.encode.column_iter();
+            columns
+                .map(|c| c.iter().zip(row).map(|(e, w)| e * w).sum())
+                .collect()
+        })
+    }
+}
+
+/// The machinery of a measurement: exact and decoded colours, decoded bands.
+pub struct Meter {
+    judges: Vec<Judge>,
+    exact: Kernel,
+    numbers: Kernel,
+    decode: Kernel,
+    encode: Kernel,
+    weights_nm: Vec<f64>,
+}
+
+/// What was counted in some rows.
+#[derive(Clone, Debug)]
+pub struct Counted {
+    tallies: Vec<Tally>,
+    off: f64,
+    all: f64,
+    negative: u64,
+    no_data: u64,
+}
+
+impl Meter {
+    /// A meter for an operator.
+    pub fn new(operator: &Operator, judges: Vec<Judge>) -> Self {
+        let exact: Vec<&[f64]> = judges
+            .iter()
+            .flat_map(|j| j.exact.iter().map(Vec::as_slice))
+            .collect();
+        let numbers: Vec<&[f64]> = judges
+            .iter()
+            .flat_map(|j| j.numbers.iter().map(Vec::as_slice))
+            .collect();
+        Self {
+            exact: Kernel::of_rows(&exact),
+            numbers: Kernel::of_rows(&numbers),
+            decode: operator.decoder(),
+            encode: operator.encoder(),
+            weights_nm: operator.bands().weights_nm().to_vec(),
+            judges,
+        }
+    }
+
+    /// What becomes of some rows.
+    pub fn count(&self, strip: &Strip, storage: &dyn Storage) -> Counted {
+        let pixels = strip.pixels;
+        let mut numbers = vec![0.0; self.encode.rows() * pixels];
+        self.encode.apply(strip.values, pixels, &mut numbers);
+        storage.kept(&mut numbers, pixels);
+        self.compare(strip.values, &numbers, pixels)
+    }
+
+    /// What numbers of some pixels are off by.
+    pub fn compare(&self, values: &[f32], numbers: &[f32], pixels: usize) -> Counted {
+        let rows = 3 * self.judges.len();
+        let (mut exact, mut found) = (vec![0.0; rows * pixels], vec![0.0; rows * pixels]);
+        self.exact.apply(values, pixels, &mut exact);
+        self.numbers.apply(numbers, pixels, &mut found);
+        let mut counted = Counted {
+            tallies: vec![Tally::default(); self.judges.len()],
+            off: 0.0,
+            all: 0.0,
+            negative: 0,
+            no_data: 0,
+        };
+        let good: Vec<bool> = (0..pixels)
+            .map(|i| numbers[i].is_finite() && exact[i].is_finite())
+            .collect();
+        counted.no_data = good.iter().filter(|good| !**good).count() as u64;
+        for (k, (judge, tally)) in self.judges.iter().zip(&mut counted.tallies).enumerate() {
+            let xyz = |from: &[f32], i: usize| {
+                Xyz::from_array(std::array::from_fn(|c| {
+                    f64::from(from[(3 * k + c) * pixels + i])
+                }))
+            };
+            for i in (0..pixels).filter(|i| good[*i]) {
+                let (a, b) = (xyz(&exact, i), xyz(&found, i));
+                let difference =
+                    delta_e_2000(lab_from_xyz(a, judge.white), lab_from_xyz(b, judge.white));
+                tally.add(if difference.is_finite() {
+                    difference
+                } else {
+                    1e3
+                });
+            }
+        }
+        let mut back = vec![0.0; self.decode.rows() * pixels];
+        self.decode.apply(numbers, pixels, &mut back);
+        for (j, weight) in self.weights_nm.iter().enumerate() {
+            let (one, two) = (
+                &values[j * pixels..][..pixels],
+                &back[j * pixels..][..pixels],
+            );
+            let (mut off, mut all) = (0.0, 0.0);
+            for i in (0..pixels).filter(|i| good[*i]) {
+                off += f64::from(two[i] - one[i]).powi(2);
+                all += f64::from(one[i]).powi(2);
+                counted.negative += u64::from(two[i] < 0.0);
+            }
+            counted.off += weight * off;
+            counted.all += weight * all;
+        }
+        counted
+    }
+
+    /// The errors of all that was counted.
+    pub fn errors(&self, parts: &[Counted]) -> Errors {
+        let mut tallies = vec![Tally::default(); self.judges.len()];
+        let (mut off, mut all, mut negative, mut no_data) = (0.0, 0.0, 0, 0);
+        for part in parts {
+            tallies
+                .iter_mut()
+                .zip(&part.tallies)
+                .for_each(|(a, b)| a.merge(b));
+            off += part.off;
+            all += part.all;
+            negative += part.negative;
+            no_data += part.no_data;
+        }
+        let mut spreads = tallies.iter().map(Tally::spread);
+        let own = spreads.next().unwrap_or_default();
+        let names = self.judges.iter().skip(1).map(|judge| judge.name.clone());
+        Errors {
+            own,
+            lights: names.zip(spreads).collect(),
+            relative_rms: if all > 0.0 { (off / all).sqrt() } else { 0.0 },
+            negative,
+            no_data,
+        }
+    }
+}
+
+/// What a picture kept in some way is off by, over every measured pixel.
+///
+/// # Errors
+/// Those of the source, and [`PictureError::Cancelled`].
+pub fn measure(
+    pixels: &dyn Pixels,
+    operator: &Operator,
+    storage: &dyn Storage,
+    white_y: f64,
+    progress: &Progress,
+) -> Result<Errors, PictureError> {
+    let meter = Meter::new(operator, Judge::all(operator, white_y, None)?);
+    let rows = STRIP_ROWS.min(8);
+    progress.expect(pixels.size().1.div_ceil(rows));
+    // Bins are whole numbers and may be summed in any order as they come, so that a large picture
+    // keeps one set of them; sums of floating point wait for the order of the strips.
+    let bins = Mutex::new(vec![Tally::default(); meter.judges.len()]);
+    let mut parts = over_strips(pixels, rows, progress, |strip| {
+        let mut counted = meter.count(strip, storage);
+        let mut all = bins.lock().unwrap_or_else(|broken| broken.into_inner());
+        for (all, part) in all.iter_mut().zip(&mut counted.tallies) {
+            all.bins
+                .iter_mut()
+                .zip(&part.bins)
+                .for_each(|(a, b)| *a += b);
+            part.bins = Vec::new();
+        }
+        Ok(counted)
+    })?;
+    parts.push(Counted {
+        tallies: bins
+            .into_inner()
+            .unwrap_or_else(|broken| broken.into_inner()),
+        off: 0.0,
+        all: 0.0,
+        negative: 0,
+        no_data: 0,
+    });
+    Ok(meter.errors(&parts))
+}
+
+/// The Y (of what is equal everywhere on the bands) that counts as white in a picture of an
+/// unknown lamp: the 99th percentile of a sample.
+pub fn white_y_of(operator: &Operator, sample: &[Vec<f64>]) -> f64 {
+    if operator.bands().is_factor() || operator.plan().reference.kind == ReferenceKind::Light {
+        return 1.0;
+    }
+    let row = &operator.own_weights()[1];
+    let mut y: Vec<f64> = sample
+        .iter()
+        .map(|p| p.iter().zip(row).map(|(v, w)| v * w).sum())
+        .filter(|y: &f64| y.is_finite())
+        .collect();
+    if y.is_empty() {
+        return 1.0;
+    }
+    let at = ((y.len() - 1) as f64 * 0.99).round() as usize;
+    let white = *y.select_nth_unstable_by(at, f64::total_cmp).1;
+    if white > 0.0 { white } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tally_is_the_percentile_of_its_numbers() {
+        let mut tally = Tally::default();
+        let mut values: Vec<f64> = (0..1001)
+            .map(|i| (f64::from(i) * 0.37).sin().powi(2) * 3.0)
+            .collect();
+        values.iter().for_each(|v| tally.add(*v));
+        values.sort_by(f64::total_cmp);
+        let spread = tally.spread();
+        // Bins are 1/2048 of their octave's start wide, and the middle is taken.
+        assert!((spread.p95 / values[950] - 1.0).abs() < 3e-4);
+        assert_eq!(spread.max, values[1000]);
+        assert!((spread.mean - values.iter().sum::<f64>() / 1001.0).abs() < 1e-12);
+        assert_eq!(Tally::default().spread(), Spread::default());
+    }
+
+    #[test]
+    fn tallies_of_parts_are_the_tally_of_the_whole() {
+        let (mut one, mut two, mut all) = (Tally::default(), Tally::default(), Tally::default());
+        for i in 0..100 {
+            let value = f64::from(i) * 0.01;
+            if i % 3 == 0 {
+                one.add(value)
+            } else {
+                two.add(value)
+            }
+            all.add(value);
+        }
+        one.merge(&two);
+        assert_eq!((one.bins, one.max), (all.bins, all.max));
+    }
+}

@@ -1,0 +1,75 @@
+//! Spectral pictures in few numbers a pixel, relit live.
+//!
+//! ```text
+//! bands       the wavelengths of a picture                   light     what falls on it
+//! lines       places and shapes shared by all pixels         plan, operator  pixel <-> numbers, one matrix
+//! prior       what reflectances usually do                   scene     a wall of paints, made
+//! pixels      memory, cube or file, some rows at a time      strips    the same on every thread
+//! survey      mean, noise, a sample                          choose    how many numbers, and which
+//! kernel      a small matrix times many pixels               measure   what a picture is off by
+//! relight     other lights in coefficients                   trust     how far to believe them
+//! picture     numbers in memory                              preview   what a viewer shows
+//! header      what the numbers mean                          full      OpenEXR
+//! compact     PNG with the numbers in private chunks
+//! save        files whole or not at all                      envi_file a cube on disk, by rows
+//! peers       other ways, in the same run                    fit       tables of many spectra
+//! report      JSON
+//! ```
+
+mod bands;
+mod choose;
+mod compact;
+mod envi_file;
+mod error;
+mod fit;
+mod fitting;
+mod full;
+mod header;
+mod kernel;
+mod light;
+mod lines;
+mod measure;
+mod operator;
+mod peers;
+mod picture;
+mod pixels;
+mod plan;
+mod preview;
+mod prior;
+mod relight;
+mod report;
+mod save;
+mod scene;
+mod strips;
+mod survey;
+mod trust;
+
+pub use bands::{Bands, KeptBands};
+pub use choose::{
+    Asked, BOUND_P95, BOUND_RMS, Candidate, Choice, MOST_NUMBERS, choose, usual_weighting,
+};
+pub use compact::{
+    Coder, CompactFile, CompactPlan, P95_OF_STEP, Plane, Quantiser, compact_plan, write_compact,
+};
+pub use envi_file::EnviFile;
+pub use error::PictureError;
+pub use fit::{FitAsk, Fitted, fit_line, fit_spectra, fit_values};
+pub use full::{Half, Precision, read_full, write_full};
+pub use header::{About, Header};
+pub use kernel::Kernel;
+pub use light::{JUDGES, Light};
+pub use lines::{HandLines, Line, find_lines, line_in, lines_at};
+pub use measure::{Errors, Exactly, Judge, Meter, Spread, Storage, Tally, measure, white_y_of};
+pub use operator::Operator;
+pub use peers::{Peer, exact_bytes, peers};
+pub use picture::{Picture, relit_into};
+pub use pixels::{InMemory, OfImage, Pixels, STRIP_ROWS};
+pub use plan::{LineFit, Plan, Reference, ReferenceKind, Weighting};
+pub use preview::Preview;
+pub use relight::{Between, Relit};
+pub use report::{Bytes, peers_json, picture_json};
+pub use save::{save_compact, save_full};
+pub use scene::{Scene, hash};
+pub use strips::{Strip, over_parts, over_strips};
+pub use survey::Survey;
+pub use trust::{Trust, Verdict, blind_share};

@@ -1,0 +1,230 @@
+//! One linear operator a picture: `coefficients = E pixel`, `pixel = D coefficients`.
+//!
+//! D holds cosines over a range a little wider than the bands, multiplied by a shared reference
+//! spectrum, then one column a line. E is a least-squares fit, for reflectances weighted by the
+//! colours under many lights, for what a known light lit regularised by what reflectances usually
+//! do, and repaired so that the own colour of every pixel is exact.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::fitting::{columns, lit_fit, own_weights, plain_fit};
+use super::plan::{Plan, ReferenceKind};
+use super::prior::prior;
+use super::{Bands, Kernel, PictureError};
+
+/// Beyond this condition number the bands miss the visible and own colour cannot be exact.
+const WORST_CONDITION: f64 = 1e8;
+/// Above this noise gain the order is lowered.
+pub const MOST_NOISE_GAIN: f64 = 1.5;
+
+/// The matrices of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operator {
+    pub(super) bands: Bands,
+    pub(super) plan: Plan,
+    pub(super) decode: DMatrix<f64>,
+    pub(super) encode: DMatrix<f64>,
+    pub(super) own: [Vec<f64>; 3],
+    range_nm: [f64; 2],
+    prior: Option<Vec<f64>>,
+    is_exact: bool,
+    noise_gain: f64,
+}
+
+/// What reflectances usually do in the coefficients of a known light's series, or of two.
+fn moments(bands: &Bands, plan: &Plan, range_nm: [f64; 2]) -> Result<Vec<f64>, PictureError> {
+    let (one, two) = plan.shares();
+    let first = prior(bands, range_nm, one)?;
+    if two == 0 {
+        return Ok(first);
+    }
+    let second = prior(bands, range_nm, two)?;
+    Ok(first.into_iter().chain(second).map(|v| 0.25 * v).collect())
+}
+
+impl Operator {
+    /// The operator of a plan.
+    ///
+    /// # Errors
+    /// [`PictureError`] when there are too many or too few numbers, the own light is dark, or the
+    /// bands do not tell the numbers apart.
+    pub fn new(bands: &Bands, plan: &Plan) -> Result<Self, PictureError> {
+        Self::with_range(bands, plan, plan.range_nm(bands))
+    }
+
+    /// The operator of a plan with the very range of a file, nm: any that covers the bands is legal.
+    ///
+    /// # Errors
+    /// As [`Operator::new`].
+    pub(super) fn with_range(
+        bands: &Bands,
+        plan: &Plan,
+        range_nm: [f64; 2],
+    ) -> Result<Self, PictureError> {
+        let (found, most) = (plan.numbers(), bands.len() - 1);
+        if found < 3 || found > most || plan.series < 1 {
+            return Err(PictureError::Numbers { found, most });
+        }
+        let decode = columns(bands, plan, range_nm);
+        let own = own_weights(bands, plan)?;
+        let lit = plan.reference.kind == ReferenceKind::Light;
+        let (fit, prior) = if lit {
+            let moments = moments(bands, plan, range_nm)?;
+            (lit_fit(bands, plan, &decode, &moments)?, Some(moments))
+        } else {
+            (plain_fit(bands, plan, &decode)?, None)
+        };
+        let mut operator = Self {
+            bands: bands.clone(),
+            plan: plan.clone(),
+            decode,
+            encode: fit.encode,
+            own,
+            range_nm,
+            prior,
+            is_exact: false,
+            noise_gain: 0.0,
+        };
+        if plan.exact {
+            operator.make_exact(&fit.inverse);
+        }
+        if operator.encode.iter().any(|v| !v.is_finite()) {
+            return Err(PictureError::NotSolved);
+        }
+        operator.noise_gain =
+            (&operator.decode * &operator.encode).norm() / (bands.len() as f64).sqrt();
+        Ok(operator)
+    }
+
+    /// The operator of a plan, its order lowered until it does not amplify noise.
+    ///
+    /// # Errors
+    /// As [`Operator::new`].
+    pub fn steady(bands: &Bands, plan: &Plan) -> Result<Self, PictureError> {
+        let mut plan = plan.clone();
+        loop {
+            let found = Self::new(bands, &plan)?;
+            if found.noise_gain <= MOST_NOISE_GAIN || plan.series <= 2 || plan.numbers() <= 3 {
+                return Ok(found);
+            }
+            plan.series -= 1;
+        }
+    }
+
+    /// Adds the smallest correction that makes X, Y and Z of every pixel right.
+    fn make_exact(&mut self, inverse: &DMatrix<f64>) {
+        let bands = self.bands.len();
+        let seen = DMatrix::from_fn(3, bands, |k, j| self.own[k][j]);
+        let of_numbers = &seen * &self.decode;
+        let back = inverse * of_numbers.transpose();
+        let inner = &of_numbers * &back;
+        let values = inner.clone().symmetric_eigenvalues();
+        let (least, most) = (values.min(), values.max());
+        if !(least > 0.0 && most / least <= WORST_CONDITION) {
+            return;
+        }
+        let Some(inverse) = inner.try_inverse() else {
+            return;
+        };
+        // Twice: the second pass takes away what rounding left of the first.
+        for _ in 0..2 {
+            let missing = &seen - &of_numbers * &self.encode;
+            self.encode += &back * (&inverse * missing);
+        }
+        self.is_exact = true;
+    }
+
+    /// E, ready for many pixels.
+    pub fn encoder(&self) -> Kernel {
+        Kernel::new(self.encode.nrows(), self.encode.ncols(), |r, c| {
+            self.encode[(r, c)]
+        })
+    }
+
+    /// D, ready for many pixels.
+    pub fn decoder(&self) -> Kernel {
+        Kernel::new(self.decode.nrows(), self.decode.ncols(), |r, c| {
+            self.decode[(r, c)]
+        })
+    }
+
+    /// The bands.
+    pub fn bands(&self) -> &Bands {
+        &self.bands
+    }
+
+    /// What it was made from.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// First and last wavelength of the series, nm.
+    pub fn range_nm(&self) -> [f64; 2] {
+        self.range_nm
+    }
+
+    /// Numbers a pixel.
+    pub fn numbers(&self) -> usize {
+        self.decode.ncols()
+    }
+
+    /// One entry of E: what a band adds to a number.
+    pub fn encode(&self, number: usize, band: usize) -> f64 {
+        self.encode[(number, band)]
+    }
+
+    /// One entry of D: what a number adds to a band.
+    pub fn decode(&self, band: usize, number: usize) -> f64 {
+        self.decode[(band, number)]
+    }
+
+    /// Weights of the bands for the own X, Y, Z.
+    pub fn own_weights(&self) -> &[Vec<f64>; 3] {
+        &self.own
+    }
+
+    /// Whether own colour is exact (it is not where the bands miss the visible).
+    pub fn is_exact(&self) -> bool {
+        self.is_exact
+    }
+
+    /// Second moments of what reflectances usually do, where a known light lit the picture.
+    pub fn prior(&self) -> Option<&[f64]> {
+        self.prior.as_deref()
+    }
+
+    /// How much of the noise of the bands is left after decoding; below 1 noise is removed.
+    pub fn noise_gain(&self) -> f64 {
+        self.noise_gain
+    }
+
+    /// The numbers of one pixel.
+    ///
+    /// # Panics
+    /// When there is not one value a band.
+    pub fn numbers_of(&self, pixel: &[f64]) -> Vec<f64> {
+        (&self.encode * DVector::from_column_slice(pixel))
+            .as_slice()
+            .to_vec()
+    }
+
+    /// The pixel of some numbers.
+    ///
+    /// # Panics
+    /// When there are not as many as [`Operator::numbers`].
+    pub fn pixel_of(&self, numbers: &[f64]) -> Vec<f64> {
+        (&self.decode * DVector::from_column_slice(numbers))
+            .as_slice()
+            .to_vec()
+    }
+
+    /// Weights of the numbers for something that is a weighted sum of the bands.
+    pub fn of_numbers(&self, weights: &[Vec<f64>; 3]) -> [Vec<f64>; 3] {
+        weights.each_ref().map(|row| {
+            let columns = self.decode.column_iter();
+            columns
+                .map(|c| c.iter().zip(row).map(|(d, w)| d * w).sum())
+                .collect()
+        })
+    }
+}

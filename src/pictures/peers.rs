@@ -1,0 +1,298 @@
+//! Other ways to keep the same picture at the same count of numbers, measured in the same run.
+
+use std::io::{Seek, SeekFrom, Write};
+
+use exr::block::UncompressedBlock;
+use exr::block::writer::{ChunksWriter, write_chunks_with};
+use exr::compression::Compression;
+use exr::meta::BlockDescription;
+use exr::meta::attribute::{ChannelDescription, LineOrder, SampleType, Text};
+use exr::meta::header::Header as ExrHeader;
+use exr::prelude::f16;
+use nalgebra::DMatrix;
+
+use crate::study::Progress;
+
+use super::lines::find_lines;
+use super::measure::{Errors, Exactly, Spread, measure, white_y_of};
+use super::survey::Survey;
+use super::{Operator, PictureError, Pixels, Plan, Precision, Reference};
+
+/// One row of the table of peers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Peer {
+    /// What it is.
+    pub name: &'static str,
+    /// Numbers a pixel; the bands' count for what keeps all.
+    pub numbers: usize,
+    /// Bytes of the file, or of the numbers and their basis.
+    pub bytes: Option<u64>,
+    /// What it is off by; none where it was not run.
+    pub error: Option<Errors>,
+    /// A remark.
+    pub said: String,
+}
+
+impl Peer {
+    /// The mean of the errors under the judging lights; none where it cannot be relit.
+    pub fn lights(&self) -> Option<Spread> {
+        let lights = &self.error.as_ref()?.lights;
+        let count = lights.len() as f64;
+        let mean = |of: fn(&Spread) -> f64| lights.values().map(of).sum::<f64>() / count;
+        (!lights.is_empty()).then(|| Spread {
+            mean: mean(|s| s.mean),
+            p95: mean(|s| s.p95),
+            max: lights.values().map(|s| s.max).fold(0.0, f64::max),
+        })
+    }
+}
+
+/// All peers of an operator on its picture, the operator itself first.
+///
+/// # Errors
+/// Those of the source, and [`PictureError::Cancelled`].
+pub fn peers(
+    pixels: &dyn Pixels,
+    operator: &Operator,
+    survey: &Survey,
+    progress: &Progress,
+) -> Result<Vec<Peer>, PictureError> {
+    let numbers = operator.numbers();
+    let bands = operator.bands();
+    let (width, height) = pixels.size();
+    let kept = |extra: usize| Some(2 * (numbers * width * height + extra) as u64);
+    let bare = Plan {
+        series: numbers,
+        weighting: None,
+        exact: false,
+        lines: Vec::new(),
+        second: None,
+        reference: Reference::one(bands),
+        ..operator.plan().clone()
+    };
+    let mut rows: Vec<(&'static str, Option<u64>, Operator, &str)> = vec![(
+        "composite",
+        kept(0),
+        operator.clone(),
+        "half numbers before packing",
+    )];
+    let basis = numbers * bands.len();
+    if let Some(components) = components(operator, &bare, survey) {
+        rows.push((
+            "components of the picture",
+            kept(basis),
+            components,
+            "its basis is counted",
+        ));
+    }
+    rows.push((
+        "plain samples",
+        kept(0),
+        samples(operator, &bare),
+        "even wavelengths, straight lines between",
+    ));
+    if let Ok(series) = Operator::new(bands, &bare) {
+        rows.push(("bare series", kept(0), series, ""));
+    }
+    let mut lines = find_lines(bands, &survey.mean, None)?;
+    lines.truncate(numbers.saturating_sub(3));
+    let paper = Plan {
+        series: numbers - lines.len(),
+        lines,
+        ..bare.clone()
+    };
+    if let Ok(paper) = Operator::new(bands, &paper) {
+        rows.push(("the paper's form: series and lines", kept(0), paper, ""));
+    }
+    let mut peers = Vec::new();
+    for (name, bytes, way, said) in rows {
+        let white = white_y_of(&way, &survey.sample);
+        peers.push(Peer {
+            name,
+            numbers,
+            bytes,
+            error: Some(measure(pixels, &way, &Exactly, white, progress)?),
+            said: said.to_owned(),
+        });
+    }
+    for (name, precision) in [
+        ("spectral OpenEXR, half, ZIP", Precision::Half),
+        ("spectral OpenEXR, float, ZIP", Precision::Single),
+    ] {
+        peers.push(Peer {
+            name,
+            numbers: bands.len(),
+            bytes: Some(exact_bytes(pixels, precision, progress)?),
+            error: None,
+            said: "every band".to_owned(),
+        });
+    }
+    peers.push(Peer {
+        name: "Spectral JPEG XL",
+        numbers,
+        bytes: None,
+        error: None,
+        said: "not run here".to_owned(),
+    });
+    Ok(peers)
+}
+
+/// The first eigenvectors of the sample's second moments.
+fn components(operator: &Operator, plan: &Plan, survey: &Survey) -> Option<Operator> {
+    let count = operator.bands().len();
+    let all = DMatrix::from_fn(count, survey.sample.len(), |j, i| survey.sample[i][j]);
+    let eigen = (&all * all.transpose()).symmetric_eigen();
+    if eigen.eigenvalues.iter().any(|v| !v.is_finite()) {
+        return None;
+    }
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
+    let decode = DMatrix::from_fn(count, operator.numbers(), |j, n| {
+        eigen.eigenvectors[(j, order[n])]
+    });
+    let encode = decode.transpose();
+    Some(operator.other_way(plan, decode, encode))
+}
+
+fn samples(operator: &Operator, plan: &Plan) -> Operator {
+    let nm = operator.bands().nm();
+    let (first, last) = (nm[0], nm[nm.len() - 1]);
+    let count = operator.numbers();
+    let places: Vec<f64> = (0..count)
+        .map(|n| first + (last - first) * n as f64 / (count - 1) as f64)
+        .collect();
+    let encode = DMatrix::from_fn(count, nm.len(), |n, j| hat(nm, j, places[n]));
+    let decode = DMatrix::from_fn(nm.len(), count, |j, n| hat(&places, n, nm[j]));
+    operator.other_way(plan, decode, encode)
+}
+
+/// What a sample weighs at a place, straight lines between samples.
+fn hat(nm: &[f64], at: usize, place: f64) -> f64 {
+    let right = nm.partition_point(|w| *w < place).clamp(1, nm.len() - 1);
+    let t = ((place - nm[right - 1]) / (nm[right] - nm[right - 1])).clamp(0.0, 1.0);
+    match at {
+        _ if at == right => t,
+        _ if at + 1 == right => 1.0 - t,
+        _ => 0.0,
+    }
+}
+
+impl Operator {
+    /// Other matrices on the same bands, judged in the same way.
+    fn other_way(&self, plan: &Plan, decode: DMatrix<f64>, encode: DMatrix<f64>) -> Self {
+        let mut other = self.clone();
+        other.plan = plan.clone();
+        (other.decode, other.encode) = (decode, encode);
+        other
+    }
+}
+
+/// Counts what is written and keeps nothing.
+#[derive(Default)]
+struct Counter {
+    at: u64,
+    end: u64,
+}
+
+impl Write for Counter {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.at += bytes.len() as u64;
+        self.end = self.end.max(self.at);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Seek for Counter {
+    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+        self.at = match to {
+            SeekFrom::Start(at) => at,
+            SeekFrom::End(by) => self.end.saturating_add_signed(by),
+            SeekFrom::Current(by) => self.at.saturating_add_signed(by),
+        };
+        Ok(self.at)
+    }
+}
+
+/// Bytes of a spectral OpenEXR with every band, ZIP.
+///
+/// # Errors
+/// Those of the source, and [`PictureError::Cancelled`].
+pub fn exact_bytes(
+    pixels: &dyn Pixels,
+    precision: Precision,
+    progress: &Progress,
+) -> Result<u64, PictureError> {
+    let (width, height) = pixels.size();
+    let bands = pixels.bands();
+    let kind = match precision {
+        Precision::Half => SampleType::F16,
+        Precision::Single => SampleType::F32,
+    };
+    let prefix = if bands.is_factor() { "T." } else { "S0." };
+    let mut names: Vec<(String, usize)> = (0..bands.len())
+        .map(|j| {
+            (
+                format!("{prefix}{:.6}nm", bands.nm()[j])
+                    .replacen('.', "#", 1)
+                    .replace('.', ",")
+                    .replace('#', "."),
+                j,
+            )
+        })
+        .collect();
+    names.sort();
+    let channels = names
+        .iter()
+        .map(|(name, _)| ChannelDescription::new(name.as_str(), kind, true));
+    let exr = ExrHeader::new(Text::from("picture"), (width, height), channels.collect())
+        .with_encoding(
+            Compression::ZIP16,
+            BlockDescription::ScanLines,
+            LineOrder::Increasing,
+        );
+    let mut counter = Counter::default();
+    let mut failed = None;
+    let written = write_chunks_with(
+        &mut counter,
+        [exr].into_iter().collect(),
+        false,
+        |meta, writer| {
+            let mut compressor = writer.sequential_blocks_compressor(&meta);
+            let blocks: Vec<_> = meta.enumerate_ordered_header_block_indices().collect();
+            for (at, index) in blocks {
+                let (top, rows) = (index.pixel_position.y(), index.pixel_size.height());
+                let mut values = vec![0.0; width * rows * bands.len()];
+                let read = pixels.rows(top, rows, &mut values);
+                if let Some(error) = read
+                    .err()
+                    .or(progress.is_cancelled().then_some(PictureError::Cancelled))
+                {
+                    failed = Some(error);
+                    return Err(exr::error::Error::Aborted);
+                }
+                let mut data = Vec::new();
+                for y in 0..rows {
+                    for (_, j) in &names {
+                        for value in &values[(j * rows + y) * width..][..width] {
+                            match precision {
+                                Precision::Half => data.extend(f16::from_f32(*value).to_ne_bytes()),
+                                Precision::Single => data.extend(value.to_ne_bytes()),
+                            }
+                        }
+                    }
+                }
+                compressor.compress_block(at, UncompressedBlock { index, data })?;
+            }
+            Ok(())
+        },
+    );
+    match (failed, written) {
+        (Some(error), _) => Err(error),
+        (None, Err(error)) => Err(PictureError::Trouble(error.to_string())),
+        (None, Ok(())) => Ok(counter.end),
+    }
+}

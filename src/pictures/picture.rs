@@ -1,0 +1,185 @@
+//! A picture as its numbers, in memory.
+
+use crate::color::Xyz;
+use crate::study::Progress;
+
+use super::header::{About, Header};
+use super::measure::{Errors, Storage};
+use super::strips::over_strips;
+use super::{Operator, PictureError, Pixels, Relit};
+
+/// Rows that one thread encodes at a time.
+const ROWS: usize = 16;
+
+/// The numbers of every pixel, and what they mean.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// What the numbers mean.
+    pub header: Header,
+    /// `[number * (width * height) + pixel]`; NaN where a pixel was not measured.
+    pub planes: Vec<f32>,
+}
+
+impl Picture {
+    /// A picture from its planes.
+    ///
+    /// # Errors
+    /// [`PictureError::Broken`] when they are not as many as the header says.
+    pub fn new(header: Header, planes: Vec<f32>) -> Result<Self, PictureError> {
+        let expected = header
+            .width
+            .checked_mul(header.height)
+            .and_then(|n| n.checked_mul(header.numbers));
+        if expected != Some(planes.len()) {
+            let found = format!("{} numbers", planes.len());
+            let expected = format!("{} x {} x {}", header.width, header.height, header.numbers);
+            return Err(PictureError::broken(found, expected));
+        }
+        Ok(Self { header, planes })
+    }
+
+    /// Encodes a picture into memory, its numbers as `storage` keeps them.
+    ///
+    /// # Errors
+    /// Those of the source, and [`PictureError::Cancelled`].
+    pub fn encode(
+        pixels: &dyn Pixels,
+        operator: &Operator,
+        storage: &dyn Storage,
+        (about, error): (&About, Errors),
+        progress: &Progress,
+    ) -> Result<Self, PictureError> {
+        let (width, height) = pixels.size();
+        let (kernel, all) = (operator.encoder(), width * height);
+        progress.expect(height.div_ceil(ROWS));
+        let parts = over_strips(pixels, ROWS, progress, |strip| {
+            let mut numbers = vec![0.0; operator.numbers() * strip.pixels];
+            kernel.apply(strip.values, strip.pixels, &mut numbers);
+            storage.kept(&mut numbers, strip.pixels);
+            Ok(numbers)
+        })?;
+        let mut planes = vec![0.0; all * operator.numbers()];
+        for (part, numbers) in parts.iter().enumerate() {
+            let pixels = numbers.len() / operator.numbers();
+            for (n, plane) in numbers.chunks_exact(pixels).enumerate() {
+                planes[n * all + part * ROWS * width..][..pixels].copy_from_slice(plane);
+            }
+        }
+        let header = Header::of(operator, (width, height), about, error);
+        Self::new(header, planes)
+    }
+
+    /// Pixels.
+    pub fn pixels(&self) -> usize {
+        self.header.width * self.header.height
+    }
+
+    /// The numbers of one pixel; NaN outside the picture.
+    pub fn numbers_at(&self, x: usize, y: usize) -> Vec<f64> {
+        let (all, at) = (self.pixels(), y * self.header.width + x);
+        let inside = x < self.header.width && y < self.header.height;
+        (0..self.header.numbers)
+            .map(|n| {
+                if inside {
+                    f64::from(self.planes[n * all + at])
+                } else {
+                    f64::NAN
+                }
+            })
+            .collect()
+    }
+
+    /// Every pixel's XYZ under a light: `[k * pixels + i]`, NaN where not measured.
+    pub fn relit(&self, relit: &Relit) -> Vec<f32> {
+        let mut out = vec![0.0; 3 * self.pixels()];
+        relit_into(&self.planes, self.pixels(), relit, &mut out);
+        out
+    }
+
+    /// The picture reduced by whole steps: what is drawn, and relit while a slider moves.
+    pub fn reduced(&self, step: usize) -> (usize, usize, Vec<f32>) {
+        let step = step.max(1);
+        let Header { width, height, .. } = self.header;
+        let (across, down) = (width.div_ceil(step), height.div_ceil(step));
+        let mut out = Vec::with_capacity(across * down * self.header.numbers);
+        for plane in self.planes.chunks_exact(self.pixels()) {
+            let mut sums = vec![(0.0_f64, 0.0); across * down];
+            for (i, value) in plane.iter().enumerate().filter(|(_, v)| v.is_finite()) {
+                let block = &mut sums[i / width / step * across + i % width / step];
+                block.0 += f64::from(*value);
+                block.1 += 1.0;
+            }
+            out.extend(sums.into_iter().map(|(sum, count)| (sum / count) as f32));
+        }
+        (across, down, out)
+    }
+
+    /// The colour of one pixel under a light.
+    pub fn xyz_at(&self, x: usize, y: usize, relit: &Relit) -> Xyz {
+        relit.xyz(&self.numbers_at(x, y))
+    }
+}
+
+/// Planes of numbers to XYZ under a light, on as many threads as there are: `[k * pixels + i]`.
+///
+/// # Panics
+/// When a slice is too short for the pixels.
+pub fn relit_into(planes: &[f32], pixels: usize, relit: &Relit, out: &mut [f32]) {
+    let rows: [Vec<f32>; 3] = relit
+        .rows
+        .each_ref()
+        .map(|row| row.iter().map(|w| *w as f32).collect());
+    let threads = std::thread::available_parallelism()
+        .map_or(1, |n| n.get())
+        .min(8);
+    let share = pixels.div_ceil(threads).next_multiple_of(1024).max(1);
+    let (x, rest) = out.split_at_mut(pixels);
+    let (y, z) = rest.split_at_mut(pixels);
+    let parts = x
+        .chunks_mut(share)
+        .zip(y.chunks_mut(share))
+        .zip(z.chunks_mut(share));
+    let work = |first: usize, out: [&mut [f32]; 3]| {
+        let [x, y, z] = out;
+        const BLOCK: usize = 1024;
+        let blocks = x
+            .chunks_mut(BLOCK)
+            .zip(y.chunks_mut(BLOCK))
+            .zip(z.chunks_mut(BLOCK));
+        for (at, ((x, y), z)) in blocks.enumerate() {
+            x.fill(0.0);
+            y.fill(0.0);
+            z.fill(0.0);
+            let start = first + at * BLOCK;
+            let mut n = 0;
+            // Four planes at a time: the sums are loaded and stored a quarter as often.
+            while n + 4 <= rows[0].len() {
+                let p: [&[f32]; 4] =
+                    std::array::from_fn(|k| &planes[(n + k) * pixels + start..][..x.len()]);
+                let weights: [[f32; 4]; 3] =
+                    std::array::from_fn(|c| std::array::from_fn(|k| rows[c][n + k]));
+                for (row, out) in weights.iter().zip([&mut *x, &mut *y, &mut *z]) {
+                    let values = p[0].iter().zip(p[1]).zip(p[2].iter().zip(p[3]));
+                    for (sum, ((a, b), (c, d))) in out.iter_mut().zip(values) {
+                        *sum += row[0] * a + row[1] * b + row[2] * c + row[3] * d;
+                    }
+                }
+                n += 4;
+            }
+            for n in n..rows[0].len() {
+                let plane = &planes[n * pixels + start..][..x.len()];
+                for (row, out) in rows.iter().zip([&mut *x, &mut *y, &mut *z]) {
+                    out.iter_mut()
+                        .zip(plane)
+                        .for_each(|(sum, v)| *sum += row[n] * v);
+                }
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for (part, ((x, y), z)) in parts.enumerate() {
+            let work = &work;
+            scope.spawn(move || work(part * share, [x, y, z]));
+        }
+    });
+}

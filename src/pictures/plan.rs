@@ -1,0 +1,211 @@
+//! What an operator is made from: a series, what multiplies it, lines, a light and an observer.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+use crate::color::Observer;
+
+use super::lines::Line;
+use super::{Bands, Light, PictureError};
+
+/// The range reaches this share of the bands' length beyond both ends.
+pub const MARGIN: f64 = 0.05;
+/// Least value of the mean as a reference, as a share of its largest.
+const LEAST_MEAN: f64 = 0.02;
+/// Least noise of a band where a known light's mean is 1.
+pub const LEAST_NOISE: f64 = 0.002;
+
+/// What multiplies the series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ReferenceKind {
+    /// Nothing.
+    One,
+    /// A known light as it falls on the bands.
+    Light,
+    /// The picture's own mean.
+    Mean,
+}
+
+/// A reference spectrum on the bands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    /// What it is.
+    pub kind: ReferenceKind,
+    /// Name of the light, else empty.
+    pub name: String,
+    /// One value a band.
+    pub values: Vec<f64>,
+}
+
+impl Reference {
+    /// No reference.
+    pub fn one(bands: &Bands) -> Self {
+        Self {
+            kind: ReferenceKind::One,
+            name: String::new(),
+            values: vec![1.0; bands.len()],
+        }
+    }
+
+    /// A known light.
+    ///
+    /// # Errors
+    /// [`PictureError::NoOverlap`] when nothing of it falls on the bands.
+    pub fn of_light(bands: &Bands, light: &Light) -> Result<Self, PictureError> {
+        Ok(Self {
+            kind: ReferenceKind::Light,
+            name: light.name().to_owned(),
+            values: light.on_bands(bands)?,
+        })
+    }
+
+    /// The picture's mean, kept at or above 2 % of its largest value.
+    ///
+    /// # Errors
+    /// [`PictureError::AllZero`] when nothing of it is above zero.
+    pub fn of_mean(mean: &[f64]) -> Result<Self, PictureError> {
+        let largest = mean.iter().copied().fold(0.0, f64::max);
+        if !(largest > 0.0 && largest.is_finite()) {
+            return Err(PictureError::AllZero);
+        }
+        Ok(Self {
+            kind: ReferenceKind::Mean,
+            name: String::new(),
+            values: mean.iter().map(|v| v.max(LEAST_MEAN * largest)).collect(),
+        })
+    }
+}
+
+/// How weights of lines are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LineFit {
+    /// Together with the series.
+    #[default]
+    Joint,
+    /// From each line's own window, the series on what is left.
+    Window,
+}
+
+/// Colours that a fit is weighted with: the mean of `K^T K` over lights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weighting {
+    /// Names of the lights.
+    pub names: Vec<String>,
+    pub(super) gram: DMatrix<f64>,
+}
+
+impl Weighting {
+    /// The weighting by some lights on some bands; lights that do not shine are left out.
+    pub fn of<'a>(
+        lights: impl IntoIterator<Item = &'a Light>,
+        bands: &Bands,
+        observer: Observer,
+    ) -> Self {
+        let count = bands.len();
+        let (mut names, mut gram) = (Vec::new(), DMatrix::zeros(count, count));
+        for light in lights {
+            let Ok(rows) = light.weights(bands, observer) else {
+                continue;
+            };
+            for row in rows {
+                let row = DVector::from_vec(row);
+                gram += &row * row.transpose();
+            }
+            names.push(light.name().to_owned());
+        }
+        gram /= names.len().max(1) as f64;
+        Self { names, gram }
+    }
+}
+
+/// What an operator is made from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Numbers of the series.
+    pub series: usize,
+    /// How far the range reaches beyond the bands, as a share of their length.
+    pub margin: f64,
+    /// What multiplies the series.
+    pub reference: Reference,
+    /// A second known light, whose series takes half of the numbers.
+    pub second: Option<Reference>,
+    /// Lines, one number each.
+    pub lines: Vec<Line>,
+    /// How the lines' weights are found.
+    pub line_fit: LineFit,
+    /// The own light of a reflectance.
+    pub own: Option<Light>,
+    /// The observer.
+    pub observer: Observer,
+    /// Colours that the fit of a reflectance is weighted with; none for the plain fit.
+    pub weighting: Option<Arc<Weighting>>,
+    /// Whether own colour is to be exact.
+    pub exact: bool,
+    /// Noise of a band where a known light's mean is 1.
+    pub noise: f64,
+}
+
+impl Plan {
+    /// The default for a reflectance under D65, or for what is light: no reference, no lines.
+    pub fn new(bands: &Bands, series: usize) -> Self {
+        let observer = Observer::Cie1931;
+        let factor = bands.is_factor();
+        let weighting = || Arc::new(Weighting::of(Light::weighting(), bands, observer));
+        Self {
+            series,
+            margin: MARGIN,
+            reference: Reference::one(bands),
+            second: None,
+            lines: Vec::new(),
+            line_fit: LineFit::Joint,
+            own: if factor { Light::named("D65") } else { None },
+            observer,
+            weighting: factor.then(weighting),
+            exact: true,
+            noise: LEAST_NOISE,
+        }
+    }
+
+    /// The default for a picture that a known light lit.
+    ///
+    /// # Errors
+    /// [`PictureError::NoOverlap`] when nothing of it falls on the bands.
+    pub fn lit(
+        bands: &Bands,
+        series: usize,
+        light: &Light,
+        noise: f64,
+    ) -> Result<Self, PictureError> {
+        Ok(Self {
+            reference: Reference::of_light(bands, light)?,
+            noise: if noise.is_finite() {
+                noise.max(LEAST_NOISE)
+            } else {
+                LEAST_NOISE
+            },
+            ..Self::new(bands, series)
+        })
+    }
+
+    /// Numbers a pixel.
+    pub fn numbers(&self) -> usize {
+        self.series + self.lines.len()
+    }
+
+    /// First and last wavelength of the series, nm.
+    pub fn range_nm(&self, bands: &Bands) -> [f64; 2] {
+        let beyond = self.margin * bands.length_nm();
+        [bands.nm()[0] - beyond, bands.nm()[bands.len() - 1] + beyond]
+    }
+
+    /// Numbers of each light's series.
+    pub(super) fn shares(&self) -> (usize, usize) {
+        match self.second {
+            Some(_) => (self.series.div_ceil(2), self.series / 2),
+            None => (self.series, 0),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! What reflectances usually do: second moments of the coefficients of the 99 colour evaluation
+//! samples (CIE 224:2017, 5 nm table).
+
+use std::sync::LazyLock;
+
+use nalgebra::DMatrix;
+
+use crate::spectrum::{Outside, Sampled};
+
+use super::fitting::{columns, plain_fit};
+use super::plan::{LineFit, Plan, Reference};
+use super::{Bands, PictureError, light};
+
+/// Added to every moment, as a share of their mean, so that none is zero.
+const LEAST: f64 = 1e-9;
+
+fn samples() -> &'static [Sampled] {
+    static SAMPLES: LazyLock<Vec<Sampled>> = LazyLock::new(|| {
+        let group = light::group("tm30_ces99_5nm");
+        let items = group.map(|group| group.items).unwrap_or_default();
+        let tables = items.iter().filter_map(|item| item.spectrum());
+        tables.map(|table| table.samples.clone()).collect()
+    });
+    &SAMPLES
+}
+
+/// The diagonal second moments of the plain coefficients on some bands.
+///
+/// # Errors
+/// [`PictureError`] when the bands do not tell the coefficients apart.
+pub(super) fn prior(
+    bands: &Bands,
+    range_nm: [f64; 2],
+    count: usize,
+) -> Result<Vec<f64>, PictureError> {
+    let count_asked = count.max(3);
+    let plan = Plan {
+        series: count_asked,
+        margin: 0.0,
+        reference: Reference::one(bands),
+        second: None,
+        lines: Vec::new(),
+        line_fit: LineFit::Joint,
+        own: None,
+        observer: crate::color::Observer::Cie1931,
+        weighting: None,
+        exact: false,
+        noise: 0.0,
+    };
+    let most = bands.len() - 1;
+    if count_asked > most {
+        let found = count_asked;
+        return Err(PictureError::Numbers { found, most });
+    }
+    let plain = plain_fit(bands, &plan, &columns(bands, &plan, range_nm))?;
+    if plain.encode.iter().any(|v| !v.is_finite()) {
+        return Err(PictureError::NotSolved);
+    }
+    let samples = samples();
+    let values = DMatrix::from_fn(bands.len(), samples.len(), |j, i| {
+        samples[i].at(bands.nm()[j], Outside::Hold)
+    });
+    let numbers = &plain.encode * values;
+    let of_row = |row: usize| {
+        let squares = numbers.row(row).iter().map(|v| v * v).sum::<f64>();
+        squares / samples.len().max(1) as f64
+    };
+    let mut moments: Vec<f64> = (0..count_asked).map(of_row).collect();
+    let mean = moments.iter().sum::<f64>() / moments.len() as f64;
+    moments.iter_mut().for_each(|v| *v += LEAST * mean);
+    moments.truncate(count);
+    Ok(moments)
+}

@@ -1,0 +1,246 @@
+//! Other lights in coefficients: XYZ of a pixel is three weighted sums of its numbers, and a new
+//! light is new weights.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::color::xyz::{FIRST_NM, LAST_NM};
+use crate::color::{Observer, Xyz};
+use crate::spectrum::Kind;
+
+use super::fitting::cosines;
+use super::light::{emissive_weights, seen_on_nm};
+use super::prior::prior;
+use super::{Bands, Light, Operator, PictureError, ReferenceKind};
+
+/// What the spectrum is between bands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Between {
+    /// Straight lines, as everywhere in the program: errors go to zero with the count of numbers.
+    #[default]
+    Bands,
+    /// The series itself, which is nearer to the truth where bands are 10 nm apart or more.
+    Series,
+}
+
+/// Weights of a picture's numbers under a light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relit {
+    /// Name of the light.
+    pub light: String,
+    /// X, Y and Z: a weight a number.
+    pub rows: [Vec<f64>; 3],
+    /// Colour of the light itself, Y = 1.
+    pub white: Xyz,
+}
+
+impl Relit {
+    /// XYZ of one pixel, Y = 1 for the light.
+    pub fn xyz(&self, numbers: &[f64]) -> Xyz {
+        let sum = |row: &Vec<f64>| row.iter().zip(numbers).map(|(w, z)| w * z).sum();
+        Xyz::from_array(self.rows.each_ref().map(sum))
+    }
+
+    /// A mixture with another light, `share` of this one.
+    pub fn mixed_with(&self, other: &Self, share: f64) -> Self {
+        let mix = |a: f64, b: f64| share * a + (1.0 - share) * b;
+        let rows = std::array::from_fn(|k| {
+            let pairs = self.rows[k].iter().zip(&other.rows[k]);
+            pairs.map(|(a, b)| mix(*a, *b)).collect()
+        });
+        let (a, b) = (self.white.to_array(), other.white.to_array());
+        Self {
+            light: format!("{} and {}", self.light, other.light),
+            rows,
+            white: Xyz::from_array(std::array::from_fn(|k| mix(a[k], b[k]))),
+        }
+    }
+}
+
+impl Operator {
+    /// Weights of the numbers for the own colour: what the picture shows by itself. The white is
+    /// the own light's, a known light's as it fell on the bands, or what is equal everywhere.
+    pub fn own_colour(&self) -> Relit {
+        let plan = self.plan();
+        let of_bands = |values: &[f64]| {
+            let sum = |row: &Vec<f64>| row.iter().zip(values).map(|(w, v)| w * v).sum();
+            Xyz::from_array(self.own_weights().each_ref().map(sum))
+        };
+        let white = match (&plan.own, plan.reference.kind) {
+            (Some(light), _) if self.bands().is_factor() => light.white(plan.observer),
+            (_, ReferenceKind::Light) => Some(of_bands(&plan.reference.values)),
+            _ => Some(of_bands(&vec![1.0; self.bands().len()])),
+        };
+        let own = plan.own.as_ref().filter(|_| self.bands().is_factor());
+        Relit {
+            light: own.map_or(&plan.reference.name[..], Light::name).to_owned(),
+            rows: self.of_numbers(self.own_weights()),
+            white: white.unwrap_or_default(),
+        }
+    }
+
+    /// Weights of the numbers under another light. `known` is the light that lit a picture whose
+    /// reference is another; one whose reference is the light needs none.
+    ///
+    /// # Errors
+    /// [`PictureError::NoRelighting`] where nobody knows what lit the picture, and
+    /// [`PictureError::NoOwnLight`] for a light that does not shine on the bands.
+    pub fn relit(
+        &self,
+        light: &Light,
+        known: Option<&Light>,
+        between: Between,
+    ) -> Result<Relit, PictureError> {
+        let plan = self.plan();
+        let observer = plan.observer;
+        let reflectance = Bands::new(self.bands().nm().to_vec(), Kind::Reflectance)?;
+        let weights = light.weights(&reflectance, observer)?;
+        let white = light.white(observer).unwrap_or_default();
+        let rows = if self.bands().is_factor() {
+            let mut rows = self.of_numbers(&weights);
+            if between == Between::Series {
+                let of_series = self.series_rows(light, observer, true);
+                for (row, series) in rows.iter_mut().zip(of_series) {
+                    row[..series.len()].copy_from_slice(&series);
+                }
+            }
+            rows
+        } else if plan.reference.kind == ReferenceKind::Light {
+            self.divided_rows(light, &weights, between)
+        } else {
+            let known = known.ok_or_else(|| {
+                PictureError::NoRelighting(
+                    "no relighting: nobody knows what lit this picture; choose the light, or a \
+                     white place in the picture, whose spectrum then is the light"
+                        .to_owned(),
+                )
+            })?;
+            self.divided_later(known, &weights)?
+        };
+        Ok(Relit {
+            light: light.name().to_owned(),
+            rows,
+            white,
+        })
+    }
+
+    /// Of a picture with its known light (or two) as reference: the series without it.
+    fn divided_rows(
+        &self,
+        light: &Light,
+        weights: &[Vec<f64>; 3],
+        between: Between,
+    ) -> [Vec<f64>; 3] {
+        let plan = self.plan();
+        let (one, two) = plan.shares();
+        let of_series = if between == Between::Series {
+            self.series_rows(light, plan.observer, false)
+        } else {
+            let waves = cosines(self.bands().nm(), self.range_nm(), one);
+            weights.each_ref().map(|row| {
+                let columns = waves.column_iter();
+                columns
+                    .map(|c| c.iter().zip(row).map(|(d, w)| d * w).sum())
+                    .collect()
+            })
+        };
+        // Both halves are parts of one reflectance; lines beside a known light are light.
+        of_series.map(|mut row: Vec<f64>| {
+            let first: Vec<f64> = row.iter().copied().take(two).collect();
+            row.extend(first);
+            row.resize(self.numbers(), 0.0);
+            row
+        })
+    }
+
+    /// The series at every whole nm rather than at the bands, times its reference where asked.
+    fn series_rows(
+        &self,
+        light: &Light,
+        observer: Observer,
+        with_reference: bool,
+    ) -> [Vec<f64>; 3] {
+        let (plan, bands) = (self.plan(), self.bands());
+        let count = plan.shares().0;
+        let nm = bands.nm();
+        let (first, last) = (nm[0], nm[nm.len() - 1]);
+        let y = light.xyz(observer).y;
+        let mut places: Vec<(f64, [f64; 3])> = Vec::new();
+        let seen: [Vec<f64>; 3] = std::array::from_fn(|k| seen_on_nm(observer, k));
+        for (i, whole) in (FIRST_NM..=LAST_NM).enumerate() {
+            let weight = light.on_nm()[i] / y;
+            places.push((
+                f64::from(whole),
+                std::array::from_fn(|k| seen[k][i] * weight),
+            ));
+        }
+        for spike in light.spikes() {
+            let seen = observer.table().at(spike.at_nm);
+            places.push((spike.at_nm, seen.map(|s| s * spike.weight / y)));
+        }
+        let held: Vec<f64> = places.iter().map(|(at, _)| at.clamp(first, last)).collect();
+        let waves = cosines(&held, self.range_nm(), count);
+        let reference = crate::spectrum::Sampled::new(nm.to_vec(), plan.reference.values.clone());
+        let factor = |at: f64| match &reference {
+            Ok(reference) if with_reference => reference.at(at, crate::spectrum::Outside::Hold),
+            _ => 1.0,
+        };
+        let mut rows: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; count]);
+        for (m, (_, weights)) in places.iter().enumerate() {
+            let factor = factor(held[m]);
+            for (row, weight) in rows.iter_mut().zip(weights) {
+                for (n, value) in row.iter_mut().enumerate() {
+                    *value += weight * factor * waves[(m, n)];
+                }
+            }
+        }
+        rows
+    }
+
+    /// Of a picture stored without its light: the regularised division, folded into the weights.
+    fn divided_later(
+        &self,
+        known: &Light,
+        weights: &[Vec<f64>; 3],
+    ) -> Result<[Vec<f64>; 3], PictureError> {
+        let (plan, bands) = (self.plan(), self.bands());
+        let light = known.on_bands(bands)?;
+        let count = self.numbers();
+        let range = self.range_nm();
+        let waves = cosines(bands.nm(), range, count);
+        let moments = prior(bands, range, count)?;
+        let largest = bands.weights_nm().iter().copied().fold(0.0, f64::max);
+        let noise = plan.noise.max(super::plan::LEAST_NOISE);
+        let per_noise = 1.0 / (largest * noise * noise);
+        let right = DMatrix::from_fn(count, bands.len(), |n, j| {
+            waves[(j, n)] * light[j] * bands.weights_nm()[j] * per_noise
+        });
+        let lit = DMatrix::from_fn(bands.len(), count, |j, n| waves[(j, n)] * light[j]);
+        let mut normal = &right * lit;
+        for (i, moment) in moments.iter().enumerate() {
+            normal[(i, i)] += 1.0 / moment;
+        }
+        let solved = normal
+            .cholesky()
+            .ok_or(PictureError::NotSolved)?
+            .solve(&(right * &self.decode));
+        Ok(weights.each_ref().map(|row| {
+            let seen = waves.transpose() * DVector::from_column_slice(row);
+            (solved.transpose() * seen).as_slice().to_vec()
+        }))
+    }
+
+    /// The rows and white of what is light seen as it is, scaled so that `white` on the bands has
+    /// Y = 1: for a picture of an unknown lamp.
+    ///
+    /// # Errors
+    /// [`PictureError::NoOwnLight`] when that has no Y.
+    pub fn seen_against(&self, white: &[f64]) -> Result<Relit, PictureError> {
+        let weights = emissive_weights(self.bands(), self.plan().observer, white)?;
+        let sum = |row: &Vec<f64>| row.iter().zip(white).map(|(w, v)| w * v).sum();
+        Ok(Relit {
+            light: String::new(),
+            rows: self.of_numbers(&weights),
+            white: Xyz::from_array(weights.each_ref().map(sum)),
+        })
+    }
+}

@@ -1,0 +1,72 @@
+//! A picture and its peers as JSON.
+
+use serde_json::{Value, json};
+
+use super::measure::Errors;
+use super::peers::Peer;
+use super::{Operator, Spread, Trust};
+
+/// Bytes of a picture in each form.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bytes {
+    /// Of the full form.
+    pub full: Option<u64>,
+    /// Of the compact form.
+    pub compact: Option<u64>,
+    /// Of the exact picture as spectral OpenEXR, half, ZIP.
+    pub exact: Option<u64>,
+}
+
+fn spread(spread: &Spread) -> Value {
+    json!({"mean": spread.mean, "p95": spread.p95, "max": spread.max})
+}
+
+fn errors(error: &Errors) -> Value {
+    let lights: serde_json::Map<String, Value> = error
+        .lights
+        .iter()
+        .map(|(name, found)| (name.clone(), spread(found)))
+        .collect();
+    json!({"own": spread(&error.own), "lights": lights, "relative_rms": error.relative_rms})
+}
+
+/// What a picture is in few numbers: `picture IN --json`.
+pub fn picture_json(
+    operator: &Operator,
+    bytes: Bytes,
+    error: &Errors,
+    noise: f64,
+    trust: Option<&Trust>,
+) -> Value {
+    let plan = operator.plan();
+    let lines: Vec<Value> = plan
+        .lines
+        .iter()
+        .map(|line| json!({"at_nm": line.at_nm, "share": line.share}))
+        .collect();
+    json!({
+        "numbers": plan.numbers(),
+        "reference": {"kind": plan.reference.kind, "name": plan.reference.name},
+        "lines": lines,
+        "bytes": {"full": bytes.full, "compact": bytes.compact, "exact": bytes.exact},
+        "error": errors(error),
+        "noise": noise,
+        "trust": trust.map(|t| json!({
+            "blind": t.blind, "noise": t.noise, "verdict": t.verdict.word(), "words": t.words(),
+        })),
+    })
+}
+
+/// The table of peers: `picture IN --peers --json`.
+pub fn peers_json(peers: &[Peer]) -> Value {
+    let rows = peers.iter().map(|peer| {
+        json!({
+            "name": peer.name,
+            "numbers": peer.numbers,
+            "bytes": peer.bytes,
+            "error": peer.error.as_ref().map(errors),
+            "said": peer.said,
+        })
+    });
+    json!({"peers": rows.collect::<Vec<_>>()})
+}

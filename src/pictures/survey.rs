@@ -1,0 +1,168 @@
+//! What a picture is like before anything is decided: its mean, its noise, a sample of its pixels.
+
+use crate::study::Progress;
+
+use super::strips::over_strips;
+use super::{PictureError, Pixels, STRIP_ROWS};
+
+/// Most pixels of the sample that a choice is made on.
+pub const MOST_SAMPLED: usize = 4096;
+
+/// Standard deviation of a normal number over the median of its absolute value.
+const NORMAL_OVER_MEDIAN: f64 = 1.4826;
+
+/// A known light counts as at least this share of its mean where it is divided out.
+const LEAST_LIGHT: f64 = 1e-3;
+
+/// What was found on a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Survey {
+    /// Mean of the measured pixels, a value a band.
+    pub mean: Vec<f64>,
+    /// The 95th percentile, band by band, of the sample: it finds a lamp that few pixels see.
+    pub high: Vec<f64>,
+    /// Noise of each band.
+    pub noise: Vec<f64>,
+    /// Pixels with a number in every band.
+    pub measured: usize,
+    /// Pixels without.
+    pub no_data: usize,
+    /// Pixels on an even grid that were measured, one after the other.
+    pub sample: Vec<Vec<f64>>,
+}
+
+impl Survey {
+    /// Looks at every pixel once.
+    ///
+    /// # Errors
+    /// [`PictureError::NothingMeasured`], [`PictureError::AllZero`], and those of the source.
+    pub fn of(pixels: &dyn Pixels, progress: &Progress) -> Result<Self, PictureError> {
+        let (width, height) = pixels.size();
+        let bands = pixels.bands().len();
+        let step = ((width * height) as f64 / MOST_SAMPLED as f64)
+            .sqrt()
+            .ceil()
+            .max(1.0) as usize;
+        let is_sampled = |x: usize, y: usize| {
+            let middle = |at: usize, size: usize| at % step == (step / 2).min(size - 1);
+            middle(x, width) && middle(y, height)
+        };
+        progress.expect(height.div_ceil(STRIP_ROWS));
+        let parts = over_strips(pixels, STRIP_ROWS, progress, |strip| {
+            let (mut sums, mut measured) = (vec![0.0; bands], 0);
+            let mut sample = Vec::new();
+            let mut good = vec![true; strip.pixels];
+            for band in strip.values.chunks_exact(strip.pixels) {
+                good.iter_mut()
+                    .zip(band)
+                    .for_each(|(good, v)| *good &= v.is_finite());
+            }
+            for (sum, band) in sums.iter_mut().zip(strip.values.chunks_exact(strip.pixels)) {
+                let values = band.iter().zip(&good).filter(|(_, good)| **good);
+                *sum = values.map(|(v, _)| f64::from(*v)).sum::<f64>();
+            }
+            for (i, _) in good.iter().enumerate().filter(|(_, good)| **good) {
+                measured += 1;
+                if is_sampled(i % width, strip.first + i / width) {
+                    let pixel = (0..bands).map(|j| f64::from(strip.values[j * strip.pixels + i]));
+                    sample.push(pixel.collect::<Vec<f64>>());
+                }
+            }
+            // A few measured pixels may all lie beside the grid.
+            if sample.is_empty()
+                && let Some(i) = good.iter().position(|good| *good)
+            {
+                let pixel = (0..bands).map(|j| f64::from(strip.values[j * strip.pixels + i]));
+                sample.push(pixel.collect());
+            }
+            Ok((sums, measured, sample))
+        })?;
+        let mut mean = vec![0.0; bands];
+        let (mut measured, mut sample) = (0, Vec::new());
+        for (sums, count, pixels) in parts {
+            mean.iter_mut().zip(sums).for_each(|(m, s)| *m += s);
+            measured += count;
+            sample.extend(pixels);
+        }
+        if measured == 0 {
+            return Err(PictureError::NothingMeasured);
+        }
+        mean.iter_mut().for_each(|m| *m /= measured as f64);
+        if mean.iter().all(|m| *m == 0.0) && sample.iter().flatten().all(|v| *v == 0.0) {
+            return Err(PictureError::AllZero);
+        }
+        sample.truncate(2 * MOST_SAMPLED);
+        Ok(Self {
+            high: (0..bands).map(|j| percentile(&sample, j, 0.95)).collect(),
+            noise: noise_of(&sample, bands),
+            mean,
+            measured,
+            no_data: width * height - measured,
+            sample,
+        })
+    }
+
+    /// The noise of a band in the middle of all.
+    pub fn usual_noise(&self) -> f64 {
+        median(&mut self.noise.clone())
+    }
+
+    /// Noise of each band of a picture that a known light lit: neighbours are compared after the
+    /// light is divided out, so that its lines are not taken for noise.
+    pub fn noise_under(&self, light: &[f64]) -> Vec<f64> {
+        let bands = self.mean.len();
+        let g = |j: usize| light.get(j).copied().unwrap_or(1.0).max(LEAST_LIGHT);
+        let mut noise = vec![0.0; bands];
+        for j in 1..bands - 1 {
+            let (left, right) = (0.5 * g(j) / g(j - 1), 0.5 * g(j) / g(j + 1));
+            let spread = (1.0 + left * left + right * right).sqrt();
+            let off = |p: &Vec<f64>| (p[j] - left * p[j - 1] - right * p[j + 1]).abs();
+            let mut values: Vec<f64> = self.sample.iter().map(off).collect();
+            noise[j] = NORMAL_OVER_MEDIAN * median(&mut values) / spread;
+        }
+        noise[0] = noise[1];
+        noise[bands - 1] = noise[bands - 2];
+        noise
+    }
+
+    /// That of a band in the middle of all.
+    pub fn usual_noise_under(&self, light: &[f64]) -> f64 {
+        median(&mut self.noise_under(light))
+    }
+
+    /// Noise relative to what there is: what no relative rms need go below.
+    pub fn relative_noise(&self) -> f64 {
+        let squares = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>();
+        let signal = self.sample.iter().map(|p| squares(p)).sum::<f64>() / self.sample.len() as f64;
+        if signal > 0.0 {
+            (squares(&self.noise) / signal).sqrt()
+        } else {
+            0.0
+        }
+    }
+}
+
+fn percentile(sample: &[Vec<f64>], band: usize, share: f64) -> f64 {
+    let mut values: Vec<f64> = sample.iter().map(|p| p[band]).collect();
+    let at = ((values.len() - 1) as f64 * share).round() as usize;
+    *values.select_nth_unstable_by(at, f64::total_cmp).1
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+/// `1.4826 median |p_j - (p_(j-1) + p_(j+1))/2| / sqrt 1.5`; the ends are as noisy as their
+/// neighbours.
+fn noise_of(sample: &[Vec<f64>], bands: usize) -> Vec<f64> {
+    let mut noise = vec![0.0; bands];
+    for j in 1..bands - 1 {
+        let off = |p: &Vec<f64>| (p[j] - 0.5 * (p[j - 1] + p[j + 1])).abs();
+        let mut values: Vec<f64> = sample.iter().map(off).collect();
+        noise[j] = NORMAL_OVER_MEDIAN * median(&mut values) / 1.5_f64.sqrt();
+    }
+    noise[0] = noise[1];
+    noise[bands - 1] = noise[bands - 2];
+    noise
+}

@@ -1,0 +1,213 @@
+//! How far to trust relighting: what the old light left dark, and how much noise the division
+//! makes.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::color::xyz::{FIRST_NM, LAST_NM};
+use crate::color::{Observer, Xyz};
+use crate::spectrum::{Outside, Sampled};
+
+use super::light::seen_on_nm;
+use super::{Bands, Light, Operator, Relit};
+
+/// Below this share of its mean the old light shows nothing of a surface.
+const DARK: f64 = 0.02;
+/// A blind share above this is warned of (provisional).
+pub const WARN_BLIND: f64 = 0.05;
+/// A blind share above this is refused (provisional).
+pub const REFUSE_BLIND: f64 = 0.5;
+/// Foretold noise of two lights above this is warned of (provisional, from four pairs).
+pub const WARN_PARTS: f64 = 0.8;
+/// And refused above this.
+pub const REFUSE_PARTS: f64 = 3.0;
+/// The grey that noise is foretold at.
+const GREY_Y: f64 = 0.2;
+/// The grey of the two lights' rank.
+const GREY_OF_PARTS: f64 = 0.1;
+
+/// What one may believe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Nothing speaks against it.
+    Good,
+    /// With care.
+    Care,
+    /// The old light left too much dark.
+    Refused,
+}
+
+impl Verdict {
+    fn of(value: f64, warn: f64, refuse: f64) -> Self {
+        match value {
+            v if v > refuse || !v.is_finite() => Self::Refused,
+            v if v > warn => Self::Care,
+            _ => Self::Good,
+        }
+    }
+
+    /// The word in JSON.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Good => "good",
+            Self::Care => "care",
+            Self::Refused => "refused",
+        }
+    }
+}
+
+/// How far relighting from one light to another can be trusted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trust {
+    /// Share of the new white's X, Y, Z that falls where the old light was dark: a reflectance of
+    /// 0-1 there moves them by at most so much of white.
+    pub blind: [f64; 3],
+    /// Mean colour difference that the picture's noise makes, foretold at a mid grey.
+    pub noise: f64,
+    /// What to make of it.
+    pub verdict: Verdict,
+}
+
+impl Trust {
+    /// In one line.
+    pub fn words(&self) -> String {
+        let blind = self.blind.iter().copied().fold(0.0, f64::max);
+        match self.verdict {
+            Verdict::Good => format!("trust it: noise makes about {:.2} dE00", self.noise),
+            Verdict::Care => format!(
+                "with care: the old light left {:.0} % of the new one's colour dark, noise makes about {:.2} dE00",
+                100.0 * blind,
+                self.noise
+            ),
+            Verdict::Refused => format!(
+                "not to be trusted: the old light left {:.0} % of the new one's colour dark",
+                100.0 * blind
+            ),
+        }
+    }
+}
+
+/// Share of the new light's X, Y, Z where the old one on the bands is below 2 % of its mean.
+pub fn blind_share(bands: &Bands, old: &[f64], new: &Light, observer: Observer) -> [f64; 3] {
+    let mean = old.iter().sum::<f64>() / old.len().max(1) as f64;
+    let table = Sampled::new(bands.nm().to_vec(), old.to_vec()).ok();
+    let (first, last) = (bands.nm()[0], bands.nm()[bands.len() - 1]);
+    // What lies beyond the bands was not seen at all; the ends' values are held there.
+    let value = |nm: f64| {
+        let nm = nm.clamp(first, last);
+        table
+            .as_ref()
+            .map_or(0.0, |table| table.at(nm, Outside::Hold))
+    };
+    let is_dark = |nm: f64| value(nm) < DARK * mean;
+    std::array::from_fn(|k| {
+        let seen = seen_on_nm(observer, k);
+        let (mut dark, mut all) = (0.0, 0.0);
+        let mut count = |nm: f64, weight: f64| {
+            all += weight;
+            if is_dark(nm) {
+                dark += weight;
+            }
+        };
+        for (i, nm) in (FIRST_NM..=LAST_NM).enumerate() {
+            count(f64::from(nm), seen[i] * new.on_nm()[i]);
+        }
+        for spike in new.spikes() {
+            count(
+                spike.at_nm,
+                observer.table().at(spike.at_nm)[k] * spike.weight,
+            );
+        }
+        if all > 0.0 { dark / all } else { 0.0 }
+    })
+}
+
+/// Lab by XYZ at a grey of some Y of a white.
+pub(super) fn lab_by_xyz(white: Xyz, grey_y: f64) -> DMatrix<f64> {
+    // The derivative of a cube root.
+    let slope = grey_y.powf(-2.0 / 3.0) / 3.0;
+    let turn = DMatrix::from_row_slice(
+        3,
+        3,
+        &[0.0, 116.0, 0.0, 500.0, -500.0, 0.0, 0.0, 200.0, -200.0],
+    );
+    let per_white = white
+        .to_array()
+        .map(|v| if v.abs() > 1e-9 { slope / v } else { 0.0 });
+    turn * DMatrix::from_diagonal(&DVector::from_row_slice(&per_white))
+}
+
+pub(super) fn matrix_of(rows: &[Vec<f64>; 3]) -> DMatrix<f64> {
+    DMatrix::from_fn(3, rows[0].len(), |k, n| rows[k][n])
+}
+
+impl Operator {
+    /// Mean colour difference that noise of the bands makes under a light, foretold at a mid grey.
+    pub fn foretold_noise(&self, relit: &Relit, noise: &[f64]) -> f64 {
+        let to_lab = lab_by_xyz(relit.white, GREY_Y) * matrix_of(&relit.rows) * &self.encode;
+        let sum: f64 = to_lab
+            .column_iter()
+            .zip(noise)
+            .map(|(column, s)| column.norm_squared() * s * s)
+            .sum();
+        sum.sqrt()
+    }
+
+    /// How far relighting to a light can be trusted; `old` is the light on the bands, none for a
+    /// reflectance.
+    pub fn trust(&self, relit: &Relit, new: &Light, old: Option<&[f64]>, noise: &[f64]) -> Trust {
+        let observer = self.plan().observer;
+        let blind = old.map_or([0.0; 3], |old| {
+            blind_share(self.bands(), old, new, observer)
+        });
+        let worst = blind.iter().copied().fold(0.0, f64::max);
+        Trust {
+            blind,
+            noise: self.foretold_noise(relit, noise),
+            verdict: Verdict::of(worst, WARN_BLIND, REFUSE_BLIND),
+        }
+    }
+
+    /// How well two known lights can be told apart: for each light's part alone a rank (it
+    /// understates the error), and what to make of it; `None` for a picture of one light.
+    pub fn parts_rank(&self) -> Option<([f64; 2], Verdict)> {
+        let plan = self.plan();
+        let (one, two) = plan.shares();
+        let prior = self.prior()?;
+        let largest = self
+            .bands()
+            .weights_nm()
+            .iter()
+            .copied()
+            .fold(0.0, f64::max);
+        let noise = plan.noise.max(super::plan::LEAST_NOISE);
+        let scaled = DMatrix::from_fn(self.numbers(), self.bands().len(), |n, j| {
+            self.decode(j, n) * self.bands().weights_nm()[j] / (largest * noise * noise)
+        });
+        let mut normal = scaled * &self.decode;
+        for (i, moment) in prior.iter().enumerate() {
+            normal[(i, i)] += 1.0 / moment;
+        }
+        let spread = normal.cholesky()?.inverse();
+        let rank = |from: usize, count: usize, light: &[f64]| {
+            let mut rows = self.own_colour().rows;
+            let of_light = |row: &Vec<f64>| row.iter().zip(light).map(|(w, v)| w * v).sum();
+            let white = Xyz::from_array(self.own_weights().each_ref().map(of_light));
+            for row in &mut rows {
+                for (n, value) in row.iter_mut().enumerate() {
+                    if n < from || n >= from + count {
+                        *value = 0.0;
+                    }
+                }
+            }
+            let to_lab = lab_by_xyz(white, GREY_OF_PARTS) * matrix_of(&rows);
+            (&to_lab * &spread * to_lab.transpose())
+                .trace()
+                .max(0.0)
+                .sqrt()
+        };
+        let second = &plan.second.as_ref()?.values;
+        let ranks = [rank(0, one, &plan.reference.values), rank(one, two, second)];
+        let worst = ranks[0].max(ranks[1]);
+        Some((ranks, Verdict::of(worst, WARN_PARTS, REFUSE_PARTS)))
+    }
+}
