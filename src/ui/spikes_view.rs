@@ -84,9 +84,12 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                     );
                     let name = app.spike_names().get(index);
                     let line = ui.label(
-                        name.and_then(|n| n.safe.as_deref().or(n.near.as_deref()))
+                        name.and_then(|n| n.label.as_deref().or(n.near.as_deref()))
                             .unwrap_or("–"),
                     );
+                    if let Some(whole) = name.and_then(|n| n.safe.as_deref()) {
+                        line.clone().on_hover_text(whole);
+                    }
                     if spike.peaks > 1 {
                         line.on_hover_text(format!(
                             "{} peaks that no valley parts make one spike. Moving the threshold \

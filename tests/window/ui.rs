@@ -524,6 +524,9 @@ fn the_library_opens_by_key_and_by_the_lights_name_and_stays_when_pinned() {
 #[test]
 fn a_click_with_ctrl_or_shift_lays_a_spectrum_over() {
     let mut ui = with_library();
+    // The rows are to be on the screen.
+    ui.set_size(vec2(1280.0, 3000.0));
+    ui.run();
     for modifiers in [Modifiers::COMMAND, Modifiers::SHIFT] {
         let before = app(&ui).document().overlays.len();
         let name = if before == 0 { "CIE D65" } else { "CIE A" };
@@ -1480,7 +1483,7 @@ fn every_name_in_the_library_can_be_written() {
     ui.state_mut().drawer.open = true;
     // Tall enough to show every shelf at once: a glyph that no font has would panic.
     let rows = ui.state().app.bundled().len() as f32;
-    ui.set_size(vec2(1280.0, 24.0 * rows + 400.0));
+    ui.set_size(vec2(1280.0, 42.0 * rows + 800.0));
     ui.run();
     let last = ui.state().app.bundled().last().map(|e| e.name().to_owned());
     control(&ui, Role::Button, &last.expect("a library"));
