@@ -127,7 +127,7 @@ fn what_cannot_be_encoded_is_refused_in_one_line() {
             1,
             "expected a light (say --kind)",
         ),
-        (&["no such lamp"], 1, "found"),
+        (&["no such lamp"], 1, "no shipped spectrum is called"),
     ] {
         let (err, found) = refusal(&[&["encode"], args].concat());
         assert_eq!(found, code, "{args:?}: {err}");
