@@ -107,8 +107,10 @@ fn parts_json(encoding: &Encoding, words: &[u32]) -> Map<String, Value> {
     all.insert("words".to_owned(), json!(words));
     all.insert("atoms".to_owned(), atoms.collect());
     all.insert("cosine".to_owned(), json!(cosine));
-    // There only where one of today's Fourier ways was the best.
-    all.insert("fourier".to_owned(), json!(fourier));
+    // Only where one of today's Fourier ways was the best.
+    if let Some(fourier) = fourier {
+        all.insert("fourier".to_owned(), json!(fourier));
+    }
     all.insert("lines".to_owned(), lines.collect());
     all
 }
