@@ -266,7 +266,7 @@ fn several_damages_cost_themselves_alone_and_are_each_told() {
     let losses = &restored.losses;
     for (place, found, stands) in [
         ("settings.observer", "\"1066\"", "\"1931\" stands"),
-        ("settings.basis", "\"wavelets\"", "\"fourier\" stands"),
+        ("settings.basis", "\"wavelets\"", "\"cosine\" stands"),
         (
             "preferences.pages.page",
             "\"poetry\"",
