@@ -83,8 +83,18 @@ impl App {
     }
 
     /// The program with a document that was made elsewhere.
-    pub fn with_document(document: Document) -> Self {
-        Self::about(bundled_entries(), document)
+    pub fn with_document(mut document: Document) -> Self {
+        let bundled = bundled_entries();
+        // What is shown is the very one in the library: to show it again is no step.
+        let factor = document.factor.iter_mut();
+        let shown = std::iter::once(&mut document.light).chain(factor);
+        for entry in shown.chain(&mut document.overlays) {
+            let same = bundled.iter().find(|b| b.key == entry.key && *b == entry);
+            if let Some(same) = same {
+                *entry = same.clone();
+            }
+        }
+        Self::about(bundled, document)
     }
 
     fn about(bundled: Vec<Arc<Entry>>, document: Document) -> Self {

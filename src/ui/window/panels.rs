@@ -5,21 +5,18 @@ use egui::{Context, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, 
 
 use super::{
     super::{
-        colour_view, foot_view, greeting_view,
+        foot_view, greeting_view,
         look_view::{self, Scene},
-        model_view,
         pages::{self, PageContext},
         palette_view::Chosen,
-        rail_view, spikes_view,
+        rail_view,
         theme::{self, Theme},
         top_view,
         verdict_view::{self, Side},
     },
     Window,
 };
-use crate::app::{
-    App, Command, answers, pages::Page, spike_hand::SpikeAct, state::Tone, workspace::Preferences,
-};
+use crate::app::{Command, pages::Page, workspace::Preferences};
 
 /// Widths from which the column of the verdict stands beside the page, and from which it is wider,
 /// points.
@@ -31,9 +28,7 @@ const NARROW: f32 = 660.0;
 const LOW: f32 = 720.0;
 
 /// Widths of the column: very wide, usual, and beside the drawer.
-const COLUMN: [f32; 3] = [440.0, 360.0, 304.0];
-/// Width of the edge that the column folds to.
-const EDGE: f32 = 24.0;
+pub(super) const COLUMN: [f32; 3] = [440.0, 360.0, 304.0];
 /// Width of the library's drawer.
 const DRAWER: f32 = 384.0;
 /// Around a page.
@@ -48,10 +43,10 @@ const LEAST_PAGE: f32 = 540.0;
 pub(super) struct Shape {
     /// The column stands beside the page.
     pub wide: bool,
-    very_wide: bool,
-    narrow: bool,
+    pub(super) very_wide: bool,
+    pub(super) narrow: bool,
     /// Too narrow for a page beside every figure.
-    narrower: bool,
+    pub(super) narrower: bool,
     low: bool,
     /// Nothing but the page.
     pub bare: bool,
@@ -78,7 +73,7 @@ impl Shape {
 }
 
 /// A frame without a line around it.
-fn plain(ui: &Ui, margin: Margin) -> Frame {
+pub(super) fn plain(ui: &Ui, margin: Margin) -> Frame {
     Frame::new()
         .fill(ui.visuals().panel_fill)
         .inner_margin(margin)
@@ -181,131 +176,6 @@ impl Window {
             self.drawer.open = false;
         }
         self.apply(&mut commands);
-    }
-
-    /// Whether the column of the verdict is open.
-    pub(super) fn side_is_open(&self, shape: Shape) -> bool {
-        let has_model = self.preferences.pages.page.has_model();
-        !shape.bare && self.side_open.unwrap_or(shape.wide && has_model)
-    }
-
-    /// Whether the open column leaves no room for the page.
-    pub(super) fn side_alone(&self, shape: Shape) -> bool {
-        let no_room = match self.side {
-            Side::Figures => shape.narrower,
-            Side::Verdict | Side::Settings => shape.narrow,
-        };
-        no_room && !shape.bare && self.side_is_open(shape)
-    }
-
-    /// The model's column, or the edge that it folds to.
-    pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
-        let has_model = self.preferences.pages.page.has_model();
-        if shape.bare || !(has_model || self.side_open == Some(true)) {
-            return;
-        }
-        let open = self.side_is_open(shape);
-        if !shape.wide || self.side_open.is_some() {
-            let frame = plain(ui, Margin::ZERO);
-            Panel::right("edge")
-                .frame(frame)
-                .resizable(false)
-                .exact_size(EDGE)
-                .show(ui, |ui| {
-                    if verdict_view::edge(ui, open) {
-                        self.side_open = match (open, shape.wide && has_model) {
-                            (true, false) | (false, true) => None,
-                            (open, _) => Some(!open),
-                        };
-                    }
-                });
-        }
-        if !open {
-            return;
-        }
-        let frame = plain(ui, Margin::same(16));
-        if self.side_alone(shape) {
-            egui::CentralPanel::default()
-                .frame(frame)
-                .show(ui, |ui| self.column(ui, theme));
-            return;
-        }
-        let [widest, usual, least] = COLUMN;
-        let width = match (shape.very_wide, self.drawer.open || !shape.wide) {
-            // Tables are never cut.
-            _ if self.side == Side::Figures => widest,
-            (true, _) => widest,
-            (false, true) => least,
-            (false, false) => usual,
-        };
-        Panel::right("model")
-            .frame(frame)
-            .resizable(false)
-            .exact_size(width)
-            .show(ui, |ui| in_its_size(ui, |ui| self.column(ui, theme)));
-    }
-
-    fn column(&mut self, ui: &mut Ui, theme: Theme) {
-        let (mut commands, mut said) = (Vec::new(), None);
-        if self.side == Side::Verdict {
-            let (app, preferences) = (&self.app, &mut self.preferences);
-            let height = ui.available_height() - verdict_view::FOOT * theme.scale;
-            ScrollArea::vertical()
-                .auto_shrink(false)
-                .max_height(height)
-                .show(ui, |ui| {
-                    verdict_view::show(ui, app, preferences, theme, &mut commands);
-                });
-            ui.add_space(8.0);
-            verdict_view::foot(ui, theme, &mut self.side);
-        } else {
-            ui.horizontal(|ui| {
-                for (side, words) in [
-                    (Side::Verdict, "◀ Verdict"),
-                    (Side::Figures, "All figures"),
-                    (Side::Settings, "Settings"),
-                ] {
-                    ui.selectable_value(&mut self.side, side, words);
-                }
-            });
-            ui.add_space(4.0);
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                if self.side == Side::Settings {
-                    said = model_view::controls(ui, &self.app, &mut commands);
-                    ui.add_space(8.0);
-                    as_in_the_paper(ui, &self.app, &mut commands);
-                } else {
-                    self.figures(ui, theme);
-                }
-            });
-        }
-        if !commands.is_empty() {
-            // What depends on them was drawn before.
-            ui.ctx().request_discard("the model changed");
-        }
-        self.apply(&mut commands);
-        // What was taken is said of the model as it is now.
-        if let Some(words) = said {
-            self.app.say(Tone::Info, words);
-        }
-    }
-
-    /// Every figure: colours and errors, or the maker's own results, and the lines.
-    fn figures(&mut self, ui: &mut Ui, theme: Theme) {
-        if !self.makers.tabs(ui, &self.app) {
-            let is_titled = !self.app.document().subject_entry().makers.is_empty();
-            colour_view::show(ui, &self.app, theme, is_titled);
-        } else if let Some(words) = self.makers.show(ui, &self.app) {
-            self.app.say(Tone::Info, words);
-        }
-        let mut acts: Vec<SpikeAct> = Vec::new();
-        ui.add_space(8.0);
-        theme::section(ui, "Lines");
-        spikes_view::head(ui, &self.app, &mut acts);
-        spikes_view::table(ui, &self.app, theme, &mut acts);
-        for act in acts {
-            self.app.act_on_spikes(act);
-        }
     }
 
     /// The page in force, scrolled where the window is too low for it. Gives where it is seen.
@@ -484,20 +354,6 @@ impl Window {
     /// Shows the three ways to begin to who was never here.
     pub fn greet(&mut self) {
         self.greets = !self.preferences.greeted;
-    }
-}
-
-/// The paper's settings in one click.
-fn as_in_the_paper(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
-    if ui
-        .button(look_view::names::PAPER)
-        .on_hover_text(
-            "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
-             slope, products on the paper's points.",
-        )
-        .clicked()
-    {
-        commands.push(Command::Edit(answers::as_in_the_paper(app)));
     }
 }
 

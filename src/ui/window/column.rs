@@ -1,0 +1,158 @@
+//! The model's column: the verdict, every figure, every knob; and the edge that it folds to.
+
+use eframe::egui;
+use egui::{Margin, Panel, ScrollArea, Ui};
+
+use super::{
+    super::{
+        colour_view, look_view, model_view, spikes_view,
+        theme::{self, Theme},
+        verdict_view::{self, Side},
+    },
+    Window,
+    panels::{COLUMN, Shape, in_its_size, plain},
+};
+use crate::app::{App, Command, answers, spike_hand::SpikeAct, state::Tone};
+
+/// Width of the edge that the column folds to.
+const EDGE: f32 = 24.0;
+impl Window {
+    /// Whether the column of the verdict is open.
+    pub(super) fn side_is_open(&self, shape: Shape) -> bool {
+        let has_model = self.preferences.pages.page.has_model();
+        !shape.bare && self.side_open.unwrap_or(shape.wide && has_model)
+    }
+
+    /// Whether the open column leaves no room for the page.
+    pub(super) fn side_alone(&self, shape: Shape) -> bool {
+        let no_room = match self.side {
+            Side::Figures => shape.narrower,
+            Side::Verdict | Side::Settings => shape.narrow,
+        };
+        no_room && !shape.bare && self.side_is_open(shape)
+    }
+
+    /// The model's column, or the edge that it folds to.
+    pub(super) fn side_panel(&mut self, ui: &mut Ui, shape: Shape, theme: Theme) {
+        let has_model = self.preferences.pages.page.has_model();
+        if shape.bare || !(has_model || self.side_open == Some(true)) {
+            return;
+        }
+        let open = self.side_is_open(shape);
+        if !shape.wide || self.side_open.is_some() {
+            let frame = plain(ui, Margin::ZERO);
+            Panel::right("edge")
+                .frame(frame)
+                .resizable(false)
+                .exact_size(EDGE)
+                .show(ui, |ui| {
+                    if verdict_view::edge(ui, open) {
+                        self.side_open = match (open, shape.wide && has_model) {
+                            (true, false) | (false, true) => None,
+                            (open, _) => Some(!open),
+                        };
+                    }
+                });
+        }
+        if !open {
+            return;
+        }
+        let frame = plain(ui, Margin::same(16));
+        if self.side_alone(shape) {
+            egui::CentralPanel::default()
+                .frame(frame)
+                .show(ui, |ui| self.column(ui, theme));
+            return;
+        }
+        let [widest, usual, least] = COLUMN;
+        let width = match (shape.very_wide, self.drawer.open || !shape.wide) {
+            // Tables are never cut.
+            _ if self.side == Side::Figures => widest,
+            (true, _) => widest,
+            (false, true) => least,
+            (false, false) => usual,
+        };
+        Panel::right("model")
+            .frame(frame)
+            .resizable(false)
+            .exact_size(width)
+            .show(ui, |ui| in_its_size(ui, |ui| self.column(ui, theme)));
+    }
+
+    fn column(&mut self, ui: &mut Ui, theme: Theme) {
+        let (mut commands, mut said) = (Vec::new(), None);
+        if self.side == Side::Verdict {
+            let (app, preferences) = (&self.app, &mut self.preferences);
+            let height = ui.available_height() - verdict_view::FOOT * theme.scale;
+            ScrollArea::vertical()
+                .auto_shrink(false)
+                .max_height(height)
+                .show(ui, |ui| {
+                    verdict_view::show(ui, app, preferences, theme, &mut commands);
+                });
+            ui.add_space(8.0);
+            verdict_view::foot(ui, theme, &mut self.side);
+        } else {
+            ui.horizontal(|ui| {
+                for (side, words) in [
+                    (Side::Verdict, "◀ Verdict"),
+                    (Side::Figures, "All figures"),
+                    (Side::Settings, "Settings"),
+                ] {
+                    ui.selectable_value(&mut self.side, side, words);
+                }
+            });
+            ui.add_space(4.0);
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                if self.side == Side::Settings {
+                    said = model_view::controls(ui, &self.app, &mut commands);
+                    ui.add_space(8.0);
+                    as_in_the_paper(ui, &self.app, &mut commands);
+                } else {
+                    self.figures(ui, theme);
+                }
+            });
+        }
+        if !commands.is_empty() {
+            // What depends on them was drawn before.
+            ui.ctx().request_discard("the model changed");
+        }
+        self.apply(&mut commands);
+        // What was taken is said of the model as it is now.
+        if let Some(words) = said {
+            self.app.say(Tone::Info, words);
+        }
+    }
+
+    /// Every figure: colours and errors, or the maker's own results, and the lines.
+    fn figures(&mut self, ui: &mut Ui, theme: Theme) {
+        if !self.makers.tabs(ui, &self.app) {
+            let is_titled = !self.app.document().subject_entry().makers.is_empty();
+            colour_view::show(ui, &self.app, theme, is_titled);
+        } else if let Some(words) = self.makers.show(ui, &self.app) {
+            self.app.say(Tone::Info, words);
+        }
+        let mut acts: Vec<SpikeAct> = Vec::new();
+        ui.add_space(8.0);
+        theme::section(ui, "Lines");
+        spikes_view::head(ui, &self.app, &mut acts);
+        spikes_view::table(ui, &self.app, theme, &mut acts);
+        for act in acts {
+            self.app.act_on_spikes(act);
+        }
+    }
+}
+
+/// The paper's settings in one click.
+fn as_in_the_paper(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+    if ui
+        .button(look_view::names::PAPER)
+        .on_hover_text(
+            "Plain Fourier series on 400 to 700 nm where the table reaches, lines by their \
+             slope, products on the paper's points.",
+        )
+        .clicked()
+    {
+        commands.push(Command::Edit(answers::as_in_the_paper(app)));
+    }
+}
