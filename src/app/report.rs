@@ -12,7 +12,6 @@ use super::{
     absorption_names::{Curve, DarkFamily, dark_lines},
     derived::{Colour, Derived},
     makers::{Beside, beside},
-    spike_names::identified,
     state::App,
 };
 use crate::{
@@ -27,8 +26,8 @@ pub fn json(app: &App) -> Value {
     let spectrum = &subject.spectrum;
     let mut notes = spectrum.notes.clone();
     notes.extend(derived.warnings.iter().cloned());
-    let light = identified(subject, app.element_lines());
-    let family = about::family(subject, &light);
+    let light = app.identified();
+    let family = about::family(subject, light);
     let curve = Curve::of(subject, derived.band, &derived.measured);
     json!({
         "program": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
@@ -238,7 +237,7 @@ pub fn text(app: &App) -> String {
             format!(", {}", spectrum.unit)
         }
     ));
-    if let Some(family) = about::family(subject, &identified(subject, app.element_lines())) {
+    if let Some(family) = about::family(subject, app.identified()) {
         line(format!("Family    {}", family.title));
         line(format!("About     {}", About::of(subject).sentence()));
     }

@@ -8,17 +8,18 @@ use std::{
 };
 
 use super::{
+    absorption_names::Curve,
     command::Command,
     derived::{Derived, Question},
     document::{Document, FIRST_LIGHT, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
     library::Library,
-    line_names::{ElementLine, LineName},
+    line_names::{ElementLine, Identified, LineName},
     opened::{ImageEntry, Opened},
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
-    spike_names::names_of,
+    spike_names::{identified, names_of_spikes},
     studies::about::reflectances,
     tables::{CURVE_ORDER, Tables, Viewing},
 };
@@ -55,6 +56,8 @@ pub struct App {
     tables_for: TablesFor,
     derived: Arc<Derived>,
     names: Vec<LineName>,
+    /// The named lines of the subject, which no setting changes.
+    light: (Arc<Entry>, Arc<Identified>),
     product: Option<ProductView>,
     scale_factor: f64,
     unit: String,
@@ -86,7 +89,7 @@ impl App {
     }
 
     fn about(bundled: Vec<Arc<Entry>>, document: Document) -> Self {
-        let lines = Library::bundled()
+        let lines: Vec<ElementLine> = Library::bundled()
             .lines()
             .iter()
             .map(|line| ElementLine {
@@ -95,11 +98,13 @@ impl App {
                 strength: line.strength.unwrap_or(0.0),
             })
             .collect();
+        let light = known_lines(document.subject_entry(), &lines);
         let tables_for = tables_for(&document);
         let tables = Arc::new(make_tables(&tables_for));
         let derived = Arc::new(derive(&document, &tables));
         let mut app = Self {
             bundled: Arc::new(bundled),
+            light,
             lines: Arc::new(lines),
             document,
             history: History::default(),
@@ -160,6 +165,11 @@ impl App {
     /// Names of the model's spikes, in their order.
     pub fn spike_names(&self) -> &[LineName] {
         &self.names
+    }
+
+    /// The subject's own lines with their names.
+    pub fn identified(&self) -> &Identified {
+        &self.light.1
     }
 
     /// All atomic lines, for hover.
@@ -562,7 +572,12 @@ impl App {
         }
         self.derived = Arc::new(derive(&self.document, &self.tables));
         let spectrum = &self.document.subject_entry().spectrum;
-        self.names = names_of(self.document.subject_entry(), &self.derived, &self.lines);
+        let subject = self.document.subject_entry();
+        if !Arc::ptr_eq(&self.light.0, subject) {
+            self.light = known_lines(subject, &self.lines);
+        }
+        let curve = Curve::of(subject, self.derived.band, &self.derived.measured);
+        self.names = names_of_spikes(&self.derived.model.spikes, curve, &self.light.1);
         self.product = self.document.patch.and_then(|index| {
             let patches = self.tables.patches.as_ref()?;
             let sampling = self.document.settings.sampling;
@@ -574,6 +589,10 @@ impl App {
         self.took = start.elapsed();
         self.revision += 1;
     }
+}
+
+fn known_lines(subject: &Arc<Entry>, lines: &[ElementLine]) -> (Arc<Entry>, Arc<Identified>) {
+    (subject.clone(), Arc::new(identified(subject, lines)))
 }
 
 fn tables_for(document: &Document) -> TablesFor {
