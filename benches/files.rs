@@ -15,7 +15,8 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spectral_explorer::{
     app::{
         library::Library,
-        picture::{Developed, Eye, Held, MOST_SIDE, RasterAsk, Source, developed},
+        memo::ByAddress,
+        picture::{BandWeights, Exposed, MOST_SIDE, RasterAsk, Source, exposed},
     },
     color::Observer,
     io::read_path,
@@ -102,19 +103,19 @@ fn plain_cube(path: &PathBuf) -> Vec<f32> {
 }
 
 /// The picture that the window shows of a file's first image.
-fn true_colour(path: &Path) -> Developed {
+fn true_colour(path: &Path) -> Exposed {
     let mut reading = read_path(path).expect("a cube");
     let image = Arc::new(reading.images.remove(0));
     let light = Library::bundled().find("CIE D65").expect("shipped");
     let light = light.spectrum().expect("a spectrum");
-    let eye = Eye::of(&image, Observer::Cie1931, Some(light), false).expect("light");
+    let weights = BandWeights::of(&image, Observer::Cie1931, Some(light), false).expect("light");
     let ask = RasterAsk {
-        image: Held(image),
-        source: Source::Eye(Box::new(eye)),
+        image: ByAddress(image),
+        source: Source::TrueColour(Box::new(weights)),
         most_side: MOST_SIDE,
     };
     let raster = ask.answer(&Progress::default()).expect("not cancelled");
-    developed(&raster, 0.0)
+    exposed(&raster, 0.0)
 }
 
 /// What any program has to do at least: split lines at commas and parse every cell.

@@ -13,9 +13,11 @@
 //! ```
 //!
 //! Imports point one way: `main -> {ui, cli} -> app -> study -> {rivals, color} -> {spectrum,
-//! preset}`, and `io -> spectrum`. The feature `window`, on by default, builds `ui`. The composite model is that
-//! of Sun, Fracchia and Drew, "A Composite Spectral Model and Its Applications" (2000); its
-//! misprints are corrected and each correction is tested.
+//! preset}`, and `io -> spectrum`. docs/map.md tells of every folder. The feature `window`, on by
+//! default, builds `ui`.
+//!
+//! The composite model is that of Sun, Fracchia and Drew, "A Composite Spectral Model and Its
+//! Applications" (2000); its misprints are corrected and each correction is tested.
 //!
 //! Out of scope: fluorescence, polarisation and scattering. What light meets is one factor for each
 //! wavelength.

@@ -40,7 +40,9 @@ mod window {
     use std::{path::PathBuf, process::ExitCode, time::Instant};
 
     use spectral_explorer::{
-        app::{App, plot_svg, workspace, workspace::Preferences},
+        app::{
+            App, chart::Theme, charts::spectrum::spectrum_chart, workspace, workspace::Preferences,
+        },
         cli::{self, Input, Pictures},
         ui::{picture, shell},
     };
@@ -55,8 +57,8 @@ mod window {
             picture::window_png(app, preferences, size)
         }
 
-        fn plot(&self, app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
-            picture::plot_png(app, theme, size)
+        fn plot(&self, app: &App, theme: Theme, size: [u32; 2]) -> Vec<u8> {
+            picture::chart_png(&spectrum_chart(app, theme), size)
         }
     }
 

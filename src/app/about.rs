@@ -130,7 +130,7 @@ fn steps_words(samples: &Sampled) -> String {
 /// its lines tell.
 pub fn family(entry: &Entry, light: &Identified) -> Option<&'static Family> {
     let families = Families::shipped();
-    if entry.shelf.is_some() {
+    if entry.shelf().is_some() {
         return families.family_of(&entry.key);
     }
     families.family(light.family_key()?)

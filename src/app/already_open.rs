@@ -1,12 +1,8 @@
 //! Whether a file that was read is open already: the same twice is only a second row to look at.
 
-use std::{
-    collections::HashMap,
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::{path::Path, sync::Arc};
 
-use super::{App, entry::Entry, opened::Opened};
+use super::{document::Document, entry::Entry, opened::Opened};
 use crate::spectrum::NamedSpectrum;
 
 /// What is known of a file that was read.
@@ -20,69 +16,48 @@ pub enum Known {
     OtherValues,
 }
 
-/// The files that own entries came from, in this session.
-#[derive(Clone, Debug, Default)]
-pub struct Places {
-    of: HashMap<String, PathBuf>,
+/// Whether what a file holds is open. What came from another file of the same name is not it;
+/// where that is not known (after a restart) name and values decide.
+pub fn known(document: &Document, opened: &Opened) -> Known {
+    let path = opened.path.as_deref();
+    let is_there = |entry: &&Arc<Entry>| {
+        is_source(entry, &opened.spectra) && may_be_same(path_of(entry), path)
+    };
+    let near: Vec<&Arc<Entry>> = document.own.iter().filter(is_there).collect();
+    let open_as = |spectrum: &NamedSpectrum| near.iter().find(|e| is_same(e, spectrum));
+    let images_near = || {
+        let images = document.images.iter();
+        images.filter(|image| path.is_some() && image.path() == path)
+    };
+    let image_as = |index: usize| {
+        let image = opened.images.get(index)?;
+        images_near().find(|known| known.from.index == index && known.image == *image)
+    };
+    let all = opened.spectra.iter().all(|s| open_as(s).is_some())
+        && (0..opened.images.len()).all(|index| image_as(index).is_some());
+    if all {
+        let spectrum = opened.spectra.first().and_then(open_as);
+        return Known::All(
+            spectrum.map(|entry| entry.key.clone()),
+            image_as(0).map(|image| image.key.clone()),
+        );
+    }
+    // Only where it is sure that it is the same file.
+    let other = |entry: &&&Arc<Entry>| {
+        path_of(entry) == path
+            && path.is_some()
+            && !opened.spectra.iter().any(|s| is_same(entry, s))
+    };
+    let other_image = images_near().any(|known| image_as(known.from.index).is_none());
+    if near.iter().any(|entry| other(&entry)) || other_image {
+        Known::OtherValues
+    } else {
+        Known::No
+    }
 }
 
-impl Places {
-    /// Remembers where the entries came from that joined the document behind the first `own`:
-    /// each file with how many spectra it brought, in their order.
-    pub fn remember(&mut self, app: &App, own: usize, files: &[(Option<PathBuf>, usize)]) {
-        let mut joined = app.document().own.iter().skip(own);
-        for (path, count) in files {
-            for entry in joined.by_ref().take(*count) {
-                match path {
-                    Some(path) => self.of.insert(entry.key.clone(), path.clone()),
-                    // Another file had the key before an undo.
-                    None => self.of.remove(&entry.key),
-                };
-            }
-        }
-    }
-
-    /// Whether what a file holds is open. What came from another file of the same name is not it;
-    /// where that is not known (after a restart) name and values decide.
-    pub fn known(&self, app: &App, opened: &Opened) -> Known {
-        let document = app.document();
-        let path = opened.path.as_deref();
-        let is_there = |entry: &&Arc<Entry>| {
-            let here = self.of.get(&entry.key).map(PathBuf::as_path);
-            is_source(entry, &opened.spectra) && may_be_same(here, path)
-        };
-        let near: Vec<&Arc<Entry>> = document.own.iter().filter(is_there).collect();
-        let open_as = |spectrum: &NamedSpectrum| near.iter().find(|e| is_same(e, spectrum));
-        let images_near = || {
-            let images = document.images.iter();
-            images.filter(|image| path.is_some() && image.path.as_deref() == path)
-        };
-        let image_as = |index: usize| {
-            let image = opened.images.get(index)?;
-            images_near().find(|known| known.index == index && known.image == *image)
-        };
-        let all = opened.spectra.iter().all(|s| open_as(s).is_some())
-            && (0..opened.images.len()).all(|index| image_as(index).is_some());
-        if all {
-            let spectrum = opened.spectra.first().and_then(open_as);
-            return Known::All(
-                spectrum.map(|entry| entry.key.clone()),
-                image_as(0).map(|image| image.key.clone()),
-            );
-        }
-        // Only where it is sure that it is the same file.
-        let other = |entry: &&&Arc<Entry>| {
-            self.of.get(&entry.key).map(PathBuf::as_path) == path
-                && path.is_some()
-                && !opened.spectra.iter().any(|s| is_same(entry, s))
-        };
-        let other_image = images_near().any(|known| image_as(known.index).is_none());
-        if near.iter().any(|entry| other(&entry)) || other_image {
-            Known::OtherValues
-        } else {
-            Known::No
-        }
-    }
+fn path_of(entry: &Entry) -> Option<&Path> {
+    entry.origin.file()?.reading.file.path.as_deref()
 }
 
 fn is_source(entry: &Entry, spectra: &[NamedSpectrum]) -> bool {

@@ -7,12 +7,22 @@ use std::sync::Arc;
 use super::{
     document::{Document, Subject, View},
     entry::Entry,
-    opened::Opened,
+    opened::{ImageEntry, Opened},
     products::Products,
+    recipe::Recipe,
     scale::Scale,
     settings::Settings,
 };
 use crate::spectrum::{Kind, NamedSpectrum, SpikeEdits};
+
+/// What becomes of a spectrum that was made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MadeFor {
+    /// It is shown.
+    Shown,
+    /// It is the light that may have come off a surface; what is shown stays.
+    Outgoing,
+}
 
 /// One change of the document, or a step through its history.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,19 +67,39 @@ pub enum Command {
     Products(Products),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
+    /// Makes a spectrum, which joins the user's own and follows what it is made of.
+    Make {
+        /// How.
+        recipe: Recipe,
+        /// What becomes of it.
+        place: MadeFor,
+    },
+    /// Makes one of the user's own in another way than so far.
+    MakeOtherwise {
+        /// The entry's key.
+        key: String,
+        /// How.
+        recipe: Recipe,
+    },
+    /// What was made stays as it is, whatever happens to what it was made of.
+    Freeze {
+        /// The entry's key.
+        key: String,
+    },
     /// Takes in all that files brought, in one step, and shows the first light or factor, else
     /// the first spectrum.
     Open(Vec<Opened>),
-    /// Puts spectra that were read anew in the place of others of the user's own: the first in
-    /// that of the first key and so on; keys left over go, spectra left over join.
+    /// Puts what was read anew from a file in the place of what it brought before, each spectrum
+    /// and image in that of the same number; those left over go, new ones join.
     Reread {
-        /// Keys of the entries that they replace.
-        keys: Vec<String>,
-        /// Keys of the images that the file's images replace.
-        images: Vec<String>,
-        /// The spectra, with what their maker computed.
+        /// Key of a spectrum or an image that came from the file.
+        key: String,
+        /// What it holds now.
         opened: Box<Opened>,
     },
+    /// An image of the last time was read again: it stands where it stood, in every step of the
+    /// history too. That it was away for a moment is nothing to undo.
+    ImageIsBack(Arc<ImageEntry>),
     /// Takes an image out of the list.
     RemoveImage {
         /// Its key.
@@ -111,6 +141,7 @@ impl Command {
             | (Self::EditSpikes(_), Self::EditSpikes(_))
             | (Self::WeightFactor(_), Self::WeightFactor(_))
             | (Self::Products(_), Self::Products(_)) => true,
+            (Self::MakeOtherwise { key: a, .. }, Self::MakeOtherwise { key: b, .. }) => a == b,
             (Self::Rename { key: a, .. }, Self::Rename { key: b, .. }) => a == b,
             _ => false,
         }

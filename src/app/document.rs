@@ -5,10 +5,10 @@ use std::{collections::BTreeMap, sync::Arc};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    entry::Entry, library::Library, opened::ImageEntry, products::Products, scale::Scale,
-    settings::Settings,
+    entry::Entry, library::Library, opened::ImageEntry, origin::Before, products::Products,
+    scale::Scale, settings::Settings,
 };
-use crate::spectrum::SpikeEdits;
+use crate::{preset::Preset, spectrum::SpikeEdits};
 
 /// Which of the two selected spectra the model is of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -134,6 +134,20 @@ impl Document {
         too_many
     }
 
+    /// Lets go of a patch that is not there: a light's patches are those of its set, a
+    /// reflectance has none.
+    pub fn bound_patch(&mut self) {
+        let Some(patch) = self.patch else { return };
+        let items = Library::bundled()
+            .group(&self.patch_set)
+            .map(|g| &g.items[..]);
+        let is_patch = |item: &&Preset| item.kind.is_factor() && item.spectrum().is_some();
+        let count = items.unwrap_or_default().iter().filter(is_patch).count();
+        if !self.is_about_light() || patch >= count {
+            self.patch = None;
+        }
+    }
+
     /// A fresh document about a light.
     pub fn about(light: Arc<Entry>) -> Self {
         Self {
@@ -224,6 +238,15 @@ impl Document {
             if let Some(weighed) = weighed.filter(|w| *w != **entry) {
                 *entry = Arc::new(weighed);
             }
+        }
+    }
+
+    /// What is on screen.
+    pub fn looks(&self) -> Before {
+        Before {
+            light: self.light.key.clone(),
+            factor: self.factor.as_ref().map(|factor| factor.key.clone()),
+            about_factor: self.subject == Subject::Factor,
         }
     }
 

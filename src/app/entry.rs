@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::library::Library;
+use super::{library::Library, origin::Origin};
 use crate::{
     io::MakersResult,
     preset::{self, Body, Preset, Shelf},
@@ -16,8 +16,8 @@ use crate::{
 pub struct Entry {
     /// What finds it again: `group/name` for a preset, `own/<number>` for a file's spectrum.
     pub key: String,
-    /// The heading it stands under; `None` for the user's own.
-    pub shelf: Option<Shelf>,
+    /// Where it came from.
+    pub origin: Origin,
     /// The spectrum.
     pub spectrum: NamedSpectrum,
     /// Under which terms the numbers may be passed on; empty for the user's own.
@@ -32,14 +32,15 @@ impl Entry {
         Self::of_preset_weighing(preset, None)
     }
 
-    /// A shipped spectrum, the weights of a composite's spikes multiplied by `factor` instead of
-    /// the file's own factor; other presets have no such weights.
+    /// A shipped spectrum; of the paper's lamps the weights of the spikes multiplied by `factor`
+    /// instead of the file's own factor.
     pub fn of_preset_weighing(preset: &Preset, factor: Option<f64>) -> Option<Self> {
         let spectrum = match &preset.body {
             Body::Spectrum(spectrum) => spectrum.clone(),
             Body::Composite(printed) => {
                 let mut composite = printed.clone();
-                composite.weight_factor = factor.unwrap_or(printed.weight_factor);
+                let of_the_paper = factor.filter(|_| preset.shelf == Shelf::Paper);
+                composite.weight_factor = of_the_paper.unwrap_or(printed.weight_factor);
                 NamedSpectrum {
                     name: preset.name.clone(),
                     kind: preset.kind,
@@ -58,23 +59,31 @@ impl Entry {
         };
         Some(Self {
             key: preset.id(),
-            shelf: Some(preset.shelf),
+            origin: Origin::Preset(preset.shelf),
             spectrum,
             licence: preset.licence.words.clone(),
             makers: Vec::new(),
         })
     }
 
+    /// The heading it stands under; `None` for the user's own.
+    pub fn shelf(&self) -> Option<Shelf> {
+        match self.origin {
+            Origin::Preset(shelf) => Some(shelf),
+            Origin::File(_) | Origin::Made(_) | Origin::Numbers => None,
+        }
+    }
+
     /// Whether it is one of the paper's lamps, whose spikes' weights wait for a factor.
     pub fn is_of_the_paper(&self) -> bool {
-        self.shelf == Some(Shelf::Paper)
+        self.shelf() == Some(Shelf::Paper)
     }
 
     /// The user's own spectrum number `number`.
     pub fn own(number: u64, spectrum: NamedSpectrum) -> Self {
         Self {
             key: format!("own/{number}"),
-            shelf: None,
+            origin: Origin::Numbers,
             spectrum,
             licence: String::new(),
             makers: Vec::new(),

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use super::{
     cells::{line, number, words},
-    chart::{curve_chart, spectrum_chart},
+    chart::Theme,
+    charts::spectrum::{curve_chart, spectrum_chart},
     derived::PatchPair,
-    plot_svg::Theme,
     settings::Detector,
     state::App,
     workspace,

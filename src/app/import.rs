@@ -1,26 +1,25 @@
 //! How a file was read, to look at and to turn round: its first rows, what was decided and why,
 //! and every other choice one step away. The spectra are in the document already.
 
+mod file_reader;
 mod first_rows;
-mod origins;
 mod questions;
 
 use std::sync::Arc;
 
+use self::{
+    file_reader::FileReader,
+    questions::{Alike, alike},
+};
 pub use self::{
     first_rows::{ColumnRole, Head, MOST_COLUMNS},
-    origins::{Again, Before, Origins, Source},
     questions::{Answer, Question},
-};
-use self::{
-    origins::{First, Held, Reader},
-    questions::{Alike, alike},
 };
 use super::{
     command::Command,
-    document::{FIRST_LIGHT, Subject},
-    entry::Entry,
+    document::{Document, FIRST_LIGHT, Subject},
     opened::Opened,
+    origin::{FileReading, FromFile, SameFile},
     state::App,
     studies::Wake,
 };
@@ -75,84 +74,86 @@ pub struct Part {
 /// Single spectra that are offered to be asked about.
 const MOST_PARTS: usize = 200;
 
-/// A reading that the document has or had: an undo goes back to it here too.
-struct Known {
+/// A look at how one file was read. What the document holds of it is found there, so that an undo
+/// is followed.
+pub struct Import {
+    file: SameFile,
+    /// The reading that is looked at, as the document has it.
+    reading: Arc<FileReading>,
     opened: Arc<Opened>,
-    held: Held,
-    first: First,
     head: Head,
     alike: Vec<Alike>,
-}
-
-/// Readings kept for undo.
-const MOST_KNOWN: usize = 24;
-
-/// A look at how one file was read.
-pub struct Import {
-    known: Vec<Known>,
-    shown: usize,
     text: String,
     refusal: Option<String>,
-    reader: Reader,
-    before: Before,
+    reader: FileReader,
+    /// Whether what is being read is to go into the document.
+    flips: bool,
     about: About,
+}
+
+/// Keys of what a document holds of a file, and where it came from.
+fn all_of<'a>(
+    document: &'a Document,
+    file: &'a SameFile,
+) -> impl Iterator<Item = (&'a str, &'a FromFile)> {
+    let own = document.own.iter();
+    let own = own.filter_map(|entry| Some((entry.key.as_str(), entry.origin.file()?)));
+    let images = document.images.iter();
+    let images = images.map(|image| (image.key.as_str(), &image.from));
+    own.chain(images).filter(|(_, from)| from.is_of(file))
 }
 
 impl Import {
     /// A look at a file that was opened just now; `None` when it brought nothing.
-    pub fn of(app: &App, opened: Opened, before: Before) -> Option<Self> {
-        let held = before.brought(app);
-        (!held.is_empty()).then(|| Self::holding(app, opened, held, before))
+    pub fn of(app: &App, opened: Opened) -> Option<Self> {
+        let document = app.document();
+        let newest = if opened.spectra.is_empty() {
+            document.images.last().map(|image| &image.from)
+        } else {
+            document.own.last().and_then(|entry| entry.origin.file())
+        };
+        let reading = newest?.reading.clone();
+        Some(Self::holding(opened, reading))
     }
 
-    fn holding(app: &App, opened: Opened, held: Held, before: Before) -> Self {
-        let source = Source::of(&opened);
-        let text = source.head();
+    fn holding(opened: Opened, reading: Arc<FileReading>) -> Self {
+        let file = reading.file.clone();
+        let text = file_reader::head(&file);
         let mut import = Self {
-            known: Vec::new(),
-            shown: 0,
+            head: first_rows::head(&text, opened.table.as_ref()),
+            alike: alike(&opened),
+            opened: Arc::new(opened),
             text,
             refusal: None,
-            reader: Reader::new(source),
-            before,
+            reader: FileReader::new(file.clone()),
+            flips: false,
+            file: SameFile(file),
+            reading,
             about: About::Alike(0),
         };
-        import.know(app, opened, held);
         import.about = About::Alike(import.first_doubtful());
         import
     }
 
-    fn know(&mut self, app: &App, opened: Opened, held: Held) {
-        if self.known.len() == MOST_KNOWN {
-            self.known.remove(0);
+    fn look_at(&mut self, opened: Opened, reading: Arc<FileReading>) {
+        self.refusal = None;
+        self.head = first_rows::head(&self.text, opened.table.as_ref());
+        self.alike = alike(&opened);
+        self.opened = Arc::new(opened);
+        self.reading = reading;
+        if self.asked_first() >= self.alike.len() {
+            self.about = About::Alike(0);
         }
-        self.known.push(Known {
-            first: held.first(app.document()),
-            head: first_rows::head(&self.text, opened.table.as_ref()),
-            alike: alike(&opened),
-            opened: Arc::new(opened),
-            held,
-        });
-        self.shown = self.known.len() - 1;
-    }
-
-    fn now(&self) -> &Known {
-        &self.known[self.shown]
     }
 
     /// The file as it was read last.
     pub fn opened(&self) -> &Arc<Opened> {
-        &self.now().opened
-    }
-
-    /// Keys of its entries.
-    pub fn keys(&self) -> &[String] {
-        &self.now().held.keys
+        &self.opened
     }
 
     /// Its first rows.
     pub fn head(&self) -> &Head {
-        &self.now().head
+        &self.head
     }
 
     /// Why the last wish could not be fulfilled, in one line.
@@ -173,7 +174,8 @@ impl Import {
     /// Reads the file again with one decision turned round.
     pub fn flip(&mut self, flip: Flip, wake: &Wake) {
         let choices = self.choices_after(flip);
-        if choices != self.opened().choices {
+        if choices != self.opened.choices && !self.is_reading() {
+            self.flips = true;
             self.reader.ask(choices, wake);
         }
     }
@@ -226,7 +228,7 @@ impl Import {
         forget: impl Fn(&mut OfOne),
     ) {
         let parts = self.asked_about();
-        let is_all = parts.len() == self.now().alike.len();
+        let is_all = parts.len() == self.alike.len();
         let each = if self.is_of_images() {
             &mut choices.each_image
         } else {
@@ -250,7 +252,7 @@ impl Import {
 
     /// The parts of the file that the questions are about.
     fn asked_about(&self) -> Vec<usize> {
-        let alike = &self.now().alike;
+        let alike = &self.alike;
         match self.about {
             About::One(at) => vec![at],
             About::Alike(at) => {
@@ -267,7 +269,7 @@ impl Import {
     }
 
     fn first_doubtful(&self) -> usize {
-        let mut alike = self.now().alike.iter();
+        let mut alike = self.alike.iter();
         alike.position(|one| one.doubtful).unwrap_or(0)
     }
 
@@ -284,7 +286,7 @@ impl Import {
     /// What of the file can be asked about: those understood alike, then each by itself; nothing
     /// where there is one only.
     pub fn parts(&self) -> Vec<Part> {
-        let alike = &self.now().alike;
+        let alike = &self.alike;
         if alike.len() < 2 {
             return Vec::new();
         }
@@ -314,7 +316,7 @@ impl Import {
 
     /// What is asked about, in words.
     pub fn about_words(&self) -> String {
-        let alike = &self.now().alike;
+        let alike = &self.alike;
         let at = self.asked_first();
         match (alike.get(at), self.asked_about().len()) {
             (Some(one), 2..) => self.words_of_many(one, self.asked_about().len()),
@@ -329,7 +331,7 @@ impl Import {
         } else {
             "spectra"
         };
-        let all = if count == self.now().alike.len() {
+        let all = if count == self.alike.len() {
             "all"
         } else {
             "the"
@@ -349,8 +351,8 @@ impl Import {
 
     /// Puts what was read meanwhile into the document, one step of undo each; a refusal keeps the
     /// last good reading. Says whether anything changed.
-    pub fn settle(&mut self, app: &mut App, origins: &mut Origins) -> bool {
-        let Some((choices, read)) = self.reader.take() else {
+    pub fn settle(&mut self, app: &mut App) -> bool {
+        let Some(read) = self.reader.take() else {
             return false;
         };
         let opened = match read {
@@ -360,90 +362,77 @@ impl Import {
                 return true;
             }
         };
-        self.refusal = None;
-        let held = self.now().held.clone();
-        let keys = &held.keys;
-        app.end_gesture();
-        app.apply(Command::Reread {
-            keys: keys.clone(),
-            images: held.images.clone(),
-            opened: Box::new(opened.clone()),
-        });
-        app.end_gesture();
-        let count = opened.spectra.len();
-        let own = &app.document().own;
-        let joined = count.saturating_sub(keys.len());
-        let new = own[own.len().saturating_sub(joined)..].iter();
-        let new_keys: Vec<String> = keys
-            .iter()
-            .take(count)
-            .cloned()
-            .chain(new.map(|e| e.key.clone()))
-            .collect();
-        let new = Held {
-            keys: new_keys,
-            images: held.images.clone(),
-        };
-        origins.reread(app, &held, new.clone(), choices);
-        self.know(app, opened, new);
-        let parts = self.now().alike.len();
-        if self.asked_first() >= parts {
-            self.about = About::Alike(0);
+        if std::mem::take(&mut self.flips)
+            && let Some(key) = self.key(app)
+        {
+            app.end_gesture();
+            app.apply(Command::Reread {
+                key,
+                opened: Box::new(opened.clone()),
+            });
+            app.end_gesture();
         }
+        let of_file = all_of(app.document(), &self.file).next();
+        let reading = of_file.map_or(self.reading.clone(), |(_, from)| from.reading.clone());
+        self.look_at(opened, reading);
         true
     }
 
+    fn key(&self, app: &App) -> Option<String> {
+        let (key, _) = all_of(app.document(), &self.file).next()?;
+        Some(key.to_owned())
+    }
+
     /// Follows an undo, a redo or a removal; false when the document has nothing of the file any
-    /// more.
-    pub fn follow(&mut self, app: &App) -> bool {
-        let now = self.now();
-        let document = app.document();
-        let is_there = |known: &Known| known.held.first(document) == known.first;
-        if is_there(now) {
-            return true;
+    /// more. What an undo brought back is read again: [`Self::settle`] shows it.
+    pub fn follow(&mut self, app: &App, wake: &Wake) -> bool {
+        let Some((_, from)) = all_of(app.document(), &self.file).next() else {
+            return false;
+        };
+        if !Arc::ptr_eq(&from.reading, &self.reading) && !self.is_reading() {
+            self.reading = from.reading.clone();
+            self.reader.ask(self.reading.choices.clone(), wake);
         }
-        if let Some(index) = self.known.iter().rposition(is_there) {
-            self.shown = index;
-            self.refusal = None;
-        }
-        let held = &self.now().held;
-        document.own.iter().any(|e| held.keys.contains(&e.key))
-            || document.images.iter().any(|i| held.images.contains(&i.key))
+        true
     }
 
     /// The document without the file's spectra, with what was on screen before them: one step of
     /// undo.
     pub fn removal(&self, app: &App) -> Command {
-        let keys = self.keys();
-        let is_gone = |key: &str| keys.iter().any(|k| k == key);
         let mut document = app.document().clone();
-        let images = &self.now().held.images;
-        document.images.retain(|i| !images.contains(&i.key));
+        let of_file = |from: Option<&FromFile>| from.is_some_and(|from| from.is_of(&self.file));
+        let gone: Vec<String> = document
+            .own
+            .iter()
+            .filter(|entry| of_file(entry.origin.file()))
+            .map(|entry| entry.key.clone())
+            .collect();
+        document
+            .images
+            .retain(|image| !image.from.is_of(&self.file));
+        let is_gone = |key: &str| gone.iter().any(|k| k == key);
         document.own.retain(|e| !is_gone(&e.key));
         document.overlays.retain(|e| !is_gone(&e.key));
-        for key in keys {
+        for key in &gone {
             document.edits.remove(key);
             document.products.forget(key);
         }
         // Another of the user's own may have gone, or changed, meanwhile.
-        let still = |entry: &Arc<Entry>| match entry.shelf {
-            Some(_) => Some(entry.clone()),
-            None => document.own.iter().find(|e| e.key == entry.key).cloned(),
-        };
+        let still = |key: &str| app.entry(key).filter(|_| !is_gone(key));
+        let before = &self.file.0.before;
         let was_light = is_gone(&document.light.key);
         let was_factor = document.factor.as_ref().is_some_and(|f| is_gone(&f.key));
         if was_light {
-            document.light = still(&self.before.light)
-                .or_else(|| app.entry(FIRST_LIGHT))
-                .unwrap_or_else(|| self.before.light.clone());
+            let light = still(&before.light).or_else(|| app.entry(FIRST_LIGHT));
+            document.light = light.unwrap_or_else(|| app.bundled()[0].clone());
         }
         if was_factor {
-            document.factor = self.before.factor.as_ref().and_then(still);
+            document.factor = before.factor.as_deref().and_then(still);
         }
         if was_light || was_factor {
             document.subject = match document.factor {
-                Some(_) => self.before.subject,
-                None => Subject::Light,
+                Some(_) if before.about_factor => Subject::Factor,
+                _ => Subject::Light,
             };
         }
         document.weigh_the_papers_lamps();
@@ -454,6 +443,31 @@ impl Import {
     /// most often in doubt comes first, and rows do not change places when they are answered.
     pub fn questions(&self) -> Vec<Question> {
         let at = self.asked_first();
-        questions::all(self.opened(), self.now().alike.get(at), at)
+        questions::all(self.opened(), self.alike.get(at), at)
+    }
+}
+
+/// A file that is read again to be looked at, as it was read for what the document holds of it.
+pub struct Again {
+    reader: FileReader,
+    reading: Arc<FileReading>,
+}
+
+impl Again {
+    /// Starts to read the file that something came from.
+    pub fn of(from: &FromFile, wake: &Wake) -> Self {
+        let reading = from.reading.clone();
+        let mut reader = FileReader::new(reading.file.clone());
+        reader.ask(reading.choices.clone(), wake);
+        Self { reader, reading }
+    }
+
+    /// What came of it: `None` while it is being read.
+    ///
+    /// # Errors
+    /// Why it cannot be read any more, in one line.
+    pub fn finished(&mut self) -> Option<Result<Import, String>> {
+        let read = self.reader.take()?;
+        Some(read.map(|opened| Import::holding(opened, self.reading.clone())))
     }
 }

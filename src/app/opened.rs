@@ -1,6 +1,11 @@
 //! What a file brought: spectra, images, the maker's own results, and how it was read.
 
-use std::{path::PathBuf, sync::Arc};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+use super::origin::FromFile;
 
 use crate::{
     io::{
@@ -99,16 +104,30 @@ impl Opened {
 }
 
 /// A spectral image in the window's hands.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct ImageEntry {
     /// What finds it again: `image/<number>`.
     pub key: String,
-    /// The file it is read from again after a restart; `None` when it came another way.
-    pub path: Option<PathBuf>,
-    /// Which of the file's images, from 0.
-    pub index: usize,
-    /// What a person decided about the file.
-    pub choices: Choices,
+    /// The file that it was read from, and is read from again after a restart.
+    pub from: FromFile,
     /// The image.
     pub image: Arc<SpectralImage>,
+}
+
+impl ImageEntry {
+    /// The path of its file; `None` when it came without one.
+    pub fn path(&self) -> Option<&Path> {
+        self.from.reading.file.path.as_deref()
+    }
+}
+
+/// Two images are the same when they look the same and come back from the same file.
+impl PartialEq for ImageEntry {
+    fn eq(&self, other: &Self) -> bool {
+        let of = |entry: &Self| (entry.key.clone(), entry.from.index);
+        of(self) == of(other)
+            && self.path() == other.path()
+            && self.from.reading.choices == other.from.reading.choices
+            && self.image == other.image
+    }
 }

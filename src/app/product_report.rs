@@ -1,7 +1,7 @@
 //! Light through filters and off surfaces: what the command line prints, in words or as JSON.
 //!
-//! The JSON's keys are stable; the README documents them. XYZ has the exact light's Y at 100, the
-//! white of every difference is the exact light, and a number that does not exist is `null`.
+//! The JSON's keys are stable; docs/command_line.md tells them. XYZ has the exact light's Y at 100,
+//! the white of every difference is the exact light, and a number that does not exist is `null`.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::{
     cells::{self, words},
     export::provenance,
-    products::{KnownLines, Link, Lit},
+    products::{KnownLines, Link, ModelledLight},
     report::settings_json,
     state::App,
     ticks::short,
@@ -46,7 +46,7 @@ pub struct Told {
 
 impl Told {
     /// What must be said about each stage, a sentence each, without the stage's name.
-    pub fn stage_notes(&self, lit: &Lit) -> Vec<Vec<String>> {
+    pub fn stage_notes(&self, lit: &ModelledLight) -> Vec<Vec<String>> {
         let mut all = self.remarks.clone();
         let measured = &lit.derived.measured;
         for (remarks, notes) in
@@ -59,7 +59,7 @@ impl Told {
     }
 
     /// Sends a light through a chain.
-    pub fn of(app: &App, lit: &Lit, chain: &[Link]) -> Self {
+    pub fn of(app: &App, lit: &ModelledLight, chain: &[Link]) -> Self {
         let band = lit.band();
         let once = chain.iter().map(|link| link.once_on_band(band));
         let factors: Vec<Factor> = once.map(|values| lit.factor(values)).collect();
@@ -310,7 +310,7 @@ pub fn scaled(passage: &Passage, xyz: Xyz) -> Option<(Xyz, Swatch)> {
 /// What must be said about the result, a sentence each.
 fn notes(app: &App, told: &Told) -> Vec<String> {
     let mut notes = app.derived().warnings.clone();
-    let of_stages = told.stage_notes(&Lit::of(app));
+    let of_stages = told.stage_notes(&ModelledLight::of(app));
     for (name, sentences) in told.names.iter().zip(of_stages) {
         let sentences = sentences.into_iter();
         notes.extend(sentences.map(|sentence| format!("{name}: {sentence}")));

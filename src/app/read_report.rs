@@ -1,7 +1,7 @@
 //! What a file holds and how it was read: what `read` prints, in words or as JSON.
 //!
 //! Values are the file's own numbers, before per cent, scale factors and norms (`scale` takes
-//! them to the spectrum's unit); wavelengths are nm. The README documents the keys.
+//! them to the spectrum's unit); wavelengths are nm. docs/command_line.md tells the keys.
 
 use std::{borrow::Cow, fmt::Write as _, path::Path};
 

@@ -1,7 +1,8 @@
 //! The report of one spectrum: what the command line prints, in words or as JSON.
 //!
-//! The JSON's keys are stable; the README documents them. A number that does not exist is `null`,
-//! never NaN. Coefficients and weights are in the file's unit, whatever the scale switch says.
+//! The JSON's keys are stable; docs/command_line.md tells them. A number that does not exist is
+//! `null`, never NaN. Coefficients and weights are in the file's unit, whatever the scale switch
+//! says.
 
 use std::fmt::Write as _;
 

@@ -130,7 +130,7 @@ fn doc_of(row: &Folded) -> Doc {
     let favourite = families.favourites().iter().find(|f| f.id == entry.key);
     let item = families.item(&entry.key);
     let table = families.table_of(&entry.key);
-    let family = entry.shelf.and_then(|_| families.family_of(&entry.key));
+    let family = entry.shelf().and_then(|_| families.family_of(&entry.key));
     let mut ids = vec![entry.key.clone()];
     ids.extend(row.twins.iter().map(|twin| twin.key.clone()));
     let mut of_all: Vec<String> = Vec::new();
@@ -144,7 +144,7 @@ fn doc_of(row: &Folded) -> Doc {
             .flat_map(|table| table.words.iter().cloned()),
     );
     // A spectrum of the user's own is found by the file that it came from, too.
-    let source = match entry.shelf {
+    let source = match entry.shelf() {
         None => entry.spectrum.source.clone(),
         Some(_) => String::new(),
     };

@@ -1,6 +1,7 @@
 //! The program's state: one document, its history, and what is derived from it.
 
 mod messages;
+mod own;
 
 use std::{
     sync::Arc,
@@ -11,12 +12,12 @@ use super::{
     absorption_names::Curve,
     command::Command,
     derived::{Derived, Question},
-    document::{Document, FIRST_LIGHT, Subject, WEIGHT_FACTORS, first_light},
+    document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
     library::Library,
     line_names::{ElementLine, Identified, LineName},
-    opened::{ImageEntry, Opened},
+    origin::Origin,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{identified, names_of_spikes},
@@ -25,8 +26,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
-    io::MakersResult,
-    spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeEdits},
+    spectrum::{Band, Basis, Kind, SpikeEdits},
 };
 
 pub use messages::{Message, Tone};
@@ -98,6 +98,8 @@ impl App {
                 strength: line.strength.unwrap_or(0.0),
             })
             .collect();
+        let mut document = document;
+        document.bound_patch();
         let light = known_lines(document.subject_entry(), &lines);
         let tables_for = tables_for(&document);
         let tables = Arc::new(make_tables(&tables_for));
@@ -212,32 +214,13 @@ impl App {
         self.gesture = None;
     }
 
-    /// An image of the last time was read again: it stands where it stood, in every step of the
-    /// history too. That it was away for a moment is nothing to undo.
-    pub fn image_is_back(&mut self, image: &Arc<ImageEntry>) {
-        let number = |key: &str| key.rsplit('/').next().and_then(|n| n.parse::<u64>().ok());
-        let documents = std::iter::once(&mut self.document).chain(self.history.all_mut());
-        for document in documents {
-            let images = &mut document.images;
-            if images.iter().any(|known| known.key == image.key) {
-                continue;
-            }
-            let before = |known: &Arc<ImageEntry>| number(&known.key) < number(&image.key);
-            let place = images.partition_point(before);
-            images.insert(place, image.clone());
-            if let Some(number) = number(&image.key) {
-                document.next_own = document.next_own.max(number.saturating_add(1));
-            }
-        }
-        self.revision += 1;
-    }
-
     /// The only place that changes the document.
     pub fn apply(&mut self, command: Command) {
         let before = self.document.clone();
         match command.clone() {
             Command::Undo => return self.step(History::undo, "Nothing to undo."),
             Command::Redo => return self.step(History::redo, "Nothing to do again."),
+            Command::ImageIsBack(image) => return self.image_is_back(&image),
             Command::Edit(settings) => self.document.settings = settings.clamped(),
             Command::Show(entry) => {
                 self.show(entry);
@@ -279,27 +262,28 @@ impl App {
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
             Command::Adopt(spectra) => {
-                self.adopt(spectra.into_iter().map(|s| (s, Vec::new())), &[]);
+                let numbers = |spectrum| (spectrum, Vec::new(), Origin::Numbers);
+                self.adopt(spectra.into_iter().map(numbers), &[]);
             }
             Command::Open(files) => self.take_in(files),
-            Command::Reread {
-                keys,
-                images,
-                opened,
-            } => {
-                self.reread(&keys, &opened);
-                self.reread_images(&images, &opened);
+            Command::Make { recipe, place } => self.make(recipe, place),
+            Command::MakeOtherwise { key, recipe } => self.make_otherwise(&key, recipe),
+            Command::Freeze { key } => self.freeze(&key),
+            Command::Reread { key, opened } => self.reread(&key, &opened),
+            Command::RemoveImage { key } => {
+                self.document.images.retain(|i| i.key != key);
+                self.freeze_what_stands_on(&key);
             }
-            Command::RemoveImage { key } => self.document.images.retain(|i| i.key != key),
-            Command::Rename { key, name } => {
-                self.change_own(&key, |spectrum| spectrum.name.clone_from(&name));
-            }
+            Command::Rename { key, name } => self.rename(&key, &name),
             Command::SetKind { key, kind } => {
-                self.change_own(&key, |spectrum| spectrum.kind = kind);
+                self.freeze(&key);
+                self.change_entry(&key, |entry| entry.spectrum.kind = kind);
             }
             Command::Remove { key } => self.remove(&key),
             Command::Replace(document) => self.document = *document,
         }
+        self.document.bound_patch();
+        self.make_again(&before);
         let too_many = self.document.bound_overlays();
         if too_many > 0 {
             self.say(Tone::Problem, Document::overlays_left_out(too_many));
@@ -389,186 +373,12 @@ impl App {
         }
     }
 
-    /// Takes spectra in and shows the first; the first of those that are `sure`, where there are.
-    fn adopt(
-        &mut self,
-        spectra: impl Iterator<Item = (NamedSpectrum, Vec<MakersResult>)>,
-        sure: &[bool],
-    ) {
-        let before = self.document.own.len();
-        for (spectrum, makers) in spectra {
-            let entry = Arc::new(self.own_entry(spectrum, makers));
-            self.document.own.push(entry);
-        }
-        // Among many files the first may be one that is only drawn over another.
-        let new = &self.document.own[before..];
-        let mut known = new.iter().zip(sure).filter(|(_, sure)| **sure);
-        let first = known
-            .find_map(|(entry, _)| entry.is_usable().then_some(entry))
-            .or(new.iter().find(|e| e.is_usable()))
-            .or(new.first())
-            .cloned();
-        if let Some(entry) = first {
-            self.show(entry);
-        }
-    }
-
-    fn own_entry(&mut self, spectrum: NamedSpectrum, makers: Vec<MakersResult>) -> Entry {
-        let number = self.document.next_own;
-        self.document.next_own = number.saturating_add(1);
-        Entry {
-            makers,
-            ..Entry::own(number, spectrum)
-        }
-    }
-
-    fn take_in(&mut self, files: Vec<Opened>) {
-        let mut spectra = Vec::new();
-        // Of several files the first is shown.
-        let sure: Vec<bool> = match &files[..] {
-            [file] => file
-                .doubtful_kinds()
-                .iter()
-                .map(|doubtful| !doubtful)
-                .collect(),
-            _ => Vec::new(),
-        };
-        for file in files {
-            for (index, image) in file.images.iter().enumerate() {
-                let number = self.document.next_own;
-                self.document.next_own = number.saturating_add(1);
-                self.document.images.push(Arc::new(ImageEntry {
-                    key: format!("image/{number}"),
-                    path: file.path.clone(),
-                    index,
-                    choices: file.choices.clone(),
-                    image: image.clone(),
-                }));
-            }
-            let makers: Vec<_> = (0..file.spectra.len()).map(|i| file.makers_of(i)).collect();
-            spectra.extend(file.spectra.into_iter().zip(makers));
-        }
-        self.adopt(spectra.into_iter(), &sure);
-    }
-
-    /// Puts images that were read anew in the place of others.
-    fn reread_images(&mut self, keys: &[String], opened: &Opened) {
-        for known in &mut self.document.images {
-            let is_key = keys.contains(&known.key);
-            if let Some(image) = opened.images.get(known.index).filter(|_| is_key) {
-                *known = Arc::new(ImageEntry {
-                    choices: opened.choices.clone(),
-                    image: image.clone(),
-                    ..ImageEntry::clone(known)
-                });
-            }
-        }
-    }
-
-    fn reread(&mut self, keys: &[String], opened: &Opened) {
-        let first = |app: &Self| {
-            let key = keys.first()?;
-            app.document.own.iter().find(|e| e.key == *key).cloned()
-        };
-        let was_shown = first(self).is_some_and(|entry| entry.is_usable());
-        let mut fresh = opened.spectra.iter().cloned().enumerate();
-        for key in keys {
-            let Some((index, spectrum)) = fresh.next() else {
-                self.remove(key);
-                continue;
-            };
-            let makers = opened.makers_of(index);
-            self.change_entry(key, |entry| {
-                entry.spectrum = spectrum.clone();
-                entry.makers.clone_from(&makers);
-            });
-        }
-        for (index, spectrum) in fresh {
-            let entry = self.own_entry(spectrum, opened.makers_of(index));
-            self.document.own.push(Arc::new(entry));
-        }
-        // What was an overlay at best and is a light now is shown as one.
-        if let Some(entry) = first(self)
-            && !was_shown
-            && entry.is_usable()
-        {
-            self.document.overlays.retain(|o| o.key != entry.key);
-            self.show(entry);
-        }
-    }
-
-    fn change_own(&mut self, key: &str, change: impl Fn(&mut NamedSpectrum)) {
-        self.change_entry(key, |entry| change(&mut entry.spectrum));
-    }
-
-    fn change_entry(&mut self, key: &str, change: impl Fn(&mut Entry)) {
-        if !self.document.own.iter().any(|e| e.key == key) {
-            return;
-        }
-        let changed = |entry: &Arc<Entry>| {
-            let mut new = Entry::clone(entry);
-            change(&mut new);
-            Arc::new(new)
-        };
-        let document = &mut self.document;
-        let everywhere = document
-            .own
-            .iter_mut()
-            .chain(&mut document.overlays)
-            .chain(&mut document.factor)
-            .chain(std::iter::once(&mut document.light))
-            .chain(document.products.entries_mut());
-        let mut new = None;
-        for entry in everywhere.filter(|e| e.key == key) {
-            *entry = changed(entry);
-            new = Some(entry.clone());
-        }
-        // What is no factor any more leaves the chain.
-        let products = std::mem::take(&mut self.document.products);
-        self.document.products = products.clamped();
-        // A light that turned into a reflectance changes its place.
-        if let Some(entry) = new {
-            let is_light = self.document.light.key == key;
-            let is_factor = self.document.factor.as_ref().is_some_and(|f| f.key == key);
-            if is_light && entry.kind() != Kind::Light {
-                self.document.light = self.first_light();
-                self.show(entry);
-            } else if is_factor && !entry.kind().is_factor() {
-                self.document.factor = None;
-                self.show(entry);
-            }
-        }
-    }
-
-    fn remove(&mut self, key: &str) {
-        self.document.own.retain(|e| e.key != key);
-        self.document.overlays.retain(|e| e.key != key);
-        self.document.edits.remove(key);
-        self.document.products.forget(key);
-        if self.document.factor.as_ref().is_some_and(|f| f.key == key) {
-            self.document.factor = None;
-            self.document.subject = Subject::Light;
-        }
-        if self.document.light.key == key {
-            self.document.light = self.first_light();
-        }
-    }
-
-    fn first_light(&self) -> Arc<Entry> {
-        self.entry(FIRST_LIGHT)
-            .unwrap_or_else(|| self.bundled[0].clone())
-    }
-
     fn recompute(&mut self) {
         let start = Instant::now();
         let wanted = tables_for(&self.document);
         if wanted != self.tables_for {
             self.tables = Arc::new(make_tables(&wanted));
             self.tables_for = wanted;
-        }
-        let count = self.tables.patches.as_ref().map_or(0, |p| p.set.len());
-        if self.document.patch.is_some_and(|p| p >= count) {
-            self.document.patch = None;
         }
         self.derived = Arc::new(derive(&self.document, &self.tables));
         let spectrum = &self.document.subject_entry().spectrum;

@@ -9,7 +9,7 @@ use super::{
     words::{self, Form},
 };
 use crate::{
-    app::{pages::Page, plot_svg::Theme, products::Part},
+    app::{chart::Theme, pages::Page, products::Part},
     spectrum::Kind,
     study::Goal,
 };

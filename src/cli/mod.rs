@@ -39,7 +39,7 @@ use std::{
 use clap::Parser;
 
 use crate::{
-    app::{App, library::Library, licences, plot_svg::Theme, workspace::Preferences},
+    app::{App, chart::Theme, library::Library, licences, workspace::Preferences},
     io::error::shown,
 };
 use arguments::{Arguments, Command};

@@ -13,7 +13,7 @@ use super::{
     words,
 };
 use crate::{
-    app::chart,
+    app::charts::spectrum::spectrum_chart,
     io::{atomic::save_atomically, error::shown},
 };
 
@@ -55,7 +55,7 @@ pub fn run(
     let picture = match painter {
         Some(painter) => painter.plot(&app, *theme, *size),
         None => {
-            let chart = chart::spectrum_chart(&app, *theme);
+            let chart = spectrum_chart(&app, *theme);
             chart.to_svg(width, height).into_bytes()
         }
     };

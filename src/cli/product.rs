@@ -18,8 +18,8 @@ use crate::{
         open::Wanted,
         product_report::{self, Told},
         products::{
-            Link, Lit,
-            same_surface::{CheckSheet, check_json, check_text},
+            Link, ModelledLight,
+            same_surface::{SameSurfaceSheet, check_json, check_text},
         },
         studies::about::reflectances,
         ticks::short,
@@ -69,7 +69,7 @@ pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Resul
                 .iter()
                 .map(|word| link(word, *kind, inputs))
                 .collect::<Result<_, _>>()?;
-            if kind.is_some() && chain.iter().all(|link| link.entry.shelf.is_some()) {
+            if kind.is_some() && chain.iter().all(|link| link.entry.shelf().is_some()) {
                 inputs.note("--kind is not used: no FACTOR is a file");
             }
             let app = about(light_name, *model, inputs)?;
@@ -79,7 +79,7 @@ pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Resul
                 inputs.note_sampling(*model, false);
                 return print(out, &of_check(&app, &chain, outgoing, *json));
             }
-            let told = Told::of(&app, &Lit::of(&app), &chain);
+            let told = Told::of(&app, &ModelledLight::of(&app), &chain);
             if *json {
                 let json = product_report::chain_json(&app, &told);
                 format!("{json:#}\n")
@@ -107,7 +107,7 @@ fn of_check(app: &App, chain: &[Link], found: Entry, json: bool) -> String {
             *s *= f;
         }
     }
-    let mut sheet = CheckSheet::against(app, &surface, &found.into());
+    let mut sheet = SameSurfaceSheet::against(app, &surface, &found.into());
     sheet.names[1] = names.join(", ");
     if json {
         format!("{:#}\n", check_json(app, &names, &sheet))
@@ -118,7 +118,7 @@ fn of_check(app: &App, chain: &[Link], found: Entry, json: bool) -> String {
 
 fn of_set(app: &App, group: &str, json: bool) -> String {
     let (names, values) = reflectances(group, app.document().settings.band);
-    let lit = Lit::of(app);
+    let lit = ModelledLight::of(app);
     let factors: Vec<Factor> = values.into_iter().map(|v| lit.factor(v)).collect();
     let errors = lit.product().over(&factors);
     if json {
@@ -183,7 +183,7 @@ fn factor(
     };
     let found = inputs.find(name, &wanted).map_err(refused)?;
     let (named, is) = (shown(Path::new(name)), found.entry.kind());
-    let Some(told) = kind.filter(|_| found.entry.shelf.is_none()) else {
+    let Some(told) = kind.filter(|_| found.entry.shelf().is_none()) else {
         if !is.is_factor() {
             return Err(refused(format!("{named}: {}", no_factor(&found.entry))));
         }
@@ -218,7 +218,7 @@ fn no_factor(entry: &Entry) -> String {
         Kind::Light => "a light".to_owned(),
         kind => format!("{kind} values"),
     };
-    let remedy = match entry.shelf {
+    let remedy = match entry.shelf() {
         Some(_) => "",
         None => " (say --kind if it is one)",
     };

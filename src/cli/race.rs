@@ -20,8 +20,9 @@ use crate::{
     app::{
         App, Entry,
         library::Library,
+        memo::ByAddress,
         open::Loaded,
-        studies::{Class, Field, RaceAsk, Same},
+        studies::{Class, Field, RaceAsk},
         study_report,
     },
     io::{
@@ -115,7 +116,7 @@ fn alone(app: &App) -> Result<Field, Refusal> {
             subject.kind(),
         )));
     }
-    Ok(Field::One(Same(document.light.clone())))
+    Ok(Field::One(ByAddress(document.light.clone())))
 }
 
 /// The lights of a class, a group or a folder.
@@ -176,7 +177,7 @@ fn lights_in(folder: &Path, inputs: &mut Inputs) -> Result<Field, Refusal> {
                 for spectrum in spectra {
                     if spectrum.kind == Kind::Light {
                         let number = lights.len() as u64 + 1;
-                        lights.push(Same(Arc::new(Entry::own(number, spectrum))));
+                        lights.push(ByAddress(Arc::new(Entry::own(number, spectrum))));
                     } else {
                         others += 1;
                     }

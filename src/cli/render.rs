@@ -14,11 +14,11 @@ use super::{
 use crate::{
     app::{
         App, Command,
+        chart::Theme,
         open::Loaded,
         opened::Opened,
         pages::{Page, PageMemory},
-        picture::{ImageMemory, back},
-        plot_svg::Theme,
+        picture::{ImageMemory, reload},
         products::ProductsMemory,
         workspace::Preferences,
     },
@@ -66,7 +66,7 @@ pub fn run(
     if let (Page::Image, Some(input)) = (page.0, input) {
         open_images(&mut app, input, inputs);
         let images = app.document().images.iter();
-        let files = images.filter_map(|image| image.path.as_deref());
+        let files = images.filter_map(|image| image.path());
         files.for_each(|file| target.reads(file));
     }
     let preferences = Preferences {
@@ -106,8 +106,8 @@ fn open_images(app: &mut App, input: &OsStr, inputs: &mut Inputs) {
             let images = restored
                 .images
                 .iter()
-                .filter_map(|i| back::read_again(i).ok());
-            images.for_each(|image| app.image_is_back(&Arc::new(image)));
+                .filter_map(|i| reload::read_again(i).ok());
+            images.for_each(|image| app.apply(Command::ImageIsBack(Arc::new(image))));
         }
         // A preset, or what was refused before.
         Loaded::Refused(_) => {}

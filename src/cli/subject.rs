@@ -116,7 +116,7 @@ pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal
 
 /// Shows an entry; one from a file becomes one of the user's own, as in the window.
 fn show(app: &mut App, entry: Entry) {
-    app.apply(match entry.shelf {
+    app.apply(match entry.shelf() {
         Some(_) => Command::Show(entry.into()),
         None => Command::Open(vec![Opened::alone(entry.spectrum, entry.makers)]),
     });
@@ -155,7 +155,7 @@ pub fn light(
     if entry.kind() == Kind::Light {
         return Ok(entry);
     }
-    let remedy = match entry.shelf {
+    let remedy = match entry.shelf() {
         Some(_) => "",
         None => " (convert it with --kind light if it is one)",
     };

@@ -10,8 +10,8 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 
 use crate::{
     app::{
+        chart::Theme,
         pages::{Page, SPENDABLE},
-        plot_svg::Theme,
         products::Part,
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },

@@ -1,3 +1,5 @@
+//! Why a text is not a preset file: one line that says what was found and what was expected.
+
 use std::fmt;
 
 /// Why a text is not a preset file.

@@ -1,3 +1,5 @@
+//! The spectra of one preset file, each with its source and its terms.
+
 use std::fmt;
 
 use serde::Deserialize;

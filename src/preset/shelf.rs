@@ -1,3 +1,5 @@
+//! The headings under which the window's library lists its items.
+
 use std::fmt;
 
 use serde::Deserialize;

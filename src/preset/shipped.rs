@@ -1,3 +1,5 @@
+//! The texts of the shipped files.
+
 /// The shipped files, in the order in which the library lists their groups.
 pub const SHIPPED: [&str; 24] = [
     include_str!("../../presets/cie_illuminants.json"),

@@ -1,3 +1,5 @@
+//! A rectangle of an image's pixels.
+
 use serde::{Deserialize, Serialize};
 
 /// A rectangle of pixels: its upper left corner and its size.

@@ -1,12 +1,10 @@
 //! Files that were opened together: how far they are, and what came of each.
 
 use eframe::egui;
-use egui::{
-    Align2, Context, Key, Modifiers, Rect, RichText, ScrollArea, Sense, TextStyle, Ui, vec2,
-};
+use egui::{Align2, Context, Key, Modifiers, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::{
-    pages::rows::{self, Column, Row},
+    kit::{Column, Row, Table},
     theme::Theme,
 };
 use crate::app::open::{FileRow, Progress, Summary};
@@ -305,6 +303,7 @@ fn drawn(row: &FileRow, folder: &str) -> Row {
             story,
         ],
         note,
+        ..Row::default()
     }
 }
 
@@ -341,27 +340,22 @@ fn table(
         let meaning = "Shows the file's first rows and what was decided, to look at or turn round.";
         columns.push(Column::words("", meaning, 0.8));
     }
-    let height = rows::height(ui);
-    rows::head(ui, &columns, theme);
     let mut looked = None;
-    let row = ScrollArea::vertical()
-        .auto_shrink(false)
-        .show_rows(ui, height, rows.len(), |ui, range| {
-            let first = range.start;
-            let seen = &rows[range];
-            rows::body(
-                ui,
-                &columns,
-                (seen, first),
-                (chosen, true),
-                &mut |ui, [row, column], cell| {
-                    if column == 4 && doubts.get(row) == Some(&true) && look(ui, row, cell) {
-                        looked = Some(row);
-                    }
-                },
-            )
-        })
-        .inner;
+    let table = Table {
+        chosen,
+        ..Table::new(&columns, theme)
+    };
+    let row = table.scrolled(
+        ui,
+        "files of the batch",
+        f32::INFINITY,
+        rows,
+        &mut |ui, [row, column], cell| {
+            if column == 4 && doubts.get(row) == Some(&true) && look(ui, row, cell) {
+                looked = Some(row);
+            }
+        },
+    );
     looked.map(Clicked::Look).or(row.map(Clicked::Row))
 }
 

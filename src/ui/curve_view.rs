@@ -1,17 +1,19 @@
 //! How many numbers the model takes, and the whole error-against-order curve.
 
 use eframe::egui;
-use egui::Ui;
-use egui_plot::{HLine, Line, Plot, PlotPoints, Points, VLine};
+use egui::{Id, Ui, vec2};
 
 use super::{
-    axes,
+    chart_view::{How, draw},
     model_view::named,
-    theme::{Theme, ink},
+    theme::Theme,
 };
 use crate::{
     app::{
-        App, Command, Settings, ticks,
+        App, Command, Settings,
+        chart::Marks,
+        charts::spectrum::order_chart,
+        ticks,
         workspace::{CurveQuantity, Preferences},
     },
     io::many::numbers,
@@ -109,110 +111,31 @@ fn quantity_row(ui: &mut Ui, app: &App, preferences: &mut Preferences) {
     });
 }
 
-/// Errors below this are drawn at it: the axis is logarithmic.
-const FLOOR: f64 = 1e-4;
-
-/// A just noticeable colour difference, about; the line drawn for orientation.
-const NOTICEABLE: f64 = 1.0;
-
 fn plot(ui: &mut Ui, app: &App, chosen: CurveQuantity, theme: Theme, commands: &mut Vec<Command>) {
     let quantity = shown(app, chosen);
     let derived = app.derived();
     let order = derived.model.smooth.order();
-    let points: Vec<[f64; 2]> = derived
-        .curve
-        .iter()
-        .filter_map(|p| {
-            let value = match quantity {
-                CurveQuantity::Own => p.own,
-                CurveQuantity::Patches => p.patches_mean,
-                CurveQuantity::PatchesWorst => p.patches_max,
-                CurveQuantity::Rms => p.relative_rms,
-                CurveQuantity::RmsBlurred => p.relative_rms_10nm,
-            }?;
-            Some([p.order as f64, value.max(FLOOR).log10()])
-        })
-        .collect();
-    let height = 96.0 * theme.scale;
-    if points.is_empty() {
-        ui.allocate_ui(egui::vec2(ui.available_width(), height), |ui| {
+    let size = vec2(ui.available_width(), 96.0 * theme.scale);
+    let Some(mut chart) = order_chart(app, quantity, theme.of_charts()) else {
+        ui.allocate_ui(size, |ui| {
             ui.weak("There is no colour to compare in this range.");
         });
         return;
-    }
-    let is_colour = !matches!(quantity, CurveQuantity::Rms | CurveQuantity::RmsBlurred);
-    let highest = points.last().map_or(1.0, |p| p[0]);
-    let lowest_log = points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
-    let highest_log = points
-        .iter()
-        .map(|p| p[1])
-        .fold(f64::NEG_INFINITY, f64::max);
-    let words = move |log: f64| {
-        if is_colour {
-            ticks::short(10_f64.powf(log))
-        } else {
-            format!("{} %", ticks::short(100.0 * 10_f64.powf(log)))
-        }
     };
-    let now = points.iter().find(|p| p[0] as usize == order).copied();
-    let line = theme.line;
-    let inks = theme.inks;
-    let plot = Plot::new("error against order")
-        .height(height)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_axis_zoom_drag(false)
-        .show_crosshair(false)
-        .set_margin_fraction(egui::vec2(0.02, 0.08))
-        .include_x(0.0)
-        .include_x(highest)
-        .include_y((lowest_log - 0.1).floor().max(FLOOR.log10()))
-        .include_y(highest_log.ceil())
-        .x_grid_spacer(axes::marks(8))
-        .y_grid_spacer(axes::decades(3))
-        .label_formatter(|_| None);
-    let response =
-        axes::dress(plot, theme, 34.0 * theme.scale, ticks::short, words).show(ui, |plot| {
-            if is_colour {
-                plot.hline(
-                    HLine::new("", NOTICEABLE.log10())
-                        .color(theme.faint.gamma_multiply(0.6))
-                        .width(1.0),
-                );
-            }
-            plot.vline(VLine::new("", order as f64).color(theme.faint).width(1.0));
-            plot.line(
-                Line::new("error", PlotPoints::from(points.clone()))
-                    .color(ink(inks.smooth))
-                    .width(line),
-            );
-            plot.points(
-                Points::new("orders", PlotPoints::from(points.clone()))
-                    .color(ink(inks.smooth))
-                    .radius(1.8 * theme.scale),
-            );
-            if let Some(now) = now {
-                plot.points(
-                    Points::new("now", PlotPoints::from(vec![now]))
-                        .color(ink(inks.spikes))
-                        .radius(4.5 * theme.scale),
-                );
-            }
-            plot.pointer_coordinate()
-        });
-    named(
-        &response.response,
-        egui::Role::Image,
-        "Error against order; click to go to an order",
-    );
-    let pointed = response
-        .inner
-        .filter(|_| response.response.hovered())
-        .map(|at| (at.x.round().clamp(0.0, highest)) as usize);
+    chart.title = "Error against order; click to go to an order".to_owned();
+    let how = How {
+        moves: false,
+        ..How::PART
+    };
+    let id = Id::unique("error against order");
+    let drawn = draw(ui, &chart, id, size, theme, how);
+    let highest = derived.curve.last().map_or(0, |point| point.order) as f64;
+    let pointed = drawn.response.hover_pos().map(|at| {
+        let [order, _] = drawn.main.values(at);
+        order.round().clamp(0.0, highest) as usize
+    });
     if let Some(pointed) = pointed
-        && response.response.clicked()
+        && drawn.response.clicked()
         && pointed != order
     {
         commands.push(Command::Edit(Settings {
@@ -221,13 +144,18 @@ fn plot(ui: &mut Ui, app: &App, chosen: CurveQuantity, theme: Theme, commands: &
         }));
     }
     let read = pointed.unwrap_or(order);
+    let points = chart.series.iter().flat_map(|series| match &series.marks {
+        Marks::Points { points, .. } => points.as_slice(),
+        _ => &[],
+    });
     if let (Some(point), Some(count)) = (
-        points.iter().find(|p| p[0] as usize == read),
+        points.into_iter().find(|p| p[0] as usize == read),
         derived.curve.get(read).map(|p| p.numbers),
     ) {
-        response.response.on_hover_text_at_pointer(format!(
-            "N = {read}: {} ({}). Click to go there.",
-            words(point[1]),
+        let error = ticks::short(point[1]);
+        drawn.response.on_hover_text_at_pointer(format!(
+            "N = {read}: {error}{} ({}). Click to go there.",
+            chart.y_unit,
             numbers(count)
         ));
     }

@@ -10,15 +10,16 @@ use egui::{
 
 use super::{
     chart_view::{ChartView, ChartWish},
-    model_view::named,
-    theme::Theme,
+    kit::Choice,
+    theme::{Theme, waker},
 };
 use crate::app::{
     App,
+    chart::{self, Chart},
     charts::import::curves,
     import::{About, Again, Answer, Flip, Head, Import, Question},
+    memo::{ByAddress, Memo},
     opened::Opened,
-    plot_svg::{self, Chart},
 };
 use crate::spectrum::SpectralImage;
 
@@ -44,7 +45,7 @@ pub struct ImportView {
     /// A file that is being read to be looked at.
     pub again: Option<Again>,
     /// The chart and what it was made of.
-    chart: Option<(Arc<Opened>, plot_svg::Theme, Chart)>,
+    chart: Memo<(ByAddress<Opened>, chart::Theme), Chart>,
     /// Tells the windows of different files apart: each comes up in its place.
     turn: u64,
 }
@@ -75,14 +76,14 @@ impl ImportView {
     pub fn open(&mut self, import: Option<Import>) {
         if import.is_some() {
             self.now = import;
-            self.chart = None;
+            self.chart = Memo::default();
             self.turn += 1;
         }
     }
 
     /// Closes it; what was looked at is handed out.
     pub fn close(&mut self) -> Option<Import> {
-        self.chart = None;
+        self.chart = Memo::default();
         self.now.take()
     }
 
@@ -92,11 +93,13 @@ impl ImportView {
         context: &Context,
         app: &App,
         theme: Theme,
-        file_theme: plot_svg::Theme,
+        file_theme: chart::Theme,
         within: Rect,
         keys_are_free: bool,
     ) -> Vec<Wish> {
-        if self.now.as_mut().is_some_and(|import| !import.follow(app)) {
+        let wake = waker(context);
+        let is_gone = |import: &mut Import| !import.follow(app, &wake);
+        if self.now.as_mut().is_some_and(is_gone) {
             self.close();
         }
         let Some(import) = &self.now else {
@@ -105,17 +108,10 @@ impl ImportView {
         let mut wishes = Vec::new();
         let mut open = true;
         let opened = import.opened();
-        let is_drawn = self
+        let of = (ByAddress(opened.clone()), file_theme);
+        let chart = &*self
             .chart
-            .as_ref()
-            .is_some_and(|(of, theme, _)| Arc::ptr_eq(of, opened) && *theme == file_theme);
-        if !is_drawn {
-            let chart = curves_of(opened, file_theme);
-            self.chart = Some((opened.clone(), file_theme, chart));
-        }
-        let Some((_, _, chart)) = &self.chart else {
-            return Vec::new();
-        };
+            .get(of, |(opened, theme)| curves_of(&opened.0, *theme));
         let width = (WIDTH * theme.scale).min(within.width() - 24.0);
         let height = (HEIGHT * theme.scale).min(within.height() - 40.0);
         egui::Window::new(format!("How {} was read", opened.file))
@@ -201,7 +197,7 @@ fn body(
 }
 
 /// The curves of a file; of images a few of their pixels.
-fn curves_of(opened: &Opened, theme: plot_svg::Theme) -> Chart {
+fn curves_of(opened: &Opened, theme: chart::Theme) -> Chart {
     if opened.images.is_empty() {
         return curves(&opened.file, &opened.spectra, theme);
     }
@@ -269,25 +265,22 @@ fn about(ui: &mut Ui, import: &Import, theme: Theme, wishes: &mut Vec<Wish>) {
             true,
             theme,
         );
-        let combo = egui::ComboBox::from_id_salt("asked about")
-            .selected_text(import.about_words())
-            .width(300.0)
-            .truncate()
-            .show_ui(ui, |ui| {
-                for part in parts {
-                    let mark = if part.doubtful { "▲ " } else { "" };
-                    let words = format!("{mark}{}", part.words);
-                    let chosen = part.about == import.about();
-                    if ui.selectable_label(chosen, words).clicked() {
-                        wishes.push(Wish::About(part.about));
-                    }
+        let choice = Choice {
+            name: what,
+            meaning: "The answers about values go for these spectra alone; each spectrum of the \
+                      file has its own.",
+            width: 300.0,
+        };
+        choice.cut(ui, import.about_words(), |ui| {
+            for part in parts {
+                let mark = if part.doubtful { "▲ " } else { "" };
+                let words = format!("{mark}{}", part.words);
+                let chosen = part.about == import.about();
+                if ui.selectable_label(chosen, words).clicked() {
+                    wishes.push(Wish::About(part.about));
                 }
-            });
-        named(&combo.response, egui::Role::ComboBox, what);
-        combo.response.on_hover_text(
-            "The answers about values go for these spectra alone; each spectrum of the file has \
-             its own.",
-        );
+            }
+        });
     });
 }
 

@@ -13,7 +13,7 @@ use super::{
     theme::{Theme, ink},
 };
 use crate::{
-    app::{App, Command, Entry, workspace::Preferences},
+    app::{App, Command, Entry, recipe::Recipe, workspace::Preferences},
     color::{
         Adaptation, Observer, Swatch, Xyz,
         xyz::{xyz_from_light, xyz_from_reflectance},
@@ -29,8 +29,6 @@ pub struct LibraryView {
     pub search: String,
     /// The search field is to get the keyboard in the next frame.
     pub wants_search: bool,
-    /// Keys of own entries whose files can be looked at again.
-    pub with_files: HashSet<String>,
     /// The own entry whose file is to be looked at.
     pub wants_reading: Option<String>,
     /// The own entry being renamed, with the text so far.
@@ -221,7 +219,7 @@ impl LibraryView {
                 return true;
             }
             // A spectrum of the user's own is found by the file that it came from, too.
-            let source = match entry.shelf {
+            let source = match entry.shelf() {
                 None => entry.spectrum.source.as_str(),
                 Some(_) => "",
             };
@@ -258,7 +256,7 @@ impl LibraryView {
         let own = app.document().own.iter();
         shelf(OWN, own.filter(|e| matches(e)).cloned().collect());
         for place in Shelf::ALL {
-            let on_shelf = app.bundled().iter().filter(|e| e.shelf == Some(place));
+            let on_shelf = app.bundled().iter().filter(|e| e.shelf() == Some(place));
             shelf(
                 place.heading(),
                 on_shelf.filter(|e| matches(e)).cloned().collect(),
@@ -369,7 +367,7 @@ impl LibraryView {
             });
         }
         response.context_menu(|ui| {
-            if let Some(chosen) = self.menu(ui, entry, overlaid) {
+            if let Some(chosen) = self.menu(ui, app, entry, overlaid) {
                 command = Some(chosen);
             }
         });
@@ -377,7 +375,13 @@ impl LibraryView {
         command
     }
 
-    fn menu(&mut self, ui: &mut Ui, entry: &Arc<Entry>, overlaid: bool) -> Option<Command> {
+    fn menu(
+        &mut self,
+        ui: &mut Ui,
+        app: &App,
+        entry: &Arc<Entry>,
+        overlaid: bool,
+    ) -> Option<Command> {
         let mut command = None;
         if ui.button("Show").clicked() {
             command = Some(Command::Show(entry.clone()));
@@ -392,11 +396,11 @@ impl LibraryView {
             command = Some(Command::ToggleOverlay(entry.clone()));
             ui.close();
         }
-        if entry.shelf.is_some() {
+        if entry.shelf().is_some() {
             return command;
         }
         ui.separator();
-        if self.with_files.contains(&entry.key)
+        if entry.origin.file().is_some()
             && ui
                 .button("How it was read…")
                 .on_hover_text(
@@ -407,6 +411,9 @@ impl LibraryView {
         {
             self.wants_reading = Some(entry.key.clone());
             ui.close();
+        }
+        if let Some(recipe) = entry.origin.recipe() {
+            made_menu(ui, app, entry, recipe, &mut command);
         }
         if ui.button("Rename").clicked() {
             self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
@@ -428,6 +435,40 @@ impl LibraryView {
             ui.close();
         }
         command
+    }
+}
+
+/// What can be done with something that is made: it follows what it is made of until it is frozen.
+fn made_menu(
+    ui: &mut Ui,
+    app: &App,
+    entry: &Arc<Entry>,
+    recipe: &Recipe,
+    command: &mut Option<Command>,
+) {
+    let light = &app.document().light;
+    let is_other = recipe.light().is_some_and(|key| key != light.key) && light.key != entry.key;
+    if is_other
+        && ui
+            .button(format!("Make it with {}", light.name()))
+            .on_hover_text("The same recipe with the light that is shown.")
+            .clicked()
+    {
+        *command = Some(Command::MakeOtherwise {
+            key: entry.key.clone(),
+            recipe: recipe.clone().with_light(&light.key),
+        });
+        ui.close();
+    }
+    if ui
+        .button("Freeze")
+        .on_hover_text("Its numbers stay as they are, whatever happens to what it is made of.")
+        .clicked()
+    {
+        *command = Some(Command::Freeze {
+            key: entry.key.clone(),
+        });
+        ui.close();
     }
 }
 

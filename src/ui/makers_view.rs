@@ -9,17 +9,17 @@ use crate::{
         App,
         entry::Entry,
         makers::{Beside, NOT_YET, beside, to_csv},
+        memo::{ByAddress, Memo},
         spectral_unit::{Counted, SpectralUnit},
         ticks::short,
     },
     io::Quantity,
 };
-use std::sync::Arc;
 
 /// The table, computed once an entry.
 #[derive(Default)]
 pub struct MakersView {
-    made: Option<(Arc<Entry>, Vec<Beside>)>,
+    made: Memo<ByAddress<Entry>, Vec<Beside>>,
     /// Whether its table stands in the place of our own numbers.
     is_open: bool,
 }
@@ -30,7 +30,7 @@ impl MakersView {
     pub fn tabs(&mut self, ui: &mut Ui, app: &App) -> bool {
         let makers = app.document().subject_entry().makers.len();
         if makers == 0 {
-            self.made = None;
+            self.made = Memo::default();
             return false;
         }
         ui.horizontal(|ui| {
@@ -47,14 +47,8 @@ impl MakersView {
     /// Draws the instrument's numbers; says what was copied.
     pub fn show(&mut self, ui: &mut Ui, app: &App) -> Option<String> {
         let entry = app.document().subject_entry();
-        if !self
-            .made
-            .as_ref()
-            .is_some_and(|(of, _)| Arc::ptr_eq(of, entry))
-        {
-            self.made = Some((entry.clone(), beside(entry)));
-        }
-        let (_, rows) = self.made.as_ref()?;
+        let of = ByAddress(entry.clone());
+        let rows = &*self.made.get(of, |entry| beside(&entry.0));
         let mut said = None;
         ui.horizontal(|ui| {
             section(ui, "By the instrument");

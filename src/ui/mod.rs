@@ -3,7 +3,6 @@
 //! A view reads [`App`](crate::app::App) and pushes [`Command`](crate::app::Command)s; the window
 //! applies them before it draws what depends on them, so every frame shows its own input.
 
-pub mod axes;
 pub mod batch_view;
 pub mod chart_view;
 pub mod colour_view;
@@ -13,6 +12,7 @@ pub mod files;
 pub mod fit;
 pub mod import_view;
 pub mod keys;
+pub mod kit;
 pub mod library_view;
 pub mod makers_view;
 pub mod model_view;

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
+pub(super) use super::kit::named;
 use super::theme::section;
 use crate::{
     app::{
@@ -351,11 +352,6 @@ fn edge<'a>(nm: &'a mut f64, typed: &'a RefCell<Option<String>>) -> egui::DragVa
             *typed.borrow_mut() = Some(text.to_owned());
             wavelength(text)
         })
-}
-
-/// Gives a response a name for screen readers.
-pub(super) fn named(response: &egui::Response, role: egui::Role, name: &str) {
-    response.widget_info(|| egui::WidgetInfo::labeled(role, true, name));
 }
 
 fn products_row(ui: &mut Ui, settings: &mut Settings) {

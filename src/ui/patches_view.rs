@@ -3,36 +3,35 @@
 use eframe::egui;
 use egui::{Align2, Ui, vec2};
 
-use super::{swatch, theme::Theme};
+use super::{kit::Choice, swatch, theme::Theme};
 use crate::app::{App, Command, View, derived::PatchComparison, library::Library};
 
 /// Most patches in one row: the ColorChecker makes two rows.
 const PER_ROW: usize = 12;
 
+/// A choice among the sets of reflectances.
+pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &mut Vec<Command>) {
+    let now = &app.document().patch_set;
+    choice.show(ui, set_title(now), |ui| {
+        let groups = Library::bundled().all_groups();
+        for group in groups.filter(|g| g.items.iter().any(|p| p.kind.is_factor())) {
+            let response = ui.selectable_label(*now == group.id, set_title(&group.id));
+            if response.on_hover_text(&group.title).clicked() {
+                commands.push(Command::PatchSet(group.id.clone()));
+            }
+        }
+    });
+}
+
 /// The row above the patches: the set and its errors.
 pub fn head(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
     let document = app.document();
-    let combo = egui::ComboBox::from_id_salt("patch set")
-        .selected_text(set_title(&document.patch_set))
-        .width(128.0)
-        .show_ui(ui, |ui| {
-            for group in Library::bundled().all_groups() {
-                if group.items.iter().any(|p| p.kind.is_factor())
-                    && ui
-                        .selectable_label(document.patch_set == group.id, set_title(&group.id))
-                        .on_hover_text(&group.title)
-                        .clicked()
-                {
-                    commands.push(Command::PatchSet(group.id.clone()));
-                }
-            }
-        });
-    combo
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, "Patch set"));
-    combo
-        .response
-        .on_hover_text("Whose reflectances the light falls on.");
+    let choice = Choice {
+        name: "Patch set",
+        meaning: "Whose reflectances the light falls on.",
+        width: 128.0,
+    };
+    set_choice(ui, choice, app, commands);
     if let Some(patches) = &app.derived().patches {
         ui.label("mean ΔE₀₀");
         ui.strong(format!("{:.3}", patches.mean));

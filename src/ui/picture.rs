@@ -7,16 +7,14 @@ use egui::ColorImage;
 
 use super::{
     Window,
-    chart_view::ChartView,
+    chart_view::paint,
     files::Picked,
     painter::{encode_png, picture_with},
-    spectrum_view::SpectrumView,
-    theme::{self, Theme},
+    theme,
 };
 use crate::app::{
     App,
-    chart::provenance,
-    plot_svg::{self, Chart},
+    chart::{Chart, Drawing, Looks},
     workspace::Preferences,
 };
 
@@ -60,40 +58,13 @@ pub fn chart_png(chart: &Chart, size: [u32; 2]) -> Vec<u8> {
 
 /// [`chart_png`] as pixels.
 pub fn chart_image(chart: &Chart, size: [u32; 2]) -> ColorImage {
-    let (context, looks) = dressed(chart.theme);
-    picture_with(&context, sides(size), 1.0, PASSES, |ui| {
-        egui::CentralPanel::default_margins().show(ui, |ui| {
-            ChartView::bare(ui, chart, ui.available_size(), looks);
-        });
-    })
-}
-
-/// A context with fonts and colours of a theme.
-fn dressed(theme: plot_svg::Theme) -> (egui::Context, Theme) {
     let context = egui::Context::default();
-    let preferences = Preferences {
-        dark: theme == plot_svg::Theme::Dark,
-        ..Preferences::default()
-    };
     theme::install_fonts(&context);
-    theme::apply(&context, &preferences);
-    (context, Theme::of(&preferences))
-}
-
-/// The spectrum plot alone as a PNG file.
-pub fn plot_png(app: &App, theme: plot_svg::Theme, size: [u32; 2]) -> Vec<u8> {
-    let (context, looks) = dressed(theme);
-    let mut view = SpectrumView::bare();
-    let notes = provenance(app);
-    let image = picture_with(&context, sides(size), 1.0, PASSES, |ui| {
-        egui::Panel::bottom("notes").show(ui, |ui| {
-            for note in &notes {
-                ui.small(note);
-            }
-        });
-        egui::CentralPanel::default_margins().show(ui, |ui| {
-            view.show(ui, app, looks);
-        });
-    });
-    encode_png(&image)
+    let sides = sides(size);
+    let drawing = Drawing::new(chart, [sides.x, sides.y].map(f64::from), Looks::FILE);
+    let primitives = drawing.primitives(chart.whole_view());
+    picture_with(&context, sides, 1.0, PASSES, |ui| {
+        let shapes = paint::shapes(ui.painter(), egui::Vec2::ZERO, &primitives);
+        ui.painter().extend(shapes);
+    })
 }

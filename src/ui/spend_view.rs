@@ -3,7 +3,11 @@
 use eframe::egui;
 use egui::Ui;
 
-use super::{model_view::named, pages::auction_view::budget, theme::Wake};
+use super::{
+    kit::{Choice, named},
+    pages::auction_view::budget,
+    theme::Wake,
+};
 use crate::{
     app::{
         App, Command,
@@ -19,7 +23,7 @@ use crate::{
         studies::{AuctionAsk, Stage, Studies, take},
     },
     io::many::numbers,
-    study::{Auction, Goal, Progress},
+    study::{Auction, Goal},
 };
 
 /// What the row wants said in the status line.
@@ -75,10 +79,7 @@ impl SpendView {
             return Some((Tone::Info, words.to_owned()));
         }
         let job = &mut studies.spend;
-        job.ask(&ask, wake, || {
-            let ask = ask.clone();
-            move |progress: &Progress| ask.answer(progress)
-        });
+        job.ask_by(&ask, wake, AuctionAsk::answer);
         if let Some(auction) = job.result_for(&ask) {
             self.waiting = None;
             let settings = app.document().settings;
@@ -157,33 +158,31 @@ fn goals(ui: &mut Ui, app: &App, memory: &mut PageMemory, lacks: [Option<&'stati
         plain.map_or_else(|| goal.words(), |i| NAMES[i].to_owned())
     };
     let shown = within.map_or_else(|| AS_AUCTION.to_owned(), name_of);
-    let combo = egui::ComboBox::from_id_salt("spend goal")
-        .selected_text(shown)
-        .width((ui.available_width() - 8.0).max(60.0))
-        .show_ui(ui, |ui| {
-            for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
-                let button = egui::Button::selectable(within == Some(plain), NAMES[i]);
-                let response = ui.add_enabled(lacks[i].is_none(), button);
-                if response.clicked() {
-                    memory.spend_goal = Some(plain);
-                }
-                response
-                    .on_hover_text(MEANINGS[i])
-                    .on_disabled_hover_text(lacks[i].unwrap_or_default());
+    let choice = Choice {
+        name: "Goal of spending",
+        meaning: "What is to be made small with these numbers.",
+        width: (ui.available_width() - 8.0).max(60.0),
+    };
+    choice.show(ui, shown, |ui| {
+        for (i, (_, plain)) in Goal::PLAIN.into_iter().enumerate() {
+            let button = egui::Button::selectable(within == Some(plain), NAMES[i]);
+            let response = ui.add_enabled(lacks[i].is_none(), button);
+            if response.clicked() {
+                memory.spend_goal = Some(plain);
             }
-            let goal = goal_within(app, memory.goal);
-            if ui
-                .selectable_label(asked.is_none(), AS_AUCTION)
-                .on_hover_text(format!("Now: {}.", goal_words(goal)))
-                .clicked()
-            {
-                memory.spend_goal = None;
-            }
-        });
-    named(&combo.response, egui::Role::ComboBox, "Goal of spending");
-    combo
-        .response
-        .on_hover_text("What is to be made small with these numbers.");
+            response
+                .on_hover_text(MEANINGS[i])
+                .on_disabled_hover_text(lacks[i].unwrap_or_default());
+        }
+        let goal = goal_within(app, memory.goal);
+        if ui
+            .selectable_label(asked.is_none(), AS_AUCTION)
+            .on_hover_text(format!("Now: {}.", goal_words(goal)))
+            .clicked()
+        {
+            memory.spend_goal = None;
+        }
+    });
 }
 
 /// What was bought, in a sentence; both errors are measured on the models themselves.

@@ -8,7 +8,10 @@ use egui::{
     epaint::text::{FontInsert, FontPriority, InsertFontFamily},
 };
 
-use crate::app::{chart::Inks, plot_svg, workspace::Preferences};
+use crate::app::{
+    chart::{self, Inks},
+    workspace::Preferences,
+};
 
 /// How much larger type and how much thicker lines are in projector mode.
 const PROJECTOR_TYPE: f32 = 1.3;
@@ -37,14 +40,9 @@ impl Theme {
     /// The theme of the preferences.
     pub fn of(preferences: &Preferences) -> Self {
         let dark = preferences.dark;
-        let file_theme = if dark {
-            plot_svg::Theme::Dark
-        } else {
-            plot_svg::Theme::Light
-        };
         Self {
             dark,
-            inks: Inks::of(file_theme),
+            inks: Inks::of(of_charts(dark)),
             line: if preferences.projector {
                 1.6 * PROJECTOR_LINES
             } else {
@@ -63,6 +61,20 @@ impl Theme {
                 1.0
             },
         }
+    }
+
+    /// The theme of charts in these looks.
+    pub fn of_charts(self) -> chart::Theme {
+        of_charts(self.dark)
+    }
+}
+
+/// The theme of charts on a dark or a light ground.
+fn of_charts(dark: bool) -> chart::Theme {
+    if dark {
+        chart::Theme::Dark
+    } else {
+        chart::Theme::Light
     }
 }
 

@@ -11,8 +11,9 @@ use std::{
 use serde_json::Value;
 use spectral_explorer::{
     app::{
-        self, App, Settings, open,
-        plot_svg::Theme,
+        self, App, Settings,
+        chart::Theme,
+        open,
         workspace::{self, Preferences},
     },
     cli::{self, Input, Outcome, Pictures},
@@ -97,7 +98,8 @@ fn write(folder: &Path, name: &str, text: &str) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// Every key that the README promises, with the places of the arrays' items left out.
+/// Keys that scripts stand on, with the places of the arrays' items left out. All keys are told in
+/// docs/command_line.md, which `command_line.rs` holds to the program.
 const KEYS: &[&str] = &[
     "input/name",
     "input/kind",

@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, ffi::OsString, fs};
 
 use serde_json::Value;
 use spectral_explorer::{
-    app::{App, pages::Page, plot_svg::Theme, workspace::Preferences},
+    app::{App, chart::Theme, pages::Page, workspace::Preferences},
     cli::{self, Outcome, Pictures},
 };
 

@@ -19,14 +19,16 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, Subject, View,
+        chart::Theme,
         charts::tradeoff,
+        command::MadeFor,
         document::{FIRST_LIGHT, FIRST_PATCH_SET},
         export::Export,
         library::Library,
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
         opened::Opened,
-        plot_svg::Theme,
         products::{Link, Products},
+        recipe::{Recipe, Times},
         report,
         settings::ORDERS,
         spike_hand::SpikeAct,
@@ -333,13 +335,25 @@ fn variant(command: &Command) -> &'static str {
         Command::Products(_) => "products",
         Command::Adopt(_) => "adopt",
         Command::Open(_) => "open",
+        Command::Make { .. } => "make",
+        Command::MakeOtherwise { .. } => "make otherwise",
+        Command::Freeze { .. } => "freeze",
         Command::Reread { .. } => "reread",
+        Command::ImageIsBack(_) => "image is back",
         Command::RemoveImage { .. } => "remove image",
         Command::Rename { .. } => "rename",
         Command::SetKind { .. } => "set kind",
         Command::Remove { .. } => "remove",
         Command::Replace(_) => "replace",
         Command::Undo | Command::Redo => "history",
+    }
+}
+
+/// A light off the red patch.
+fn off_red(light: &str) -> Recipe {
+    Recipe::Through {
+        light: light.to_owned(),
+        chain: vec![(RED.to_owned(), Times::default())],
     }
 }
 
@@ -409,15 +423,26 @@ fn session(app: &App) -> Vec<Command> {
             key: key(),
             kind: Kind::Reflectance,
         },
+        Command::Open(vec![opened("once.csv", b"nm,W\n380,1\n400,4\n")]),
         Command::Reread {
-            keys: vec![key()],
-            images: Vec::new(),
+            key: "own/3".to_owned(),
             opened: Box::new(opened("again.csv", b"nm,W\n380,1\n390,2\n400,3\n")),
+        },
+        Command::Make {
+            recipe: off_red(FIRST_LIGHT),
+            place: MadeFor::Shown,
+        },
+        Command::MakeOtherwise {
+            key: "own/4".to_owned(),
+            recipe: off_red(D65),
+        },
+        Command::Freeze {
+            key: "own/4".to_owned(),
         },
         Command::Remove { key: key() },
         Command::Open(vec![opened_image()]),
         Command::RemoveImage {
-            key: "image/3".to_owned(),
+            key: "image/5".to_owned(),
         },
         Command::Replace(Box::new(Document::about(preset(app, D65)))),
     ]
@@ -451,7 +476,7 @@ fn every_command_is_undone_and_done_again_exactly() {
     let mut app = App::new();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 22, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 25, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);

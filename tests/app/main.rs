@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/docs.rs"]
+mod docs;
 #[path = "../common/full.rs"]
 mod full;
 #[path = "../common/root.rs"]
@@ -11,7 +13,9 @@ mod cli;
 mod cli_files;
 mod cli_names;
 mod cli_studies;
+mod command_line;
 mod commands;
 mod line_names;
 mod no_window;
+mod recipes;
 mod workspace;

@@ -363,9 +363,9 @@ fn what_the_program_itself_wrote_is_never_a_loss() {
     preferences.recent = (0..40).map(|i| PathBuf::from(format!("{i}.csv"))).collect();
     preferences.pages.auction_numbers = 0;
     preferences.pages.products.narrow.centre_nm = f64::NAN;
-    let forming = &mut preferences.pages.products.forming;
+    let resampling = &mut preferences.pages.products.resampling;
     for way in [Sampling::Convolution, Sampling::Paper, Sampling::Double] {
-        forming.show(way, false);
+        resampling.show(way, false);
     }
     let text = workspace::to_json(&full_document(), Some(&preferences)).unwrap();
     let restored = workspace::from_json(&text).expect("our own text");
@@ -373,8 +373,8 @@ fn what_the_program_itself_wrote_is_never_a_loss() {
     let restored = restored.preferences.expect("the window's");
     assert_eq!(restored.window, None);
     assert_eq!(
-        restored.pages.products.forming,
-        preferences.pages.products.forming
+        restored.pages.products.resampling,
+        preferences.pages.products.resampling
     );
 }
 

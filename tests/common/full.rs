@@ -11,8 +11,8 @@ use spectral_explorer::{
         products::{
             Link, Part, Products, ProductsMemory,
             memory::{
-                AbsorptionMemory, BouncesMemory, ChainMemory, CheckMemory, FormingMemory,
-                LightsMemory, NarrowMemory,
+                AbsorptionMemory, BouncesMemory, ChainMemory, NarrowMemory, ResamplingMemory,
+                SameSurfaceMemory, TwoLightsMemory,
             },
         },
         settings::Detector,
@@ -173,7 +173,7 @@ pub fn full_preferences() -> Preferences {
             },
             spend_goal: Some(Goal::SPECTRUM),
             products: ProductsMemory {
-                part: Part::Lights,
+                part: Part::TwoLights,
                 chain: ChainMemory {
                     stage: Some(1),
                     light: true,
@@ -184,20 +184,20 @@ pub fn full_preferences() -> Preferences {
                     filter: Some(RED.to_owned()),
                     luminance: true,
                 },
-                forming: FormingMemory {
+                resampling: ResamplingMemory {
                     hidden: vec![Sampling::ThreeN],
                 },
                 bounces: BouncesMemory {
                     added: true,
                     log: false,
                 },
-                lights: LightsMemory {
+                two_lights: TwoLightsMemory {
                     patch: 3,
                     pair: 2,
                     everywhere: false,
                     room_percent: -40,
                 },
-                check: CheckMemory {
+                same_surface: SameSurfaceMemory {
                     everywhere: false,
                     twice: true,
                 },

@@ -4,7 +4,7 @@
 use std::{f64::consts::LN_2, sync::Arc};
 
 use spectral_explorer::{
-    app::{App, Document, Entry, library::Library, makers, picture::Eye, scale::Scale},
+    app::{App, Document, Entry, library::Library, makers, picture::BandWeights, scale::Scale},
     color::{Observer, Xyz, cct_from_xyz, xyz_from_light, xyz_from_reflectance},
     io::{MakersResult, Quantity},
     spectrum::{
@@ -187,7 +187,8 @@ fn reflectances_and_pictures_are_seen_by_the_fine_data() {
         let expected = integral(&samples, factor, Observer::Cie1931);
         let found = xyz_from_reflectance(&grey, &samples, Observer::Cie1931).expect("a light");
         same(found, expected, &format!("{name}, a grey under it"));
-        let picture = Eye::of(&image(Kind::Light), Observer::Cie1931, None, false).expect("an eye");
+        let picture =
+            BandWeights::of(&image(Kind::Light), Observer::Cie1931, None, false).expect("an eye");
         let whole = integral(&samples, plain, Observer::Cie1931);
         same(
             picture.xyz(&samples),
@@ -195,7 +196,7 @@ fn reflectances_and_pictures_are_seen_by_the_fine_data() {
             &format!("{name}, a pixel of a picture"),
         );
         let light = named(samples, Kind::Light);
-        let under = Eye::of(
+        let under = BandWeights::of(
             &image(Kind::Reflectance),
             Observer::Cie1931,
             Some(&light),

@@ -3,6 +3,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/docs.rs"]
+mod docs;
 #[path = "../common/lights.rs"]
 mod lights;
 #[path = "../common/root.rs"]
@@ -10,6 +12,7 @@ mod root;
 
 mod colour;
 mod detector;
+mod documents;
 mod fine_data;
 mod layers;
 mod model;

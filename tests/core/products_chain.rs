@@ -1,4 +1,4 @@
-//! Chains of products, error growth, narrow filters, two lights and the reflection check, on the
+//! Chains of products, errors against bounces, narrow filters, two lights and the reflection check, on the
 //! shipped lights and reflectances; figures with
 //! `cargo test --test core products_chain:: -- --nocapture`.
 
@@ -19,8 +19,8 @@ use spectral_explorer::{
     study::{
         error::Spread,
         products::{
-            Growth, Narrow, Product, check::SAME_RESIDUAL, growth, lights::MATCH_DELTA_E,
-            metameric_black, metameric_pairs, reflection_check, two_lights,
+            BounceErrors, Narrow, Product, bounce_errors, metameric_black, metameric_pairs,
+            reflection_check, same_surface::SAME_RESIDUAL, two_lights, two_lights::MATCH_DELTA_E,
         },
     },
 };
@@ -301,7 +301,7 @@ fn without_a_light_or_a_factor_there_is_nothing_to_say_and_no_nan() {
         product(&measured, &model, Sampling::Double, &seen).through(std::slice::from_ref(&black));
     // Black is black in both: there is a colour, but no luminance to compare with.
     assert_eq!(behind.total().colours.luminance_error, None);
-    let grown = growth(product(&measured, &model, Sampling::Exact, &seen), &black);
+    let grown = bounce_errors(product(&measured, &model, Sampling::Exact, &seen), &black);
     let none = |list: &[Option<f64>]| list.iter().all(Option::is_none);
     assert!(grown.iter().all(|way| none(&way.total) && none(&way.added)));
 }
@@ -372,8 +372,8 @@ fn over_a_set_added_and_total_error_stand_apart() {
     }
 }
 
-fn at(growth: &[Growth], sampling: Sampling, bounces: usize) -> [f64; 2] {
-    let way = growth.iter().find(|way| way.sampling == sampling);
+fn at(errors: &[BounceErrors], sampling: Sampling, bounces: usize) -> [f64; 2] {
+    let way = errors.iter().find(|way| way.sampling == sampling);
     let way = way.expect("every way is followed");
     [&way.added, &way.total].map(|list| list[bounces - 1].expect("light is left"))
 }
@@ -388,7 +388,7 @@ fn errors_grow_with_the_bounces_on_the_papers_points_and_not_on_twice_the_number
         (Basis::Cosine, 21),
     ] {
         let model = fitted(&measured, basis, numbers);
-        let grown = growth(product(&measured, &model, Sampling::Exact, &seen), &red);
+        let grown = bounce_errors(product(&measured, &model, Sampling::Exact, &seen), &red);
         assert_eq!(grown.len(), Sampling::ALL.len());
         println!("{basis:?}, {numbers} numbers, D65 off ColorChecker red, added / total dE00");
         for way in &grown {
@@ -412,17 +412,17 @@ fn errors_grow_with_the_bounces_on_the_papers_points_and_not_on_twice_the_number
 }
 
 #[test]
-fn every_short_chain_of_the_growth_is_the_chain_itself() {
+fn every_short_chain_of_the_bounces_is_the_chain_itself() {
     let (measured, seen) = (on_band("FL2", BAND), observer());
     let model = fitted(&measured, Basis::Cosine, 11);
     let surface = factor("colorchecker_ohta/red");
     let half = 0.5 * BAND.inner(&measured, &seen[1]);
-    for way in growth(product(&measured, &model, Sampling::Exact, &seen), &surface) {
+    for way in bounce_errors(product(&measured, &model, Sampling::Exact, &seen), &surface) {
         for count in [1, 4, 5] {
             let ask = product(&measured, &model, way.sampling, &seen);
             let passage = ask.through(&vec![surface.clone(); count]);
             let total = passage.total().colours;
-            // The growth brightens both sides; the luminance's ratio tells that it is the same.
+            // The errors behind bounces brighten both sides; the luminance's ratio tells that it is the same.
             assert!(total.exact.y < half);
             let white = passage.white;
             let gain = half / total.exact.y;

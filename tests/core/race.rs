@@ -5,11 +5,12 @@ use std::sync::{Arc, LazyLock};
 use spectral_explorer::{
     app::{
         Document, Entry,
+        chart::{Marks, Theme},
         charts::race::{SMALLEST_ERROR, error_chart, table_chart},
         library::Library,
+        memo::ByAddress,
         pages::RACE_BUDGETS,
-        plot_svg::{Marks, Theme},
-        studies::{Field, RaceAsk, Same},
+        studies::{Field, RaceAsk},
     },
     rivals::{Family, PrincipalBasis},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
@@ -286,7 +287,7 @@ fn blackbodies_alone_are_as_smooth_as_the_larger_collection() {
             samples: Sampled::even(360.0, 1.0, values).expect("a table"),
             ..entry("CIE A").spectrum.clone()
         };
-        Same(Arc::new(Entry::own(1, spectrum)))
+        ByAddress(Arc::new(Entry::own(1, spectrum)))
     };
     let ask = ask(Field::These(temperatures().map(of).collect()), &[11, 20]);
     let race = ask.answer(&Progress::default()).expect("they shine");

@@ -1,97 +1,103 @@
-//! The README tells the truth: its commands, its map.
+//! The README is a short front door, and what it shows is there: commands, pictures, places, data.
 
 use std::{collections::BTreeSet, fs};
 
-use crate::root::root;
+use crate::{
+    docs::{document, quoted, rows},
+    root::root,
+};
+use spectral_explorer::app::{library::Library, pages::Page};
+
+/// Most lines of a front door.
+const MOST_LINES: usize = 200;
 
 fn readme() -> String {
-    fs::read_to_string(root().join("README.md")).expect("a README")
+    document("README.md")
+}
+
+/// The names of the files in a folder of the project.
+fn files_in(folder: &str) -> BTreeSet<String> {
+    fs::read_dir(root().join(folder))
+        .expect(folder)
+        .map(|entry| entry.expect("an entry").file_name())
+        .map(|name| name.to_string_lossy().into_owned())
+        .collect()
 }
 
 #[test]
-fn the_two_commands_and_the_picture_are_there() {
+fn it_is_short_and_has_the_two_commands() {
     let readme = readme();
-    for words in [
-        "cargo run --release",
-        "cargo test",
-        "tests/pictures/readme.png",
-    ] {
-        assert!(readme.contains(words), "{words}");
+    let lines = readme.lines().count();
+    assert!(lines <= MOST_LINES, "{lines} lines: the rest goes to docs/");
+    for words in ["cargo run --release", "cargo test"] {
+        let is_command = |line: &str| line.starts_with(words);
+        assert!(readme.lines().any(is_command), "{words}");
     }
 }
 
 #[test]
-fn the_map_names_every_folder_of_src_and_every_preset_file_has_its_row() {
+fn it_shows_every_picture_and_tells_the_command_that_draws_it() {
     let readme = readme();
-    let mut folders = vec![root().join("src")];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("a folder of src") {
-            let entry = entry.expect("an entry");
-            let name = entry.file_name().to_string_lossy().into_owned();
-            let is_module = name != "mod.rs" && name.ends_with(".rs");
-            if entry.path().is_dir() && name != "fonts" {
-                assert!(
-                    readme.contains(&format!("{name}/")),
-                    "{name}/ is not on the map"
-                );
-                folders.push(entry.path());
-            } else if is_module && entry.path().ends_with(format!("src/cli/{name}")) {
-                let word = name.trim_end_matches(".rs");
-                assert!(
-                    readme.contains(word),
-                    "the command {word} is not on the map"
-                );
-            }
-        }
-    }
-    let table: BTreeSet<&str> = readme
-        .lines()
-        .filter(|line| line.starts_with("| `"))
-        .flat_map(|line| line.split('|').nth(1).unwrap_or_default().split('`'))
+    let shown: BTreeSet<String> = readme
+        .split("](tests/pictures/")
+        .skip(1)
+        .filter_map(|rest| rest.split_once(')'))
+        .map(|(name, _)| name.to_owned())
         .collect();
-    for entry in fs::read_dir(root().join("presets")).expect("presets") {
-        let name = entry.expect("an entry").file_name();
-        let name = name.to_string_lossy();
-        let Some(group) = name.strip_suffix(".json") else {
+    assert_eq!(shown, files_in("tests/pictures"));
+    assert_eq!(shown.len(), 3);
+    for name in shown {
+        let end = format!(" --out tests/pictures/{name}");
+        let draws =
+            |line: &str| line.starts_with("spectral-explorer render ") && line.ends_with(&end);
+        assert!(readme.lines().any(draws), "no command draws {name}");
+    }
+}
+
+#[test]
+fn it_names_every_page_of_the_window_and_every_document() {
+    let readme = readme();
+    for page in Page::ALL {
+        let start = format!("- **{}**: ", page.title());
+        let is_its = |line: &str| line.starts_with(&start);
+        assert!(readme.lines().any(is_its), "{} is missing", page.title());
+    }
+    for name in files_in("docs") {
+        assert!(
+            readme.contains(&format!("(docs/{name})")),
+            "docs/{name} is missing"
+        );
+    }
+}
+
+#[test]
+fn the_shipped_spectra_are_counted_right() {
+    let presets = Library::bundled().presets();
+    let count = presets.filter(|p| p.line_list().is_none()).count();
+    for path in ["README.md", "docs/window.md"] {
+        let words = format!("{count} shipped spectra");
+        assert!(document(path).contains(&words), "{path}: not {words}");
+    }
+}
+
+#[test]
+fn every_preset_file_has_its_row_in_the_table_of_data() {
+    let readme = readme();
+    let rows = rows(&readme);
+    let named: Vec<&str> = rows.iter().flat_map(|row| quoted(row[0])).collect();
+    for file in files_in("presets") {
+        let Some(group) = file.strip_suffix(".json") else {
             continue;
         };
-        let named = table.iter().any(|pattern| {
+        let is_its = |pattern: &&str| {
             *pattern == group
                 || pattern
                     .strip_suffix('*')
                     .is_some_and(|start| !start.is_empty() && group.starts_with(start))
-        });
-        assert!(named, "{group} has no row in the table of data");
+        };
+        assert!(
+            named.iter().any(is_its),
+            "{group} has no row in the table of data"
+        );
     }
-}
-
-/// The commands that run tests, in backticks or as a line of a script.
-fn test_commands(text: &str) -> impl Iterator<Item = &str> {
-    text.split(['`', '\n'])
-        .map(str::trim)
-        .filter(|command| command.starts_with("cargo test"))
-}
-
-#[test]
-fn every_test_that_is_named_by_a_command_is_there() {
-    let mut named = 0;
-    for file in ["README.md", "fuzz/README.md", ".ci/run"] {
-        let text = fs::read_to_string(root().join(file)).expect(file);
-        for command in test_commands(&text) {
-            let words: Vec<&str> = command.split([' ', '#']).collect();
-            let programs = words.windows(2).filter(|pair| pair[0] == "--test");
-            for program in programs.map(|pair| pair[1]) {
-                named += 1;
-                let folder = root().join("tests").join(program);
-                let is_there =
-                    folder.join("main.rs").is_file() || folder.with_extension("rs").is_file();
-                assert!(is_there, "{file}: no {program}: {command}");
-                for subject in words.iter().filter_map(|word| word.strip_suffix("::")) {
-                    let subject = folder.join(subject).with_extension("rs");
-                    assert!(subject.is_file(), "{file}: {subject:?}: {command}");
-                }
-            }
-        }
-    }
-    assert!(named > 15, "only {named} commands were found");
 }

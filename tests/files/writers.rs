@@ -7,8 +7,8 @@ use crate::root::root;
 use spectral_explorer::{
     app::{
         App, Command,
+        chart::Theme,
         export::{Export, composite_file},
-        plot_svg::Theme,
         scale::Scale,
     },
     io::{

@@ -1,6 +1,7 @@
 //! Charts in the window, driven without a display: what is pointed at, clicked, zoomed and saved.
 
 use std::{
+    collections::BTreeSet,
     fs,
     path::PathBuf,
     sync::{Arc, Mutex},
@@ -13,7 +14,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use spectral_explorer::{
     app::{
         App,
-        plot_svg::{Cells, Chart, Dash, Marks, Panel, Scale, Series, Shape, Theme},
+        chart::{Cells, Chart, Dash, Marks, Panel, Scale, Series, Shape, Theme},
         workspace::Preferences,
     },
     ui::{
@@ -440,5 +441,74 @@ fn every_kind_of_chart_is_drawn_with_a_name_whatever_its_numbers() {
         assert!(broken.is_empty(), "{broken:?}");
         ui.remove_cursor();
         ui.run();
+    }
+}
+
+/// The words of a window that shows nothing but a chart, and the range of its main panel.
+fn written_in_the_window(chart: &Chart) -> (BTreeSet<String>, [[f64; 2]; 2]) {
+    fn texts(shape: &egui::Shape, into: &mut BTreeSet<String>) {
+        match shape {
+            egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| texts(shape, into)),
+            egui::Shape::Text(text) => drop(into.insert(text.galley.text().to_owned())),
+            _ => {}
+        }
+    }
+    let (mut words, mut shown) = (BTreeSet::new(), [[0.0; 2]; 2]);
+    let mut context_ready = false;
+    let ui = Harness::builder()
+        .with_size([1300.0, 1000.0])
+        .build_ui(|ui| {
+            if !std::mem::replace(&mut context_ready, true) {
+                theme::install_fonts(ui.ctx());
+                return;
+            }
+            let looks = theme::Theme::of(&Preferences::default());
+            let size = ui.available_size();
+            let response = ChartView::show(ui, chart, "alone", size, looks);
+            let bounds = response.transform.bounds();
+            let [low, high] = [bounds.min(), bounds.max()];
+            shown = [0, 1].map(|k| [low[k], high[k]]);
+        });
+    for clipped in &ui.output().shapes {
+        texts(&clipped.shape, &mut words);
+    }
+    drop(ui);
+    words.retain(|text| text != "⋯");
+    (words, shown)
+}
+
+#[test]
+fn the_window_and_the_file_show_the_same_series_ranges_ticks_and_labels() {
+    let mut spikes = curves();
+    spikes.series.push(Series::new(
+        "spikes",
+        [200, 30, 20],
+        Marks::Stems {
+            points: vec![[5.0, 3.0], [12.0, 2.0]],
+            base: vec![0.0, 1.0],
+            labels: vec!["Hg 435.8".into(), "Na".into()],
+        },
+    ));
+    for chart in [curves(), spikes, map(), bars()] {
+        // Higher than the window by its title, notes and margins, so that panels are of a size.
+        let svg = chart.to_svg(1300, 1040);
+        let document = roxmltree::Document::parse(&svg).expect("an SVG document");
+        let texts = document.descendants().filter(|n| n.has_tag_name("text"));
+        let mut file: BTreeSet<String> =
+            texts.filter_map(|n| n.text().map(str::to_owned)).collect();
+        // The window has the notes where the title is pointed at.
+        file.retain(|text| !chart.notes.contains(text));
+        let (window, shown) = written_in_the_window(&chart);
+        assert_eq!(window, file, "{}", chart.title);
+        assert!(window.len() > 5, "{window:?}");
+        let log = |range: [f64; 2], scale| match scale {
+            Scale::Linear => range,
+            Scale::Log10 => range.map(f64::log10),
+        };
+        let own = [
+            log(chart.x_limits(), chart.x_scale),
+            log(chart.y_limits(), chart.y_scale),
+        ];
+        assert_eq!(shown, own, "{}", chart.title);
     }
 }

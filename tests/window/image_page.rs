@@ -17,10 +17,11 @@ use spectral_explorer::{
     app::{
         App, Command,
         library::Library,
+        memo::ByAddress,
         open::{self, Loaded},
         pages::Page,
         picture::{
-            self, Eye, Held, ImageMemory, MOST_SIDE, RasterAsk, Show, Source, developed, step_of,
+            self, BandWeights, ImageMemory, MOST_SIDE, RasterAsk, Show, Source, exposed, step_of,
         },
         state::Tone,
         workspace::{self, Preferences, StoredImage},
@@ -81,7 +82,7 @@ fn d65() -> &'static NamedSpectrum {
 
 fn raster(image: &Arc<SpectralImage>, source: Source) -> picture::Raster {
     let ask = RasterAsk {
-        image: Held(image.clone()),
+        image: ByAddress(image.clone()),
         source,
         most_side: MOST_SIDE,
     };
@@ -90,8 +91,8 @@ fn raster(image: &Arc<SpectralImage>, source: Source) -> picture::Raster {
 
 fn true_colour(image: &Arc<SpectralImage>) -> picture::Raster {
     let under = image.kind.is_factor().then(d65);
-    let eye = Eye::of(image, Observer::Cie1931, under, false).expect("D65 shines");
-    raster(image, Source::Eye(Box::new(eye)))
+    let weights = BandWeights::of(image, Observer::Cie1931, under, false).expect("D65 shines");
+    raster(image, Source::TrueColour(Box::new(weights)))
 }
 
 // ---------------------------------------------------------------------------------------- colours
@@ -136,7 +137,7 @@ fn pixels_that_were_not_measured_are_chequered_and_gaps_are_bridged() {
         (2, _) => f32::INFINITY,
         (_, band) => 0.1 * (1 + band) as f32,
     });
-    let shown = developed(&true_colour(&image), 0.0);
+    let shown = exposed(&true_colour(&image), 0.0);
     assert_eq!(shown.not_measured, 1);
     assert_eq!(shown.pixels[2], picture::NOT_MEASURED[0]);
     assert_eq!(shown.pixels[1], shown.pixels[0]);
@@ -152,14 +153,14 @@ fn at_exposure_0_hardly_a_pixel_is_cut_and_a_stop_doubles_the_light() {
         (x + 1) as f32 * if band > 4 { 0.005 } else { 0.0005 }
     });
     let raster = true_colour(&image);
-    let shown = developed(&raster, 0.0);
+    let shown = exposed(&raster, 0.0);
     assert!(shown.too_bright + shown.outside_gamut >= 10);
     assert!(
         shown.too_bright <= 200 * 10 / 80,
         "{} pixels brighter than white",
         shown.too_bright
     );
-    let darker = developed(&raster, -1.0);
+    let darker = exposed(&raster, -1.0);
     assert_eq!(darker.too_bright, 0);
     // Half the light of the pixel with twice as much.
     assert_eq!(
@@ -198,9 +199,12 @@ fn a_dark_light_and_an_image_beyond_the_visible_have_no_eye_to_see_them() {
         samples: d65().samples.scaled(0.0),
         ..d65().clone()
     };
-    assert_eq!(Eye::of(&image, Observer::Cie1931, Some(&dark), false), None);
+    assert_eq!(
+        BandWeights::of(&image, Observer::Cie1931, Some(&dark), false),
+        None
+    );
     let black = self::image(Kind::Light, [2, 2], |_, _, _| 0.0);
-    let shown = developed(&true_colour(&black), 3.0);
+    let shown = exposed(&true_colour(&black), 3.0);
     assert_eq!(shown.pixels, [[0; 3]; 4]);
 }
 
@@ -212,7 +216,7 @@ fn a_picture_of_512_x_512_x_31_numbers_takes_far_less_than_half_a_second() {
     let start = Instant::now();
     let raster = true_colour(&image);
     let drawn = start.elapsed();
-    let shown = developed(&raster, 0.5);
+    let shown = exposed(&raster, 0.5);
     let all = start.elapsed();
     println!("picture {drawn:?}, with exposure {all:?}");
     assert_eq!(shown.pixels.len(), 512 * 512);

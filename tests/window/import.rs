@@ -418,7 +418,7 @@ fn an_image_is_asked_about_and_keeps_its_answers_over_a_restart() {
     click(&mut ui, "Keep");
     let text = workspace::to_json(app(&ui).document(), None).expect("written");
     let stored = workspace::from_json(&text).expect("read").images;
-    let back = picture::back::read_again(&stored[0]).expect("the image again");
+    let back = picture::reload::read_again(&stored[0]).expect("the image again");
     assert_eq!(
         (back.image.kind, back.image.scale),
         (Kind::Transmittance, 1.0)

@@ -9,13 +9,13 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command,
+        chart::Theme,
         charts::{
             coefficients::{CoefficientCharts, Sight},
             truth::{neglected_chart, samples_chart, table_2_chart},
         },
         open::resolve,
         pages::Page,
-        plot_svg::Theme,
         studies::paper::{Claims, Verdict, harmonics_of, truth_csv, truth_table},
         workspace::Preferences,
     },

@@ -14,12 +14,12 @@ use egui_kittest::{Node, kittest::NodeT as _};
 use spectral_explorer::{
     app::{
         App, Command, Settings,
+        chart::Theme,
         charts::{
             auction::{AuctionChart, goal_within},
             tradeoff::{self, Tradeoff, front, lack, needs, take, take_cell},
         },
         pages::{Page, PageMemory, WaysShown},
-        plot_svg::Theme,
         studies::{self, AuctionAsk, SweepAsk},
         workspace::Preferences,
     },

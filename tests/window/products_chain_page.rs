@@ -9,10 +9,10 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command,
+        chart::Theme,
         charts::products::absorption::{absorption_chart, dip_rows},
         open::resolve,
         pages::Page,
-        plot_svg::Theme,
         products::{Link, Part, Products},
         workspace::Preferences,
     },

@@ -9,21 +9,21 @@ use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
         App, Command,
+        chart::{Chart, Theme},
         charts::products::{
             bounces::Bounced,
-            forming::Bench,
             narrow::{Behind, Filter, WAYS, of},
+            resampling::Bench,
         },
         open::resolve,
         pages::{Page, PageMemory},
-        plot_svg::{Chart, Theme},
         products::{Part, Products, ProductsMemory},
         workspace::Preferences,
     },
     spectrum::{Band, Basis, Sampling},
     ui::{
         Window,
-        pages::products_view::{bounces, forming, narrow},
+        pages::products_view::{bounces, narrow, resampling},
         picture::window_image,
     },
 };
@@ -121,7 +121,7 @@ fn only_enough_points_add_nothing_to_a_product() {
     let app = about("FL11");
     let bench = Bench::of(&app, &surface(&app));
     let added = |sampling| {
-        let way = bench.forming.ways.iter().find(|w| w.sampling == sampling);
+        let way = bench.resampled.ways.iter().find(|w| w.sampling == sampling);
         way.and_then(|way| way.step.added).expect("a colour")
     };
     assert!(added(Sampling::Paper) > 0.1);
@@ -195,20 +195,20 @@ const LARGE: [f32; 2] = [1920.0, 1080.0];
 #[test]
 fn the_parts_open_on_whatever_there_is_in_small_and_large_windows() {
     for (_, app) in all_sorts() {
-        for part in [Part::Forming, Part::Bounces, Part::Narrow] {
+        for part in [Part::Resampling, Part::Bounces, Part::Narrow] {
             for size in [[1280.0, 800.0], [900.0, 500.0]] {
                 open(app.clone(), part, size);
             }
         }
     }
-    for part in [Part::Forming, Part::Bounces, Part::Narrow] {
+    for part in [Part::Resampling, Part::Bounces, Part::Narrow] {
         open(about("FL11"), part, LARGE);
     }
 }
 
 #[test]
 fn a_click_on_a_way_forms_all_products_so_and_undo_takes_it_back() {
-    for part in [Part::Forming, Part::Bounces] {
+    for part in [Part::Resampling, Part::Bounces] {
         let mut ui = open(about("FL11"), part, LARGE);
         let row = |label: &str| label.starts_with("3N+1 points: ");
         ui.get_by_role_and_label(Role::Button, &label_of(&ui, row))
@@ -232,10 +232,10 @@ fn label_of(ui: &Ui, wanted: impl Fn(&str) -> bool) -> String {
 
 #[test]
 fn a_way_that_is_not_wanted_leaves_the_chart_and_comes_back() {
-    let mut ui = open(about("FL11"), Part::Forming, LARGE);
+    let mut ui = open(about("FL11"), Part::Resampling, LARGE);
     let hidden = |ui: &Ui| {
         let pages = &ui.state().0.preferences.pages;
-        pages.products.forming.hidden.clone()
+        pages.products.resampling.hidden.clone()
     };
     for expected in [vec![Sampling::Convolution], vec![]] {
         ui.get_by_role_and_label(Role::CheckBox, "cut convolution")
@@ -247,7 +247,7 @@ fn a_way_that_is_not_wanted_leaves_the_chart_and_comes_back() {
 
 #[test]
 fn times_are_measured_in_the_window_and_again_when_asked_and_never_for_a_picture() {
-    let mut ui = window(about("FL11"), Part::Forming, LARGE, false);
+    let mut ui = window(about("FL11"), Part::Resampling, LARGE, false);
     settled(&mut ui);
     let turn = |ui: &Ui| {
         let (ask, times) = ui.state().0.studies.timing.answer().expect("measured");
@@ -255,21 +255,25 @@ fn times_are_measured_in_the_window_and_again_when_asked_and_never_for_a_picture
         ask.turn
     };
     let first = turn(&ui);
-    ui.get_by_label(forming::names::AGAIN).click();
+    ui.get_by_label(resampling::names::AGAIN).click();
     ui.run_steps(2);
     settled(&mut ui);
     assert_eq!(turn(&ui), first + 1);
-    let ui = open(about("FL11"), Part::Forming, LARGE);
+    let ui = open(about("FL11"), Part::Resampling, LARGE);
     assert!(ui.state().0.studies.timing.answer().is_none());
-    let picture = || window_image(&about("FL11"), &preferences(Part::Forming), [1280, 800]);
+    let picture = || window_image(&about("FL11"), &preferences(Part::Resampling), [1280, 800]);
     assert!(picture() == picture());
 }
 
 #[test]
 fn every_table_is_copied() {
     for (part, button, head) in [
-        (Part::Forming, forming::names::COPY, "way,points,"),
-        (Part::Forming, forming::names::COPY_SPIKES, "at_nm,weight,"),
+        (Part::Resampling, resampling::names::COPY, "way,points,"),
+        (
+            Part::Resampling,
+            resampling::names::COPY_SPIKES,
+            "at_nm,weight,",
+        ),
         (Part::Bounces, bounces::names::COPY, "way,bounces,"),
         (Part::Narrow, narrow::names::COPY, "filter,luminance_share,"),
     ] {

@@ -11,30 +11,32 @@ use serde_json::Value;
 use spectral_explorer::{
     app::{
         App, Command, Settings,
+        chart::{Chart, Theme},
         charts::products::{
-            check::check_chart,
-            lights::{lights_chart, made_chart},
+            same_surface::same_surface_chart,
+            two_lights::{made_chart, two_lights_chart},
         },
+        command::MadeFor,
+        memo::ByAddress,
         open::resolve,
         pages::Page,
-        plot_svg::{Chart, Theme},
         products::{
             Part, Products,
-            same_surface::{CheckSheet, example, take_as_outgoing},
-            two_lights::{LightsSheet, Made, NoMetamer},
+            same_surface::{SameSurfaceSheet, example},
+            two_lights::{Made, NoMetamer, TwoLightsSheet},
         },
-        studies::{PairsAsk, Same},
+        studies::PairsAsk,
         workspace::Preferences,
     },
     cli::{self, Outcome},
     spectrum::{Band, Basis},
     study::{
         Progress,
-        products::{Sameness, check::SAME_RESIDUAL},
+        products::{Sameness, same_surface::SAME_RESIDUAL},
     },
     ui::{
         Window,
-        pages::products_view::{check, lights},
+        pages::products_view::{same_surface, two_lights},
     },
 };
 
@@ -51,8 +53,9 @@ fn entry(key: &str) -> Arc<spectral_explorer::app::Entry> {
 
 /// A light off a surface taken as the outgoing spectrum of the check.
 fn with_example(mut app: App, surface: &str, twice: bool) -> App {
-    let made = example(&app, &entry(surface), twice).expect("a spectrum");
-    app.apply(take_as_outgoing(&app, made));
+    let recipe = example(&app, &entry(surface), twice);
+    let place = MadeFor::Outgoing;
+    app.apply(Command::Make { recipe, place });
     app
 }
 
@@ -86,7 +89,7 @@ fn models_of_two_lights_tell_the_shift_of_colour_and_more_numbers_tell_it_better
     let mut before = f64::INFINITY;
     for order in [4, 7, 15] {
         let app = with(about("FL2"), |s| s.order = order);
-        let sheet = LightsSheet::of(&app).expect("two lights");
+        let sheet = TwoLightsSheet::of(&app).expect("two lights");
         let (mean, _, most) = sheet.shift_error().expect("colours");
         let exact = sheet
             .exact
@@ -107,7 +110,7 @@ fn a_model_of_a_light_like_itself_shows_the_patches_as_the_light_does() {
     let app = choosing(about("CIE E"), |p| {
         p.other_light = Some(entry("cie_illuminants/CIE E"));
     });
-    let sheet = LightsSheet::of(&app).expect("two lights");
+    let sheet = TwoLightsSheet::of(&app).expect("two lights");
     let (exact, model) = (sheet.exact.expect("colour"), sheet.model.expect("colour"));
     for (e, m) in exact.patches.iter().zip(&model.patches) {
         for (e, m) in e.xyz[0].to_array().into_iter().zip(m.xyz[0].to_array()) {
@@ -121,7 +124,7 @@ fn a_model_of_a_light_like_itself_shows_the_patches_as_the_light_does() {
 #[test]
 fn a_metamer_made_matches_under_the_first_light_and_parts_with_the_room_that_it_takes() {
     let app = about("FL2");
-    let sheet = LightsSheet::of(&app).expect("two lights");
+    let sheet = TwoLightsSheet::of(&app).expect("two lights");
     let parted = |percent: i32| {
         let made = Made::of(&sheet, 12, percent).expect("room");
         // Orthogonal to rounding; CIEDE2000 takes cube roots of that.
@@ -142,7 +145,7 @@ fn a_metamer_made_matches_under_the_first_light_and_parts_with_the_room_that_it_
     );
     assert_eq!(Made::of(&sheet, 99, 60), Err(NoMetamer::NoPatch));
     let infrared = with(app, |s| s.band = Band::new(900.0, 1000.0).unwrap());
-    let sheet = LightsSheet::of(&infrared).expect("two lights");
+    let sheet = TwoLightsSheet::of(&infrared).expect("two lights");
     assert_eq!(Made::of(&sheet, 0, 60), Err(NoMetamer::Unseen));
 }
 
@@ -150,7 +153,8 @@ fn a_metamer_made_matches_under_the_first_light_and_parts_with_the_room_that_it_
 fn all_shipped_reflectances_have_pairs_that_one_light_joins_and_another_parts() {
     let start = Instant::now();
     let ask = PairsAsk {
-        lights: ["FL11", "CIE D65"].map(|key| Same(Arc::new(resolve(key, None, None).unwrap()))),
+        lights: ["FL11", "CIE D65"]
+            .map(|key| ByAddress(Arc::new(resolve(key, None, None).unwrap()))),
         band: Band::VISIBLE,
         observer: Settings::default().observer,
         group: None,
@@ -173,13 +177,13 @@ fn all_shipped_reflectances_have_pairs_that_one_light_joins_and_another_parts() 
 fn light_off_a_surface_is_known_again_and_light_off_it_twice_is_not() {
     let red = "colorchecker_ohta/red";
     let once = with_example(about("FL2"), red, false);
-    let sheet = CheckSheet::of(&once).expect("three spectra");
+    let sheet = SameSurfaceSheet::of(&once).expect("three spectra");
     assert_eq!(sheet.verdict(), Sameness::Holds);
     let measured = sheet.measured.as_ref().expect("light").reflection;
     // The very product at every nm, a blur of both, and a factor of 1.
     assert!(measured.residual < 1e-9 && (measured.factor - 1.0).abs() < 1e-9);
     let twice = with_example(about("FL2"), red, true);
-    let sheet = CheckSheet::of(&twice).expect("three spectra");
+    let sheet = SameSurfaceSheet::of(&twice).expect("three spectra");
     assert_eq!(sheet.verdict(), Sameness::DoesNotHold);
     assert_eq!(sheet.measured_verdict(), Sameness::DoesNotHold);
     // Both curves are handed out as they were compared.
@@ -198,12 +202,12 @@ fn light_off_a_surface_is_known_again_and_light_off_it_twice_is_not() {
 fn a_model_that_leaves_out_much_itself_is_too_short_to_tell() {
     // Seven orders leave a sixth of FL11's phosphor lines out, even behind a blur.
     let app = with_example(about("FL11"), "colorchecker_ohta/red", false);
-    let sheet = CheckSheet::of(&app).expect("three spectra");
+    let sheet = SameSurfaceSheet::of(&app).expect("three spectra");
     assert_eq!(sheet.verdict(), Sameness::Unknown);
     assert_eq!(sheet.measured_verdict(), Sameness::Holds);
     assert!(sheet.left_out[0] > SAME_RESIDUAL);
     for order in [15, 20, 30, 40] {
-        let sheet = CheckSheet::of(&with(app.clone(), |s| s.order = order)).expect("spectra");
+        let sheet = SameSurfaceSheet::of(&with(app.clone(), |s| s.order = order)).expect("spectra");
         let found = sheet.model.as_ref().expect("light").reflection;
         println!("FL11 off red, N = {order}: {found:?} {:?}", sheet.left_out);
         // The right surface is never called wrong.
@@ -211,7 +215,7 @@ fn a_model_that_leaves_out_much_itself_is_too_short_to_tell() {
     }
     // What is far off is told all the same.
     let wrong = choosing(app, |p| p.surface = Some(entry("colorchecker_ohta/cyan")));
-    let sheet = CheckSheet::of(&wrong).expect("three spectra");
+    let sheet = SameSurfaceSheet::of(&wrong).expect("three spectra");
     assert_eq!(sheet.verdict(), Sameness::DoesNotHold);
 }
 
@@ -222,7 +226,7 @@ fn the_surface_that_was_lit_is_found_again_among_all_shipped_ones() {
         ("CIE D65", "colorchecker_ohta/foliage"),
     ] {
         let app = with_example(about(light), key, false);
-        let sheet = CheckSheet::of(&app).expect("three spectra");
+        let sheet = SameSurfaceSheet::of(&app).expect("three spectra");
         let ask = sheet
             .ranking(app.document(), true)
             .expect("an outgoing spectrum");
@@ -261,11 +265,11 @@ fn a_change_of_the_document_costs_little() {
     let (mut sheet, mut check) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..9 {
         let start = Instant::now();
-        let found = LightsSheet::of(&app).expect("two lights");
+        let found = TwoLightsSheet::of(&app).expect("two lights");
         let made = Made::of(&found, 3, 100).is_ok();
         sheet = sheet.min(start.elapsed().as_secs_f64());
         let start = Instant::now();
-        assert!(made && CheckSheet::of(&app).is_some());
+        assert!(made && SameSurfaceSheet::of(&app).is_some());
         check = check.min(start.elapsed().as_secs_f64());
     }
     println!(
@@ -285,19 +289,25 @@ fn charts_hold_no_number_that_is_none() {
                 assert!(!text.contains("NaN"), "{what}: {}", chart.title);
             }
         };
-        if let Some(sheet) = LightsSheet::of(&app) {
-            sound(&lights_chart(&app, &sheet, Theme::Dark));
+        if let Some(sheet) = TwoLightsSheet::of(&app) {
+            sound(&two_lights_chart(&app, &sheet, Theme::Dark));
             assert!(!sheet.csv().contains("NaN"), "{what}");
             if let Ok(made) = Made::of(&sheet, 3, 100) {
                 sound(&made_chart(&app, &sheet, &made, Theme::Light));
             }
         }
         let app = with_example(app, "colorchecker_ohta/red", false);
-        let Some(sheet) = CheckSheet::of(&app) else {
+        let Some(sheet) = SameSurfaceSheet::of(&app) else {
             continue;
         };
         for compared in [&sheet.model, &sheet.measured].into_iter().flatten() {
-            sound(&check_chart(&app, &sheet, compared, "check", Theme::Dark));
+            sound(&same_surface_chart(
+                &app,
+                &sheet,
+                compared,
+                "check",
+                Theme::Dark,
+            ));
         }
     }
 }
@@ -332,12 +342,12 @@ fn settle(ui: &mut Ui) {
 fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
     for (_, app) in all_sorts() {
         for size in [[1280.0, 800.0], [1920.0, 1080.0], [900.0, 500.0]] {
-            open(app.clone(), Part::Lights, size);
-            open(app.clone(), Part::Check, size);
+            open(app.clone(), Part::TwoLights, size);
+            open(app.clone(), Part::SameSurface, size);
         }
         open(
             with_example(app, "colorchecker_ohta/red", false),
-            Part::Check,
+            Part::SameSurface,
             [1280.0, 800.0],
         );
     }
@@ -345,7 +355,7 @@ fn both_parts_open_on_whatever_there_is_in_small_and_large_windows() {
 
 #[test]
 fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
-    let mut ui = open(about("FL2"), Part::Lights, [1920.0, 1080.0]);
+    let mut ui = open(about("FL2"), Part::TwoLights, [1920.0, 1080.0]);
     let fields = ui.query_all_by_label_contains(": shift ").count();
     assert_eq!(fields, 24);
     ui.query_all_by_label_contains("moderate red: shift ")
@@ -353,9 +363,9 @@ fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
         .expect("a field")
         .click();
     ui.run_steps(4);
-    assert_eq!(ui.state().0.preferences.pages.products.lights.patch, 8);
-    ui.get_by_role_and_label(Role::Slider, lights::names::ROOM);
-    ui.get_by_label(lights::names::KEEP).click();
+    assert_eq!(ui.state().0.preferences.pages.products.two_lights.patch, 8);
+    ui.get_by_role_and_label(Role::Slider, two_lights::names::ROOM);
+    ui.get_by_label(two_lights::names::KEEP).click();
     ui.run_steps(4);
     let document = ui.state().0.app.document();
     let kept = document.own.last().expect("kept");
@@ -363,12 +373,12 @@ fn a_click_on_a_patch_makes_its_metamer_which_can_be_kept() {
     assert!(kept.kind().is_factor());
     // The part is still about the light.
     settle(&mut ui);
-    ui.get_by_label(lights::names::KEEP);
+    ui.get_by_label(two_lights::names::KEEP);
 }
 
 #[test]
 fn found_pairs_are_listed_and_a_click_draws_one() {
-    let mut ui = open(about("FL11"), Part::Lights, [1920.0, 1080.0]);
+    let mut ui = open(about("FL11"), Part::TwoLights, [1920.0, 1080.0]);
     ui.get_by_label_contains("metamerism index");
     let rows: Vec<_> = ui
         .query_all_by_label_contains("Pair: ")
@@ -380,20 +390,20 @@ fn found_pairs_are_listed_and_a_click_draws_one() {
         .expect("a row")
         .click();
     ui.run_steps(4);
-    assert_eq!(ui.state().0.preferences.pages.products.lights.pair, 2);
+    assert_eq!(ui.state().0.preferences.pages.products.two_lights.pair, 2);
 }
 
 #[test]
 fn a_teacher_makes_an_example_and_reads_the_verdict() {
-    let mut ui = open(about("FL2"), Part::Check, [1920.0, 1080.0]);
+    let mut ui = open(about("FL2"), Part::SameSurface, [1920.0, 1080.0]);
     ui.get_by_label_contains("There is no outgoing spectrum S3 yet");
-    ui.get_by_label(check::names::MAKE).click();
+    ui.get_by_label(same_surface::names::MAKE).click();
     ui.run_steps(4);
     settle(&mut ui);
     ui.get_by_label("✔ S3 = S1 S2 holds");
-    ui.get_by_label(check::names::TWICE).click();
+    ui.get_by_label(same_surface::names::TWICE).click();
     ui.run_steps(4);
-    ui.get_by_label(check::names::MAKE).click();
+    ui.get_by_label(same_surface::names::MAKE).click();
     ui.run_steps(4);
     settle(&mut ui);
     ui.get_by_label("✘ S3 = S1 S2 does not hold");

@@ -17,9 +17,8 @@ use egui_kittest::{
 use egui_plot::{PlotPoint, PlotTransform};
 use spectral_explorer::{
     app::{
-        App, Command, Scale, Settings, Subject, View, chart,
+        App, Command, Scale, Settings, Subject, View, chart, charts,
         export::Export,
-        plot_svg,
         state::Tone,
         workspace::{self, CurveQuantity, Preferences},
     },
@@ -239,7 +238,7 @@ fn the_exported_plot_ends_where_the_table_does() {
             band: Band::new(low, high).expect("a range"),
             ..settings
         }));
-        chart::spectrum_chart(app, plot_svg::Theme::Dark)
+        charts::spectrum::spectrum_chart(app, chart::Theme::Dark)
     };
     let wide = chart_on(&mut app, 300.0, 1400.0);
     let measured = wide.series.iter().find(|s| s.name == "measured");
@@ -664,6 +663,38 @@ fn the_spike_table_edits_locks_and_deletes() {
     assert!(hand_spike(&ui).is_some());
 }
 
+#[test]
+fn the_plot_in_a_file_shows_what_the_window_shows() {
+    let mut ui = fresh();
+    let view = app(&ui).document().view;
+    for key in ["cie_fluorescent_1nm/FL2", "colorchecker_ohta/red"] {
+        let overlay = app(&ui).entry(key).expect("shipped");
+        apply(&mut ui, Command::ToggleOverlay(overlay));
+    }
+    apply(&mut ui, Command::Patch(Some(4)));
+    for log_axis in [false, true] {
+        apply(&mut ui, Command::View(View { log_axis, ..view }));
+        ui.run();
+        let chart = charts::spectrum::spectrum_chart(app(&ui), chart::Theme::Dark);
+        let log = |y: f64| if log_axis { y.log10() } else { y };
+        let [[left, right], [low, high]] = [chart.x_limits(), chart.y_limits().map(log)];
+        let bounds = *transform(&ui).bounds();
+        assert_eq!((bounds.min(), bounds.max()), ([left, low], [right, high]));
+        let names: Vec<&str> = chart.legend_series().iter().map(|s| &*s.name).collect();
+        for name in [
+            "FL2",
+            "red",
+            "measured",
+            "smooth part",
+            "spikes",
+            "residual",
+        ] {
+            assert!(names.contains(&name), "{name} in {names:?}");
+        }
+        assert!(names.iter().any(|name| name.starts_with("through ")));
+    }
+}
+
 // ---------------------------------------------------------------------------------------- undo
 
 #[test]
@@ -906,7 +937,7 @@ fn everything_in_the_save_menu_is_written_where_the_picker_says() {
         };
         assert_eq!(ask, Some(expected));
         let text = fs::read_to_string(&path).expect("text");
-        let theme = spectral_explorer::app::plot_svg::Theme::Dark;
+        let theme = spectral_explorer::app::chart::Theme::Dark;
         assert_eq!(text, export.text(app(&ui), theme).expect("a text"));
         fs::remove_file(&path).expect("there");
     }

@@ -5,8 +5,8 @@ use crate::{
     app::{
         App,
         chart::Inks,
+        chart::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
         line_names::{ElementLine, LineName},
-        plot_svg::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
         spike_names::identified,
         studies::AuctionAsk,
     },

@@ -6,8 +6,9 @@
 
 use crate::{
     app::{
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        charts::spectrum::provenance,
         state::App,
         studies::paper::{CHANNELS, figure},
         ticks::extent,

@@ -2,30 +2,30 @@
 
 use crate::app::{
     chart::Inks,
+    chart::{Chart, Dash, Marks, Series, Theme},
     derived::Derived,
-    picture::{Probed, Spread},
-    plot_svg::{Chart, Dash, Marks, Series, Theme},
+    picture::{RegionSpectrum, Spread},
 };
 
 /// The chart of a chosen spectrum, as measured, in the image's unit.
-pub fn probe_chart(probed: &Probed, spread: Spread, theme: Theme) -> Chart {
+pub fn region_chart(region: &RegionSpectrum, spread: Spread, theme: Theme) -> Chart {
     let inks = Inks::of(theme);
-    let spectrum = &probed.spectrum;
-    let mean: Vec<[f64; 2]> = points(&probed.nm, spectrum.samples.values());
-    let is_region = probed.rect.pixels() > 1;
+    let spectrum = &region.spectrum;
+    let mean: Vec<[f64; 2]> = points(&region.nm, spectrum.samples.values());
+    let is_region = region.rect.pixels() > 1;
     let mut series = Vec::new();
     if is_region {
-        let (name, bounds) = bounds(probed, spread);
+        let (name, bounds) = bounds(region, spread);
         let area = Marks::Area {
-            points: points(&probed.nm, &bounds.iter().map(|b| b[1]).collect::<Vec<_>>()),
+            points: points(&region.nm, &bounds.iter().map(|b| b[1]).collect::<Vec<_>>()),
             base: bounds.iter().map(|b| b[0]).collect(),
         };
         series.push(Series::new(name, inks.smooth, area));
     }
     let name = if is_region { "mean" } else { "pixel" };
     series.push(Series::line(name, inks.measured, mean));
-    if let Some(derived) = &probed.derived {
-        let line = Series::line("model", inks.spikes, model(derived, probed));
+    if let Some(derived) = &region.derived {
+        let line = Series::line("model", inks.spikes, model(derived, region));
         series.push(line.dashed(Dash::Dashed));
     }
     let mut notes = Vec::new();
@@ -54,8 +54,8 @@ pub fn probe_chart(probed: &Probed, spread: Spread, theme: Theme) -> Chart {
 }
 
 /// The model where the image has bands: beyond them it is a guess.
-fn model(derived: &Derived, probed: &Probed) -> Vec<[f64; 2]> {
-    let samples = &probed.spectrum.samples;
+fn model(derived: &Derived, region: &RegionSpectrum) -> Vec<[f64; 2]> {
+    let samples = &region.spectrum.samples;
     let shown = samples.first_nm()..=samples.last_nm();
     let values = derived.model_values();
     let all = derived.band.grid().zip(values);
@@ -64,15 +64,15 @@ fn model(derived: &Derived, probed: &Probed) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn bounds(probed: &Probed, spread: Spread) -> (&'static str, Vec<[f64; 2]>) {
+fn bounds(region: &RegionSpectrum, spread: Spread) -> (&'static str, Vec<[f64; 2]>) {
     match spread {
         Spread::Deviation => {
-            let means = probed.spectrum.samples.values().iter();
-            let both = means.zip(&probed.deviation);
+            let means = region.spectrum.samples.values().iter();
+            let both = means.zip(&region.deviation);
             let bounds = both.map(|(mean, s)| [mean - s, mean + s]).collect();
             ("± 1 standard deviation", bounds)
         }
-        Spread::Extremes => ("smallest to largest", probed.extremes.clone()),
+        Spread::Extremes => ("smallest to largest", region.extremes.clone()),
     }
 }
 

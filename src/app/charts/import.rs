@@ -3,7 +3,7 @@
 use crate::{
     app::{
         chart::Inks,
-        plot_svg::{Chart, Dash, Series, Theme},
+        chart::{Chart, Dash, Series, Theme},
         ticks::{extent, short},
     },
     spectrum::NamedSpectrum,

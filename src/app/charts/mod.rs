@@ -6,5 +6,6 @@ pub mod image;
 pub mod import;
 pub mod products;
 pub mod race;
+pub mod spectrum;
 pub mod tradeoff;
 pub mod truth;

@@ -5,8 +5,8 @@ use crate::{
     app::{
         App, Command, Settings,
         chart::Inks,
+        chart::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
         pages::WaysShown,
-        plot_svg::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
         settings::Detector,
         studies::{About, SweepAsk},
         ticks::short,

@@ -1,34 +1,23 @@
 //! Spectral images: from a cube to pixels of the screen, and from a pixel or a region to a
 //! spectrum with its model. Numbers only; the window draws them.
 
-pub mod back;
-mod develop;
-mod eye;
+mod band_weights;
+mod exposure;
 mod memory;
-mod probe;
 mod raster;
+mod region_spectrum;
+pub mod reload;
 
-pub use develop::{Developed, NOT_MEASURED, developed, seen_in};
-pub use eye::Eye;
+pub use band_weights::BandWeights;
+pub use exposure::{Exposed, NOT_MEASURED, exposed, seen_in};
 pub use memory::{BAND_NM, ImageMemory, STOPS, Show, Spread};
-pub use probe::{ProbeAsk, Probed, named};
 pub use raster::{MOST_SIDE, Raster, RasterAsk, Source, step_of};
+pub use region_spectrum::{RegionAsk, RegionSpectrum, named};
 
 use std::sync::Arc;
 
 use super::{document::Document, opened::ImageEntry};
-use crate::spectrum::{Kind, SpectralImage};
-
-/// An image that is the same only as itself: comparing its bytes at every frame would cost more
-/// than the frame.
-#[derive(Clone, Debug)]
-pub struct Held(pub Arc<SpectralImage>);
-
-impl PartialEq for Held {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
+use crate::spectrum::Kind;
 
 /// The image that the page shows: the chosen one, or the one opened last.
 pub fn shown<'a>(document: &'a Document, memory: &ImageMemory) -> Option<&'a Arc<ImageEntry>> {

@@ -3,10 +3,11 @@
 //! An image of more pixels than the screen has is drawn reduced: a block of pixels becomes its
 //! mean. Rows are shared out over threads.
 
-use super::{Eye, Held};
+use super::BandWeights;
 use crate::{
+    app::memo::ByAddress,
     color::{Xyz, srgb::linear_from_xyz},
-    spectrum::Cube,
+    spectrum::{Cube, SpectralImage},
     study::Progress,
 };
 
@@ -29,7 +30,7 @@ const MOST_THREADS: usize = 8;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
     /// X, Y and Z.
-    Eye(Box<Eye>),
+    TrueColour(Box<BandWeights>),
     /// One band, or one each for red, green and blue, in the file's own numbers.
     Bands(Vec<usize>),
 }
@@ -38,7 +39,7 @@ pub enum Source {
 #[derive(Clone, Debug, PartialEq)]
 pub struct RasterAsk {
     /// The image.
-    pub image: Held,
+    pub image: ByAddress<SpectralImage>,
     /// What its numbers become.
     pub source: Source,
     /// Longest side that the graphics driver takes; [`MOST_SIDE`] where it takes more.
@@ -98,7 +99,7 @@ impl RasterAsk {
         if progress.is_cancelled() {
             return None;
         }
-        let is_xyz = matches!(self.source, Source::Eye(_));
+        let is_xyz = matches!(self.source, Source::TrueColour(_));
         let full = if is_xyz {
             // The strongest of red, green and blue: a saturated red is cut long before its Y is 1.
             let strongest = |xyz: [f32; 3]| {
@@ -135,8 +136,8 @@ struct Rows<'a> {
 impl<'a> Rows<'a> {
     fn new(ask: &'a RasterAsk, step: usize) -> Self {
         let bands = match &ask.source {
-            Source::Eye(eye) => {
-                let weights = eye.weights().iter().copied().enumerate();
+            Source::TrueColour(weights) => {
+                let weights = weights.weights().iter().copied().enumerate();
                 weights.filter(|(_, w)| *w != [0.0; 3]).collect()
             }
             Source::Bands(bands) => {
@@ -198,13 +199,13 @@ impl<'a> Rows<'a> {
                 }
             }
         }
-        let Source::Eye(eye) = &self.ask.source else {
+        let Source::TrueColour(weights) = &self.ask.source else {
             return;
         };
         for (x, sum) in sums.iter_mut().enumerate() {
             if !sum.iter().all(|v| v.is_finite()) {
                 // A pixel without some of its bands: straight lines over the gaps.
-                let seen = eye.pixel(&self.ask.image.0, x, y);
+                let seen = weights.pixel(&self.ask.image.0, x, y);
                 *sum = seen.map_or([f64::NAN; 3], |xyz| xyz.to_array());
             }
         }

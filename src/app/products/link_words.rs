@@ -25,7 +25,7 @@ impl Link {
                 short(last)
             ));
         }
-        if self.entry.shelf.is_none() {
+        if self.entry.shelf().is_none() {
             // The first line of notes says how the file was read, not what is odd about it.
             let odd = spectrum.notes.iter().skip(1);
             remarks.extend(odd.map(|note| format!("{note}.").replace("..", ".")));
@@ -39,6 +39,24 @@ impl Link {
         let stated = words.windows(2).rev().find(|pair| pair[1] == "mm")?;
         let mm: f64 = stated[0].parse().ok()?;
         (mm > 0.0 && mm.is_finite()).then_some(mm)
+    }
+
+    /// How a light meets it: "off red twice", "through glass 2 mm, 4 mm thick".
+    pub fn met(&self) -> String {
+        let verb = match self.entry.kind() {
+            Kind::Reflectance => "off",
+            _ => "through",
+        };
+        let once = Self {
+            bounces: 1,
+            ..self.clone()
+        };
+        let times = match self.bounces {
+            1 => String::new(),
+            2 => " twice".to_owned(),
+            n => format!(" {n} times"),
+        };
+        format!("{verb} {}{times}", once.words())
     }
 
     /// Its name, and what was made of it: "red, 3 times", "glass 2 mm, 4 mm thick".

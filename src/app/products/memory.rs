@@ -12,15 +12,18 @@ pub enum Part {
     #[default]
     Chain,
     /// The same product formed in every way.
-    Forming,
+    #[serde(rename = "forming")]
+    Resampling,
     /// Error against the number of bounces.
     Bounces,
     /// A narrow band-pass over the light.
     Narrow,
     /// The same surfaces under two lights.
-    Lights,
+    #[serde(rename = "lights")]
+    TwoLights,
     /// Is this light that one off this surface?
-    Check,
+    #[serde(rename = "check")]
+    SameSurface,
     /// Absorption lines as negative spikes.
     Absorption,
 }
@@ -29,11 +32,11 @@ impl Part {
     /// Every part, in the order of the tabs.
     pub const ALL: [Self; 7] = [
         Self::Chain,
-        Self::Forming,
+        Self::Resampling,
         Self::Bounces,
         Self::Narrow,
-        Self::Lights,
-        Self::Check,
+        Self::TwoLights,
+        Self::SameSurface,
         Self::Absorption,
     ];
 
@@ -41,11 +44,11 @@ impl Part {
     pub fn title(self) -> &'static str {
         match self {
             Self::Chain => "Chain",
-            Self::Forming => "Resampling",
+            Self::Resampling => "Resampling",
             Self::Bounces => "Bounces",
             Self::Narrow => "Narrow filters",
-            Self::Lights => "Two lights",
-            Self::Check => "Same surface?",
+            Self::TwoLights => "Two lights",
+            Self::SameSurface => "Same surface?",
             Self::Absorption => "Absorption",
         }
     }
@@ -54,11 +57,11 @@ impl Part {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Chain => "The light through filters and off surfaces, exact beside model.",
-            Self::Forming => "One product formed on few points, by convolution and at every nm.",
+            Self::Resampling => "One product formed on few points, by convolution and at every nm.",
             Self::Bounces => "What the ways of forming products cost as bounces add up.",
             Self::Narrow => "A narrow band-pass moved over the light, at equal numbers.",
-            Self::Lights => "The same surfaces under two lights; metamers found and made.",
-            Self::Check => "Whether a spectrum is the light off a surface: S3 = S1 S2.",
+            Self::TwoLights => "The same surfaces under two lights; metamers found and made.",
+            Self::SameSurface => "Whether a spectrum is the light off a surface: S3 = S1 S2.",
             Self::Absorption => "Absorption lines kept as negative spikes, and their names.",
         }
     }
@@ -67,11 +70,11 @@ impl Part {
     pub fn word(self) -> &'static str {
         match self {
             Self::Chain => "chain",
-            Self::Forming => "resampling",
+            Self::Resampling => "resampling",
             Self::Bounces => "bounces",
             Self::Narrow => "narrow",
-            Self::Lights => "lights",
-            Self::Check => "check",
+            Self::TwoLights => "lights",
+            Self::SameSurface => "check",
             Self::Absorption => "absorption",
         }
     }
@@ -86,15 +89,18 @@ pub struct ProductsMemory {
     /// Chain: the stage whose spectrum is drawn; beyond the last, what comes out.
     pub chain: ChainMemory,
     /// Resampling.
-    pub forming: FormingMemory,
+    #[serde(rename = "forming")]
+    pub resampling: ResamplingMemory,
     /// Bounces.
     pub bounces: BouncesMemory,
     /// Narrow filters.
     pub narrow: NarrowMemory,
     /// Two lights.
-    pub lights: LightsMemory,
+    #[serde(rename = "lights")]
+    pub two_lights: TwoLightsMemory,
     /// Same surface?
-    pub check: CheckMemory,
+    #[serde(rename = "check")]
+    pub same_surface: SameSurfaceMemory,
     /// Absorption.
     pub absorption: AbsorptionMemory,
 }
@@ -104,9 +110,9 @@ impl ProductsMemory {
     #[must_use]
     pub fn clamped(self) -> Self {
         Self {
-            forming: self.forming.clamped(),
+            resampling: self.resampling.clamped(),
             narrow: self.narrow.clamped(),
-            lights: self.lights.clamped(),
+            two_lights: self.two_lights.clamped(),
             ..self
         }
     }
@@ -125,12 +131,12 @@ pub struct ChainMemory {
 /// What the resampling bench remembers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct FormingMemory {
+pub struct ResamplingMemory {
     /// Ways whose curves are not drawn.
     pub hidden: Vec<Sampling>,
 }
 
-impl FormingMemory {
+impl ResamplingMemory {
     /// Shows or hides a way's curve.
     pub fn show(&mut self, way: Sampling, shown: bool) {
         self.hidden.retain(|one| *one != way);
@@ -220,7 +226,7 @@ impl NarrowMemory {
 /// What the comparison of two lights remembers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct LightsMemory {
+pub struct TwoLightsMemory {
     /// The patch whose metamer is made.
     pub patch: usize,
     /// The pair that is drawn.
@@ -231,7 +237,7 @@ pub struct LightsMemory {
     pub room_percent: i32,
 }
 
-impl Default for LightsMemory {
+impl Default for TwoLightsMemory {
     fn default() -> Self {
         Self {
             patch: 0,
@@ -245,7 +251,7 @@ impl Default for LightsMemory {
 /// Parts of the room that may be asked for, percent.
 pub const ROOM_PERCENT: std::ops::RangeInclusive<i32> = -100..=100;
 
-impl LightsMemory {
+impl TwoLightsMemory {
     fn clamped(self) -> Self {
         Self {
             room_percent: self
@@ -259,14 +265,14 @@ impl LightsMemory {
 /// What the check remembers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct CheckMemory {
+pub struct SameSurfaceMemory {
     /// The best surface is looked for among all shipped reflectances, not the patches alone.
     pub everywhere: bool,
     /// The example's light meets its surface twice.
     pub twice: bool,
 }
 
-impl Default for CheckMemory {
+impl Default for SameSurfaceMemory {
     fn default() -> Self {
         Self {
             everywhere: true,
@@ -295,13 +301,13 @@ mod tests {
                 width_nm: -1.0,
                 ..NarrowMemory::default()
             },
-            forming: FormingMemory {
+            resampling: ResamplingMemory {
                 hidden: vec![Sampling::Exact, Sampling::Paper, Sampling::Exact],
             },
             ..ProductsMemory::default()
         };
         let sound = nonsense.clamped();
-        assert_eq!(sound.forming.hidden, [Sampling::Paper, Sampling::Exact]);
+        assert_eq!(sound.resampling.hidden, [Sampling::Paper, Sampling::Exact]);
         let sound = sound.narrow;
         assert_eq!((sound.centre_nm, sound.width_nm), (546.0, 2.0));
     }

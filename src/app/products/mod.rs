@@ -2,24 +2,22 @@
 
 pub mod known_lines;
 mod link_words;
-pub mod lit;
 pub mod memory;
+pub mod modelled_light;
 pub mod same_surface;
 pub mod two_lights;
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
-use super::{entry::Entry, library::Library};
+use super::{entry::Entry, library::Library, recipe::Times};
 use crate::spectrum::{
     Band,
     factor::{bounces, glass},
 };
 
 pub use known_lines::KnownLines;
-pub use lit::Lit;
 pub use memory::{Part, ProductsMemory};
+pub use modelled_light::ModelledLight;
 
 /// Most factors in one chain.
 pub const MOST_LINKS: usize = 16;
@@ -41,32 +39,27 @@ pub struct Link {
     pub bounces: u32,
 }
 
-/// What is kept of a link beside its entry.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Times {
-    /// As [`Link::thickness`].
-    pub thickness: f64,
-    /// As [`Link::bounces`].
-    pub bounces: u32,
-}
-
-impl Default for Times {
-    fn default() -> Self {
-        Self {
-            thickness: 1.0,
-            bounces: 1,
-        }
-    }
-}
-
 impl Link {
     /// A factor as measured, met once.
     pub fn once(entry: Arc<Entry>) -> Self {
+        Self::new(entry, Times::default())
+    }
+
+    /// A factor as it is met.
+    pub fn new(entry: Arc<Entry>, times: Times) -> Self {
+        let Times { thickness, bounces } = times;
         Self {
             entry,
-            thickness: 1.0,
-            bounces: 1,
+            thickness,
+            bounces,
+        }
+    }
+
+    /// How it is met.
+    pub fn times(&self) -> Times {
+        Times {
+            thickness: self.thickness,
+            bounces: self.bounces,
         }
     }
 

@@ -4,26 +4,27 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use super::{Lit, Products, two_lights::modelled};
+use super::{ModelledLight, two_lights::modelled};
 use crate::{
     app::{
-        Command,
         cells::{line, number, words},
         derived::Derived,
         document::Document,
         entry::Entry,
+        memo::ByAddress,
+        recipe::{Recipe, Times},
         report::settings_json,
         state::App,
-        studies::{RankAsk, Same, surfaces::Ranked},
+        studies::{RankAsk, surfaces::Ranked},
         ticks::short,
     },
-    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, factor::bounces},
-    study::products::{Checker, Compared, Sameness, check::SAME_RESIDUAL, measured_check},
+    spectrum::{Band, Composite},
+    study::products::{Checker, Compared, Sameness, measured_check, same_surface::SAME_RESIDUAL},
 };
 
 /// A light, a surface and an outgoing spectrum compared.
 #[derive(Clone, Debug)]
-pub struct CheckSheet {
+pub struct SameSurfaceSheet {
     /// The grid.
     pub band: Band,
     /// Names of light, surface and outgoing spectrum.
@@ -40,7 +41,7 @@ pub struct CheckSheet {
     pub measured: Option<Compared>,
 }
 
-impl CheckSheet {
+impl SameSurfaceSheet {
     /// The check of a state; `None` without a surface or an outgoing spectrum.
     pub fn of(app: &App) -> Option<Self> {
         let document = app.document();
@@ -53,7 +54,7 @@ impl CheckSheet {
 
     /// The check of the state's light off any surface (on the band's grid).
     pub fn against(app: &App, surface: &[f64], outgoing: &Arc<Entry>) -> Self {
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let band = lit.band();
         let found = modelled(app, &lit, outgoing);
         let light = &lit.derived;
@@ -87,7 +88,7 @@ impl CheckSheet {
     pub fn ranking(&self, document: &Document, everywhere: bool) -> Option<RankAsk> {
         let outgoing = document.products.outgoing.clone()?;
         Some(RankAsk {
-            measured: [Same(document.light.clone()), Same(outgoing)],
+            measured: [ByAddress(document.light.clone()), ByAddress(outgoing)],
             models: self.models.clone(),
             left_out: self.left_out.iter().sum(),
             band: self.band,
@@ -98,7 +99,7 @@ impl CheckSheet {
 }
 
 /// The check as JSON; the keys are stable, a number that does not exist is `null`.
-pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
+pub fn check_json(app: &App, factors: &[String], sheet: &SameSurfaceSheet) -> Value {
     let of = |compared: &Option<Compared>, verdict: Sameness| {
         let found = compared.as_ref().map(|c| c.reflection);
         json!({
@@ -127,7 +128,7 @@ pub fn check_json(app: &App, factors: &[String], sheet: &CheckSheet) -> Value {
 }
 
 /// The check for people.
-pub fn check_text(sheet: &CheckSheet) -> String {
+pub fn check_text(sheet: &SameSurfaceSheet) -> String {
     let [light, surface, outgoing] = &sheet.names;
     let line = |what: &str, compared: &Option<Compared>, verdict: Sameness| {
         let found = compared.as_ref().map(|c| c.reflection);
@@ -173,51 +174,14 @@ pub fn ranking_csv(names: &[String; 3], ranked: &[Ranked]) -> String {
     out
 }
 
-/// The state's light off a surface, once or twice, as a spectrum of its own; `None` when there is
-/// nothing of it that could be kept.
-pub fn example(app: &App, surface: &Entry, twice: bool) -> Option<NamedSpectrum> {
-    let light = &app.document().light;
-    let table = &light.spectrum.samples;
-    // The light's own range, so that the example serves under another range of the model too.
-    let band = Band::new(table.first_nm().ceil(), table.last_nm().floor())
-        .unwrap_or(app.document().settings.band);
-    let count = if twice { 2 } else { 1 };
-    let shares = bounces(&surface.on_band(band), count);
-    let lit = light
-        .on_band(band)
-        .iter()
-        .zip(&shares)
-        .map(|(l, r)| l * r)
-        .collect();
-    let times = if twice { " twice" } else { "" };
-    let name = format!("{} off {}{times}", light.name(), surface.name());
-    Some(NamedSpectrum {
-        kind: Kind::Light,
-        unit: light.spectrum.unit.clone(),
-        scale: 1.0,
-        samples: Sampled::even(band.min_nm(), 1.0, lit).ok()?,
-        notes: vec![format!(
-            "Made as an example: {} ({}) times {} ({}){times}, at every nm.",
-            light.name(),
-            light.key,
-            surface.name(),
-            surface.key,
-        )],
-        source: format!("made from {} and {}", light.name(), surface.name()),
-        name,
-    })
-}
-
-/// Takes a spectrum in as the user's own and as the outgoing one, in one step of undo; the light
-/// stays what it is.
-pub fn take_as_outgoing(app: &App, spectrum: NamedSpectrum) -> Command {
-    let mut document = app.document().clone();
-    let entry = Arc::new(Entry::own(document.next_own, spectrum));
-    document.next_own = document.next_own.saturating_add(1);
-    document.own.push(entry.clone());
-    document.products = Products {
-        outgoing: Some(entry),
-        ..document.products
+/// The state's light off a surface, once or twice.
+pub fn example(app: &App, surface: &Entry, twice: bool) -> Recipe {
+    let times = Times {
+        bounces: if twice { 2 } else { 1 },
+        ..Times::default()
     };
-    Command::Replace(Box::new(document))
+    Recipe::Through {
+        light: app.document().light.key.clone(),
+        chain: vec![(surface.key.clone(), times)],
+    }
 }

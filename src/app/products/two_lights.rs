@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::Lit;
+use super::ModelledLight;
 use crate::{
     app::{
         cells::{line, number, words},
@@ -13,14 +13,14 @@ use crate::{
         studies::{about::reflectances, surfaces::Pairs},
         ticks::short,
     },
-    color::{Adaptation, Swatch, delta_e_2000},
+    color::{Adaptation, Observer, Swatch, delta_e_2000},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
     study::products::{Black, TwoLights, black_of, two_lights, two_modelled_lights},
 };
 
 /// The document's patches under its light and another one.
 #[derive(Clone, Debug)]
-pub struct LightsSheet {
+pub struct TwoLightsSheet {
     /// The grid.
     pub band: Band,
     /// Names of the lights.
@@ -40,7 +40,7 @@ pub struct LightsSheet {
 }
 
 /// A light that is not the document's own, as its settings model it.
-pub fn modelled(app: &App, lit: &Lit, light: &Arc<Entry>) -> Derived {
+pub fn modelled(app: &App, lit: &ModelledLight, light: &Arc<Entry>) -> Derived {
     let document = Document {
         light: light.clone(),
         subject: Subject::Light,
@@ -49,29 +49,43 @@ pub fn modelled(app: &App, lit: &Lit, light: &Arc<Entry>) -> Derived {
     derive(&document, &lit.tables)
 }
 
-impl LightsSheet {
+impl TwoLightsSheet {
     /// The sheet of a state; `None` without a second light.
     pub fn of(app: &App) -> Option<Self> {
         let document = app.document();
         let other = document.products.other_light.as_ref()?;
-        let lit = Lit::of(app);
-        let band = lit.band();
+        let lit = ModelledLight::of(app);
+        let both = [document.light.clone(), other.clone()];
+        let observer = document.settings.observer;
+        let sheet = Self::measured(lit.band(), observer, both, &document.patch_set);
         let second = modelled(app, &lit, other);
-        let values = [lit.derived.measured.clone(), second.measured];
-        let (names, surfaces) = reflectances(&document.patch_set, band);
-        let seen = lit.tables.viewing.weights.clone();
-        let lights = [&values[0][..], &values[1][..]];
         let models = [&lit.derived.model, &second.model];
-        Some(Self {
+        let values = sheet.values.each_ref().map(Vec::as_slice);
+        let model = two_modelled_lights(sheet.band, &sheet.surfaces, models, values, &sheet.seen);
+        Some(Self { model, ..sheet })
+    }
+
+    /// Patches under two lights as measured, without models.
+    pub fn measured(
+        band: Band,
+        observer: Observer,
+        lights: [Arc<Entry>; 2],
+        patch_set: &str,
+    ) -> Self {
+        let values = lights.each_ref().map(|light| light.on_band(band));
+        let (names, surfaces) = reflectances(patch_set, band);
+        let seen = observer.table().on_band(band);
+        let on_grid = values.each_ref().map(Vec::as_slice);
+        Self {
             band,
-            lights: [document.light.name().to_owned(), other.name().to_owned()],
-            exact: two_lights(band, &surfaces, lights, &seen),
-            model: two_modelled_lights(band, &surfaces, models, lights, &seen),
+            lights: lights.map(|light| light.name().to_owned()),
+            exact: two_lights(band, &surfaces, on_grid, &seen),
+            model: None,
             values,
             names,
             surfaces,
             seen,
-        })
+        }
     }
 
     /// Both lights in the scale in which Y is 100; `None` for one that is not seen.
@@ -188,7 +202,7 @@ impl Made {
     ///
     /// # Errors
     /// [`NoMetamer`] when there is none.
-    pub fn of(sheet: &LightsSheet, patch: usize, room_percent: i32) -> Result<Self, NoMetamer> {
+    pub fn of(sheet: &TwoLightsSheet, patch: usize, room_percent: i32) -> Result<Self, NoMetamer> {
         let original = sheet.surfaces.get(patch).ok_or(NoMetamer::NoPatch)?;
         if sheet.exact.is_none() {
             return Err(NoMetamer::Unseen);
@@ -212,7 +226,7 @@ impl Made {
     }
 
     /// The sum as a spectrum of its own.
-    pub fn spectrum(&self, sheet: &LightsSheet) -> Option<NamedSpectrum> {
+    pub fn spectrum(&self, sheet: &TwoLightsSheet) -> Option<NamedSpectrum> {
         let band = sheet.band;
         let (patch, percent) = (&sheet.names[self.patch], self.room_percent);
         Some(NamedSpectrum {

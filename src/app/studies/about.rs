@@ -3,30 +3,19 @@
 use std::sync::Arc;
 
 use crate::{
-    app::{document::Document, entry::Entry, library::Library},
+    app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
     color::{Observer, patches::PatchSet},
     spectrum::{Band, SpikeSettings},
     study::{Measures, sweep::Subject},
 };
 
-/// A spectrum that is the same only as itself: comparing all numbers of a large file at every
-/// frame would cost more than the frame.
-#[derive(Clone, Debug)]
-pub struct Same(pub Arc<Entry>);
-
-impl PartialEq for Same {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
-
 /// The subject of a study and what it is judged by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct About {
     /// The spectrum.
-    pub subject: Same,
+    pub subject: ByAddress<Entry>,
     /// The light it is seen under; `None` when it is a light itself.
-    pub under: Option<Same>,
+    pub under: Option<ByAddress<Entry>>,
     /// The model's range.
     pub band: Band,
     /// Whose colour-matching functions.
@@ -42,8 +31,8 @@ impl About {
     pub fn of(document: &Document) -> Self {
         let settings = document.settings;
         Self {
-            subject: Same(document.subject_entry().clone()),
-            under: (!document.is_about_light()).then(|| Same(document.light.clone())),
+            subject: ByAddress(document.subject_entry().clone()),
+            under: (!document.is_about_light()).then(|| ByAddress(document.light.clone())),
             band: settings.band,
             observer: settings.observer,
             patch_set: document.patch_set.clone(),

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::about::{Same, measures, reflectances};
+use super::about::{measures, reflectances};
 use crate::{
-    app::{document::Document, entry::Entry, library::Library},
+    app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
     color::Observer,
     preset::{Preset, Shelf},
     rivals::PrincipalBasis,
@@ -23,7 +23,7 @@ pub const CHECK_SET: &str = "tm30_ces99_5nm";
 #[derive(Clone, Debug, PartialEq)]
 pub enum Field {
     /// One light.
-    One(Same),
+    One(ByAddress<Entry>),
     /// Every shipped light.
     Shipped,
     /// The shipped lights of one class.
@@ -31,7 +31,7 @@ pub enum Field {
     /// The shipped lights of one file.
     Group(String),
     /// Any lights, such as the user's own.
-    These(Vec<Same>),
+    These(Vec<ByAddress<Entry>>),
 }
 
 /// What a race is about.

@@ -98,6 +98,17 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
         });
     }
 
+    /// Asks for what a function makes of the key.
+    pub fn ask_by(&mut self, key: &K, wake: &Wake, answer: fn(&K, &Progress) -> Option<T>)
+    where
+        K: Send + 'static,
+    {
+        self.ask(key, wake, || {
+            let key = key.clone();
+            move |progress: &Progress| answer(&key, progress)
+        });
+    }
+
     /// Takes in what is finished.
     pub fn take_in(&mut self) {
         if self

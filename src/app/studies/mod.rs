@@ -8,7 +8,7 @@ pub mod paper;
 pub mod surfaces;
 pub mod take;
 
-pub use about::{About, Same};
+pub use about::About;
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
@@ -17,8 +17,9 @@ pub use take::take;
 use super::{
     charts::products::bounces::Bounced,
     document::Document,
+    memo::ByAddress,
     pages::FieldChoice,
-    picture::{ProbeAsk, Probed, Raster, RasterAsk},
+    picture::{Raster, RasterAsk, RegionAsk, RegionSpectrum},
     tables::CURVE_ORDER,
 };
 use crate::{
@@ -102,7 +103,7 @@ impl FieldChoice {
     /// The lights of the choice in a document.
     pub fn field(self, document: &Document) -> Field {
         match self {
-            Self::ThisLight => Field::One(Same(document.light.clone())),
+            Self::ThisLight => Field::One(ByAddress(document.light.clone())),
             Self::Shipped => Field::Shipped,
             Self::Smooth => Field::Class(Class::Smooth),
             Self::Led => Field::Class(Class::Led),
@@ -113,7 +114,7 @@ impl FieldChoice {
                     .own
                     .iter()
                     .filter(|entry| entry.kind() == Kind::Light)
-                    .map(|entry| Same(entry.clone()))
+                    .map(|entry| ByAddress(entry.clone()))
                     .collect(),
             ),
         }
@@ -163,7 +164,7 @@ pub struct Studies {
     /// The picture of a spectral image.
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
-    pub probe: Job<ProbeAsk, Probed>,
+    pub region: Job<RegionAsk, RegionSpectrum>,
 }
 
 impl Studies {
@@ -178,7 +179,7 @@ impl Studies {
             timing,
             bounces,
             raster,
-            probe,
+            region,
         } = self;
         sweep.take_in();
         auction.take_in();
@@ -188,7 +189,7 @@ impl Studies {
         timing.take_in();
         bounces.take_in();
         raster.take_in();
-        probe.take_in();
+        region.take_in();
     }
 
     /// Whether anything is being computed.
@@ -202,7 +203,7 @@ impl Studies {
             timing,
             bounces,
             raster,
-            probe,
+            region,
         } = self;
         sweep.is_running()
             || auction.is_running()
@@ -212,7 +213,7 @@ impl Studies {
             || timing.is_running()
             || bounces.is_running()
             || raster.is_running()
-            || probe.is_running()
+            || region.is_running()
     }
 
     /// Waits for everything.
@@ -226,7 +227,7 @@ impl Studies {
             timing,
             bounces,
             raster,
-            probe,
+            region,
         } = self;
         sweep.finish();
         auction.finish();
@@ -236,6 +237,6 @@ impl Studies {
         timing.finish();
         bounces.finish();
         raster.finish();
-        probe.finish();
+        region.finish();
     }
 }

@@ -3,18 +3,17 @@
 
 use std::sync::Arc;
 
-use super::{Job, Same};
+use super::Job;
 use crate::{
-    app::library::Library,
+    app::{Entry, library::Library, memo::ByAddress},
     color::{Adaptation, Observer, Swatch, xyz_of_parts},
     preset::Group,
     spectrum::{Band, Composite, Kind},
     study::{
         Progress,
         products::{
-            Checker, Metamers, Reflection, Sameness, TwoLights,
-            lights::{MATCH_DELTA_E, metameric_pairs_unless_cancelled},
-            measured_check, two_lights,
+            Checker, Metamers, Reflection, Sameness, TwoLights, measured_check, two_lights,
+            two_lights::{MATCH_DELTA_E, metameric_pairs_unless_cancelled},
         },
     },
 };
@@ -94,7 +93,7 @@ pub fn shipped_reflectances() -> usize {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairsAsk {
     /// The light that pairs match under, and the one that they part under.
-    pub lights: [Same; 2],
+    pub lights: [ByAddress<Entry>; 2],
     /// The range.
     pub band: Band,
     /// Whose colour-matching functions.
@@ -137,7 +136,7 @@ impl PairsAsk {
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankAsk {
     /// The light and what came from the surface, as measured.
-    pub measured: [Same; 2],
+    pub measured: [ByAddress<Entry>; 2],
     /// The same in the model's numbers.
     pub models: Arc<[Composite; 2]>,
     /// What the two models leave out themselves, as [`Sameness::of`] takes it.

@@ -10,7 +10,10 @@ use crate::{
     app::{
         document::{Document, PAPER_WEIGHT_FACTOR, Subject, View},
         entry::Entry,
-        products::{Link, Products, Times},
+        opened::ImageEntry,
+        origin::{FileReading, MadeBy, Origin, SourceFile},
+        products::{Link, Products},
+        recipe::Times,
         scale::Scale,
         settings::Settings,
         stored_path,
@@ -33,6 +36,9 @@ pub struct OwnSpectrum {
     source: String,
     #[serde(default)]
     makers: Vec<MakersResult>,
+    /// How it is made; the numbers are those of the last time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    made: Option<MadeBy>,
 }
 
 /// An image by the file that it is read from again.
@@ -48,6 +54,33 @@ pub struct StoredImage {
     /// What a person decided about the file.
     #[serde(default)]
     pub choices: Choices,
+}
+
+impl StoredImage {
+    /// `None` for an image that came without a path.
+    fn of(image: &ImageEntry) -> Option<Self> {
+        Some(Self {
+            key: image.key.clone(),
+            path: image.path()?.to_owned(),
+            index: image.from.index,
+            choices: image.from.reading.choices.clone(),
+        })
+    }
+
+    /// The reading that brings it back.
+    pub fn reading(&self) -> Arc<FileReading> {
+        let name = self.path.file_name().unwrap_or_default();
+        Arc::new(FileReading {
+            file: Arc::new(SourceFile {
+                path: Some(self.path.clone()),
+                name: name.to_string_lossy().into_owned(),
+                images_only: true,
+                ..SourceFile::default()
+            }),
+            choices: self.choices.clone(),
+            spectra: 0,
+        })
+    }
 }
 
 /// What is written: the document by names, and the window's preferences.
@@ -132,14 +165,7 @@ impl Stored {
             own: own.iter().map(|entry| OwnSpectrum::of(entry)).collect(),
             images: images
                 .iter()
-                .filter_map(|image| {
-                    Some(StoredImage {
-                        key: image.key.clone(),
-                        path: image.path.clone()?,
-                        index: image.index,
-                        choices: image.choices.clone(),
-                    })
-                })
+                .filter_map(|image| StoredImage::of(image))
                 .chain(waiting.iter().cloned())
                 .collect(),
             next_own: *next_own,
@@ -167,18 +193,7 @@ impl StoredProducts {
             outgoing,
         } = products;
         let key = |entry: &Option<Arc<Entry>>| entry.as_ref().map(|e| e.key.clone());
-        let link = |link: &Link| {
-            let Link {
-                entry,
-                thickness,
-                bounces,
-            } = link;
-            let times = Times {
-                thickness: *thickness,
-                bounces: *bounces,
-            };
-            (entry.key.clone(), times)
-        };
+        let link = |link: &Link| (link.entry.key.clone(), link.times());
         Self {
             chain: chain.iter().map(link).collect(),
             other_light: key(other_light),
@@ -189,13 +204,10 @@ impl StoredProducts {
 
     /// What it holds, as far as it is found.
     pub fn found(self, mut find: impl FnMut(&str) -> Option<Arc<Entry>>) -> Products {
-        let links = self.chain.into_iter().filter_map(|(key, times)| {
-            Some(Link {
-                entry: find(&key)?,
-                thickness: times.thickness,
-                bounces: times.bounces,
-            })
-        });
+        let links = self
+            .chain
+            .into_iter()
+            .filter_map(|(key, times)| Some(Link::new(find(&key)?, times)));
         Products {
             chain: links.collect(),
             other_light: self.other_light.as_deref().and_then(&mut find),
@@ -223,6 +235,7 @@ impl OwnSpectrum {
             notes: Vec::new(),
             source: String::new(),
             makers: Vec::new(),
+            made: None,
         }
     }
 
@@ -248,6 +261,10 @@ impl OwnSpectrum {
             notes: notes.clone(),
             source: source.clone(),
             makers,
+            made: match &entry.origin {
+                Origin::Made(made) => Some(made.clone()),
+                Origin::Preset(_) | Origin::File(_) | Origin::Numbers => None,
+            },
         }
     }
 
@@ -259,7 +276,7 @@ impl OwnSpectrum {
         let samples = Sampled::new(self.nm, self.values).map_err(|e| e.to_string())?;
         Ok(Entry {
             key: self.key,
-            shelf: None,
+            origin: self.made.map_or(Origin::Numbers, Origin::Made),
             spectrum: NamedSpectrum {
                 name: self.name,
                 kind: self.kind,

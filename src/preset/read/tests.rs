@@ -1,3 +1,5 @@
+//! Stories about small preset files, and about the shipped ones.
+
 use std::path::Path;
 
 use serde_json::Value;

@@ -1,38 +1,38 @@
 //! Light through filters and off surfaces: what the model's products are off by.
 //!
 //! ```text
-//! chain   a light through factors, exact beside model at every stage; sets of factors
-//! forming one product formed in every way; the factor at the spikes by Eq. 17
-//! timing  what one product takes on this machine
-//! growth  error against the number of bounces, every way of forming products
-//! narrow  a band-pass that moves over the light: composite, series alone, plain samples
-//! lights  the same surfaces under two lights; metameric pairs and metameric blacks
-//! check   is this light that one off this surface? (the paper's image understanding)
-//! dips    how deep the absorption lines of a spectrum are
+//! chain        a light through factors, exact beside model at every stage; sets of factors
+//! resampling   one product formed in every way; the factor at the spikes by Eq. 17
+//! timing       what one product takes on this machine
+//! bounces      error against the number of bounces, every way of forming products
+//! narrow       a band-pass that moves over the light: composite, series alone, plain samples
+//! two_lights   the same surfaces under two lights; metameric pairs and metameric blacks
+//! same_surface is this light that one off this surface? (the paper's image understanding)
+//! dips         how deep the absorption lines of a spectrum are
 //! ```
 //!
 //! Exact is the measured light times the measured factors on the 1 nm grid of the band; the white
 //! of every CIEDE2000 is the exact light. What does not exist (a colour without light) is `None`.
 
+pub mod bounces;
 pub mod chain;
-pub mod check;
 pub mod dips;
-pub mod forming;
-pub mod growth;
-pub mod lights;
 pub mod narrow;
+pub mod resampling;
+pub mod same_surface;
 pub mod timing;
+pub mod two_lights;
 
+pub use bounces::{BounceErrors, bounce_errors};
 pub use chain::{Passage, Product, SetErrors, Step, Total};
-pub use check::{Checker, Compared, Reflection, Sameness, measured_check, reflection_check};
-pub use forming::{Formed, Forming, SpikeCosts, forming, spike_costs};
-pub use growth::{Growth, growth};
-pub use lights::{
+pub use narrow::{Narrow, NarrowPoint};
+pub use resampling::{Formed, Resampled, SpikeCosts, resampled, spike_costs};
+pub use same_surface::{Checker, Compared, Reflection, Sameness, measured_check, reflection_check};
+pub use timing::{ProductTime, Sizes, product_times};
+pub use two_lights::{
     Black, MetamericPair, Metamers, TwoLights, black_of, metameric_black, metameric_pairs,
     two_lights, two_modelled_lights,
 };
-pub use narrow::{Narrow, NarrowPoint};
-pub use timing::{ProductTime, Sizes, product_times};
 
 use crate::color::{Xyz, delta_e_of_xyz};
 

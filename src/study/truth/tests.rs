@@ -1,3 +1,5 @@
+//! The paper's claims, with its own figures and with the corrected formulas.
+
 use super::{
     samples::{ladder, straight_lines},
     *,

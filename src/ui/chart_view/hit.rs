@@ -3,13 +3,9 @@
 use eframe::egui;
 use egui::{Color32, Pos2, Response, Stroke, StrokeKind, Ui};
 
-use super::{
-    super::theme::Theme,
-    marks::{bar_rect, cell_rect},
-    place::Place,
-};
+use super::{super::theme::Theme, screen::Screen};
 use crate::app::{
-    plot_svg::{Chart, Marks, Series},
+    chart::{Chart, Marks, Series},
     ticks::short,
 };
 
@@ -28,21 +24,21 @@ pub struct Hit {
 }
 
 /// The nearest point in reach; else the bar, else the box that the pointer is in.
-pub(super) fn find(series: &[Series], place: &Place, at: Pos2, theme: Theme) -> Option<Hit> {
-    if !place.frame().expand(1.0).contains(at) {
+pub(super) fn find(series: &[Series], screen: &Screen, at: Pos2, theme: Theme) -> Option<Hit> {
+    if !screen.frame().expand(1.0).contains(at) {
         return None;
     }
-    point(series, place, at, theme)
-        .or_else(|| bar(series, place, at))
-        .or_else(|| cell(series, place, at))
+    point(series, screen, at, theme)
+        .or_else(|| bar(series, screen, at))
+        .or_else(|| cell(series, screen, at))
 }
 
-fn point(series: &[Series], place: &Place, at: Pos2, theme: Theme) -> Option<Hit> {
+fn point(series: &[Series], screen: &Screen, at: Pos2, theme: Theme) -> Option<Hit> {
     let mut nearest = (REACH * theme.scale).powi(2);
     let mut found = None;
     for (index, one) in series.iter().enumerate() {
         for (i, point) in one.marks.points().iter().enumerate() {
-            let Some(pos) = place.pos(*point) else {
+            let Some(pos) = screen.pos(*point) else {
                 continue;
             };
             let off = pos.distance_sq(at);
@@ -60,12 +56,12 @@ fn point(series: &[Series], place: &Place, at: Pos2, theme: Theme) -> Option<Hit
     found
 }
 
-fn bar(series: &[Series], place: &Place, at: Pos2) -> Option<Hit> {
+fn bar(series: &[Series], screen: &Screen, at: Pos2) -> Option<Hit> {
     let (index, point, tip) = series.iter().enumerate().rev().find_map(|(index, one)| {
         let Marks::Bars { points, width } = &one.marks else {
             return None;
         };
-        let inside = |p: &&[f64; 2]| bar_rect(place, **p, *width).is_some_and(|r| r.contains(at));
+        let inside = |p: &&[f64; 2]| screen.bar(**p, *width).is_some_and(|r| r.contains(at));
         let i = points.iter().position(|p| inside(&p))?;
         Some((index, i, points[i]))
     })?;
@@ -76,10 +72,10 @@ fn bar(series: &[Series], place: &Place, at: Pos2) -> Option<Hit> {
     })
 }
 
-fn cell(series: &[Series], place: &Place, at: Pos2) -> Option<Hit> {
+fn cell(series: &[Series], screen: &Screen, at: Pos2) -> Option<Hit> {
     series.iter().enumerate().rev().find_map(|(index, one)| {
         let cells = one.marks.cells()?;
-        let point = cells.at(place.values(at))?;
+        let point = cells.at(screen.values(at))?;
         Some(Hit {
             series: index,
             point,
@@ -89,26 +85,25 @@ fn cell(series: &[Series], place: &Place, at: Pos2) -> Option<Hit> {
 }
 
 /// Rings what is pointed at.
-pub(super) fn mark(ui: &Ui, series: &Series, hit: Hit, place: &Place, theme: Theme) {
-    let painter = ui.painter().with_clip_rect(place.frame().expand(8.0));
+pub(super) fn mark(ui: &Ui, series: &Series, hit: Hit, screen: &Screen, theme: Theme) {
+    let painter = ui.painter().with_clip_rect(screen.frame().expand(8.0));
     let colour = ui.visuals().strong_text_color();
     let stroke = Stroke::new(1.6 * theme.scale, colour);
     match &series.marks {
         Marks::Cells { cells } => {
-            if let Some(rect) = cell_rect(cells, hit.point, place) {
+            if let Some(rect) = screen.cell(cells, hit.point) {
                 let under = Stroke::new(3.4 * theme.scale, theme.ground);
                 painter.rect_stroke(rect, 0.0, under, StrokeKind::Middle);
                 painter.rect_stroke(rect, 0.0, stroke, StrokeKind::Middle);
             }
         }
         Marks::Bars { width, .. } => {
-            if let Some(rect) = bar_rect(place, hit.at, *width) {
-                let rect = rect.intersect(place.frame());
+            if let Some(rect) = screen.bar(hit.at, *width) {
                 painter.rect(rect, 0.0, Color32::TRANSPARENT, stroke, StrokeKind::Middle);
             }
         }
         _ => {
-            if let Some(at) = place.pos(hit.at) {
+            if let Some(at) = screen.pos(hit.at) {
                 painter.circle_stroke(at, 6.0 * theme.scale, stroke);
             }
         }

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Button, RichText, Ui};
 
 use super::super::model_view::named;
-use crate::app::{export::stem_of, plot_svg::Chart};
+use crate::app::{chart::Chart, export::stem_of};
 
 /// What a chart is wanted as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,13 +5,10 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{DragValue, Ui, vec2};
 
-use super::{
-    PageContext, progress,
-    rows::{Column, Row, table},
-};
+use super::{PageContext, progress};
 use crate::{
     app::{
-        App, Command,
+        App, Command, chart,
         charts::{
             auction::{
                 AuctionChart, MEANINGS, MEASURES, NAMES, ended_words, error_words, gain_words,
@@ -19,13 +16,13 @@ use crate::{
             },
             tradeoff::{self, all_figures, lack},
         },
+        memo::{ByAddress, Memo},
         pages::SPENDABLE,
-        plot_svg,
         studies::{About, AuctionAsk, Stage, take},
     },
     io::many::numbers,
-    study::{Auction, Goal, Progress, Reference, Verdict, Way},
-    ui::{chart_view::ChartView, model_view::named},
+    study::{Auction, Goal, Reference, Way},
+    ui::kit::{Column, Row, named, table},
 };
 
 /// From this width on chart and table stand side by side, points.
@@ -42,10 +39,9 @@ const RULES: &str = "An order and a spike cost two numbers each. At every price 
 const MOST_WEIGHT: f64 = 100.0;
 
 /// Chart and table of one auction.
-struct Built {
+struct Sheet {
     ask: AuctionAsk,
     auction: Arc<Auction>,
-    theme: plot_svg::Theme,
     chart: AuctionChart,
     ended: String,
     columns: Vec<Column>,
@@ -59,8 +55,8 @@ struct Built {
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct AuctionView {
-    built: Option<Built>,
-    reference: Option<(About, Option<Reference>)>,
+    sheet: Memo<(ByAddress<Auction>, chart::Theme), Sheet>,
+    reference: Memo<About, Option<Reference>>,
 }
 
 impl AuctionView {
@@ -71,10 +67,10 @@ impl AuctionView {
         controls(ui, context, goal);
         let goal = goal_within(app, context.memory.goal);
         let ask = AuctionAsk::of(app.document(), goal, context.memory.auction_numbers);
-        context.studies.auction.ask(&ask, context.wake, || {
-            let ask = ask.clone();
-            move |progress: &Progress| ask.answer(progress)
-        });
+        context
+            .studies
+            .auction
+            .ask_by(&ask, context.wake, AuctionAsk::answer);
         let stage = context.studies.auction.stage();
         if stage != Stage::Done {
             progress(ui, &mut context.studies.auction, "The auction");
@@ -85,61 +81,58 @@ impl AuctionView {
         let Some((key, auction)) = context.studies.auction.answer() else {
             return;
         };
-        let theme = context.chart_theme();
-        let same = |b: &Built| Arc::ptr_eq(&b.auction, auction) && b.theme == theme;
-        if !self.built.as_ref().is_some_and(same) {
-            self.built = Some(build(app, key.clone(), auction.clone(), theme));
-        }
+        let of = (ByAddress(auction.clone()), context.chart_theme());
+        let sheet = self.sheet.get(of, |(auction, theme)| {
+            Sheet::of(app, key.clone(), auction.0.clone(), *theme)
+        });
         let fresh = *key == ask;
-        if fresh {
-            self.mark(app);
+        if fresh && sheet.marked != Some(app.revision()) {
+            let reference = self.reference.get(key.about.clone(), tradeoff::reference);
+            sheet.mark(app, reference.as_ref());
         }
-        if let Some(built) = &self.built {
-            if stage == Stage::Done {
-                ending(ui, context, built, fresh);
-            }
-            lay_out(ui, context, built, fresh);
+        if stage == Stage::Done {
+            ending(ui, context, sheet, fresh);
+        }
+        lay_out(ui, context, sheet, fresh);
+    }
+}
+
+impl Sheet {
+    fn of(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: chart::Theme) -> Self {
+        let names = names(&ask, &auction, app.element_lines());
+        let goal = ask.terms.goal;
+        let rows = (0..auction.steps.len())
+            .map(|i| row(&auction, i, goal, &names))
+            .collect();
+        Self {
+            chart: AuctionChart::of(&ask, &auction, &names, theme),
+            ended: ended_words(&ask, &auction),
+            columns: columns(),
+            rows,
+            marked: None,
+            chosen: None,
+            ask,
+            auction,
         }
     }
 
-    /// Marks the present model in chart and table, once a change.
-    fn mark(&mut self, app: &App) {
-        let Some(built) = &mut self.built else {
-            return;
-        };
-        let revision = app.revision();
-        if built.marked == Some(revision) {
-            return;
-        }
-        built.marked = Some(revision);
-        let about = &built.ask.about;
-        if self.reference.as_ref().is_none_or(|(of, _)| of != about) {
-            self.reference = Some((about.clone(), tradeoff::reference(about)));
-        }
-        let reference = self
-            .reference
-            .as_ref()
-            .and_then(|(_, reference)| reference.as_ref());
-        let now: Option<Verdict> =
-            reference.and_then(|reference| tradeoff::verdict_now(app, reference));
-        built
-            .chart
-            .mark(app, &built.ask, &built.auction, now.as_ref());
+    /// Marks the present model in chart and table.
+    fn mark(&mut self, app: &App, reference: Option<&Reference>) {
+        self.marked = Some(app.revision());
+        let now = reference.and_then(|reference| tradeoff::verdict_now(app, reference));
+        self.chart.mark(app, &self.ask, &self.auction, now.as_ref());
         let numbers = app.derived().numbers();
-        let step = built
-            .auction
-            .steps
-            .iter()
-            .position(|s| s.numbers == numbers);
-        built.chosen = step.filter(|i| is_now(app, built, *i));
+        let mut steps = self.auction.steps.iter();
+        let step = steps.position(|step| step.numbers == numbers);
+        self.chosen = step.filter(|step| is_now(app, self, *step));
     }
 }
 
 /// Whether a step is the document's present model.
-fn is_now(app: &App, built: &Built, step: usize) -> bool {
+fn is_now(app: &App, sheet: &Sheet, step: usize) -> bool {
     let document = app.document();
-    let step = &built.auction.steps[step];
-    let command = take(document.settings, &built.ask, &built.auction, step);
+    let step = &sheet.auction.steps[step];
+    let command = take(document.settings, &sheet.ask, &sheet.auction, step);
     let Command::TakeModel { settings, edits } = command else {
         return false;
     };
@@ -248,25 +241,6 @@ pub(in crate::ui) fn budget(ui: &mut Ui, numbers: &mut usize) -> egui::Response 
     response
 }
 
-fn build(app: &App, ask: AuctionAsk, auction: Arc<Auction>, theme: plot_svg::Theme) -> Built {
-    let names = names(&ask, &auction, app.element_lines());
-    let goal = ask.terms.goal;
-    let rows = (0..auction.steps.len())
-        .map(|i| row(&auction, i, goal, &names))
-        .collect();
-    Built {
-        chart: AuctionChart::of(&ask, &auction, &names, theme),
-        ended: ended_words(&ask, &auction),
-        columns: columns(),
-        rows,
-        marked: None,
-        chosen: None,
-        theme,
-        ask,
-        auction,
-    }
-}
-
 fn columns() -> Vec<Column> {
     vec![
         Column::numbers("numbers", "Spent so far.", 1.15),
@@ -331,20 +305,21 @@ Click to take this model.",
             },
             all_figures(&step.verdict)
         ),
+        ..Row::default()
     }
 }
 
 /// Chart and table in the room there is.
-fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
+fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
     let room = ui.available_size();
     let scale = context.theme.scale;
     if room.x >= WIDE * scale {
         ui.columns(2, |columns| {
             let size = vec2(columns[0].available_width(), room.y);
-            chart(&mut columns[0], context, built, size, fresh);
+            chart(&mut columns[0], context, sheet, size, fresh);
             egui::ScrollArea::vertical()
                 .auto_shrink(false)
-                .show(&mut columns[1], |ui| steps(ui, context, built, fresh));
+                .show(&mut columns[1], |ui| steps(ui, context, sheet, fresh));
         });
     } else {
         egui::ScrollArea::vertical()
@@ -354,24 +329,24 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: boo
                 chart(
                     ui,
                     context,
-                    built,
+                    sheet,
                     vec2(ui.available_width(), height),
                     fresh,
                 );
                 ui.add_space(4.0);
-                steps(ui, context, built, fresh);
+                steps(ui, context, sheet, fresh);
             });
     }
 }
 
 /// Why it ended, and a button to take what was bought.
-fn ending(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
+fn ending(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
     ui.horizontal_wrapped(|ui| {
-        let last = built.auction.steps.len() - 1;
-        let taken = built.chosen == Some(last);
+        let last = sheet.auction.steps.len() - 1;
+        let taken = sheet.chosen == Some(last);
         let button = ui.add_enabled(fresh && !taken, egui::Button::new("Take this model"));
         if button.clicked() {
-            act(context, built, last);
+            act(context, sheet, last);
         }
         button
             .on_hover_text(
@@ -382,36 +357,35 @@ fn ending(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool
             } else {
                 "The auction is still running."
             });
-        ui.label(&built.ended);
+        ui.label(&sheet.ended);
     });
 }
 
-fn chart(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, size: egui::Vec2, fresh: bool) {
-    let shown = ChartView::show(ui, &built.chart.chart, "auction", size, context.theme);
-    context.wishes.extend(shown.wish);
+fn chart(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, size: egui::Vec2, fresh: bool) {
+    let shown = context.chart(ui, &sheet.chart.chart, "auction", size);
     let step = shown
         .clicked
-        .and_then(|hit| built.chart.step(hit.series, hit.point));
+        .and_then(|hit| sheet.chart.step(hit.series, hit.point));
     if fresh && let Some(step) = step {
-        act(context, built, step);
+        act(context, sheet, step);
     }
 }
 
-fn steps(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
-    let (columns, rows) = (&built.columns, &built.rows);
-    if let Some(step) = table(ui, columns, rows, built.chosen, fresh, context.theme) {
-        act(context, built, step);
+fn steps(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
+    let (columns, rows) = (&sheet.columns, &sheet.rows);
+    if let Some(step) = table(ui, columns, rows, sheet.chosen, fresh, context.theme) {
+        act(context, sheet, step);
     }
     ui.add_space(8.0);
     ui.weak(RULES);
 }
 
 /// Takes the model of a step.
-fn act(context: &mut PageContext<'_>, built: &Built, step: usize) {
-    let Some(step) = built.auction.steps.get(step) else {
+fn act(context: &mut PageContext<'_>, sheet: &Sheet, step: usize) {
+    let Some(step) = sheet.auction.steps.get(step) else {
         return;
     };
     let settings = context.app.document().settings;
-    let command = take(settings, &built.ask, &built.auction, step);
+    let command = take(settings, &sheet.ask, &sheet.auction, step);
     context.commands.push(command);
 }

@@ -9,15 +9,16 @@ use super::PageContext;
 use crate::{
     app::{
         Command, Settings,
+        chart::{self, Chart},
         charts::coefficients::{CoefficientCharts, Sight},
-        plot_svg::{self, Chart},
+        memo::Memo,
         studies::paper::{CHANNELS, figure, harmonics_of, off_percent, percent, three},
         tables::CURVE_ORDER,
     },
     io::many::numbers,
     spectrum::{Basis, basis::numbers_of_order},
     study::harmonics::Harmonics,
-    ui::chart_view::{ChartResponse, ChartView},
+    ui::chart_view::ChartResponse,
 };
 
 /// Time between two orders while playing, s.
@@ -31,27 +32,21 @@ const LEAST_ROW: f32 = 204.0;
 
 /// Names of controls, shared with the tests that use them.
 pub mod names {
-    /// The slider of the partial sum.
     pub const PARTIAL: &str = "Sum up to N";
-    /// Starts the play.
     pub const PLAY: &str = "▶ Play";
-    /// Stops it.
     pub const STOP: &str = "■ Stop";
 }
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct CoefficientsView {
-    harmonics: Option<(u64, Harmonics)>,
-    charts: Option<(Drawn, CoefficientCharts)>,
+    harmonics: Memo<u64, Harmonics>,
+    charts: Memo<(u64, Sight, chart::Theme), CoefficientCharts>,
     /// The order whose bar is under the pointer.
     pointed: Option<usize>,
     /// When the next order comes, while playing: the program's time in s.
     next_step: Option<f64>,
 }
-
-/// What the charts were drawn for.
-type Drawn = (u64, Sight, plot_svg::Theme);
 
 impl CoefficientsView {
     /// The order whose bar is under the pointer.
@@ -62,16 +57,7 @@ impl CoefficientsView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let revision = context.app.revision();
-        if self
-            .harmonics
-            .as_ref()
-            .is_none_or(|(of, _)| *of != revision)
-        {
-            self.harmonics = Some((revision, harmonics_of(context.app)));
-        }
-        let Some((_, harmonics)) = &self.harmonics else {
-            return;
-        };
+        let harmonics = &*self.harmonics.get(revision, |_| harmonics_of(context.app));
         let highest = harmonics.orders.len().saturating_sub(1);
         context.memory.partial_order = context.memory.partial_order.min(highest);
         if context.app.derived().errors.is_none() {
@@ -91,14 +77,10 @@ impl CoefficientsView {
             partial_order: context.memory.partial_order,
             pointed: self.pointed,
         };
-        let wanted = (revision, sight, context.chart_theme());
-        if self.charts.as_ref().is_none_or(|(of, _)| *of != wanted) {
-            let charts = CoefficientCharts::of(context.app, harmonics, sight, wanted.2);
-            self.charts = Some((wanted, charts));
-        }
-        let Some((_, charts)) = &self.charts else {
-            return;
-        };
+        let key = (revision, sight, context.chart_theme());
+        let charts = &*self.charts.get(key, |(_, sight, theme)| {
+            CoefficientCharts::of(context.app, harmonics, *sight, *theme)
+        });
         let pointed = draw(ui, context, charts, harmonics, self.pointed);
         if pointed != self.pointed {
             self.pointed = pointed;
@@ -342,14 +324,7 @@ fn draw(
     // Bars get what the spectrum leaves; where that is too little they scroll under it.
     let top = (0.4 * shared).clamp(170.0 * scale, 420.0 * scale);
     let row = ((shared - top) / rows as f32).max(LEAST_ROW * scale);
-    let shown = ChartView::show(
-        ui,
-        &charts.partial,
-        "partial sum",
-        vec2(room.x, top),
-        context.theme,
-    );
-    context.wishes.extend(shown.wish);
+    context.chart(ui, &charts.partial, "partial sum", vec2(room.x, top));
 
     let bars = [
         (&charts.light, "light"),
@@ -412,7 +387,5 @@ fn one(
         });
         return None;
     };
-    let mut response = ChartView::show(ui, chart, ("coefficients", id), size, context.theme);
-    context.wishes.extend(response.wish.take());
-    Some(response)
+    Some(context.chart(ui, chart, ("coefficients", id), size))
 }

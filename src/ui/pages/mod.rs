@@ -5,7 +5,6 @@ pub mod coefficients_view;
 pub mod image_view;
 pub mod products_view;
 pub mod race_view;
-pub mod rows;
 pub mod tradeoff_view;
 pub mod truth_view;
 
@@ -13,13 +12,14 @@ use eframe::egui;
 use egui::Ui;
 
 use super::{
-    chart_view::ChartWish,
+    chart_view::{ChartResponse, ChartView, ChartWish},
+    kit::named,
     theme::{Theme, Wake},
 };
 use crate::app::{
     App, Command,
+    chart::{self, Chart},
     pages::{Page, PageMemory},
-    plot_svg,
     studies::{Job, Stage, Studies},
 };
 
@@ -44,13 +44,22 @@ pub struct PageContext<'a> {
 }
 
 impl PageContext<'_> {
+    /// Draws a chart with its menu; what the menu was asked for is passed on.
+    pub fn chart(
+        &mut self,
+        ui: &mut Ui,
+        chart: &Chart,
+        id: impl std::hash::Hash + std::fmt::Debug,
+        size: egui::Vec2,
+    ) -> ChartResponse {
+        let mut shown = ChartView::show(ui, chart, id, size, self.theme);
+        self.wishes.extend(shown.wish.take());
+        shown
+    }
+
     /// The theme of charts.
-    pub fn chart_theme(&self) -> plot_svg::Theme {
-        if self.theme.dark {
-            plot_svg::Theme::Dark
-        } else {
-            plot_svg::Theme::Light
-        }
+    pub fn chart_theme(&self) -> chart::Theme {
+        self.theme.of_charts()
     }
 }
 
@@ -112,7 +121,7 @@ pub fn progress<K: Clone + PartialEq, T: Send + 'static>(
                         .desired_width(120.0)
                         .show_percentage(),
                 );
-                super::model_view::named(&bar, egui::Role::ProgressIndicator, what);
+                named(&bar, egui::Role::ProgressIndicator, what);
                 if ui
                     .small_button("Cancel")
                     .on_hover_text("Stops it; the last result stays.")

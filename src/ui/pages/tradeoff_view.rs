@@ -3,26 +3,27 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Align, Layout, Ui, vec2};
+use egui::{Ui, vec2};
 
-use super::{
-    PageContext, progress,
-    rows::{Column, Row, table},
-};
+use super::{PageContext, progress};
 use crate::{
     app::{
         Command,
+        chart::{self, Chart},
         charts::tradeoff::{
             self, Tradeoff, all_figures, figure, lack, limits, mark_threshold, measure_within,
             needs, take, take_cell, threshold_chart, unit, way_name,
         },
+        memo::{ByAddress, Memo},
         pages::WaysShown,
-        plot_svg::{self, Chart},
         studies::{About, Stage, SweepAsk},
     },
     io::many::numbers,
-    study::{Measure, Progress, Reference, Sweep, Verdict, sweep::SweepPoint},
-    ui::chart_view::{ChartView, Hit},
+    study::{Measure, Reference, Sweep, Verdict, sweep::SweepPoint},
+    ui::{
+        chart_view::Hit,
+        kit::{Column, Row, line, table},
+    },
 };
 
 /// From this width on the two charts stand side by side, points.
@@ -31,27 +32,10 @@ const WIDE: f32 = 940.0;
 /// From this width on the table has all figures, points.
 const ALL_FIGURES: f32 = 600.0;
 
-/// What the charts were built from: they are built anew when any of it changes.
-#[derive(Clone)]
-struct Of {
+/// Charts and table of one sweep and figure.
+struct Sheet {
     sweep: Arc<Sweep>,
     measure: Measure,
-    shown: WaysShown,
-    theme: plot_svg::Theme,
-}
-
-impl PartialEq for Of {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.sweep, &other.sweep)
-            && self.measure == other.measure
-            && self.shown == other.shown
-            && self.theme == other.theme
-    }
-}
-
-/// Charts and table of one sweep and figure.
-struct Built {
-    of: Of,
     tradeoff: Tradeoff,
     map: Chart,
     sentences: [String; 2],
@@ -64,9 +48,9 @@ struct Built {
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct TradeoffView {
-    built: Option<Built>,
-    reference: Option<(About, Option<Reference>)>,
-    now: Option<(u64, Option<Verdict>)>,
+    sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown, chart::Theme), Sheet>,
+    reference: Memo<About, Option<Reference>>,
+    now: Memo<u64, Option<Verdict>>,
 }
 
 impl TradeoffView {
@@ -74,16 +58,14 @@ impl TradeoffView {
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let ask = SweepAsk::of(app.document());
-        context.studies.sweep.ask(&ask, context.wake, || {
-            let ask = ask.clone();
-            move |progress: &Progress| ask.answer(progress)
-        });
+        context
+            .studies
+            .sweep
+            .ask_by(&ask, context.wake, SweepAsk::answer);
         let measure = measure_within(app, context.memory.measure);
         controls(ui, context, measure);
         // A row that is always there: the charts must not jump while a slider is dragged.
-        let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
-        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
-            ui.set_min_height(row.y);
+        line(ui, |ui| {
             let job = &mut context.studies.sweep;
             if job.stage() == Stage::Done {
                 ui.weak(
@@ -102,45 +84,27 @@ impl TradeoffView {
         let (key, sweep) = (key.clone(), sweep.clone());
         // A model of another spectrum is none for this one.
         let fresh = key == ask;
-        let now = self.verdict_now(context, &ask.about);
-        let of = Of {
-            sweep,
-            measure,
-            shown: context.memory.ways,
-            theme: context.chart_theme(),
-        };
-        if self.built.as_ref().is_none_or(|built| built.of != of) {
-            self.built = Some(build(&key, of));
-        }
-        let Some(built) = &mut self.built else {
-            return;
-        };
         let revision = app.revision();
-        if fresh && built.marked != Some(revision) {
-            built.tradeoff.mark(app, now.as_ref(), measure);
-            mark_threshold(&mut built.map, app);
-            built.marked = Some(revision);
+        let reference = self.reference.get(ask.about.clone(), tradeoff::reference);
+        let now = self.now.get(revision, |_| {
+            let reference = reference.as_ref()?;
+            tradeoff::verdict_now(app, reference)
+        });
+        let of = (
+            ByAddress(sweep.clone()),
+            measure,
+            context.memory.ways,
+            context.chart_theme(),
+        );
+        let sheet = self.sheet.get(of, |(_, measure, ways, theme)| {
+            Sheet::of(&key, sweep, *measure, (ways, *theme))
+        });
+        if fresh && sheet.marked != Some(revision) {
+            sheet.tradeoff.mark(app, now.as_ref(), measure);
+            mark_threshold(&mut sheet.map, app);
+            sheet.marked = Some(revision);
         }
-        lay_out(ui, context, built, fresh);
-    }
-
-    /// Every figure of the present model, computed once a change.
-    fn verdict_now(&mut self, context: &PageContext<'_>, about: &About) -> Option<Verdict> {
-        let revision = context.app.revision();
-        if self.reference.as_ref().is_none_or(|(of, _)| of != about) {
-            self.reference = Some((about.clone(), tradeoff::reference(about)));
-            self.now = None;
-        }
-        if self.now.as_ref().is_none_or(|(of, _)| *of != revision) {
-            let reference = self
-                .reference
-                .as_ref()
-                .and_then(|(_, reference)| reference.as_ref());
-            let verdict =
-                reference.and_then(|reference| tradeoff::verdict_now(context.app, reference));
-            self.now = Some((revision, verdict));
-        }
-        self.now.as_ref().and_then(|(_, verdict)| *verdict)
+        lay_out(ui, context, sheet, fresh);
     }
 }
 
@@ -217,24 +181,32 @@ pub(super) fn meaning(measure: Measure) -> &'static str {
     }
 }
 
-fn build(ask: &SweepAsk, of: Of) -> Built {
-    let (sweep, measure) = (&of.sweep, of.measure);
-    let tradeoff = Tradeoff::of(ask, sweep, measure, &of.shown, of.theme);
-    let sentences = limits(measure).map(|limit| needs(ask, sweep, &tradeoff.front, measure, limit));
-    let points = || tradeoff.front.iter().map(|index| &sweep.points[*index]);
-    let all: Vec<usize> = (0..FIGURES.len()).collect();
-    let chosen = FIGURES.iter().position(|(one, _)| *one == measure);
-    let tables = [all, chosen.into_iter().collect()].map(|figures| {
-        let rows = points().map(|point| row(point, measure, &figures));
-        (columns(&figures), rows.collect())
-    });
-    Built {
-        map: threshold_chart(ask, sweep, measure, of.theme),
-        tables,
-        sentences,
-        tradeoff,
-        marked: None,
-        of,
+impl Sheet {
+    fn of(
+        ask: &SweepAsk,
+        sweep: Arc<Sweep>,
+        measure: Measure,
+        (shown, theme): (&WaysShown, chart::Theme),
+    ) -> Self {
+        let tradeoff = Tradeoff::of(ask, &sweep, measure, shown, theme);
+        let sentences =
+            limits(measure).map(|limit| needs(ask, &sweep, &tradeoff.front, measure, limit));
+        let points = || tradeoff.front.iter().map(|index| &sweep.points[*index]);
+        let all: Vec<usize> = (0..FIGURES.len()).collect();
+        let chosen = FIGURES.iter().position(|(one, _)| *one == measure);
+        let tables = [all, chosen.into_iter().collect()].map(|figures| {
+            let rows = points().map(|point| row(point, measure, &figures));
+            (columns(&figures), rows.collect())
+        });
+        Self {
+            map: threshold_chart(ask, &sweep, measure, theme),
+            tables,
+            sentences,
+            tradeoff,
+            marked: None,
+            sweep,
+            measure,
+        }
     }
 }
 
@@ -303,12 +275,13 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[usize]) -> Row {
             figure(measure, &point.verdict)
         ),
         note: format!("{}\nClick to take this model.", all_figures(&point.verdict)),
+        ..Row::default()
     }
 }
 
 /// Charts and table in the room there is.
-fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &mut Built, fresh: bool) {
-    let [first, second] = &built.sentences;
+fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
+    let [first, second] = &sheet.sentences;
     let sentence = ui.label(format!("{first} {second}"));
     sentence.on_hover_text("Of the models drawn: all orders of the ways that are switched on.");
     let room = ui.available_size();
@@ -320,36 +293,35 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, built: &mut Built, fresh:
                 let height = (0.60 * room.y).max(300.0 * scale);
                 ui.columns(2, |columns| {
                     let size = vec2(columns[0].available_width(), height);
-                    against_numbers(&mut columns[0], context, built, size, fresh);
-                    against_threshold(&mut columns[1], context, built, size, fresh);
+                    against_numbers(&mut columns[0], context, sheet, size, fresh);
+                    against_threshold(&mut columns[1], context, sheet, size, fresh);
                 });
             } else {
                 let width = ui.available_width();
                 let height = (0.52 * room.y).clamp(270.0 * scale, 460.0 * scale);
-                against_numbers(ui, context, built, vec2(width, height), fresh);
+                against_numbers(ui, context, sheet, vec2(width, height), fresh);
                 ui.add_space(4.0);
                 let height = (0.41 * room.y).clamp(210.0 * scale, 380.0 * scale);
-                against_threshold(ui, context, built, vec2(width, height), fresh);
+                against_threshold(ui, context, sheet, vec2(width, height), fresh);
             }
             ui.add_space(6.0);
-            front_table(ui, context, built, fresh);
+            front_table(ui, context, sheet, fresh);
         });
 }
 
 fn against_numbers(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    built: &Built,
+    sheet: &Sheet,
     size: egui::Vec2,
     fresh: bool,
 ) {
-    let chart = &built.tradeoff.chart;
-    let shown = ChartView::show(ui, chart, "tradeoff", size, context.theme);
-    context.wishes.extend(shown.wish);
-    let model = |hit: Hit| built.tradeoff.model(hit.series, hit.point);
+    let chart = &sheet.tradeoff.chart;
+    let shown = context.chart(ui, chart, "tradeoff", size);
+    let model = |hit: Hit| sheet.tradeoff.model(hit.series, hit.point);
     if fresh && let Some(model) = shown.clicked.and_then(model) {
         let settings = context.app.document().settings;
-        let command = take(settings, &built.of.sweep.points[model]);
+        let command = take(settings, &sheet.sweep.points[model]);
         context.commands.push(command);
     }
 }
@@ -357,39 +329,38 @@ fn against_numbers(
 fn against_threshold(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    built: &Built,
+    sheet: &Sheet,
     size: egui::Vec2,
     fresh: bool,
 ) {
-    let shown = ChartView::show(ui, &built.map, "threshold map", size, context.theme);
-    context.wishes.extend(shown.wish);
+    let shown = context.chart(ui, &sheet.map, "threshold map", size);
     let settings = context.app.document().settings;
     let cell = shown.clicked.filter(|hit| hit.series == 0);
     if fresh
         && let Some(cell) = cell
-        && let Some(command) = take_cell(settings, &built.of.sweep, cell.point)
+        && let Some(command) = take_cell(settings, &sheet.sweep, cell.point)
     {
         context.commands.push(command);
     }
 }
 
 /// The front as a table; its first row is the cheapest model.
-fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, built: &Built, fresh: bool) {
+fn front_table(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
     let settings = context.app.document().settings;
     let points = || {
-        let front = built.tradeoff.front.iter();
-        front.map(|index| &built.of.sweep.points[*index])
+        let front = sheet.tradeoff.front.iter();
+        front.map(|index| &sheet.sweep.points[*index])
     };
     ui.label(
         egui::RichText::new(format!(
             "Lowest error for that many numbers: {}",
-            built.of.measure.title()
+            sheet.measure.title()
         ))
         .strong(),
     );
     let chosen = points().position(|point| is_now(context, point));
     let few = ui.available_width() < ALL_FIGURES * context.theme.scale;
-    let (columns, rows) = &built.tables[usize::from(few)];
+    let (columns, rows) = &sheet.tables[usize::from(few)];
     let clicked = table(ui, columns, rows, chosen, fresh, context.theme);
     if let Some(point) = clicked.and_then(|row| points().nth(row)) {
         let command: Command = take(settings, point);

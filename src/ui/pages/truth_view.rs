@@ -1,18 +1,19 @@
 //! The page "Truth": the paper's claims, each with what is measured here and what becomes of it.
 
 use eframe::egui;
-use egui::{Frame, Grid, Margin, RichText, ScrollArea, Ui, vec2};
+use egui::{Grid, RichText, Ui, vec2};
 
 use super::PageContext;
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::truth::{neglected_chart, samples_chart, table_2_chart},
-        plot_svg::{self, Chart},
+        memo::Memo,
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
         ticks::short,
     },
     spectrum::{Basis, Sampling},
-    ui::chart_view::ChartView,
+    ui::kit::{framed, scrolled},
 };
 
 /// From this width on cards stand in two columns, points.
@@ -37,8 +38,8 @@ pub const COPY: &str = "Copy as CSV";
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct TruthView {
-    measured: Option<(u64, Claims, Vec<Row>)>,
-    charts: Option<((u64, plot_svg::Theme), Charts)>,
+    measured: Memo<u64, (Claims, Vec<Row>)>,
+    charts: Memo<(u64, chart::Theme), Charts>,
 }
 
 /// The charts of the cards.
@@ -52,38 +53,22 @@ impl TruthView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, revision) = (context.app, context.app.revision());
-        if self
-            .measured
-            .as_ref()
-            .is_none_or(|(of, ..)| *of != revision)
-        {
+        let (claims, rows) = &*self.measured.get(revision, |_| {
             let claims = Claims::of(app);
             let rows = truth_table(&claims);
-            self.measured = Some((revision, claims, rows));
-        }
-        let Some((_, claims, rows)) = &self.measured else {
-            return;
-        };
+            (claims, rows)
+        });
         let drawn = (revision, context.chart_theme());
-        if self.charts.as_ref().is_none_or(|(of, _)| *of != drawn) {
-            let charts = Charts {
-                neglected: neglected_chart(app, claims, drawn.1),
-                table_2: table_2_chart(app, claims, drawn.1),
-                samples: samples_chart(app, claims, drawn.1),
-            };
-            self.charts = Some((drawn, charts));
-        }
-        let Some((_, charts)) = &self.charts else {
-            return;
-        };
+        let charts = &*self.charts.get(drawn, |(_, theme)| Charts {
+            neglected: neglected_chart(app, claims, *theme),
+            table_2: table_2_chart(app, claims, *theme),
+            samples: samples_chart(app, claims, *theme),
+        });
         let tall = ui.available_height() >= TALL * context.theme.scale;
         let chart_height = context.theme.scale * if tall { TALL_CHART } else { CHART };
         head(ui, context, claims);
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            // The bar of the scroll area stands over the right edge.
-            let width = ui.available_width() - 8.0;
-            ui.set_max_width(width);
-            if width < TWO_COLUMNS * context.theme.scale {
+        scrolled(ui, "truth", |ui| {
+            if ui.available_width() < TWO_COLUMNS * context.theme.scale {
                 for (index, row) in rows.iter().enumerate() {
                     card(ui, context, claims, charts, (index, row), chart_height);
                 }
@@ -137,39 +122,33 @@ fn card(
     height: f32,
 ) {
     let picture = Picture::of(claims, charts, index);
-    Frame::new()
-        .fill(ui.visuals().faint_bg_color)
-        .stroke(ui.visuals().widgets.noninteractive.bg_stroke)
-        .corner_radius(4)
-        .inner_margin(Margin::symmetric(10, 8))
-        .show(ui, |ui| {
-            ui.set_width(ui.available_width());
-            let width = ui.available_width();
-            let beside = width >= BESIDE * context.theme.scale;
-            if picture.is_none() || !beside {
-                words(ui, context, row);
-                if let Some(picture) = picture {
-                    ui.add_space(4.0);
-                    picture.draw(ui, context, claims, [width, height]);
-                }
-                return;
+    framed(ui, |ui| {
+        let width = ui.available_width();
+        let beside = width >= BESIDE * context.theme.scale;
+        if picture.is_none() || !beside {
+            words(ui, context, row);
+            if let Some(picture) = picture {
+                ui.add_space(4.0);
+                picture.draw(ui, context, claims, [width, height]);
             }
-            ui.horizontal_top(|ui| {
-                let left = (0.46 * width).floor();
-                ui.vertical(|ui| {
-                    ui.set_width(left);
-                    words(ui, context, row);
-                });
-                ui.add_space(8.0);
-                let right = ui.available_width();
-                ui.vertical(|ui| {
-                    ui.set_width(right);
-                    if let Some(picture) = picture {
-                        picture.draw(ui, context, claims, [right, height]);
-                    }
-                });
+            return;
+        }
+        ui.horizontal_top(|ui| {
+            let left = (0.46 * width).floor();
+            ui.vertical(|ui| {
+                ui.set_width(left);
+                words(ui, context, row);
+            });
+            ui.add_space(8.0);
+            let right = ui.available_width();
+            ui.vertical(|ui| {
+                ui.set_width(right);
+                if let Some(picture) = picture {
+                    picture.draw(ui, context, claims, [right, height]);
+                }
             });
         });
+    });
     ui.add_space(4.0);
 }
 
@@ -227,8 +206,7 @@ impl<'a> Picture<'a> {
         match self {
             Self::Chart(chart, id) => {
                 let size = vec2(width, height);
-                let shown = ChartView::show(ui, chart, ("truth", *id), size, context.theme);
-                context.wishes.extend(shown.wish);
+                context.chart(ui, chart, ("truth", *id), size);
             }
             Self::Spikes => spikes(ui, claims),
             Self::Points => points(ui, claims),

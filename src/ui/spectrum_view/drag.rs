@@ -2,9 +2,11 @@
 
 use eframe::egui;
 use egui::{Pos2, Ui};
-use egui_plot::{PlotPoint, PlotResponse, PlotTransform};
 
-use super::{Wishes, axis::Axis};
+use super::{
+    super::chart_view::{ChartResponse, Screen},
+    Wishes,
+};
 use crate::{
     app::{App, spike_hand::SpikeAct},
     spectrum::Spike,
@@ -28,31 +30,23 @@ struct Drag {
     /// Its place among the hand edits once it was moved.
     hand: Option<usize>,
     start: Pos2,
+    /// What the vertical axis showed then.
+    range: [f64; 2],
 }
 
 impl Dragging {
-    /// Whether a spike is held.
-    pub fn is_on(&self) -> bool {
-        self.held.is_some()
+    /// The range of the vertical axis while a spike is held: the one of the press, or the axis
+    /// would run away under the pointer.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        self.held.map(|drag| drag.range)
     }
 
     /// The spike whose tip is under the pointer.
-    pub fn nearest(
-        transform: Option<PlotTransform>,
-        pointer: Option<Pos2>,
-        tips: &[Option<[f64; 2]>],
-    ) -> Option<usize> {
-        let (pointer, transform) = (pointer?, transform?);
-        if !transform.frame().contains(pointer) {
-            return None;
-        }
+    pub fn nearest(screen: &Screen, pointer: Option<Pos2>, tips: &[[f64; 2]]) -> Option<usize> {
+        let pointer = pointer.filter(|at| screen.frame().contains(*at))?;
         tips.iter()
             .enumerate()
-            .filter_map(|(i, tip)| {
-                let [x, y] = (*tip)?;
-                let at = transform.position_from_point(&PlotPoint::new(x, y));
-                Some((at.distance(pointer), i))
-            })
+            .filter_map(|(i, tip)| Some((screen.pos(*tip)?.distance(pointer), i)))
             .filter(|(distance, _)| *distance <= GRAB)
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, i)| i)
@@ -63,12 +57,16 @@ impl Dragging {
         &mut self,
         ui: &Ui,
         app: &App,
-        axis: Axis,
-        plot: &PlotResponse<()>,
+        plot: &ChartResponse,
+        range: [f64; 2],
         near: Option<usize>,
         wishes: &mut Wishes,
     ) {
-        let (transform, response) = (plot.transform, &plot.response);
+        let response = &plot.response;
+        let at = |pointer: Pos2| {
+            let [nm, height] = plot.main.values(pointer);
+            (nm, height / app.scale_factor())
+        };
         let (pointer, pressed, released) = ui.input(|i| {
             (
                 i.pointer.interact_pos(),
@@ -84,15 +82,20 @@ impl Dragging {
         let base_at = |nm: f64| derived.band.interpolate(&derived.smooth, nm);
         if let (Some(index), Some(start), true) = (near, pointer, pressed && inside) {
             let hand = derived.parts.spikes.get(index).and_then(|s| s.hand);
-            self.held = Some(Drag { index, hand, start });
+            self.held = Some(Drag {
+                index,
+                hand,
+                start,
+                range,
+            });
         }
         if let (Some(drag), Some(pointer)) = (self.held, pointer)
             && (drag.start.distance(pointer) > DEAD_ZONE || drag.hand_moved(app))
         {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
-            let at = transform.value_from_position(pointer);
-            let at_nm = at.x.clamp(derived.band.min_nm(), derived.band.max_nm());
-            let height = axis.value(at.y) - base_at(at_nm);
+            let (at_nm, height) = at(pointer);
+            let at_nm = at_nm.clamp(derived.band.min_nm(), derived.band.max_nm());
+            let height = height - base_at(at_nm);
             let width = app.document().settings.max_width_nm;
             let weight = Spike::weight_from_stem(height, width);
             let hands = app.document().subject_edits().hand.len();
@@ -120,11 +123,11 @@ impl Dragging {
             && near.is_none()
             && let Some(pointer) = pointer
         {
-            let at = transform.value_from_position(pointer);
-            let height = axis.value(at.y) - base_at(at.x);
-            if derived.band.contains(at.x) {
+            let (at_nm, height) = at(pointer);
+            if derived.band.contains(at_nm) {
+                let height = height - base_at(at_nm);
                 wishes.acts.push(SpikeAct::Add {
-                    at_nm: at.x,
+                    at_nm,
                     weight: Spike::weight_from_stem(height, app.document().settings.max_width_nm),
                 });
             }

@@ -62,30 +62,7 @@ pub(super) fn layers(ui: &mut Ui, app: &App, theme: Theme, wishes: &mut Wishes) 
             "The colour of each wavelength under the axis.",
         );
         if !document.overlays.is_empty() {
-            layer(
-                ui,
-                &mut view.overlays,
-                "overlays",
-                Some(inks.overlays[0]),
-                "The spectra laid over for comparison. One of another kind (a reflectance over a \
-                     light) is drawn to the same height.",
-            );
-            for (i, overlay) in document.overlays.iter().enumerate().take(MOST_NAMES) {
-                let colour = ink(inks.overlays[i % inks.overlays.len()]);
-                let name = shortened(overlay.name());
-                ui.label(egui::RichText::new(name).small().color(colour));
-            }
-            if document.overlays.len() > MOST_NAMES {
-                let more = document.overlays.len() - MOST_NAMES;
-                ui.small(format!("and {more} more"));
-            }
-            if ui
-                .small_button("clear")
-                .on_hover_text("Takes all overlays away.")
-                .clicked()
-            {
-                wishes.commands.push(Command::ClearOverlays);
-            }
+            overlays(ui, app, theme, &mut view.overlays, wishes);
         }
         layer(
             ui,
@@ -109,6 +86,35 @@ pub(super) fn layers(ui: &mut Ui, app: &App, theme: Theme, wishes: &mut Wishes) 
         wishes.commands.push(Command::View(view));
     }
     reset
+}
+
+/// The switch of the overlays, their names, and what takes them away.
+fn overlays(ui: &mut Ui, app: &App, theme: Theme, on: &mut bool, wishes: &mut Wishes) {
+    let (document, inks) = (app.document(), theme.inks);
+    layer(
+        ui,
+        on,
+        "overlays",
+        Some(inks.overlays[0]),
+        "The spectra laid over for comparison. One of another kind (a reflectance over a \
+                     light) is drawn to the same height.",
+    );
+    for (i, overlay) in document.overlays.iter().enumerate().take(MOST_NAMES) {
+        let colour = ink(inks.overlays[i % inks.overlays.len()]);
+        let name = shortened(overlay.name());
+        ui.label(egui::RichText::new(name).small().color(colour));
+    }
+    if document.overlays.len() > MOST_NAMES {
+        let more = document.overlays.len() - MOST_NAMES;
+        ui.small(format!("and {more} more"));
+    }
+    if ui
+        .small_button("clear")
+        .on_hover_text("Takes all overlays away.")
+        .clicked()
+    {
+        wishes.commands.push(Command::ClearOverlays);
+    }
 }
 
 fn layer(ui: &mut Ui, on: &mut bool, name: &str, colour: Option<[u8; 3]>, meaning: &str) {

@@ -2,11 +2,10 @@
 
 use eframe::egui;
 use egui::{Color32, Rect, Ui, pos2, vec2};
-use egui_plot::PlotTransform;
 
-use super::{
-    super::theme::{Theme, grey},
-    axis::Axis,
+use super::super::{
+    chart_view::Screen,
+    theme::{Theme, grey},
 };
 use crate::{
     app::{App, line_names::spike_under, ticks},
@@ -17,28 +16,23 @@ use crate::{
 const SPIKE_REACH: f64 = 6.0;
 
 /// The values under the pointer, written into the header's free room.
-pub(super) fn hover(
-    ui: &Ui,
-    app: &App,
-    theme: Theme,
-    axis: Axis,
-    transform: &PlotTransform,
-    plot: Rect,
-    room: Rect,
-) {
+pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen, room: Rect) {
     let Some(pointer) = ui.input(|i| i.pointer.hover_pos()) else {
         return;
     };
     // A dialog may lie over the plot.
-    if !ui.rect_contains_pointer(plot) {
+    if !ui.rect_contains_pointer(plot.frame()) {
         return;
     }
     let derived = app.derived();
-    let nm = transform.value_from_position(pointer).x;
+    let [nm, _] = plot.values(pointer);
     if !derived.band.contains(nm) {
         return;
     }
-    let value = |values: &[f64]| ticks::short(axis.factor * derived.band.interpolate(values, nm));
+    ui.painter()
+        .vline(pointer.x, plot.frame().y_range(), (0.6, theme.faint));
+    let value =
+        |values: &[f64]| ticks::short(app.scale_factor() * derived.band.interpolate(values, nm));
     let samples = &app.document().subject_entry().spectrum.samples;
     let measured = if (samples.first_nm()..=samples.last_nm()).contains(&nm) {
         format!("measured {}", value(&derived.measured))

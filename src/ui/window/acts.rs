@@ -18,7 +18,7 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    App, Command, Settings, chart::curve_chart, export::Export, plot_svg, state::Tone,
+    App, Command, Settings, chart, charts::spectrum::curve_chart, export::Export, state::Tone,
     workspace::ZOOMS,
 };
 
@@ -123,7 +123,7 @@ impl Window {
             }
             Wish::SaveWindowPng => self.save(Saving::WindowPng, context),
             Wish::Copy(export) => {
-                let theme = plot_svg::Theme::Light;
+                let theme = chart::Theme::Light;
                 match export.text(&self.app, theme) {
                     Ok(text) => {
                         context.copy_text(text.trim_end().to_owned());

@@ -20,7 +20,8 @@ use super::{
 use crate::{
     app::{
         Command,
-        already_open::Known,
+        already_open::{Known, known},
+        charts::spectrum::spectrum_chart,
         export::{self, Export},
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
@@ -141,7 +142,7 @@ impl Window {
             let Some((index, row)) = read.next() else {
                 break;
             };
-            match self.places.known(&self.app, &file) {
+            match known(self.app.document(), &file) {
                 Known::All(spectrum, image) => {
                     row.before = OpenBefore::Same;
                     brought[index] = match (spectrum, image) {
@@ -155,12 +156,7 @@ impl Window {
                 Known::OtherValues => row.before = OpenBefore::OtherValues,
                 Known::No => {}
             }
-            rows.push((
-                index,
-                file.path.clone(),
-                file.spectra.len(),
-                file.images.len(),
-            ));
+            rows.push((index, file.spectra.len(), file.images.len()));
             fresh.push(file);
         }
         self.app.end_gesture();
@@ -174,11 +170,9 @@ impl Window {
             self.app.document().own.len(),
             self.app.document().images.len(),
         );
-        self.open_together(fresh);
-        let files: Vec<_> = rows.iter().map(|(_, p, n, _)| (p.clone(), *n)).collect();
-        self.places.remember(&self.app, own, &files);
+        self.app.apply(Command::Open(fresh));
         let (mut own, mut images) = (own, images);
-        for (index, _, spectra, pictures) in rows {
+        for (index, spectra, pictures) in rows {
             let document = self.app.document();
             brought[index] = match (document.own.get(own), document.images.get(images)) {
                 (Some(entry), _) if spectra > 0 => self.brought(entry.key.clone()),
@@ -276,14 +270,12 @@ impl Window {
                 let first = first.unwrap_or_default();
                 let count = opened.spectra.len();
                 let images = opened.images.len();
-                let known = self.places.known(&self.app, &opened);
+                let known = known(self.app.document(), &opened);
                 let is_beside = known == Known::OtherValues;
                 if self.show_again(&opened, known) {
                     return;
                 }
-                let (own, path) = (self.app.document().own.len(), opened.path.clone());
                 self.open_and_ask(*opened);
-                self.places.remember(&self.app, own, &[(path, count)]);
                 self.images_opened(images, count == 0);
                 let more = match count {
                     0 | 1 => String::new(),
@@ -412,7 +404,10 @@ impl Window {
         self.writing.push(std::thread::spawn(move || {
             let bytes = match &saving {
                 Saving::Text(export) => export.text(&app, theme).map(String::into_bytes),
-                Saving::PlotPng => Ok(picture::plot_png(&app, theme, [1200, 760])),
+                Saving::PlotPng => {
+                    let chart = spectrum_chart(&app, theme);
+                    Ok(picture::chart_png(&chart, [1200, 760]))
+                }
                 Saving::WindowPng => Ok(picture::window_png(
                     &app,
                     &preferences,

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use eframe::egui::Context;
 
 use super::{super::theme::waker, Window};
-use crate::app::{pages::Page, picture::back::News, state::Tone, workspace::StoredImage};
+use crate::app::{
+    Command, pages::Page, picture::reload::News, state::Tone, workspace::StoredImage,
+};
 
 impl Window {
     /// Images that are to be read again, as a workspace or project names them.
@@ -19,7 +21,7 @@ impl Window {
         self.bring_back(stored, context);
         for news in self.images.news() {
             match news {
-                News::Back(image) => self.app.image_is_back(&Arc::new(image)),
+                News::Back(image) => self.app.apply(Command::ImageIsBack(Arc::new(image))),
                 News::Lost(_, why) => {
                     let words = format!("An image of the last time is not shown: {why}");
                     self.app.say(Tone::Problem, words);

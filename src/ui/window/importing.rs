@@ -12,7 +12,7 @@ use super::{
 };
 use crate::app::{
     Command,
-    import::{Before, Flip, Import, Source},
+    import::{Again, Flip, Import},
     opened::Opened,
     state::Tone,
 };
@@ -20,49 +20,29 @@ use crate::app::{
 impl Window {
     /// Takes a file in; when it came alone and is doubtful, shows how it was read.
     pub(super) fn open_and_ask(&mut self, opened: Opened) {
-        let before = Before::of(&self.app);
-        let (source, choices) = (Source::of(&opened), opened.choices.clone());
         let asked = opened.is_doubtful().then(|| opened.clone());
         self.app.apply(Command::Open(vec![opened]));
-        self.origins
-            .remember(&self.app, source, choices, before.clone());
         if let Some(opened) = asked {
-            self.import.open(Import::of(&self.app, opened, before));
+            self.import.open(Import::of(&self.app, opened));
         }
-    }
-
-    /// Takes several files in, as one step; their reading may be looked at later.
-    pub(super) fn open_together(&mut self, opened: Vec<Opened>) {
-        let before = Before::of(&self.app);
-        let files: Vec<_> = opened
-            .iter()
-            .map(|file| {
-                let counts = [file.spectra.len(), file.images.len()];
-                (Source::of(file), file.choices.clone(), counts)
-            })
-            .collect();
-        self.app.apply(Command::Open(opened));
-        self.origins.remember_each(&self.app, files, &before);
     }
 
     /// The window over the plot.
     pub(super) fn importing(&mut self, context: &Context, theme: Theme, centre: Rect) {
-        let own = self.app.document().own.iter().map(|e| &e.key);
-        self.library.with_files = own.filter(|k| self.origins.knows(k)).cloned().collect();
         let wake = waker(context);
+        let document = self.app.document();
         if let Some(key) = self.library.wants_reading.take() {
-            self.import.again = self.origins.again(&self.app, &key, &wake);
+            let own = document.own.iter().find(|entry| entry.key == key);
+            let from = own.and_then(|entry| entry.origin.file());
+            self.import.again = from.map(|from| Again::of(from, &wake));
         }
         if let Some(key) = self.pages.wants_reading() {
-            self.import.again = self.origins.image_again(&self.app, &key, &wake);
+            let image = document.images.iter().find(|image| image.key == key);
+            let from = image.map(|image| &image.from);
+            self.import.again = from.map(|from| Again::of(from, &wake));
             context.request_repaint();
         }
-        if let Some(done) = self
-            .import
-            .again
-            .as_mut()
-            .and_then(|again| again.finished(&self.app))
-        {
+        if let Some(done) = self.import.again.as_mut().and_then(Again::finished) {
             self.import.again = None;
             match done {
                 Ok(import) => self.import.open(Some(import)),
@@ -113,7 +93,7 @@ impl Window {
 
     fn settle(&mut self, context: &Context) {
         if let Some(import) = &mut self.import.now
-            && import.settle(&mut self.app, &mut self.origins)
+            && import.settle(&mut self.app)
         {
             // The plot was drawn before.
             context.request_repaint();

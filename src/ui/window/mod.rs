@@ -29,12 +29,9 @@ use super::{
     top_view,
 };
 use crate::app::{
-    App, Command,
-    already_open::Places,
-    import::Origins,
+    App, Command, chart,
     open::Loader,
-    picture::back::Reader,
-    plot_svg,
+    picture::reload::ReloadJob,
     state::Tone,
     studies::Studies,
     workspace::{Preferences, Restored, StoredImage},
@@ -66,7 +63,7 @@ pub struct Window {
     front: Front,
     loader: Loader,
     batch: BatchView,
-    images: Reader,
+    images: ReloadJob,
     /// Images of a workspace or project that are to be read again.
     stored_images: Vec<StoredImage>,
     answers: Channel<(u64, Picked)>,
@@ -92,8 +89,6 @@ pub struct Window {
     /// How a file was read, while it is looked at.
     import: ImportView,
     makers: MakersView,
-    origins: Origins,
-    places: Places,
 }
 
 impl Window {
@@ -109,7 +104,7 @@ impl Window {
             front: Front::default(),
             loader: Loader::default(),
             batch: BatchView::default(),
-            images: Reader::default(),
+            images: ReloadJob::default(),
             stored_images: Vec::new(),
             answers: channel(),
             said: channel(),
@@ -128,8 +123,6 @@ impl Window {
             spend: SpendView::default(),
             import: ImportView::default(),
             makers: MakersView::default(),
-            origins: Origins::default(),
-            places: Places::default(),
         }
     }
 
@@ -155,12 +148,8 @@ impl Window {
     }
 
     /// The theme of files that are written now.
-    pub fn file_theme(&self) -> plot_svg::Theme {
-        if self.preferences.dark {
-            plot_svg::Theme::Dark
-        } else {
-            plot_svg::Theme::Light
-        }
+    pub fn file_theme(&self) -> chart::Theme {
+        Theme::of(&self.preferences).of_charts()
     }
 
     /// One frame.

@@ -17,7 +17,7 @@ use super::{
 use crate::app::{Command, pages::Page, picture::shown, spike_hand::SpikeAct, state::Tone};
 
 /// Least height of a page, points: a lower window scrolls it.
-const LEAST_PAGE: f32 = 470.0;
+const LEAST_PAGE: f32 = 480.0;
 
 impl Window {
     /// Whether the library is shown.

@@ -1,16 +1,25 @@
 //! Charts of the part "absorption" of the page "Products": absorption lines.
 
+use std::fmt::Write as _;
+
 use crate::{
     app::{
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Marks, Rgb, Series, Theme},
+        cells::{line, number, words},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Series, Theme},
+        charts::spectrum::provenance,
+        export,
+        product_report::Told,
+        products::ModelledLight,
+        settings::{Detector, Settings},
         state::App,
+        ticks::short,
     },
     spectrum::{Spike, chain::below_zero},
     study::products::dips::depths,
 };
 
-use super::chain::strip;
+use super::{chain::strip, curve, over};
 
 /// A dip of the subject as it is told.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +34,36 @@ pub struct DipRow {
     pub near: Option<String>,
     /// Whether the model's total is below zero there.
     pub below_zero: bool,
+}
+
+/// What was found in the subject of a state.
+pub struct AbsorptionSheet {
+    /// Its dips.
+    pub dips: Vec<DipRow>,
+    /// The curve with its dips.
+    pub chart: Chart,
+    /// The dips as a table.
+    pub csv: String,
+    /// Lines of the light that stand on dips of the chain, a sentence each.
+    pub met: Vec<String>,
+}
+
+impl AbsorptionSheet {
+    /// The dips of a state.
+    pub fn of(app: &App, theme: Theme) -> Self {
+        let dips = dip_rows(app);
+        Self {
+            chart: absorption_chart(app, &dips, theme),
+            csv: csv(app, &dips),
+            met: met(app),
+            dips,
+        }
+    }
+}
+
+/// Whether dips are looked for: only one of the detectors can.
+pub fn looks(settings: Settings) -> bool {
+    settings.dips && settings.spikes && settings.detector == Detector::Energy
 }
 
 /// The subject's dips, by rising wavelength.
@@ -54,14 +93,70 @@ pub fn dip_rows(app: &App) -> Vec<DipRow> {
         .collect()
 }
 
+/// Lines of the light that stand on dips of the chain, with their weights before and after.
+fn met(app: &App) -> Vec<String> {
+    let document = app.document();
+    if !looks(document.settings) || document.products.chain.is_empty() {
+        return Vec::new();
+    }
+    let lit = ModelledLight::of(app);
+    let told = Told::of(app, &lit, &document.products.chain);
+    let factor = document.scale.factor(&document.light.spectrum);
+    let factor = factor.unwrap_or(1.0);
+    let mut before = &lit.derived.model.spikes;
+    let mut all = Vec::new();
+    for (name, step) in told.names.iter().zip(&told.passage.steps) {
+        let weight = |spikes: &[Spike], nm: f64| {
+            let found = spikes.iter().find(|s| s.at_nm == nm);
+            found.map_or_else(|| "–".to_owned(), |s| short(factor * s.weight))
+        };
+        let called = |nm: f64| match told.known.safe(nm) {
+            Some(name) => format!("{nm:.1} nm ({name})"),
+            None => format!("{nm:.1} nm"),
+        };
+        for met in &step.met {
+            all.push(format!(
+                "{} in {name}: the line at {} stands on a dip at {}, {:.0} % deep. Its weight \
+                 goes from {} to {}.",
+                document.light.name(),
+                called(met.line_nm),
+                called(met.dip_nm),
+                100.0 * met.depth,
+                weight(before, met.line_nm),
+                weight(&step.spikes, met.line_nm),
+            ));
+        }
+        before = &step.spikes;
+    }
+    all
+}
+
+/// The dips as a table, weights in the subject's own unit x nm.
+fn csv(app: &App, dips: &[DipRow]) -> String {
+    let mut out = String::new();
+    let spectrum = &app.document().subject_entry().spectrum;
+    for (key, value) in export::provenance(app).of(spectrum) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "# {key}: {value}");
+    }
+    out.push_str("place nm,weight,depth,name,below zero\n");
+    for dip in dips {
+        out += &line([
+            number(dip.spike.at_nm),
+            number(dip.spike.weight),
+            number(dip.depth),
+            words(dip.name.as_deref().unwrap_or_default()),
+            if dip.below_zero { "yes" } else { "no" }.to_owned(),
+        ]);
+    }
+    out
+}
+
 /// Measured curve, what is left when dips are filled, the series, and the dips hanging from it.
 pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
     let (document, derived) = (app.document(), app.derived());
     let (inks, band, factor) = (Inks::of(theme), derived.band, app.scale_factor());
-    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-        let scaled = values.iter().map(|v| v * factor);
-        band.grid().zip(scaled).map(|(nm, v)| [nm, v]).collect()
-    };
+    let curve = |values: &[f64]| curve(band, values, factor);
     let mut series = vec![
         Series::new(
             "background",
@@ -115,17 +210,14 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
     notes.extend(provenance(app));
     Chart {
         title: format!("Absorption: {}", document.subject_entry().name()),
-        x_label: "Wavelength (nm)".to_owned(),
         y_label: if unit.is_empty() {
             "value".to_owned()
         } else {
             unit.to_owned()
         },
-        x_range: [band.min_nm(), band.max_nm()],
         series,
         strip: strip(band, theme),
         notes,
-        theme,
-        ..Chart::default()
+        ..over(band, theme)
     }
 }

@@ -1,15 +1,16 @@
 //! Error against the number of bounces, for every way of forming products.
 
-use super::forming::{thin, way_looks, way_name};
+use super::resampling::{thin, way_looks, way_name};
 use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Inks, provenance},
-        plot_svg::{Chart, Dash, Scale, Series, Theme},
-        products::Lit,
+        chart::Inks,
+        chart::{Chart, Dash, Scale, Series, Theme},
+        charts::spectrum::provenance,
+        products::ModelledLight,
     },
-    study::products::{Growth, growth, growth::MOST_BOUNCES},
+    study::products::{BounceErrors, bounce_errors, bounces::MOST_BOUNCES},
 };
 
 /// Differences of colour below this are not seen: what the sentence asks for.
@@ -29,22 +30,26 @@ pub struct Bounced {
     /// The surface's name.
     pub surface: String,
     /// Way by way.
-    pub ways: Vec<Growth>,
+    pub ways: Vec<BounceErrors>,
 }
 
 impl Bounced {
     /// Follows the document's light off a surface.
     pub fn of(app: &App, surface: &Entry) -> Self {
-        Self::lit(&Lit::of(app), app.document().light.name(), surface)
+        Self::lit(
+            &ModelledLight::of(app),
+            app.document().light.name(),
+            surface,
+        )
     }
 
     /// The same for a light that was taken out of the document, with its name.
-    pub fn lit(lit: &Lit, light: &str, surface: &Entry) -> Self {
+    pub fn lit(lit: &ModelledLight, light: &str, surface: &Entry) -> Self {
         let factor = lit.factor(surface.on_band(lit.band()));
         Self {
             light: light.to_owned(),
             surface: surface.name().to_owned(),
-            ways: growth(lit.product(), &factor),
+            ways: bounce_errors(lit.product(), &factor),
         }
     }
 
@@ -103,7 +108,7 @@ impl Bounced {
 
     /// Up to which bounce each way stays below a ΔE00 of 1, and for which there is a colour.
     pub fn stays(&self, added: bool) -> Vec<(usize, usize)> {
-        let told = |way: &Growth| {
+        let told = |way: &BounceErrors| {
             let errors = errors(way, added);
             let seen = errors.iter().take_while(|e| e.is_some()).count();
             let below = |e: &&Option<f64>| e.is_some_and(|e| e < UNSEEN);
@@ -171,6 +176,6 @@ impl Bounced {
 }
 
 /// The errors of a way, K = 1 first.
-pub fn errors(way: &Growth, added: bool) -> &[Option<f64>] {
+pub fn errors(way: &BounceErrors, added: bool) -> &[Option<f64>] {
     if added { &way.added } else { &way.total }
 }

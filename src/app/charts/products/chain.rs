@@ -1,108 +1,189 @@
-//! Charts of the part "chain" of the page "Products": the stages of a chain.
+//! A light through its chain as the part "Chain" shows it: every stage, its words and its chart.
 
+use super::{curve, over};
 use crate::{
     app::{
         chart::Inks,
-        plot_svg::{Chart, Marks, Rgb, Series, Theme},
-        products::KnownLines,
+        chart::{Chart, Marks, Rgb, Series, Theme},
+        charts::spectrum::provenance,
+        product_report::Told,
+        products::ModelledLight,
+        state::App,
         ticks::short,
     },
     color::{Srgb, srgb_from_wavelength_over},
     spectrum::{Band, Spike},
 };
 
-/// The light behind a stage, as it is drawn.
-#[derive(Clone, Copy, Debug)]
-pub struct StageDrawn<'a> {
-    /// What stands over the chart.
-    pub title: &'a str,
-    /// The grid.
-    pub band: Band,
-    /// The exact light on the grid.
-    pub exact: &'a [f64],
-    /// The model's smooth part on the grid.
-    pub smooth: &'a [f64],
-    /// The model's spikes.
-    pub spikes: &'a [Spike],
-    /// What they are called.
-    pub known: &'a KnownLines,
-    /// Full width with which a spike is drawn, nm.
-    pub width_nm: f64,
-    /// Factor from the light's own numbers to the scale in force.
-    pub factor: f64,
-    /// The unit of that scale; empty for none.
-    pub unit: &'a str,
-    /// Where the numbers come from.
-    pub notes: &'a [String],
+/// Points that a small spectrum is drawn with at most.
+const SMALL_POINTS: usize = 120;
+
+/// A place of the chain: the light before it, or behind a factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The light that comes in.
+    Light,
+    /// Behind a factor, 0 the first.
+    Stage(usize),
 }
 
-/// The light behind a stage: exact curve, smooth part, spikes as stems.
-pub fn stage_chart(stage: StageDrawn<'_>, theme: Theme) -> Chart {
-    let (inks, band, factor) = (Inks::of(theme), stage.band, stage.factor);
-    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-        let scaled = values.iter().map(|v| v * factor);
-        band.grid().zip(scaled).map(|(nm, v)| [nm, v]).collect()
-    };
-    let mut series = vec![
-        Series::line("exact", inks.measured, curve(stage.exact)),
-        Series::line("smooth part", inks.smooth, curve(stage.smooth)),
-    ];
-    let (up, down): (Vec<Spike>, Vec<Spike>) = stage.spikes.iter().partition(|s| s.weight >= 0.0);
-    for (name, ink, spikes) in [
-        ("spikes", inks.spikes, up),
-        ("negative spikes", inks.product, down),
-    ] {
-        if !spikes.is_empty() {
-            series.push(stems(name, ink, &spikes, stage));
+impl Place {
+    /// 0 for the light, then the stages from 1 on.
+    pub fn index(self) -> usize {
+        match self {
+            Self::Light => 0,
+            Self::Stage(index) => index + 1,
         }
     }
-    Chart {
-        title: stage.title.to_owned(),
-        x_label: "Wavelength (nm)".to_owned(),
-        y_label: if stage.unit.is_empty() {
-            "value".to_owned()
-        } else {
-            stage.unit.to_owned()
-        },
-        x_range: [band.min_nm(), band.max_nm()],
-        series,
-        strip: strip(band, theme),
-        notes: stage.notes.to_vec(),
-        theme,
-        ..Chart::default()
-    }
 }
 
-fn stems(name: &str, ink: Rgb, spikes: &[Spike], stage: StageDrawn<'_>) -> Series {
-    let base: Vec<f64> = spikes
-        .iter()
-        .map(|s| stage.factor * stage.band.interpolate(stage.smooth, s.at_nm))
-        .collect();
-    let points = spikes
-        .iter()
-        .zip(&base)
-        .map(|(s, b)| [s.at_nm, b + stage.factor * s.stem_height(stage.width_nm)])
-        .collect();
-    let label = |s: &Spike| match stage.known.safe(s.at_nm) {
-        Some(name) => name.to_owned(),
-        None => format!("{:.1}", s.at_nm),
-    };
-    let labels: Vec<String> = spikes.iter().map(label).collect();
-    let notes = spikes
-        .iter()
-        .zip(&labels)
-        .map(|(s, label)| format!("{label}: weight {}", short(stage.factor * s.weight)))
-        .collect();
-    Series::new(
-        name,
-        ink,
-        Marks::Stems {
+/// A chain that the light of the state went through.
+pub struct ChainSheet {
+    /// The light and its model.
+    pub light: ModelledLight,
+    /// Every stage, with the names of factors and lines.
+    pub told: Told,
+    /// What must be said about each stage, a sentence each.
+    pub notes: Vec<Vec<String>>,
+    /// Exact curve and smooth part at each [`Place`], heights 0-1 over the exact peak.
+    pub small_curves: Vec<[Vec<f32>; 2]>,
+}
+
+impl ChainSheet {
+    /// The chain of a state.
+    pub fn of(app: &App) -> Self {
+        let light = ModelledLight::of(app);
+        let told = Told::of(app, &light, &app.document().products.chain);
+        let first = small_curves(&light.derived.measured, &light.derived.smooth);
+        let steps = told.passage.steps.iter();
+        let behind = steps.map(|step| small_curves(&step.exact, &step.smooth));
+        Self {
+            small_curves: std::iter::once(first).chain(behind).collect(),
+            notes: told.stage_notes(&light),
+            light,
+            told,
+        }
+    }
+
+    /// How many factors there are.
+    pub fn stages(&self) -> usize {
+        self.told.passage.steps.len()
+    }
+
+    /// The model's spikes at a place.
+    pub fn spikes(&self, place: Place) -> &[Spike] {
+        match place {
+            Place::Light => &self.light.derived.model.spikes,
+            Place::Stage(index) => &self.told.passage.steps[index].spikes,
+        }
+    }
+
+    /// The light at a place: exact curve, smooth part, spikes as stems.
+    pub fn chart(&self, app: &App, place: Place, theme: Theme) -> Chart {
+        let document = app.document();
+        let light = &document.light;
+        let (steps, derived) = (&self.told.passage.steps, &self.light.derived);
+        let (title, exact, smooth) = match place {
+            Place::Light => (
+                format!("The light: {}", light.name()),
+                &derived.measured,
+                &derived.smooth,
+            ),
+            Place::Stage(index) => (
+                format!("Behind stage {}: {}", index + 1, self.told.names[index]),
+                &steps[index].exact,
+                &steps[index].smooth,
+            ),
+        };
+        let mut notes = vec![format!("Light: {}", light.name())];
+        let names = self.told.names.iter().enumerate();
+        notes.extend(names.map(|(i, name)| format!("{}. {name}", i + 1)));
+        notes.extend(provenance(app));
+        let (inks, band) = (Inks::of(theme), derived.band);
+        let factor = document.scale.factor(&light.spectrum).unwrap_or(1.0);
+        let curve = |values: &[f64]| curve(band, values, factor);
+        let mut series = vec![
+            Series::line("exact", inks.measured, curve(exact)),
+            Series::line("smooth part", inks.smooth, curve(smooth)),
+        ];
+        let (up, down): (Vec<Spike>, Vec<Spike>) =
+            self.spikes(place).iter().partition(|s| s.weight >= 0.0);
+        for (name, ink, spikes) in [
+            ("spikes", inks.spikes, up),
+            ("negative spikes", inks.product, down),
+        ] {
+            if !spikes.is_empty() {
+                let base = |nm| factor * band.interpolate(smooth, nm);
+                let width_nm = document.settings.max_width_nm;
+                let (stems, notes) = self.stems(&spikes, base, [factor, width_nm]);
+                series.push(Series::new(name, ink, stems).with_notes(notes));
+            }
+        }
+        let unit = document.scale.unit(&light.spectrum);
+        Chart {
+            title,
+            y_label: if unit.is_empty() {
+                "value".to_owned()
+            } else {
+                unit
+            },
+            series,
+            strip: strip(band, theme),
+            notes,
+            ..over(band, theme)
+        }
+    }
+
+    /// Stems with what is told of each; `width_nm` is the full width that a spike is drawn with.
+    fn stems(
+        &self,
+        spikes: &[Spike],
+        base: impl Fn(f64) -> f64,
+        [factor, width_nm]: [f64; 2],
+    ) -> (Marks, Vec<String>) {
+        let label = |s: &Spike| match self.told.known.safe(s.at_nm) {
+            Some(name) => name.to_owned(),
+            None => format!("{:.1}", s.at_nm),
+        };
+        let labels: Vec<String> = spikes.iter().map(label).collect();
+        let base: Vec<f64> = spikes.iter().map(|s| base(s.at_nm)).collect();
+        let notes = spikes
+            .iter()
+            .zip(&labels)
+            .map(|(s, label)| format!("{label}: weight {}", short(factor * s.weight)))
+            .collect();
+        let points = spikes
+            .iter()
+            .zip(&base)
+            .map(|(s, b)| [s.at_nm, b + factor * s.stem_height(width_nm)])
+            .collect();
+        let marks = Marks::Stems {
             points,
             base,
             labels,
-        },
-    )
-    .with_notes(notes)
+        };
+        (marks, notes)
+    }
+}
+
+/// Two curves over the peak of the first, heights 0-1.
+fn small_curves(exact: &[f64], smooth: &[f64]) -> [Vec<f32>; 2] {
+    let top = exact.iter().copied().fold(0.0, f64::max);
+    // A line of 1 nm must not fall between the points that are drawn.
+    let chunk = exact.len().div_ceil(SMALL_POINTS).max(1);
+    let heights = |values: &[f64]| {
+        let highest = |part: &[f64]| part.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let height = |v: f64| {
+            let share = v / top;
+            if share.is_finite() {
+                share.clamp(0.0, 1.0) as f32
+            } else {
+                0.0
+            }
+        };
+        values.chunks(chunk).map(|c| height(highest(c))).collect()
+    };
+    [heights(exact), heights(smooth)]
 }
 
 /// The colours of the wavelengths along the axis, where there are any.

@@ -3,15 +3,16 @@
 
 use std::sync::Arc;
 
-use super::{chain::strip, forming::thin};
+use super::{chain::strip, curve, resampling::thin};
 use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::{Inks, provenance},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
+        charts::spectrum::provenance,
         made::is_made,
-        plot_svg::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
-        products::Lit,
+        products::ModelledLight,
         ticks::extent,
     },
     color::{Adaptation, Swatch},
@@ -83,7 +84,7 @@ pub struct Behind {
     pub light: String,
     /// The grid.
     pub band: Band,
-    lit: Lit,
+    lit: ModelledLight,
     narrow: Narrow,
     width_nm: f64,
 }
@@ -109,7 +110,7 @@ pub struct FilterRow {
 impl Behind {
     /// The document's light.
     pub fn of(app: &App) -> Self {
-        let lit = Lit::of(app);
+        let lit = ModelledLight::of(app);
         let settings = app.document().settings;
         let narrow = Narrow::new(
             &lit.derived.measured,
@@ -196,9 +197,7 @@ impl Behind {
     pub fn light_chart(&self, app: &App, filter: &Filter, theme: Theme) -> Chart {
         let inks = Inks::of(theme);
         let (band, derived) = (self.band, &self.lit.derived);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            band.grid().zip(values).map(|(nm, v)| [nm, *v]).collect()
-        };
+        let curve = |values: &[f64]| curve(band, values, 1.0);
         let smooth = derived.model.smooth.on_band();
         let spikes = &derived.model.spikes;
         let base: Vec<f64> = spikes
@@ -385,7 +384,7 @@ pub fn of(point: &NarrowPoint, way: usize) -> Colours {
 /// Shipped filter glasses, and the user's own transmittances.
 pub fn is_filter(entry: &Entry) -> bool {
     let is_glass = |shelf| shelf == Shelf::Filters && !is_made(&entry.key);
-    entry.kind() == Kind::Transmittance && entry.shelf.is_none_or(is_glass)
+    entry.kind() == Kind::Transmittance && entry.shelf().is_none_or(is_glass)
 }
 
 fn derived_unit(app: &App) -> &str {

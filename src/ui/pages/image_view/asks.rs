@@ -3,12 +3,10 @@
 use std::sync::Arc;
 
 use super::{PageContext, Shown};
-use crate::{
-    app::{
-        picture::{Held, MOST_SIDE, ProbeAsk, Probed, Raster, RasterAsk, Source},
-        studies::{Same, Stage},
-    },
-    study::Progress,
+use crate::app::{
+    memo::ByAddress,
+    picture::{MOST_SIDE, Raster, RasterAsk, RegionAsk, RegionSpectrum, Source},
+    studies::Stage,
 };
 
 /// The picture of what is shown, no side longer than `most_side`; `None` until it is there.
@@ -17,40 +15,34 @@ pub(super) fn raster(
     shown: &Shown,
     most_side: usize,
 ) -> Option<Arc<Raster>> {
-    let source = match &shown.eye {
-        Some(eye) if shown.bands.is_empty() => Source::Eye(eye.clone()),
+    let source = match &shown.weights {
+        Some(weights) if shown.bands.is_empty() => Source::TrueColour(weights.clone()),
         _ => Source::Bands(shown.bands.clone()),
     };
     let ask = RasterAsk {
-        image: Held(shown.entry.image.clone()),
+        image: ByAddress(shown.entry.image.clone()),
         source,
         most_side: most_side.min(MOST_SIDE),
     };
     let job = &mut context.studies.raster;
-    job.ask(&ask, context.wake, || {
-        let ask = ask.clone();
-        move |progress: &Progress| ask.answer(progress)
-    });
+    job.ask_by(&ask, context.wake, RasterAsk::answer);
     // The picture of another image is none of this one.
     let (key, raster) = job.answer()?;
     (key.image == ask.image).then(|| raster.clone())
 }
 
 /// The spectrum of the chosen pixels; `None` until it is there.
-pub(super) fn probe(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<Probed>> {
+pub(super) fn region(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc<RegionSpectrum>> {
     let document = context.app.document();
-    let ask = ProbeAsk {
-        image: Held(shown.entry.image.clone()),
+    let ask = RegionAsk {
+        image: ByAddress(shown.entry.image.clone()),
         rect: shown.rect,
         settings: document.settings,
-        light: Same(document.light.clone()),
+        light: ByAddress(document.light.clone()),
     };
-    let job = &mut context.studies.probe;
-    job.ask(&ask, context.wake, || {
-        let ask = ask.clone();
-        move |progress: &Progress| ask.answer(progress)
-    });
-    let (key, probed) = job.answer()?;
+    let job = &mut context.studies.region;
+    job.ask_by(&ask, context.wake, RegionAsk::answer);
+    let (key, region) = job.answer()?;
     let impossible = job.stage() == Stage::Impossible;
-    (key.image == ask.image && !impossible).then(|| probed.clone())
+    (key.image == ask.image && !impossible).then(|| region.clone())
 }

@@ -9,7 +9,7 @@ use egui::{
 use crate::{
     spectrum::Rect,
     ui::{
-        model_view::named,
+        kit::named,
         theme::{Theme, grey},
     },
 };

@@ -14,7 +14,10 @@ use crate::{
         ticks::short,
     },
     io::budget,
-    ui::{model_view::named, pages::PageContext},
+    ui::{
+        kit::{Choice, named},
+        pages::PageContext,
+    },
 };
 
 /// The list of images, what the chosen one is, and the buttons that remove it and that show how
@@ -22,24 +25,20 @@ use crate::{
 pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) -> bool {
     let images = &context.app.document().images;
     let row = ui.horizontal(|ui| {
-        let combo = egui::ComboBox::from_id_salt("images")
-            .selected_text(&entry.image.name)
-            .width(170.0)
-            .truncate()
-            .show_ui(ui, |ui| {
-                for image in images {
-                    let chosen = image.key == entry.key;
-                    let words = format!("{} ({})", image.image.name, image.image.source);
-                    if ui.selectable_label(chosen, words).clicked() {
-                        context.memory.image.choose(&image.key);
-                    }
+        let choice = Choice {
+            name: names::IMAGE,
+            meaning: &format!("The spectral images that are open: {}.", images.len()),
+            width: 170.0,
+        };
+        choice.cut(ui, &entry.image.name, |ui| {
+            for image in images {
+                let chosen = image.key == entry.key;
+                let words = format!("{} ({})", image.image.name, image.image.source);
+                if ui.selectable_label(chosen, words).clicked() {
+                    context.memory.image.choose(&image.key);
                 }
-            });
-        named(&combo.response, egui::Role::ComboBox, names::IMAGE);
-        combo.response.on_hover_text(format!(
-            "The spectral images that are open: {}.",
-            images.len()
-        ));
+            }
+        });
         let button = ui
             .small_button("Remove")
             .on_hover_text("Takes this image out of the list; Undo brings it back.");
@@ -50,7 +49,7 @@ pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) ->
         }
         let reading = ui
             .add_enabled(
-                entry.path.is_some(),
+                entry.path().is_some(),
                 egui::Button::new(names::READING).small(),
             )
             .on_hover_text(

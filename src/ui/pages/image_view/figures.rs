@@ -7,7 +7,7 @@ use super::{Drawn, Shown};
 use crate::{
     app::{
         derived::Derived,
-        picture::{Probed, seen_in},
+        picture::{RegionSpectrum, seen_in},
         ticks::short,
     },
     color::{Srgb, Swatch},
@@ -60,7 +60,11 @@ pub(super) fn pointed(
         };
         words += &format!(", {} nm: {value}", short(image.cube.nm()[band]));
     }
-    if let Some(xyz) = shown.eye.as_ref().and_then(|eye| eye.pixel(image, x, y)) {
+    if let Some(xyz) = shown
+        .weights
+        .as_ref()
+        .and_then(|weights| weights.pixel(image, x, y))
+    {
         // A reflectance has the light's Y at 100, a light that of the picture's white.
         let over = match drawn {
             Some(drawn) if !image.kind.is_factor() && drawn.raster.is_xyz => drawn.raster.full[1],
@@ -79,23 +83,23 @@ pub(super) fn pointed(
 
 fn colour_at(drawn: &Drawn, [x, y]: [usize; 2]) -> Srgb {
     let step = drawn.raster.step;
-    let index = (y / step) * drawn.developed.width + x / step;
-    let pixels = &drawn.developed.pixels;
+    let index = (y / step) * drawn.exposed.width + x / step;
+    let pixels = &drawn.exposed.pixels;
     Srgb(pixels.get(index).copied().unwrap_or_default())
 }
 
 /// Measured and model as the picture shows them; `None` where it shows bands.
 fn as_in_picture(
-    probed: &Probed,
+    region: &RegionSpectrum,
     derived: &Derived,
     shown: &Shown,
     drawn: Option<&Drawn>,
 ) -> Option<[Swatch; 2]> {
-    let (eye, drawn) = (shown.eye.as_ref()?, drawn?);
+    let (weights, drawn) = (shown.weights.as_ref()?, drawn?);
     let band = derived.band;
     let model = Sampled::even(band.min_nm(), 1.0, derived.model_values()).ok()?;
-    let seen = |samples: &Sampled| seen_in(&drawn.raster, drawn.stops, eye.xyz(samples));
-    Some([seen(&probed.spectrum.samples)?, seen(&model)?])
+    let seen = |samples: &Sampled| seen_in(&drawn.raster, drawn.stops, weights.xyz(samples));
+    Some([seen(&region.spectrum.samples)?, seen(&model)?])
 }
 
 /// How bright colours are that are not drawn as the picture.
@@ -111,14 +115,14 @@ fn own_scale(shown: &Shown) -> &'static str {
 pub(super) fn model(
     ui: &mut Ui,
     context: &PageContext<'_>,
-    probed: &Probed,
+    region: &RegionSpectrum,
     shown: &Shown,
     drawn: Option<&Drawn>,
 ) {
-    let Some(derived) = &probed.derived else {
+    let Some(derived) = &region.derived else {
         ui.weak(format!(
             "{} values have no model here: it takes a light, a reflectance or a transmittance.",
-            probed.spectrum.kind
+            region.spectrum.kind
         ));
         return;
     };
@@ -128,7 +132,7 @@ pub(super) fn model(
         .delta_e_2000
         .map_or("–".to_owned(), |d| format!("{d:.3}"));
     if let (Some(exact), Some(model)) = (colour.exact, colour.model) {
-        let (exact, model, scale) = match as_in_picture(probed, derived, shown, drawn) {
+        let (exact, model, scale) = match as_in_picture(region, derived, shown, drawn) {
             Some([exact, model]) => (exact, model, "as bright as in the picture"),
             None => (exact.swatch, model.swatch, own_scale(shown)),
         };
@@ -168,10 +172,10 @@ pub(super) fn model(
             "At the order and threshold in force (right). CIEDE2000 and relative root mean square \
              between the chosen spectrum and its model, on the model's range.",
         );
-    let nm = (probed.nm[0], probed.nm[probed.nm.len() - 1]);
+    let nm = (region.nm[0], region.nm[region.nm.len() - 1]);
     let band = derived.band;
     if nm.0 > band.min_nm() + 1.0 || nm.1 < band.max_nm() - 1.0 {
-        let beyond = if probed.spectrum.kind.is_factor() {
+        let beyond = if region.spectrum.kind.is_factor() {
             "held"
         } else {
             "zero"

@@ -9,83 +9,70 @@ mod figures;
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Align, ColorImage, Layout, TextureHandle, TextureOptions, Ui, vec2};
+use egui::{ColorImage, TextureHandle, TextureOptions, Ui, vec2};
 
 use super::{PageContext, progress};
 use crate::{
     app::{
-        Command,
-        charts::image::probe_chart,
+        Command, Entry,
+        chart::{self, Chart},
+        charts::image::region_chart,
+        command::MadeFor,
+        memo::{ByAddress, Memo},
         opened::ImageEntry,
-        picture::{Developed, Eye, Held, Probed, Raster, Show, Spread, developed, named, shown},
-        plot_svg::{self, Chart},
-        studies::{Same, Stage},
+        picture::{
+            BandWeights, Exposed, Raster, RegionSpectrum, Show, Spread, exposed, named, shown,
+        },
+        recipe::Recipe,
+        studies::Stage,
     },
     color::Observer,
-    spectrum::Rect,
-    ui::{chart_view::ChartView, colour_view::capitalised},
+    spectrum::{Rect, SpectralImage},
+    ui::{colour_view::capitalised, kit},
 };
 use canvas::{Canvas, Picture, Touched};
 
 /// What people and tests call the controls.
 pub mod names {
-    /// The list of images.
     pub const IMAGE: &str = "Image";
-    /// Takes an image out of the list.
     pub const REMOVE: &str = "Remove image";
-    /// How the image was read, with the other choices.
     pub const READING: &str = "How it was read…";
-    /// The chosen pixels become a spectrum.
     pub const TAKE: &str = "Take as spectrum";
-    /// Chooses all pixels.
     pub const WHOLE: &str = "Whole image";
-    /// Shows all of the picture.
     pub const FIT: &str = "Fit";
-    /// The exposure.
     pub const EXPOSURE: &str = "Exposure";
-    /// The band shown in grey.
     pub const BAND: &str = "Band";
-    /// The bands shown as red, green and blue.
     pub const RGB: [&str; 3] = ["Red", "Green", "Blue"];
-    /// Brings the light to the screen's white.
     pub const ADAPT: &str = "adapt to light";
 }
 
 /// From this width on picture and spectrum stand side by side, points.
 const WIDE: f32 = 900.0;
 
-/// What an eye was made for.
-#[derive(Clone, PartialEq)]
-struct EyeOf {
-    image: Held,
-    observer: Observer,
-    under: Option<Same>,
-    to_light: bool,
-}
-
 /// A picture on the graphics card and what it was made of.
 struct Drawn {
     raster: Arc<Raster>,
     stops: f64,
-    developed: Developed,
+    exposed: Exposed,
     texture: TextureHandle,
 }
 
-/// A chart and what it was made of.
-struct Charted {
-    probed: Arc<Probed>,
-    spread: Spread,
-    theme: plot_svg::Theme,
-    chart: Chart,
-}
+/// What the weights of an image's bands depend on: the image, the observer, the light on it, and
+/// whether that light becomes the screen's white.
+type WeightsOf = (
+    ByAddress<SpectralImage>,
+    Observer,
+    Option<ByAddress<Entry>>,
+    bool,
+);
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct ImageView {
     canvas: Canvas,
-    eye: Option<(EyeOf, Option<Box<Eye>>)>,
+    weights: Memo<WeightsOf, Option<Box<BandWeights>>>,
     drawn: Option<Drawn>,
-    charted: Option<Charted>,
+    chart: Memo<(ByAddress<RegionSpectrum>, Spread, chart::Theme), Chart>,
     pointed: Option<[usize; 2]>,
     /// The spectrum that was taken last: its image's key, its pixels, its name.
     taken: Option<(String, Rect, String)>,
@@ -97,8 +84,8 @@ pub struct ImageView {
 struct Shown {
     entry: Arc<ImageEntry>,
     rect: Rect,
-    /// The eye in force; `None` where bands are shown.
-    eye: Option<Box<Eye>>,
+    /// The weights in force; `None` where bands are shown.
+    weights: Option<Box<BandWeights>>,
     /// The bands shown; empty for true colour.
     bands: Vec<usize>,
     /// Why it is not shown in true colour although it was asked for.
@@ -119,9 +106,9 @@ impl ImageView {
         let shown = self.shown(context, entry);
         let side = ui.input(|i| i.max_texture_side);
         let raster = asks::raster(context, &shown, side);
-        let probed = asks::probe(context, &shown);
+        let region = asks::region(context, &shown);
+        let region = region.as_ref();
         self.draw(ui, context, &shown, raster);
-        self.chart(context, probed);
 
         let room = ui.available_size();
         let scale = context.theme.scale;
@@ -130,16 +117,16 @@ impl ImageView {
                 let [left, right] = columns else { return };
                 let below = 2.0 * line(left);
                 let size = vec2(left.available_width(), room.y - below);
-                self.picture(left, context, &shown, size);
-                self.spectrum(right, context, &shown, room.y - 6.0);
+                self.picture(left, context, &shown, region, size);
+                self.spectrum(right, context, &shown, region, room.y - 6.0);
             });
         } else {
             let [width, height] = [shown.cube().width(), shown.cube().height()];
             let wanted = room.x * height as f32 / width as f32;
             let size = vec2(room.x, wanted.clamp(120.0, 0.44 * room.y));
-            self.picture(ui, context, &shown, size);
+            self.picture(ui, context, &shown, region, size);
             let left = ui.available_height();
-            self.spectrum(ui, context, &shown, left);
+            self.spectrum(ui, context, &shown, region, left);
         }
     }
 
@@ -150,32 +137,36 @@ impl ImageView {
         let rect = memory.rect(&image.cube);
         let mut shown = Shown {
             rect,
-            eye: None,
+            weights: None,
             bands: Vec::new(),
             instead: None,
             entry: entry.clone(),
         };
         // The read-out tells XYZ whatever is shown.
-        let of = EyeOf {
-            image: Held(image.clone()),
-            observer: document.settings.observer,
-            under: image.kind.is_factor().then(|| Same(document.light.clone())),
-            to_light: document.view.adapt_patches,
-        };
-        if self.eye.as_ref().is_none_or(|(known, _)| *known != of) {
-            let under = of.under.as_ref().map(|light| &light.0.spectrum);
-            let eye = Eye::of(image, of.observer, under, of.to_light);
-            self.eye = Some((of, eye.map(Box::new)));
-        }
-        shown.eye = self.eye.as_ref().and_then(|(_, eye)| eye.clone());
-        let dark = match &shown.eye {
+        let under = image
+            .kind
+            .is_factor()
+            .then(|| ByAddress(document.light.clone()));
+        let observer = document.settings.observer;
+        let of = (
+            ByAddress(image.clone()),
+            observer,
+            under,
+            document.view.adapt_patches,
+        );
+        let weights = self.weights.get(of, |(image, observer, under, to_light)| {
+            let under = under.as_ref().map(|light| &light.0.spectrum);
+            BandWeights::of(&image.0, *observer, under, *to_light).map(Box::new)
+        });
+        shown.weights = weights.clone();
+        let dark = match &shown.weights {
             None => Some("The document's light does not shine: one band instead."),
-            Some(eye) if !eye.sees() => Some(
+            Some(weights) if !weights.sees() => Some(
                 "No band lies in the visible range: there is no true colour, one band instead.",
             ),
             Some(_) => None,
         };
-        shown.eye = shown.eye.filter(|_| dark.is_none());
+        shown.weights = shown.weights.filter(|_| dark.is_none());
         if let Some(bands) = memory.bands(&image.cube) {
             shown.bands = bands;
         } else if dark.is_some() {
@@ -202,10 +193,10 @@ impl ImageView {
         if self.drawn.as_ref().is_some_and(fresh) {
             return;
         }
-        let developed = developed(&raster, stops);
-        let colours = developed.pixels.iter();
+        let exposed = exposed(&raster, stops);
+        let colours = exposed.pixels.iter();
         let pixels = colours.map(|[r, g, b]| egui::Color32::from_rgb(*r, *g, *b));
-        let image = ColorImage::new([developed.width, developed.height], pixels.collect());
+        let image = ColorImage::new([exposed.width, exposed.height], pixels.collect());
         let options = TextureOptions {
             magnification: egui::TextureFilter::Nearest,
             minification: egui::TextureFilter::Linear,
@@ -215,29 +206,9 @@ impl ImageView {
         self.drawn = Some(Drawn {
             raster,
             stops,
-            developed,
+            exposed,
             texture,
         });
-    }
-
-    fn chart(&mut self, context: &PageContext<'_>, probed: Option<Arc<Probed>>) {
-        let Some(probed) = probed else {
-            self.charted = None;
-            return;
-        };
-        let (spread, theme) = (context.memory.image.spread, context.chart_theme());
-        let fresh = |known: &Charted| {
-            Arc::ptr_eq(&known.probed, &probed) && (known.spread, known.theme) == (spread, theme)
-        };
-        if !self.charted.as_ref().is_some_and(fresh) {
-            let chart = probe_chart(&probed, spread, theme);
-            self.charted = Some(Charted {
-                probed,
-                spread,
-                theme,
-                chart,
-            });
-        }
     }
 
     /// The picture with what is under the pointer and how it is drawn.
@@ -246,6 +217,7 @@ impl ImageView {
         ui: &mut Ui,
         context: &mut PageContext<'_>,
         shown: &Shown,
+        region: Option<&Arc<RegionSpectrum>>,
         size: egui::Vec2,
     ) {
         let cube = shown.cube();
@@ -269,14 +241,20 @@ impl ImageView {
         };
         let touched = self.canvas.show(ui, size, &picture, context.theme);
         self.pointed = touched.pointed;
-        self.touch(ui, context, shown, touched);
+        self.touch(ui, context, (shown, region), touched);
         let drawn = self.drawn.as_ref();
-        row(ui, |ui| figures::pointed(ui, shown, drawn, self.pointed));
-        row(ui, |ui| how_drawn(ui, context, shown, drawn));
+        kit::line(ui, |ui| figures::pointed(ui, shown, drawn, self.pointed));
+        kit::line(ui, |ui| how_drawn(ui, context, shown, drawn));
     }
 
     /// Carries out what a hand did.
-    fn touch(&mut self, ui: &Ui, context: &mut PageContext<'_>, shown: &Shown, touched: Touched) {
+    fn touch(
+        &mut self,
+        ui: &Ui,
+        context: &mut PageContext<'_>,
+        (shown, region): (&Shown, Option<&Arc<RegionSpectrum>>),
+        touched: Touched,
+    ) {
         let all = shown.cube().all();
         if let Some(rect) = touched.selected {
             let memory = &mut context.memory.image;
@@ -292,29 +270,45 @@ impl ImageView {
         let free = touched.focused || ui.memory(|m| m.focused()).is_none();
         let entered = free && ui.input(|i| i.key_pressed(egui::Key::Enter));
         if touched.take || entered {
-            self.take(context, shown, touched.selected.unwrap_or(shown.rect));
+            let rect = touched.selected.unwrap_or(shown.rect);
+            self.take(context, shown, region, rect);
         }
     }
 
     /// The chosen pixels become a spectrum of the user's own.
-    fn take(&mut self, context: &mut PageContext<'_>, shown: &Shown, rect: Rect) {
-        let known = self.charted.as_ref().map(|charted| &charted.probed);
-        let spectrum = match known.filter(|probed| probed.rect == rect && shown.is_of(probed)) {
-            Some(probed) => Some(probed.spectrum.clone()),
+    fn take(
+        &mut self,
+        context: &mut PageContext<'_>,
+        shown: &Shown,
+        region: Option<&Arc<RegionSpectrum>>,
+        rect: Rect,
+    ) {
+        let spectrum = match region.filter(|region| region.rect == rect && shown.is_of(region)) {
+            Some(region) => Some(region.spectrum.clone()),
             None => named(&shown.entry.image, rect),
         };
         if let Some(spectrum) = spectrum {
             let key = shown.entry.key.clone();
-            self.taken = Some((key, rect, spectrum.name.clone()));
-            context.commands.push(Command::Adopt(vec![spectrum]));
+            self.taken = Some((key.clone(), rect, spectrum.name.clone()));
+            context.commands.push(Command::Make {
+                recipe: Recipe::Region { image: key, rect },
+                place: MadeFor::Shown,
+            });
         }
     }
 
     /// The chosen spectrum with its model.
-    fn spectrum(&mut self, ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, height: f32) {
+    fn spectrum(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        shown: &Shown,
+        region: Option<&Arc<RegionSpectrum>>,
+        height: f32,
+    ) {
         let take = controls::choice(ui, context, shown, &mut self.canvas);
         if take {
-            self.take(context, shown, shown.rect);
+            self.take(context, shown, region, shown.rect);
         }
         let taken = self.taken.as_ref().filter(|(key, rect, name)| {
             let is_here = *key == shown.entry.key && *rect == shown.rect;
@@ -322,10 +316,10 @@ impl ImageView {
             is_here && context.app.document().own.iter().any(|e| e.name() == name)
         });
         if let Some((_, _, name)) = taken {
-            row(ui, |ui| controls::taken(ui, context, name));
+            kit::line(ui, |ui| controls::taken(ui, context, name));
         }
-        let Some(charted) = &self.charted else {
-            let job = &mut context.studies.probe;
+        let Some(region) = region else {
+            let job = &mut context.studies.region;
             if job.stage() == Stage::Impossible {
                 ui.label("Nothing was measured in these pixels.");
             } else {
@@ -339,10 +333,14 @@ impl ImageView {
             ui.available_width(),
             (height - used - figures - 4.0).max(110.0 * context.theme.scale),
         );
-        let chart = ChartView::show(ui, &charted.chart, "image spectrum", room, context.theme);
-        context.wishes.extend(chart.wish);
+        let spread = context.memory.image.spread;
+        let of = (ByAddress(region.clone()), spread, context.chart_theme());
+        let chart = self.chart.get(of, |(region, spread, theme)| {
+            region_chart(&region.0, *spread, *theme)
+        });
+        context.chart(ui, chart, "image spectrum", room);
         let drawn = self.drawn.as_ref();
-        figures::model(ui, context, &charted.probed, shown, drawn);
+        figures::model(ui, context, region, shown, drawn);
     }
 }
 
@@ -352,9 +350,9 @@ impl Shown {
     }
 
     /// Whether a spectrum is of this image.
-    fn is_of(&self, probed: &Probed) -> bool {
-        self.entry.image.name_of(probed.rect) == probed.spectrum.name
-            && self.entry.image.source == probed.spectrum.source
+    fn is_of(&self, region: &RegionSpectrum) -> bool {
+        self.entry.image.name_of(region.rect) == region.spectrum.name
+            && self.entry.image.source == region.spectrum.source
     }
 }
 
@@ -376,7 +374,7 @@ fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: O
             raster.step
         ));
     }
-    words.extend(Some(drawn.developed.words()).filter(|words| !words.is_empty()));
+    words.extend(Some(drawn.exposed.words()).filter(|words| !words.is_empty()));
     if raster.full.iter().all(|full| *full <= 0.0) {
         words.push("nothing is above zero: black".to_owned());
     }
@@ -408,16 +406,6 @@ fn nothing_open(ui: &mut Ui) {
 /// Height of a row of text with its space, points.
 fn line(ui: &Ui) -> f32 {
     ui.spacing().interact_size.y + ui.spacing().item_spacing.y
-}
-
-/// A row of one line: what stands below must not jump.
-fn row(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
-    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
-    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-        ui.set_min_height(size.y);
-        ui.set_max_width(size.x);
-        add(ui);
-    });
 }
 
 /// Whether bands are chosen by hand.

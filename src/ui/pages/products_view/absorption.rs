@@ -1,46 +1,32 @@
 //! The part "absorption" of the page "Products": dips as negative spikes, and their names.
 
-use std::{fmt::Write as _, sync::Arc};
+use std::sync::Arc;
 
 use eframe::egui;
-use egui::{DragValue, Label, RichText, ScrollArea, Ui, vec2};
+use egui::{DragValue, Label, RichText, Ui, vec2};
 
-use super::picker::Picker;
 use crate::{
     app::{
-        App, Command, Entry, Settings,
-        cells::{line, number, words},
-        charts::products::absorption::{DipRow, absorption_chart, dip_rows},
-        export::provenance,
-        plot_svg::{self, Chart},
-        product_report::Told,
-        products::Lit,
+        App, Command, Entry, Settings, chart,
+        charts::products::absorption::{AbsorptionSheet, DipRow, looks},
+        memo::Memo,
         settings::{Detector, THRESHOLDS_PERCENT, WIDTHS_NM},
         ticks::short,
     },
     spectrum::{Band, chain::SAME_PLACE_NM},
     ui::{
-        chart_view::ChartView,
-        pages::{
-            PageContext,
-            rows::{Column, Row, table},
-        },
+        kit::{Chooser, Column, Row, named, scrolled, table, warning},
+        pages::PageContext,
     },
 };
 
 /// Names of controls, shared with the tests that move them.
 pub mod names {
-    /// Any other spectrum.
     pub const OTHER: &str = "Another light, glass or surface";
-    /// The absorption switch.
     pub const DIPS: &str = "Look for dips";
-    /// The threshold.
     pub const THRESHOLD: &str = "Least share of a dip";
-    /// The widest dip.
     pub const WIDTH: &str = "Widest dip";
-    /// The button that copies the table.
     pub const COPY: &str = "Copy as CSV";
-    /// What the part says when dips are not looked for.
     pub const OFF: &str = "Dips are not looked for";
 }
 
@@ -95,45 +81,21 @@ const EXAMPLES: [Example; 4] = [
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct AbsorptionView {
-    found: Option<Found>,
-}
-
-/// What was found in the subject.
-struct Found {
-    of: (u64, plot_svg::Theme),
-    dips: Vec<DipRow>,
-    chart: Chart,
-    rows: Vec<Row>,
-    csv: String,
-    /// Lines of the present light that stand on dips of the present chain, a sentence each.
-    met: Vec<String>,
-}
-
-impl Found {
-    fn of(app: &App, of: (u64, plot_svg::Theme)) -> Self {
-        let dips = dip_rows(app);
-        Self {
-            of,
-            chart: absorption_chart(app, &dips, of.1),
-            rows: dips.iter().map(|dip| row(app, dip)).collect(),
-            csv: csv(app, &dips),
-            met: met(app),
-            dips,
-        }
-    }
+    found: Memo<(u64, chart::Theme), (AbsorptionSheet, Vec<Row>)>,
 }
 
 impl AbsorptionView {
     /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let of = (context.app.revision(), context.chart_theme());
-        let found = match self.found.take() {
-            Some(found) if found.of == of => found,
-            _ => Found::of(context.app, of),
-        };
+        let (app, theme) = (context.app, context.chart_theme());
+        let (found, rows) = &*self.found.get((app.revision(), theme), |_| {
+            let found = AbsorptionSheet::of(app, theme);
+            let rows = found.dips.iter().map(|dip| row(app, dip)).collect();
+            (found, rows)
+        });
         examples(ui, context);
         knobs(ui, context);
-        warnings(ui, context, &found);
+        warnings(ui, context, found);
         ui.add_space(2.0);
         let size = ui.available_size();
         let wide = size.x >= WIDE * context.theme.scale;
@@ -143,36 +105,26 @@ impl AbsorptionView {
                 // A chart's names of series stand below its title only in a column.
                 ui.vertical(|ui| {
                     ui.set_width(chart.x);
-                    draw(ui, context, &found, chart);
+                    context.chart(ui, &found.chart, "absorption", chart);
                 });
                 ui.add_space(6.0);
-                ui.vertical(|ui| beside(ui, context, &found));
+                ui.vertical(|ui| beside(ui, context, found, rows));
             });
         } else {
             let chart = vec2(size.x, (0.54 * size.y).floor());
-            draw(ui, context, &found, chart);
-            beside(ui, context, &found);
+            context.chart(ui, &found.chart, "absorption", chart);
+            beside(ui, context, found, rows);
         }
-        self.found = Some(found);
     }
 }
 
-fn draw(ui: &mut Ui, context: &mut PageContext<'_>, found: &Found, size: egui::Vec2) {
-    let shown = ChartView::show(ui, &found.chart, "absorption", size, context.theme);
-    context.wishes.extend(shown.wish);
-}
-
 /// Table and rule.
-fn beside(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
-    ScrollArea::vertical()
-        .id_salt("dips")
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            ui.set_max_width(ui.available_width() - 8.0);
-            dip_table(ui, context, found);
-            ui.add_space(8.0);
-            rule(ui, context, found);
-        });
+fn beside(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, rows: &[Row]) {
+    scrolled(ui, "dips", |ui| {
+        dip_table(ui, context, found, rows);
+        ui.add_space(8.0);
+        rule(ui, context, found);
+    });
 }
 
 fn examples(ui: &mut Ui, context: &mut PageContext<'_>) {
@@ -202,7 +154,7 @@ fn examples(ui: &mut Ui, context: &mut PageContext<'_>) {
                 });
             }
         }
-        let other = Picker {
+        let other = Chooser {
             name: names::OTHER,
             meaning: "Any light, filter, glass or surface, shipped or your own; it becomes what \
                       the window shows.",
@@ -242,10 +194,6 @@ fn looking(settings: Settings) -> Settings {
     }
 }
 
-fn looks(settings: Settings) -> bool {
-    settings.dips && settings.spikes && settings.detector == Detector::Energy
-}
-
 fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
     let before = context.app.document().settings;
     let mut settings = before;
@@ -268,28 +216,31 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
                 }
             };
         }
-        let label = ui.label("of at least");
-        ui.add(
-            DragValue::new(&mut settings.threshold_percent)
-                .range(THRESHOLDS_PERCENT)
-                .speed(0.01)
-                .custom_formatter(|v, _| short(v))
-                .suffix(" %"),
-        )
-        .labelled_by(label.id)
-        .on_hover_text("Least share of the total power that a line must carry or lack, percent.")
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, names::THRESHOLD));
-        let label = ui.label("up to");
-        ui.add(
-            DragValue::new(&mut settings.max_width_nm)
-                .range(WIDTHS_NM)
-                .speed(0.1)
-                .custom_formatter(|v, _| short(v))
-                .suffix(" nm"),
-        )
-        .labelled_by(label.id)
-        .on_hover_text("Widest line, full width at half maximum, nm.")
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, names::WIDTH));
+        let mut knob =
+            |before: &str, value: &mut f64, (range, speed, unit), meaning: &str, name| {
+                let label = ui.label(before);
+                let drag = DragValue::new(value)
+                    .range(range)
+                    .speed(speed)
+                    .custom_formatter(|v, _| short(v))
+                    .suffix(unit);
+                let response = ui.add(drag).labelled_by(label.id).on_hover_text(meaning);
+                named(&response, egui::Role::SpinButton, name);
+            };
+        knob(
+            "of at least",
+            &mut settings.threshold_percent,
+            (THRESHOLDS_PERCENT, 0.01, " %"),
+            "Least share of the total power that a line must carry or lack, percent.",
+            names::THRESHOLD,
+        );
+        knob(
+            "up to",
+            &mut settings.max_width_nm,
+            (WIDTHS_NM, 0.1, " nm"),
+            "Widest line, full width at half maximum, nm.",
+            names::WIDTH,
+        );
         ui.label("wide");
     });
     if settings != before {
@@ -297,14 +248,9 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
     }
 }
 
-fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
+fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
     let settings = context.app.document().settings;
-    let mut warn = |text: String| {
-        ui.horizontal_top(|ui| {
-            ui.colored_label(context.theme.warning, "▲");
-            ui.add(Label::new(text).wrap());
-        });
-    };
+    let mut warn = |text: String| warning(ui, context.theme, text);
     if context.app.derived().errors.is_none() {
         warn("The spectrum is zero over the whole range: there is nothing to miss.".to_owned());
     } else if !looks(settings) {
@@ -339,7 +285,7 @@ fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
     }
 }
 
-fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
+fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, rows: &[Row]) {
     ui.horizontal(|ui| {
         let count = found.dips.len();
         ui.strong(match count {
@@ -386,10 +332,10 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
             1.6,
         ),
     ];
-    table(ui, &columns, &found.rows, None, false, context.theme);
+    table(ui, &columns, rows, None, false, context.theme);
 }
 
-fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
+fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
     ui.strong("A line on a line");
     let sentence = format!(
         "A spike times a spike at the same place has no finite product. A line of the light \
@@ -416,49 +362,8 @@ fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &Found) {
         ui.add(Label::new(RichText::new(text).weak()).wrap());
     }
     for sentence in &found.met {
-        ui.horizontal_top(|ui| {
-            ui.colored_label(context.theme.warning, "▲");
-            ui.add(Label::new(sentence.as_str()).wrap());
-        });
+        warning(ui, context.theme, sentence.as_str());
     }
-}
-
-/// Lines of the light that stand on dips of the chain, with their weights before and after.
-fn met(app: &App) -> Vec<String> {
-    let document = app.document();
-    if !looks(document.settings) || document.products.chain.is_empty() {
-        return Vec::new();
-    }
-    let lit = Lit::of(app);
-    let told = Told::of(app, &lit, &document.products.chain);
-    let factor = document.scale.factor(&document.light.spectrum);
-    let factor = factor.unwrap_or(1.0);
-    let mut before = &lit.derived.model.spikes;
-    let mut all = Vec::new();
-    for (name, step) in told.names.iter().zip(&told.passage.steps) {
-        let weight = |spikes: &[crate::spectrum::Spike], nm: f64| {
-            let found = spikes.iter().find(|s| s.at_nm == nm);
-            found.map_or_else(|| "–".to_owned(), |s| short(factor * s.weight))
-        };
-        let called = |nm: f64| match told.known.safe(nm) {
-            Some(name) => format!("{nm:.1} nm ({name})"),
-            None => format!("{nm:.1} nm"),
-        };
-        for met in &step.met {
-            all.push(format!(
-                "{} in {name}: the line at {} stands on a dip at {}, {:.0} % deep. Its weight \
-                 goes from {} to {}.",
-                document.light.name(),
-                called(met.line_nm),
-                called(met.dip_nm),
-                100.0 * met.depth,
-                weight(before, met.line_nm),
-                weight(&step.spikes, met.line_nm),
-            ));
-        }
-        before = &step.spikes;
-    }
-    all
 }
 
 fn row(app: &App, dip: &DipRow) -> Row {
@@ -484,28 +389,8 @@ fn row(app: &App, dip: &DipRow) -> Row {
             String::new()
         },
         cells,
+        ..Row::default()
     }
-}
-
-/// The dips as a table, weights in the subject's own unit x nm.
-fn csv(app: &App, dips: &[DipRow]) -> String {
-    let mut out = String::new();
-    let spectrum = &app.document().subject_entry().spectrum;
-    for (key, value) in provenance(app).of(spectrum) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "# {key}: {value}");
-    }
-    out.push_str("place nm,weight,depth,name,below zero\n");
-    for dip in dips {
-        out += &line([
-            number(dip.spike.at_nm),
-            number(dip.spike.weight),
-            number(dip.depth),
-            words(dip.name.as_deref().unwrap_or_default()),
-            if dip.below_zero { "yes" } else { "no" }.to_owned(),
-        ]);
-    }
-    out
 }
 
 /// The examples' spectra, for tests.

@@ -1,64 +1,40 @@
 //! The part "Bounces" of the page "Products": error against the number of bounces.
 
-use std::sync::Arc;
-
 use eframe::egui;
-use egui::{ScrollArea, Ui, vec2};
+use egui::{Ui, vec2};
 
-use super::forming::{head, surface_picker, take_way};
+use super::{surface_chooser, take_way};
 use crate::{
     app::{
+        chart::{self, Chart},
         charts::products::{
             bounces::{Bounced, TOLD, UNSEEN, errors},
-            forming::{way_meaning, way_name},
+            resampling::{way_meaning, way_name},
         },
-        plot_svg::{self, Chart},
-        products::{Lit, memory::BouncesMemory},
+        memo::{ByAddress, Memo},
+        products::{ModelledLight, memory::BouncesMemory},
         studies::{Stage, paper::delta_e},
     },
     study::Progress,
     ui::{
-        chart_view::ChartView,
-        pages::{
-            PageContext, progress,
-            rows::{Column, Row, table},
-        },
+        kit::{Column, Row, scrolled, table, titled},
+        pages::{PageContext, progress},
     },
 };
 
 /// What people and tests call the controls.
 pub mod names {
-    /// The list of surfaces.
     pub const SURFACE: &str = "Surface";
-    /// The whole error.
     pub const TOTAL: &str = "total";
-    /// What forming the products adds.
     pub const ADDED: &str = "added by forming";
-    /// The axis.
     pub const LOG: &str = "logarithmic";
-    /// Copies all errors.
     pub const COPY: &str = "Copy bounces as CSV";
-}
-
-/// What the chart was built from.
-struct Of {
-    bounced: Arc<Bounced>,
-    memory: BouncesMemory,
-    theme: plot_svg::Theme,
-}
-
-impl PartialEq for Of {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.bounced, &other.bounced)
-            && self.memory == other.memory
-            && self.theme == other.theme
-    }
 }
 
 /// The part and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct BouncesView {
-    chart: Option<(Of, Chart)>,
+    chart: Memo<(ByAddress<Bounced>, BouncesMemory, chart::Theme), Chart>,
 }
 
 impl BouncesView {
@@ -66,7 +42,7 @@ impl BouncesView {
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, revision) = (context.app, context.app.revision());
         ui.horizontal_wrapped(|ui| {
-            surface_picker(ui, context, names::SURFACE);
+            surface_chooser(ui, context, names::SURFACE);
             ui.separator();
             let memory = &mut context.memory.products.bounces;
             ui.label("ΔE00");
@@ -90,7 +66,10 @@ impl BouncesView {
         };
         let job = &mut context.studies.bounces;
         job.ask(&revision, context.wake, || {
-            let (lit, light) = (Lit::of(app), app.document().light.name().to_owned());
+            let (lit, light) = (
+                ModelledLight::of(app),
+                app.document().light.name().to_owned(),
+            );
             move |progress: &Progress| {
                 let found = Bounced::lit(&lit, &light, &surface);
                 (!progress.is_cancelled()).then_some(found)
@@ -102,24 +81,15 @@ impl BouncesView {
         let Some(bounced) = job.result().cloned() else {
             return;
         };
-        let of = Of {
-            bounced: bounced.clone(),
-            memory: context.memory.products.bounces,
-            theme: context.chart_theme(),
-        };
-        let memory = of.memory;
-        if self.chart.as_ref().is_none_or(|(known, _)| *known != of) {
-            let chart = bounced.chart(app, memory.added, memory.log, of.theme);
-            self.chart = Some((of, chart));
-        }
-        let Some((_, chart)) = &self.chart else {
-            return;
-        };
+        let (memory, theme) = (context.memory.products.bounces, context.chart_theme());
+        let key = (ByAddress(bounced.clone()), memory, theme);
+        let chart = &*self
+            .chart
+            .get(key, |_| bounced.chart(app, memory.added, memory.log, theme));
         let room = ui.available_size();
         let scale = context.theme.scale;
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            let width = ui.available_width() - 8.0;
-            ui.set_max_width(width);
+        scrolled(ui, "bounces", |ui| {
+            let width = ui.available_width();
             ui.add(egui::Label::new(bounced.sentence(memory.added)).wrap())
                 .on_hover_text(
                     "Measured on this light and surface. Both sides are brightened so that the \
@@ -127,8 +97,7 @@ impl BouncesView {
                 );
             let below = 9.0 * (ui.spacing().interact_size.y + 3.0) + 40.0 * scale;
             let height = (room.y - below).max(300.0 * scale);
-            let shown = ChartView::show(ui, chart, "bounces", vec2(width, height), context.theme);
-            context.wishes.extend(shown.wish);
+            context.chart(ui, chart, "bounces", vec2(width, height));
             ui.add_space(4.0);
             figures(ui, context, &bounced, memory.added);
         });
@@ -144,7 +113,7 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
     };
     let app = context.app;
     let copied = "Copies total and added errors behind every number of bounces as a table.";
-    head(ui, title, names::COPY, copied, || bounced.csv(app));
+    titled(ui, title, names::COPY, copied, || bounced.csv(app));
     let mut columns = vec![Column::words(
         "way",
         "How products are formed. Click a row to form all products so.",
@@ -190,6 +159,7 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
                     .chain(told)
                     .chain([until])
                     .collect(),
+                ..Row::default()
             }
         })
         .collect();
@@ -199,9 +169,7 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
         .iter()
         .position(|way| way.sampling == settings.sampling);
     let theme = context.theme;
-    let clicked = ui
-        .scope(|ui| table(ui, &columns, &rows, chosen, true, theme))
-        .inner;
+    let clicked = table(ui, &columns, &rows, chosen, true, theme);
     if let Some(way) = clicked.and_then(|row| bounced.ways.get(row)) {
         take_way(context, way.sampling);
     }

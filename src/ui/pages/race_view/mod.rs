@@ -7,22 +7,23 @@ mod winners;
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Align, Label, Layout, Response, RichText, Ui, WidgetText, vec2};
+use egui::{Ui, vec2};
 
 use super::{PageContext, progress};
 use crate::{
     app::{
-        charts::race::{error_chart, table_chart},
+        chart::{self, Chart, Marks},
+        charts::race::{Larger, RaceTable, Winners, error_chart, looks, meaning, table_chart},
+        memo::{ByAddress, Memo},
         pages::{FieldChoice, RACE_BUDGETS},
-        plot_svg::{self, Chart, Marks},
         studies::{RaceAsk, Stage},
     },
     spectrum::Kind,
-    study::{Measure, Race},
+    study::{Measure, Race, race::Racer},
     ui::{
         chart_view::{ChartForm, ChartView, ChartWish},
-        model_view::named,
-        theme::{Theme, section},
+        kit::{Choice, Column, bar, named},
+        theme::{Theme, ink, section},
     },
 };
 
@@ -37,43 +38,37 @@ const WINNERS: f32 = 672.0;
 pub struct RaceView {
     /// The class shown where several race; all of them without one.
     class: Option<String>,
-    drawn: Option<Drawn>,
+    shown: Memo<Key, Shown>,
 }
+
+/// What decides how a result is shown: the race, the class, which count, the figure, the looks.
+type Key = (
+    ByAddress<Race>,
+    Option<String>,
+    usize,
+    Measure,
+    chart::Theme,
+);
 
 /// What is made once for a result and a choice.
-struct Drawn {
-    key: Key,
+struct Shown {
     chart: Chart,
-    table: table::Table,
-    winners: winners::Winners,
-    larger: Option<larger::Larger>,
+    table: table::TableRows,
+    winners: winners::WinnerRows,
+    larger: Option<larger::LargerRows>,
 }
 
-/// What decides how a result is shown.
-#[derive(Clone)]
-struct Key {
-    /// Held, so that no later race can stand in its place.
-    race: Arc<Race>,
-    class: Option<String>,
-    budget: usize,
-    measure: Measure,
-    theme: plot_svg::Theme,
-}
-
-impl PartialEq for Key {
-    fn eq(&self, other: &Self) -> bool {
-        let Self {
-            race,
-            class,
-            budget,
-            measure,
-            theme,
-        } = self;
-        Arc::ptr_eq(race, &other.race)
-            && *class == other.class
-            && *budget == other.budget
-            && *measure == other.measure
-            && *theme == other.theme
+impl Shown {
+    fn of(ask: &RaceAsk, (race, class, budget, measure, theme): &Key) -> Self {
+        let (race, class) = (&race.0, class.as_deref());
+        let table = RaceTable::new(race, class, *budget, *measure);
+        let winners = Winners::new(ask, race, *budget, *measure);
+        Self {
+            chart: error_chart(ask, race, class, *measure, *theme),
+            table: table::TableRows::of(&table),
+            winners: winners::WinnerRows::of(winners),
+            larger: Larger::new(ask, race, *budget).map(larger::LargerRows::of),
+        }
     }
 }
 
@@ -92,10 +87,7 @@ impl RaceView {
         }
         let ask = RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec());
         let race = &mut context.studies.race;
-        race.ask(&ask, context.wake, || {
-            let ask = ask.clone();
-            move |progress| ask.answer(progress)
-        });
+        race.ask_by(&ask, context.wake, RaceAsk::answer);
         progress(ui, race, "The race");
         if race.stage() == Stage::Impossible {
             // What is still there answers another question.
@@ -115,26 +107,26 @@ impl RaceView {
         let memory = &mut *context.memory;
         ui.horizontal_wrapped(|ui| {
             ui.label("Lights");
-            let combo = egui::ComboBox::from_id_salt("race field")
-                .selected_text(memory.field.title())
-                .width(124.0)
-                .show_ui(ui, |ui| {
-                    for choice in FieldChoice::ALL {
-                        let can = choice != FieldChoice::Own || has_own;
-                        let item = egui::Button::selectable(memory.field == choice, choice.title());
-                        let response = ui.add_enabled(can, item).on_disabled_hover_text(
-                            "There are none: open or drop a file with a light.",
-                        );
-                        if response.clicked() {
-                            memory.field = choice;
-                        }
+            let choice = Choice {
+                name: "Lights that race",
+                meaning: &if about_light {
+                    format!("Who races: {light} alone, or many lights together with their spread.")
+                } else {
+                    format!("Only lights race; of this document it is {light}.")
+                },
+                width: 124.0,
+            };
+            choice.show(ui, memory.field.title(), |ui| {
+                for choice in FieldChoice::ALL {
+                    let can = choice != FieldChoice::Own || has_own;
+                    let item = egui::Button::selectable(memory.field == choice, choice.title());
+                    let response = ui.add_enabled(can, item).on_disabled_hover_text(
+                        "There are none: open or drop a file with a light.",
+                    );
+                    if response.clicked() {
+                        memory.field = choice;
                     }
-                });
-            named(&combo.response, egui::Role::ComboBox, "Lights that race");
-            combo.response.on_hover_text(if about_light {
-                format!("Who races: {light} alone, or many lights together with their spread.")
-            } else {
-                format!("Only lights race; of this document it is {light}.")
+                }
             });
             if let Some((_, race)) = context.studies.race.answer() {
                 self.class_menu(ui, race);
@@ -156,20 +148,18 @@ impl RaceView {
             }
             ui.separator();
             ui.label("By");
-            let combo = egui::ComboBox::from_id_salt("race measure")
-                .selected_text(memory.race_measure.title())
-                .width(140.0)
-                .show_ui(ui, |ui| {
-                    let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
-                    for measure in Measure::ALL.into_iter().filter(decides) {
-                        ui.selectable_value(&mut memory.race_measure, measure, measure.title())
-                            .on_hover_text(table::meaning(measure));
-                    }
-                });
-            named(&combo.response, egui::Role::ComboBox, "Deciding figure");
-            combo
-                .response
-                .on_hover_text("The figure that the chart shows and that decides who wins.");
+            let choice = Choice {
+                name: "Deciding figure",
+                meaning: "The figure that the chart shows and that decides who wins.",
+                width: 140.0,
+            };
+            choice.show(ui, memory.race_measure.title(), |ui| {
+                let decides = |measure: &Measure| *measure != Measure::PatchesWorst;
+                for measure in Measure::ALL.into_iter().filter(decides) {
+                    ui.selectable_value(&mut memory.race_measure, measure, measure.title())
+                        .on_hover_text(meaning(measure));
+                }
+            });
         });
         if !about_light && context.memory.field == FieldChoice::ThisLight {
             ui.weak(format!(
@@ -189,24 +179,19 @@ impl RaceView {
         ui.separator();
         ui.label("Class");
         let all = || "all".to_owned();
-        let combo = egui::ComboBox::from_id_salt("race class")
-            .selected_text(self.class.clone().unwrap_or_else(all))
-            .width(90.0)
-            .show_ui(ui, |ui| {
-                ui.selectable_value(&mut self.class, None, "all");
-                for class in classes {
-                    let count = race.of_class(Some(class)).count();
-                    ui.selectable_value(
-                        &mut self.class,
-                        Some(class.to_owned()),
-                        format!("{class} ({count})"),
-                    );
-                }
-            });
-        named(&combo.response, egui::Role::ComboBox, "Class of lights");
-        combo
-            .response
-            .on_hover_text("Whose medians table and chart show.");
+        let choice = Choice {
+            name: "Class of lights",
+            meaning: "Whose medians table and chart show.",
+            width: 90.0,
+        };
+        choice.show(ui, self.class.clone().unwrap_or_else(all), |ui| {
+            ui.selectable_value(&mut self.class, None, "all");
+            for class in classes {
+                let count = race.of_class(Some(class)).count();
+                let chosen = Some(class.to_owned());
+                ui.selectable_value(&mut self.class, chosen, format!("{class} ({count})"));
+            }
+        });
     }
 
     fn result(
@@ -220,31 +205,19 @@ impl RaceView {
         let Some(budget) = race.budgets.iter().position(|n| *n == numbers) else {
             return;
         };
-        let key = Key {
-            race: race.clone(),
-            class: self.class.clone(),
+        let class = self.class.as_deref();
+        let key = (
+            ByAddress(race.clone()),
+            self.class.clone(),
             budget,
-            measure: context.memory.race_measure,
-            theme: context.chart_theme(),
-        };
-        if self.drawn.as_ref().map(|d| &d.key) != Some(&key) {
-            let class = key.class.as_deref();
-            self.drawn = Some(Drawn {
-                chart: error_chart(ask, race, class, key.measure, key.theme),
-                table: table::Table::new(race, class, budget, key.measure),
-                winners: winners::Winners::new(ask, race, budget, key.measure),
-                larger: larger::Larger::new(ask, race, budget),
-                key,
-            });
-        }
-        let Some(drawn) = &self.drawn else {
-            return;
-        };
+            context.memory.race_measure,
+            context.chart_theme(),
+        );
+        let drawn = &*self.shown.get(key, |key| Shown::of(ask, key));
         let theme = context.theme;
         egui::ScrollArea::vertical()
             .auto_shrink(false)
             .show(ui, |ui| {
-                let class = drawn.key.class.as_deref();
                 table_head(ui, context, ask, race, class, budget);
                 drawn.table.show(ui, theme);
                 ui.add_space(8.0);
@@ -331,59 +304,29 @@ fn chart(ui: &mut Ui, context: &mut PageContext<'_>, chart: &Chart, size: egui::
     }
 }
 
-/// Height of a line of a table, points.
-fn line_height(ui: &Ui) -> f32 {
-    (ui.text_style_height(&egui::TextStyle::Body) + 3.0).ceil()
+/// Width of a column at the theme's type.
+fn scaled(width: f32, theme: Theme) -> f32 {
+    width * theme.scale
 }
 
-/// Lines of [`line_height`] without gaps, and a bar that shows that there is more to the side.
-fn dense(ui: &mut Ui) {
-    let height = line_height(ui);
-    let spacing = ui.spacing_mut();
-    spacing.item_spacing.y = 0.0;
-    spacing.interact_size.y = height;
-    spacing.scroll = egui::style::ScrollStyle {
+/// A bar that shows that there is more to the side, where rows leave no room to one that floats.
+fn solid_bars(ui: &mut Ui) {
+    ui.spacing_mut().scroll = egui::style::ScrollStyle {
         bar_width: 6.0,
         ..egui::style::ScrollStyle::solid()
     };
 }
 
-/// A text in a column of fixed width.
-fn cell(ui: &mut Ui, width: f32, text: impl Into<WidgetText>, right: bool) -> Response {
-    let height = line_height(ui);
-    let layout = if right {
-        Layout::right_to_left(Align::Center)
-    } else {
-        Layout::left_to_right(Align::Center)
-    };
-    let size = vec2(width, height);
-    ui.allocate_ui_with_layout(size, layout, |ui| {
-        ui.set_min_size(size);
-        ui.add(Label::new(text).truncate())
-    })
-    .inner
-}
-
-/// A stripe behind every other line of a table.
-fn stripe(ui: &Ui, index: usize, width: f32) {
-    if index % 2 == 1 {
-        let height = line_height(ui);
-        let rect = egui::Rect::from_min_size(ui.cursor().min, vec2(width, height));
-        let fill = ui.visuals().faint_bg_color;
-        ui.painter().rect_filled(rect, 0.0, fill);
+/// A column of racers' names, each with its ink before it.
+fn with_bar(title: &str, meaning: &str, share: f32) -> Column {
+    Column {
+        indent: 5.0,
+        ..Column::words(title, meaning, share)
     }
 }
 
-/// Strong where a figure wins, with a sign beside it.
-fn winning(text: &str, wins: bool) -> RichText {
-    if wins {
-        RichText::new(format!("★ {text}")).strong()
-    } else {
-        RichText::new(text)
-    }
-}
-
-/// Width of a column at the theme's type.
-fn scaled(width: f32, theme: Theme) -> f32 {
-    width * theme.scale
+/// The ink of a racer before its name.
+fn winner_bar(ui: &Ui, cell: egui::Rect, racer: Racer, theme: Theme) {
+    let (colour, ..) = looks(racer, theme.inks);
+    bar(ui, cell, ink(colour));
 }

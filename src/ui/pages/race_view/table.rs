@@ -1,150 +1,104 @@
-//! The paper's Table 1 with numbers: one line a representation, the least of each column marked.
+//! The race's table: names that stay, figures that scroll where there is no room for all.
 
 use eframe::egui;
 use egui::{RichText, Ui};
 
-use super::{cell, dense, line_height, scaled, stripe, winning};
+use super::{scaled, solid_bars, winner_bar, with_bar};
 use crate::{
-    app::chart::Inks,
-    app::charts::race::{figure, looks},
-    study::{
-        Measure, Race, Spread,
-        race::{Racer, Row},
+    app::charts::race::{RaceColumn, RaceTable, about, group, name},
+    study::race::Racer,
+    ui::{
+        kit::{Column, Look, Row, Table},
+        theme::Theme,
     },
-    ui::theme::{Theme, ink},
 };
 
 /// Width of the names, points.
 const NAMES: f32 = 186.0;
 
-/// What a measure means, for tooltips.
-pub fn meaning(measure: Measure) -> &'static str {
-    match measure {
-        Measure::Own => "CIEDE2000 between the light's own colour and that of its likeness.",
-        Measure::Patches => {
-            "Mean CIEDE2000 of the patches. Light and reflectances are both approximated, with \
-             the same count of numbers."
-        }
-        Measure::PatchesWorst => "Largest CIEDE2000 of the patches, both factors approximated.",
-        Measure::Filters => {
-            "Mean CIEDE2000 behind Gaussian band-passes of 10 nm full width at 420, 430 ... 670 \
-             nm. The filter is exact; the exact light behind it is brought to Y = 50."
-        }
-        Measure::Rms => {
-            "Root mean square of likeness minus light over that of the light, at 1 nm, percent."
-        }
-        Measure::RmsBlurred => {
-            "Root mean square of the difference over that of the light, both behind a Gaussian \
-             blur of 10 nm full width, percent."
-        }
-    }
-}
+/// Space between two columns, points.
+const GAP: f32 = 8.0;
 
-/// One column.
-struct Column {
-    title: String,
-    tip: String,
-    width: f32,
-    /// Decides the chart and the winners.
-    decides: bool,
-    cells: Vec<Cell>,
-}
-
-/// One cell.
-#[derive(Clone, Default)]
-struct Cell {
-    text: String,
-    tip: String,
-    wins: bool,
-}
-
-/// The table as text, made once.
-pub struct Table {
-    racers: Vec<Racer>,
+/// The table as rows.
+pub struct TableRows {
+    /// Who stands in a line; none in a group's title.
+    racers: Vec<Option<Racer>>,
+    names: Vec<Row>,
     columns: Vec<Column>,
+    figures: Vec<Row>,
     many: bool,
 }
 
-/// What is compared in a column; less is better.
-type Value<'a> = &'a dyn Fn(&Row) -> Option<f64>;
-
-impl Table {
-    /// The table of a class (or all) at a count.
-    pub fn new(race: &Race, class: Option<&str>, budget: usize, decides: Measure) -> Self {
-        let rows: Vec<Row> = (0..race.racers.len())
-            .map(|racer| race.row(class, budget, racer))
-            .collect();
-        let many = rows.first().is_some_and(|row| row.lamps > 1);
-        let mut columns = Vec::new();
-        patches(&mut columns, &rows, many, decides);
-        for (title, measure, factor) in [
-            ("filters ΔE00", Measure::Filters, 1.0),
-            ("rms 10 nm, %", Measure::RmsBlurred, 100.0),
-            ("own ΔE00", Measure::Own, 1.0),
-        ] {
-            let of = |row: &Row| of_measure(row, measure);
-            let tip = meaning(measure);
-            let mut column = spread_column(title, tip, &rows, many, factor, &of);
-            column.decides = measure == decides;
-            if many && measure == Measure::Own {
-                // Two figures too small to be written, and the sign of those who win.
-                column.width = 114.0;
+impl TableRows {
+    /// The rows of a table.
+    pub fn of(table: &RaceTable) -> Self {
+        let column = |column: &RaceColumn| Column {
+            decides: column.decides,
+            ..Column::numbers(&column.title, &column.tip, column.width + GAP)
+        };
+        let mut rows = Self {
+            racers: Vec::new(),
+            names: Vec::new(),
+            columns: table.columns.iter().map(column).collect(),
+            figures: Vec::new(),
+            many: table.many,
+        };
+        let mut before = None;
+        for (place, racer) in table.racers.iter().enumerate() {
+            let title = group(*racer);
+            if before != Some(title) {
+                before = Some(title);
+                rows.racers.push(None);
+                let row = |cells| Row {
+                    name: title.to_owned(),
+                    cells,
+                    looks: vec![Look::SmallWeak],
+                    ..Row::default()
+                };
+                rows.names.push(row(vec![title.to_owned()]));
+                rows.figures.push(row(Vec::new()));
             }
-            columns.push(column);
+            rows.racers.push(Some(*racer));
+            rows.names.push(Row {
+                name: name(*racer).to_owned(),
+                cells: vec![name(*racer).to_owned()],
+                note: about(*racer),
+                ..Row::default()
+            });
+            rows.figures.push(figures(table, place));
         }
-        let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
-                     choice.";
-        columns.push(spread_column(
-            "check ΔE00",
-            check,
-            &rows,
-            many,
-            1.0,
-            &|row| row.check,
-        ));
-        let mut rms = spread_column(
-            "rms 1 nm, %",
-            meaning(Measure::Rms),
-            &rows,
-            many,
-            100.0,
-            &|row| row.relative_rms,
-        );
-        rms.decides = decides == Measure::Rms;
-        columns.push(rms);
-        columns.push(spent(race, class, budget, rows.len()));
-        costs(&mut columns, &rows, many, &race.cost_of);
-        Self {
-            racers: race.racers.clone(),
-            columns,
-            many,
-        }
+        rows
     }
 
-    /// Draws it: names that stay, columns that scroll where there is no room for all.
+    /// Draws it.
     pub fn show(&self, ui: &mut Ui, theme: Theme) {
-        let names = scaled(NAMES, theme);
-        let gap = ui.spacing().item_spacing;
+        let names = [with_bar("", "", 1.0)];
+        let table = |columns| Table {
+            enabled: false,
+            dense: true,
+            ..Table::new(columns, theme)
+        };
+        let bar = &mut |ui: &Ui, [row, _]: [usize; 2], cell| {
+            if let Some(racer) = self.racers[row] {
+                winner_bar(ui, cell, racer, theme);
+            }
+        };
         ui.horizontal_top(|ui| {
-            dense(ui);
+            solid_bars(ui);
+            ui.spacing_mut().item_spacing.x = 0.0;
             ui.vertical(|ui| {
-                ui.set_width(names);
-                cell(ui, names, "", false);
-                self.each_line(ui, |ui, line| match line {
-                    Line::Group(title) => {
-                        cell(ui, names, RichText::new(title).weak().small(), false);
-                    }
-                    Line::Racer(i, index) => {
-                        stripe(ui, index, names + gap.x);
-                        name(ui, self.racers[i], names, theme);
-                    }
-                });
+                ui.set_width(scaled(NAMES, theme));
+                table(&names).show(ui, &self.names, bar);
             });
             egui::ScrollArea::horizontal()
                 .id_salt("race columns")
                 .auto_shrink([true, true])
                 .show(ui, |ui| {
-                    ui.vertical(|ui| self.columns(ui, theme));
+                    ui.vertical(|ui| {
+                        let width: f32 = self.columns.iter().map(|column| column.share).sum();
+                        ui.set_width(scaled(width, theme));
+                        table(&self.columns).show(ui, &self.figures, &mut |_, _, _| {});
+                    });
                 });
         });
         if self.many {
@@ -157,345 +111,32 @@ impl Table {
             );
         }
     }
-
-    fn columns(&self, ui: &mut Ui, theme: Theme) {
-        let whole: f32 = self
-            .columns
-            .iter()
-            .map(|c| scaled(c.width, theme) + ui.spacing().item_spacing.x)
-            .sum();
-        ui.horizontal(|ui| {
-            for column in &self.columns {
-                let title = RichText::new(&column.title);
-                let title = if column.decides {
-                    title.strong().underline()
-                } else {
-                    title.weak()
-                };
-                cell(ui, scaled(column.width, theme), title, true).on_hover_text(&column.tip);
-            }
-        });
-        self.each_line(ui, |ui, line| match line {
-            Line::Group(_) => {
-                cell(ui, whole, "", false);
-            }
-            Line::Racer(i, index) => {
-                stripe(ui, index, whole);
-                ui.horizontal(|ui| {
-                    for column in &self.columns {
-                        let Cell { text, tip, wins } = &column.cells[i];
-                        let text = winning(text, *wins);
-                        let shown = cell(ui, scaled(column.width, theme), text, true);
-                        if !tip.is_empty() {
-                            shown.on_hover_text(tip);
-                        }
-                    }
-                });
-            }
-        });
-    }
-
-    /// Groups and racers in the order of the table.
-    fn each_line(&self, ui: &mut Ui, mut draw: impl FnMut(&mut Ui, Line)) {
-        let mut before = None;
-        let mut index = 0;
-        for (i, racer) in self.racers.iter().enumerate() {
-            let group = match racer {
-                Racer::Composite(_) => "Composites",
-                Racer::Rival(_) => "Other representations",
-                Racer::Chosen => "Chosen per light, by the patches",
-            };
-            if before != Some(group) {
-                draw(ui, Line::Group(group));
-                before = Some(group);
-                index = 0;
-            }
-            draw(ui, Line::Racer(i, index));
-            index += 1;
-        }
-    }
 }
 
-enum Line {
-    Group(&'static str),
-    /// A racer's place, and its place in its group.
-    Racer(usize, usize),
-}
-
-fn name(ui: &mut Ui, racer: Racer, width: f32, theme: Theme) {
-    let (colour, ..) = looks(racer, Inks { ..theme.inks });
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 5.0;
-        let height = line_height(ui);
-        let (rect, _) = ui.allocate_exact_size(egui::vec2(4.0, height), egui::Sense::hover());
-        ui.painter()
-            .rect_filled(rect.shrink2(egui::vec2(0.0, 2.0)), 1.0, ink(colour));
-        let title = match racer {
-            Racer::Chosen => "Best composite per light",
-            other => other.title(),
-        };
-        cell(ui, width - 9.0, title, false).on_hover_text(about(racer));
-    });
-}
-
-/// What a racer is, a sentence.
-pub fn about(racer: Racer) -> String {
-    let words = match racer {
-        Racer::Composite(way) => {
-            let spikes = if way.spikes {
-                "The heaviest lines are spikes, as many as make the 10 nm-blurred error least."
-            } else {
-                "No spikes."
-            };
-            let exact = if way.colour_exact {
-                " The light's own X, Y, Z are made exact."
-            } else {
-                ""
-            };
-            format!("{spikes}{exact}")
-        }
-        Racer::Rival(family) => family.about().meaning.to_owned(),
-        Racer::Chosen => "For each light the composite that is best on the patches: one of the \
-                          eight above again, so it wins nothing of its own."
-            .to_owned(),
-    };
-    format!("{}. {words}", racer.title())
-}
-
-fn of_measure(row: &Row, measure: Measure) -> Option<Spread> {
-    match measure {
-        Measure::Own => row.own,
-        Measure::Patches | Measure::PatchesWorst => row.patches,
-        Measure::Filters => row.filters,
-        Measure::Rms => row.relative_rms,
-        Measure::RmsBlurred => row.relative_rms_10nm,
-    }
-}
-
-/// Errors closer than this are equal: a colour-exact fit is off by rounding only.
-const EQUAL: f64 = 1e-6;
-
-/// Marks the least value of a column; whoever is as good as the best wins too.
-fn mark(rows: &[Row], cells: &mut [Cell], value: Value<'_>) {
-    let racing = |row: &Row| row.racer != Racer::Chosen;
-    let best = rows
+/// The figures of one racer, those that win marked by a sign.
+fn figures(table: &RaceTable, place: usize) -> Row {
+    let cells = || table.columns.iter().map(|column| &column.cells[place]);
+    let told: Vec<String> = table
+        .columns
         .iter()
-        .filter(|row| racing(row))
-        .filter_map(value)
-        .fold(f64::INFINITY, f64::min);
-    for (row, cell) in rows.iter().zip(cells) {
-        let near = |v: f64| v <= best * (1.0 + 1e-9) || v.max(best) < EQUAL;
-        cell.wins = racing(row) && value(row).is_some_and(near);
-    }
-}
-
-fn patches(columns: &mut Vec<Column>, rows: &[Row], many: bool, decides: Measure) {
-    let tip = meaning(Measure::Patches);
-    if !many {
-        let of = |row: &Row| row.patches;
-        let mut column = spread_column("patches ΔE00", tip, rows, false, 1.0, &of);
-        column.width = 92.0;
-        column.decides = decides == Measure::Patches;
-        columns.push(column);
-        return;
-    }
-    type Part = fn(Spread) -> f64;
-    let parts: [(&str, Part, &str); 3] = [
-        (
-            "patches ΔE00",
-            |s| s.median,
-            "Half of the lights are below.",
-        ),
-        ("95 %", |s| s.p95, "95 % of the lights are below."),
-        ("worst", |s| s.worst, "The worst light."),
-    ];
-    for (i, (title, part, more)) in parts.into_iter().enumerate() {
-        let value = move |row: &Row| row.patches.map(part);
-        let mut cells: Vec<Cell> = rows.iter().map(|row| plain(value(row))).collect();
-        mark(rows, &mut cells, &value);
-        columns.push(Column {
-            title: title.to_owned(),
-            tip: format!("{tip} {more}"),
-            width: if i == 0 { 92.0 } else { 56.0 },
-            decides: i == 0 && decides == Measure::Patches,
-            cells,
-        });
-    }
-}
-
-fn plain(value: Option<f64>) -> Cell {
-    Cell {
-        text: value.map_or_else(|| "–".to_owned(), figure),
-        ..Cell::default()
-    }
-}
-
-fn spread_column(
-    title: &str,
-    tip: &str,
-    rows: &[Row],
-    many: bool,
-    factor: f64,
-    of: &dyn Fn(&Row) -> Option<Spread>,
-) -> Column {
-    let mut cells: Vec<Cell> = rows
-        .iter()
-        .map(|row| match of(row) {
-            None => plain(None),
-            Some(s) if !many => plain(Some(factor * s.median)),
-            Some(s) => {
-                let [median, p95, worst] = [s.median, s.p95, s.worst].map(|v| figure(factor * v));
-                Cell {
-                    tip: format!("median {median}, 95 % below {p95}, worst {worst}"),
-                    text: format!("{median} / {p95}"),
-                    wins: false,
-                }
-            }
-        })
+        .zip(cells())
+        .map(|(column, cell)| format!("{} {}", column.title, cell.text))
         .collect();
-    mark(rows, &mut cells, &|row| of(row).map(|s| s.median));
-    Column {
-        title: title.to_owned(),
-        tip: tip.to_owned(),
-        width: if many { 104.0 } else { 84.0 },
-        decides: false,
-        cells,
-    }
-}
-
-/// Numbers really spent, and spikes among them.
-fn spent(race: &Race, class: Option<&str>, budget: usize, racers: usize) -> Column {
-    let cells = (0..racers)
-        .map(|racer| {
-            let runs = || {
-                race.of_class(class)
-                    .map(move |l| race.run(l, budget, racer))
-            };
-            let least = runs().map(|r| r.numbers).min().unwrap_or(0);
-            let most = runs().map(|r| r.numbers).max().unwrap_or(0);
-            let spikes = runs().map(|r| r.spikes).max().unwrap_or(0);
-            Cell {
-                text: if least == most {
-                    most.to_string()
-                } else {
-                    format!("{least}-{most}")
-                },
-                tip: match spikes {
-                    0 => String::new(),
-                    1 => "One spike at most, two numbers.".to_owned(),
-                    n => format!("Up to {n} spikes, two numbers each."),
-                },
-                wins: false,
-            }
-        })
-        .collect();
-    Column {
-        title: "numbers".to_owned(),
-        tip: "Numbers really spent: a table may have fewer components than asked for, and a \
-              wavelet coefficient takes two."
-            .to_owned(),
-        width: 58.0,
-        decides: false,
-        cells,
-    }
-}
-
-fn costs(columns: &mut Vec<Column>, rows: &[Row], many: bool, cost_of: &str) {
-    let first = format!(" Measured in this run on {cost_of}, the light with most lines.");
-    let mut add =
-        |title: &str, tip: String, width: f32, value: Value<'_>, text: &dyn Fn(f64) -> String| {
-            let mut cells: Vec<Cell> = rows
-                .iter()
-                .map(|row| Cell {
-                    text: value(row).map_or_else(|| "–".to_owned(), text),
-                    ..Cell::default()
-                })
-                .collect();
-            mark(rows, &mut cells, value);
-            columns.push(Column {
-                title: title.to_owned(),
-                tip,
-                width,
-                decides: false,
-                cells,
-            });
-        };
-    let lobes = if many {
-        "Share of the lights whose smooth part dips below -0.1 % of the peak, percent."
-    } else {
-        "Whether the smooth part dips below -0.1 % of the peak."
-    };
-    add(
-        if many { "dips %" } else { "dips" },
-        lobes.to_owned(),
-        54.0,
-        &|row| Some(row.negative_lobes),
-        &|share| match (many, share > 0.0) {
-            (true, _) => format!("{:.0}", 100.0 * share),
-            (false, true) => "yes".to_owned(),
-            (false, false) => "no".to_owned(),
-        },
-    );
-    add(
-        "ns/product",
-        format!(
-            "Time from the stored numbers of a light and a reflectance to the values of their \
-             product, nanoseconds. Samples and boxes multiply their own few values; the others \
-             are read at points first.{first}"
-        ),
-        82.0,
-        &|row| row.cost.map(|c| c.ns_per_product),
-        &nanoseconds,
-    );
-    add(
-        "ns/value",
-        format!("Time for one value at one wavelength, nanoseconds.{first}"),
-        76.0,
-        &|row| row.cost.map(|c| c.ns_per_evaluation),
-        &nanoseconds,
-    );
-    add(
-        "bytes",
-        "Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place takes 2."
-            .to_owned(),
-        62.0,
-        &|row| row.cost.map(|c| c.bytes as f64),
-        &|bytes| format!("{bytes:.0}"),
-    );
-    for (title, tip, yes) in [
-        (
-            "portable",
-            "Whether the numbers mean something by themselves; principal components need their \
-             table.",
-            (|racer: Racer| !racer.needs_table()) as fn(Racer) -> bool,
-        ),
-        (
-            "flexible",
-            "Whether fewer numbers are a prefix of more: one fit, cut anywhere. With spikes or \
-             colour-exact every count is a fit of its own.",
-            Racer::is_prefix,
-        ),
-    ] {
-        columns.push(Column {
-            title: title.to_owned(),
-            tip: tip.to_owned(),
-            width: 58.0,
-            decides: false,
-            cells: rows
-                .iter()
-                .map(|row| Cell {
-                    text: if yes(row.racer) { "yes" } else { "no" }.to_owned(),
-                    ..Cell::default()
-                })
-                .collect(),
-        });
-    }
-}
-
-fn nanoseconds(ns: f64) -> String {
-    if ns < 100.0 {
-        format!("{ns:.1}")
-    } else {
-        format!("{ns:.0}")
+    Row {
+        name: format!("{}: {}", name(table.racers[place]), told.join(", ")),
+        cells: cells()
+            .map(|cell| match cell.wins {
+                true => format!("★ {}", cell.text),
+                false => cell.text.clone(),
+            })
+            .collect(),
+        tips: cells().map(|cell| cell.tip.clone()).collect(),
+        looks: cells()
+            .map(|cell| match cell.wins {
+                true => Look::Strong,
+                false => Look::Plain,
+            })
+            .collect(),
+        ..Row::default()
     }
 }

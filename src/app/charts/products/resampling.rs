@@ -1,0 +1,290 @@
+//! One product formed in every way: curves, what each is off by, and the figures as tables.
+
+use super::{curve, over};
+use crate::{
+    app::{
+        App, Entry,
+        cells::{line, number, words},
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Panel, Rgb, Series, Shape, Theme},
+        charts::spectrum::provenance,
+        products::ModelledLight,
+        ticks::extent,
+    },
+    spectrum::{Band, Sampling},
+    study::products::{Formed, ProductTime, Resampled, Sizes, SpikeCosts, resampled, spike_costs},
+};
+
+/// A way of forming products, in a word or two.
+pub fn way_name(sampling: Sampling) -> &'static str {
+    match sampling {
+        Sampling::Paper => "paper's points",
+        Sampling::ThreeN => "3N+1 points",
+        Sampling::FourN => "4N+1 points",
+        Sampling::Double => "twice the numbers",
+        Sampling::Convolution => "cut convolution",
+        Sampling::Exact => "1 nm, as measured",
+    }
+}
+
+/// What a way does, a sentence.
+pub fn way_meaning(sampling: Sampling) -> &'static str {
+    match sampling {
+        Sampling::Paper => {
+            "As many points as there are numbers (2N+1), as in the paper: orders above N fold back."
+        }
+        Sampling::ThreeN => {
+            "3N+1 points, or the next odd count: in the Fourier basis orders up to N are exact."
+        }
+        Sampling::FourN => "4N+1 points: in the Fourier basis every order of one product is exact.",
+        Sampling::Double => "Twice as many points as there are numbers, the default for chains.",
+        Sampling::Convolution => {
+            "Coefficients convolved and cut back to as many as there were: nothing folds, what is \
+             above is lost."
+        }
+        Sampling::Exact => {
+            "No resampling: the model of the light times the factor as measured, at every nm."
+        }
+    }
+}
+
+/// How a way is drawn: ink, dash and form.
+pub fn way_looks(sampling: Sampling, inks: Inks) -> (Rgb, Dash, Shape) {
+    match sampling {
+        Sampling::Paper => (inks.spikes, Dash::Solid, Shape::Dot),
+        Sampling::ThreeN => (inks.smooth, Dash::Dashed, Shape::Square),
+        Sampling::FourN => (inks.residual, Dash::Dotted, Shape::Triangle),
+        Sampling::Double => (inks.product, Dash::Dashed, Shape::Ring),
+        Sampling::Convolution => (inks.overlays[2], Dash::Solid, Shape::Diamond),
+        Sampling::Exact => (inks.measured, Dash::Dotted, Shape::Cross),
+    }
+}
+
+/// The document's light times its surface, formed in every way.
+#[derive(Clone, Debug)]
+pub struct Bench {
+    /// The light's name.
+    pub light: String,
+    /// The factor's name.
+    pub factor: String,
+    /// The grid.
+    pub band: Band,
+    /// What came out.
+    pub resampled: Resampled,
+    /// Eq. 17 at the light's spikes.
+    pub spikes: SpikeCosts,
+    /// What the time of a product depends on.
+    pub sizes: Sizes,
+    width_nm: f64,
+}
+
+impl Bench {
+    /// Forms the product of the document's light and a factor.
+    pub fn of(app: &App, factor: &Entry) -> Self {
+        let lit = ModelledLight::of(app);
+        let (band, product) = (lit.band(), lit.product());
+        let own = lit.factor(factor.on_band(band));
+        let table = &lit.tables.basis;
+        let smooth = &product.model.smooth;
+        Self {
+            light: app.document().light.name().to_owned(),
+            factor: factor.name().to_owned(),
+            band,
+            resampled: resampled(product, &own, table),
+            spikes: spike_costs(product, &own, table),
+            sizes: Sizes {
+                band,
+                basis: smooth.basis,
+                numbers: smooth.coefficients.len(),
+                spikes: product.model.spikes.len(),
+            },
+            width_nm: product.width_nm,
+        }
+    }
+
+    /// Whether there is any colour to be off by.
+    pub fn has_colour(&self) -> bool {
+        let mut ways = self.resampled.ways.iter();
+        ways.any(|way| way.step.added.is_some())
+    }
+
+    /// The exact product and the ways that are drawn, and below what each is off by against the
+    /// exact product of the same two series.
+    pub fn chart(&self, app: &App, hidden: &[Sampling], theme: Theme) -> Chart {
+        let inks = Inks::of(theme);
+        let curve = |values: &[f64]| curve(self.band, values, 1.0);
+        let mut series = vec![Series::line(
+            "measured × measured",
+            inks.measured,
+            curve(&self.resampled.exact),
+        )];
+        let mut off = Vec::new();
+        for way in self.drawn(hidden) {
+            let (ink, dash, _) = way_looks(way.sampling, inks);
+            let name = way_name(way.sampling);
+            series.push(thin(name, ink, curve(&way.step.smooth), dash));
+            let differences: Vec<f64> = way
+                .step
+                .smooth
+                .iter()
+                .zip(&self.resampled.series_product)
+                .map(|(way, exact)| way - exact)
+                .collect();
+            off.push(thin(name, ink, curve(&differences), dash));
+        }
+        series.extend(self.stems(inks));
+        let y_range = without_tall_lines(&series);
+        let mut notes = vec![
+            format!("Light: {}. Factor: {}.", self.light, self.factor),
+            "Below: way minus the product of the same two series with every order kept.".to_owned(),
+        ];
+        notes.extend(provenance(app));
+        Chart {
+            title: "The product by every way".to_owned(),
+            y_label: if y_range.is_some() {
+                "light × factor (measured lines leave the picture)".to_owned()
+            } else {
+                "light × factor".to_owned()
+            },
+            y_range,
+            series,
+            residual: (!off.is_empty()).then(|| Panel {
+                y_label: "what folds or is cut".to_owned(),
+                y_range: None,
+                series: off,
+            }),
+            notes,
+            ..over(self.band, theme)
+        }
+    }
+
+    /// The ways with curves of their own: at 1 nm nothing is formed from series.
+    fn drawn<'a>(&'a self, hidden: &'a [Sampling]) -> impl Iterator<Item = &'a Formed> {
+        let ways = self.resampled.ways.iter();
+        ways.filter(|way| way.sampling != Sampling::Exact && !hidden.contains(&way.sampling))
+    }
+
+    /// The light's spikes behind the factor, the same in all ways with points.
+    fn stems(&self, inks: Inks) -> Option<Series> {
+        let way = self.resampled.ways.first()?;
+        let spikes = &way.step.spikes;
+        if spikes.is_empty() {
+            return None;
+        }
+        let base: Vec<f64> = spikes
+            .iter()
+            .map(|s| {
+                self.band
+                    .interpolate(&self.resampled.series_product, s.at_nm)
+            })
+            .collect();
+        let tops = spikes.iter().zip(&base);
+        Some(Series::new(
+            "spikes × factor",
+            inks.overlays[1],
+            Marks::Stems {
+                points: tops
+                    .map(|(s, b)| [s.at_nm, b + s.stem_height(self.width_nm)])
+                    .collect(),
+                base,
+                labels: Vec::new(),
+            },
+        ))
+    }
+
+    /// The figures as a table; times where they were measured.
+    pub fn csv(&self, app: &App, times: Option<&[ProductTime]>) -> String {
+        let mut out = self.head(app);
+        let heads = [
+            "way",
+            "points",
+            "delta_e_2000_total",
+            "delta_e_2000_added",
+            "folded_share",
+            "multiplications",
+            "ns",
+        ];
+        out += &line(heads.map(str::to_owned));
+        for way in &self.resampled.ways {
+            let step = &way.step;
+            out += &line([
+                words(way_name(way.sampling)),
+                number(way.points.map(|points| points as f64)),
+                number(step.colours.delta_e_2000),
+                number(step.added),
+                number(step.folded_share),
+                number(step.multiplications as f64),
+                number(time_of(times, way.sampling).map(|time| time.ns)),
+            ]);
+        }
+        out
+    }
+
+    /// Eq. 17 as a table.
+    pub fn spikes_csv(&self, app: &App) -> String {
+        let mut out = self.head(app);
+        let heads = [
+            "at_nm",
+            "weight",
+            "measured",
+            "series",
+            "corrected",
+            "printed",
+            "series_delta_e_2000",
+            "corrected_delta_e_2000",
+            "printed_delta_e_2000",
+        ];
+        out += &line(heads.map(str::to_owned));
+        for (reading, costs) in &self.spikes.each {
+            let values = [
+                reading.spike.at_nm,
+                reading.spike.weight,
+                reading.measured,
+                reading.series,
+                reading.linear,
+                reading.printed,
+            ];
+            let costs = costs.map(number);
+            out += &line(values.map(number).into_iter().chain(costs));
+        }
+        out
+    }
+
+    fn head(&self, app: &App) -> String {
+        let mut out = format!("# light: {}\n# factor: {}\n", self.light, self.factor);
+        for note in provenance(app) {
+            out += &format!("# {note}\n");
+        }
+        out
+    }
+}
+
+/// Lines of the measured curve this many times as high as all else are cut off: the ways would
+/// lie flat on the axis.
+const TALL: f64 = 1.5;
+
+/// The range of everything but the measured curve, which comes first, where that is far higher.
+fn without_tall_lines(series: &[Series]) -> Option<[f64; 2]> {
+    let range = |series: &[Series]| {
+        let points = series.iter().flat_map(|s| s.marks.points());
+        extent(points.map(|point| point[1]))
+    };
+    let (measured, rest) = (range(&series[..1])?, range(&series[1..])?);
+    (rest[1] > 0.0 && measured[1] > TALL * rest[1])
+        .then(|| [rest[0].min(measured[0]).min(0.0), 1.15 * rest[1]])
+}
+
+/// The measured time of a way.
+pub fn time_of(times: Option<&[ProductTime]>, sampling: Sampling) -> Option<&ProductTime> {
+    times?.iter().find(|time| time.sampling == sampling)
+}
+
+/// A line of a thickness that leaves room for others.
+pub fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
+    let marks = Marks::Line {
+        points,
+        width: 1.5,
+        dash,
+    };
+    Series::new(name, ink, marks)
+}

@@ -1,0 +1,55 @@
+//! The reflection check as a chart: what was expected and what was found, as they were compared.
+
+use super::{curve, over};
+use crate::{
+    app::{
+        chart::Inks,
+        chart::{Chart, Dash, Panel, Series, Theme},
+        charts::spectrum::provenance,
+        products::same_surface::SameSurfaceSheet,
+        state::App,
+    },
+    study::products::Compared,
+};
+
+/// One of the two checks; `what` says whose numbers were compared.
+pub fn same_surface_chart(
+    app: &App,
+    sheet: &SameSurfaceSheet,
+    compared: &Compared,
+    what: &str,
+    theme: Theme,
+) -> Chart {
+    let inks = Inks::of(theme);
+    let curve = |values: &[f64]| curve(sheet.band, values, 1.0);
+    let Compared {
+        reflection,
+        expected,
+        found,
+    } = compared;
+    let rest: Vec<f64> = found.iter().zip(expected).map(|(f, e)| f - e).collect();
+    let [light, surface, outgoing] = &sheet.names;
+    Chart {
+        title: what.to_owned(),
+        y_label: "share of the largest value, behind 10 nm".to_owned(),
+        series: vec![
+            Series::line("found: S3", inks.measured, curve(found)),
+            Series::line("expected: S1 S2", inks.spikes, curve(expected)).dashed(Dash::Dashed),
+        ],
+        residual: Some(Panel {
+            y_label: "found - expected".to_owned(),
+            series: vec![Series::line("difference", inks.residual, curve(&rest))],
+            ..Panel::default()
+        }),
+        notes: {
+            let mut notes = vec![format!(
+                "S1 {light}, S2 {surface}, S3 {outgoing}. Expected is S1 S2 times {:.4}; residual \
+                 {:.4}.",
+                reflection.factor, reflection.residual
+            )];
+            notes.extend(provenance(app));
+            notes
+        },
+        ..over(sheet.band, theme)
+    }
+}

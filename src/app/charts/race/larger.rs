@@ -1,0 +1,244 @@
+//! Beside a larger collection: its figures and this race's, the differences in words, and both
+//! halves of the result: what the composite wins and what it loses.
+
+use super::{figure, shown_factor, spread_of};
+use crate::{
+    app::studies::{Field, RaceAsk},
+    color::Observer,
+    rivals::Family,
+    spectrum::{Band, SpikeSettings},
+    study::{
+        Measure, Race, Spread,
+        race::Racer,
+        race_reference::{Beside, CHECKED, CHECKED_NUMBERS, OTHER_HALF, TABLE},
+    },
+};
+
+/// The figures of both, in words.
+pub struct Larger {
+    /// What a sentence says for each class and measure: who wins, and by how much.
+    pub halves: Vec<(&'static str, Vec<String>)>,
+    /// Both tables; none where the settings are not those of the larger collection.
+    pub tables: Option<Tables>,
+}
+
+/// This race beside the larger collection.
+pub struct Tables {
+    /// A representation, its figures in each column, and what they say.
+    pub lines: Vec<(Racer, [Option<Beside>; 7], String)>,
+    /// Title and cells `[ours, theirs]` a line.
+    pub checked: Vec<(String, Vec<[String; 2]>)>,
+    /// What the composite does not win, in sentences.
+    pub others: Vec<String>,
+}
+
+impl Larger {
+    /// The comparison of a race over a whole set; `None` where single lights race.
+    pub fn new(ask: &RaceAsk, race: &Race, budget: usize) -> Option<Self> {
+        let whole = match ask.field {
+            Field::Shipped | Field::Class(_) | Field::Group(_) => true,
+            Field::One(_) | Field::These(_) => false,
+        };
+        if !whole {
+            return None;
+        }
+        let halves = [
+            (Measure::Patches, "On the patches"),
+            (Measure::Filters, "Behind narrow filters"),
+            (
+                Measure::RmsBlurred,
+                "For the spectrum itself, behind a 10 nm blur",
+            ),
+        ]
+        .into_iter()
+        .map(|(measure, title)| (title, sentences(race, budget, measure)))
+        .filter(|(_, sentences)| !sentences.is_empty())
+        .collect();
+        Some(Self {
+            halves,
+            tables: comparable(ask).then(|| Tables::of(race)),
+        })
+    }
+}
+
+impl Tables {
+    fn of(race: &Race) -> Self {
+        let lines = TABLE
+            .iter()
+            .map(|line| {
+                let cells = line.beside(race);
+                let words = line.explained(&cells);
+                (line.racer, cells, words)
+            })
+            .collect();
+        Self {
+            lines,
+            checked: checked(race),
+            others: others(race),
+        }
+    }
+}
+
+/// Whether the race was run as the larger collection was.
+fn comparable(ask: &RaceAsk) -> bool {
+    ask.band == Band::VISIBLE
+        && ask.observer == Observer::Cie1931
+        && ask.patch_set == "colorchecker_ohta"
+        && ask.spikes == SpikeSettings::default()
+}
+
+/// Who wins a measure on each class, and by how much.
+fn sentences(race: &Race, budget: usize, measure: Measure) -> Vec<String> {
+    let classes = race.classes();
+    classes
+        .into_iter()
+        .filter_map(|class| sentence(race, class, budget, measure))
+        .collect()
+}
+
+fn sentence(race: &Race, class: &str, budget: usize, measure: Measure) -> Option<String> {
+    let best = |wanted: &dyn Fn(Racer) -> bool| {
+        (0..race.racers.len())
+            .filter(|racer| wanted(race.racers[*racer]))
+            .filter_map(|racer| {
+                let spread = spread_of(race, Some(class), budget, racer, measure)?;
+                Some((race.racers[racer], spread))
+            })
+            .min_by(|a, b| a.1.median.total_cmp(&b.1.median))
+    };
+    let (composite, ours) = best(&|racer| matches!(racer, Racer::Composite(_)))?;
+    let (rival, theirs) = best(&|racer| matches!(racer, Racer::Rival(_)))?;
+    let words = |spread: Spread| {
+        let factor = shown_factor(measure);
+        let unit = if measure.is_colour() { "" } else { " %" };
+        format!("{}{unit}", figure(factor * spread.median))
+    };
+    let (ours_words, theirs_words) = (words(ours), words(theirs));
+    let class = capitalised(class);
+    let (composite, rival) = (composite.title(), rival_words(rival));
+    Some(if ours.median < theirs.median {
+        format!(
+            "{class}: the composite wins: {ours_words} ({composite}) against {theirs_words} of \
+             {rival}."
+        )
+    } else {
+        format!(
+            "{class}: the composite loses: {rival} {theirs_words} against {ours_words} of the best \
+             composite ({composite})."
+        )
+    })
+}
+
+fn capitalised(word: &str) -> String {
+    let mut letters = word.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
+/// A rival in the middle of a sentence.
+fn rival_words(racer: Racer) -> &'static str {
+    match racer {
+        Racer::Rival(family) => family.about().in_a_sentence,
+        other => other.title(),
+    }
+}
+
+fn pair(spread: [f64; 3]) -> String {
+    spread.map(figure).join("/")
+}
+
+fn three(spread: Spread) -> [f64; 3] {
+    [spread.median, spread.p95, spread.worst]
+}
+
+fn place(race: &Race, racer: Racer) -> Option<usize> {
+    race.racers.iter().position(|r| *r == racer)
+}
+
+fn checked(race: &Race) -> Vec<(String, Vec<[String; 2]>)> {
+    let Some(budget) = race.budgets.iter().position(|n| *n == CHECKED_NUMBERS) else {
+        return Vec::new();
+    };
+    CHECKED
+        .iter()
+        .filter(|line| race.classes().contains(&line.class))
+        .map(|line| {
+            let cells = [
+                (Racer::Chosen, line.chosen),
+                (Racer::Rival(Family::Moments), line.moments),
+                (Racer::Rival(Family::Principal), line.principal),
+            ]
+            .into_iter()
+            .map(|(racer, theirs)| {
+                let row = place(race, racer).map(|p| race.row(Some(line.class), budget, p));
+                let ours = row.and_then(|row| row.check);
+                let ours = ours.map_or_else(|| "–".to_owned(), |s| pair(three(s)));
+                [ours, pair(theirs)]
+            })
+            .collect();
+            (line.class.to_owned(), cells)
+        })
+        .collect()
+}
+
+/// The half that the composite does not win, on fluorescent lights.
+fn others(race: &Race) -> Vec<String> {
+    let class = "fluorescent";
+    let Some(budget) = race.budgets.iter().position(|n| *n == CHECKED_NUMBERS) else {
+        return Vec::new();
+    };
+    if !race.classes().contains(&class) {
+        return Vec::new();
+    }
+    let mut words = vec![format!(
+        "On fluorescent lights at {CHECKED_NUMBERS} numbers, behind narrow filters (median/95th \
+         percentile/worst) and rms behind 10 nm (median/95th percentile):"
+    )];
+    for other in OTHER_HALF {
+        let Some(place) = place(race, other.racer) else {
+            continue;
+        };
+        let row = race.row(Some(class), budget, place);
+        let (Some(filters), Some(rms)) = (row.filters, row.relative_rms_10nm) else {
+            continue;
+        };
+        words.push(format!(
+            "{}: {} and {}/{} here, {} and {}/{} in the larger collection.",
+            other.racer.title(),
+            pair(three(filters)),
+            figure(rms.median),
+            figure(rms.p95),
+            pair(other.filters),
+            figure(other.relative_rms_10nm[0]),
+            figure(other.relative_rms_10nm[1]),
+        ));
+    }
+    let (mut without, mut all) = (0, 0);
+    if let Some(place) = place(race, Racer::Chosen) {
+        for lamp in race.of_class(Some(class)) {
+            all += 1;
+            without += usize::from(race.run(lamp, budget, place).spikes == 0);
+        }
+        let with = race
+            .racers
+            .iter()
+            .enumerate()
+            .filter(|(_, racer)| matches!(racer, Racer::Composite(_)))
+            .filter_map(|(i, racer)| {
+                let spread = spread_of(race, Some(class), budget, i, Measure::Filters)?;
+                Some((racer, spread.median))
+            })
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        let best = with.map_or_else(String::new, |(racer, median)| {
+            format!(
+                " Behind narrow filters the best composite is {}, median {}.",
+                racer.title(),
+                figure(median)
+            )
+        });
+        words.push(format!(
+            "The choice is by the patches alone: on {without} of {all} lights it takes no spike.{best}"
+        ));
+    }
+    words
+}

@@ -1,0 +1,246 @@
+//! The race as it is shown: error against numbers as a chart, the table of one count, who wins, and
+//! the figures beside those of a larger collection.
+
+mod larger;
+mod table;
+mod winners;
+
+pub use larger::{Larger, Tables};
+pub use table::{RaceCell, RaceColumn, RaceTable, about, group, meaning, name};
+pub use winners::{Lamp, Winners, Won};
+
+use crate::{
+    app::{
+        chart::Inks,
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        studies::RaceAsk,
+        study_report::{field_words, race_notes, row_numbers, wins},
+    },
+    spectrum::Basis,
+    study::{Measure, Race, Spread, race::Racer},
+};
+
+/// Errors below this are drawn at it: the axis is logarithmic, and a colour-exact fit has none.
+pub const SMALLEST_ERROR: f64 = 1e-4;
+
+/// A racer's name in a few letters: `ex` is colour-exact, `+s` with spikes.
+pub fn short_name(racer: Racer) -> &'static str {
+    match racer {
+        Racer::Composite(way) => match (way.basis, way.spikes, way.colour_exact) {
+            (Basis::Fourier, false, false) => "Fourier",
+            (Basis::Fourier, true, false) => "Fourier +s",
+            (Basis::Fourier, false, true) => "Fourier ex",
+            (Basis::Fourier, true, true) => "Fourier ex +s",
+            (Basis::Cosine, false, false) => "Cosine",
+            (Basis::Cosine, true, false) => "Cosine +s",
+            (Basis::Cosine, false, true) => "Cosine ex",
+            (Basis::Cosine, true, true) => "Cosine ex +s",
+        },
+        Racer::Rival(family) => family.about().short,
+        Racer::Chosen => "Chosen",
+    }
+}
+
+/// How a racer is drawn: a hue a family, dashes for spikes, forms for the rest.
+pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
+    match racer {
+        Racer::Composite(way) => (
+            match way.basis {
+                Basis::Fourier => inks.smooth,
+                Basis::Cosine => inks.spikes,
+            },
+            if way.spikes {
+                Dash::Dashed
+            } else {
+                Dash::Solid
+            },
+            match (way.colour_exact, way.spikes) {
+                (false, false) => Shape::Dot,
+                (false, true) => Shape::Ring,
+                (true, false) => Shape::Square,
+                (true, true) => Shape::Diamond,
+            },
+        ),
+        Racer::Rival(family) => {
+            let by_place = [
+                (inks.overlays[2], Shape::Cross),
+                (inks.overlays[2], Shape::Square),
+                (inks.overlays[0], Shape::Triangle),
+                (inks.residual, Shape::Diamond),
+                (inks.product, Shape::Triangle),
+                (inks.overlays[3], Shape::Ring),
+            ];
+            let (ink, shape) = by_place[family as usize % by_place.len()];
+            (ink, Dash::Dotted, shape)
+        }
+        Racer::Chosen => (inks.measured, Dash::Solid, Shape::Cross),
+    }
+}
+
+/// A measure's spread in a row of the race.
+pub fn spread_of(
+    race: &Race,
+    class: Option<&str>,
+    budget: usize,
+    racer: usize,
+    measure: Measure,
+) -> Option<Spread> {
+    let errors: Vec<f64> = race
+        .of_class(class)
+        .filter_map(|lamp| measure.of(&race.run(lamp, budget, racer).verdict))
+        .collect();
+    Spread::of(&errors)
+}
+
+/// A measure with its unit, for an axis.
+pub fn axis_label(measure: Measure) -> String {
+    if measure.is_colour() {
+        format!("{} (CIEDE2000)", measure.title())
+    } else {
+        format!("{} (%)", measure.title())
+    }
+}
+
+/// What a measure is multiplied by to be in the unit shown: percent for shares.
+pub fn shown_factor(measure: Measure) -> f64 {
+    if measure.is_colour() { 1.0 } else { 100.0 }
+}
+
+/// Who races, with the class where there are several.
+fn of_whom(ask: &RaceAsk, race: &Race, class: Option<&str>) -> String {
+    let count = race.of_class(class).count();
+    match class {
+        Some(class) if count > 1 => format!("{count} {class} lights"),
+        _ if count > 1 => format!("{} ({count})", field_words(&ask.field)),
+        _ => race
+            .of_class(class)
+            .next()
+            .map_or_else(String::new, |lamp| race.lamps[lamp].0.clone()),
+    }
+}
+
+/// Error against numbers, one line a racer; medians where many lights race.
+pub fn error_chart(
+    ask: &RaceAsk,
+    race: &Race,
+    class: Option<&str>,
+    measure: Measure,
+    theme: Theme,
+) -> Chart {
+    let inks = Inks::of(theme);
+    let factor = shown_factor(measure);
+    let many = race.of_class(class).count() > 1;
+    let (mut lines, mut dots) = (Vec::new(), Vec::new());
+    for (place, racer) in race.racers.iter().enumerate() {
+        let mut points = Vec::new();
+        let mut notes = Vec::new();
+        for (budget, numbers) in race.budgets.iter().enumerate() {
+            let Some(spread) = spread_of(race, class, budget, place, measure) else {
+                continue;
+            };
+            let shown = (factor * spread.median).max(SMALLEST_ERROR);
+            points.push([*numbers as f64, shown]);
+            notes.push(if many {
+                let [p95, worst] = [spread.p95, spread.worst].map(|e| figure(factor * e));
+                format!("95 % below {p95}, worst {worst}")
+            } else {
+                String::new()
+            });
+        }
+        if points.is_empty() {
+            continue;
+        }
+        let (colour, dash, shape) = looks(*racer, inks);
+        let marks = Marks::Line {
+            points: points.clone(),
+            width: if *racer == Racer::Chosen { 2.4 } else { 1.5 },
+            dash,
+        };
+        // The points have the name: their forms tell more apart than dashes do.
+        lines.push(Series::new("", colour, marks));
+        let points = Series::points(short_name(*racer), colour, shape, points);
+        dots.push(points.with_notes(notes));
+    }
+    let first = race.budgets.first().map_or(0.0, |n| *n as f64);
+    let last = race.budgets.last().map_or(1.0, |n| *n as f64);
+    let room = (0.03 * (last - first)).max(0.5);
+    let mut notes = race_notes(ask);
+    notes.push(format!(
+        "{}Below {SMALLEST_ERROR} an error is drawn at it. ex: colour-exact, +s: with spikes.",
+        if many {
+            "Medians over the lights. "
+        } else {
+            ""
+        }
+    ));
+    Chart {
+        title: format!("Error against numbers: {}", of_whom(ask, race, class)),
+        x_label: "Numbers".to_owned(),
+        y_label: axis_label(measure),
+        x_range: [first - room, last + room],
+        y_scale: Scale::Log10,
+        series: lines.into_iter().chain(dots).collect(),
+        notes,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// The table of one count as a chart of columns: its CSV is the table.
+pub fn table_chart(ask: &RaceAsk, race: &Race, class: Option<&str>, budget: usize) -> Chart {
+    let wins = wins(race, class, budget, Measure::Patches);
+    let mut columns: Vec<(String, Vec<[f64; 2]>)> = Vec::new();
+    for (place, racer) in race.racers.iter().enumerate() {
+        let row = race.row(class, budget, place);
+        let runs = race
+            .of_class(class)
+            .map(|lamp| race.run(lamp, budget, place).numbers);
+        let mut cells = row_numbers(&row);
+        let yes = |yes: bool| Some(f64::from(u8::from(yes)));
+        cells.extend([
+            ("numbers".to_owned(), runs.max().map(|n| n as f64)),
+            ("needs_table".to_owned(), yes(racer.needs_table())),
+            ("is_prefix".to_owned(), yes(racer.is_prefix())),
+            ("wins".to_owned(), wins[place].map(|n| n as f64)),
+        ]);
+        for (i, (key, value)) in cells.into_iter().enumerate() {
+            if columns.len() == i {
+                columns.push((key, Vec::new()));
+            }
+            let value = value.unwrap_or(f64::NAN);
+            columns[i].1.push([place as f64 + 1.0, value]);
+        }
+    }
+    let names = race.racers.iter().enumerate();
+    Chart {
+        title: format!(
+            "Race at {} numbers: {}",
+            race.budgets[budget],
+            of_whom(ask, race, class)
+        ),
+        x_label: "place".to_owned(),
+        x_names: names
+            .map(|(i, racer)| (i as f64 + 1.0, racer.title().to_owned()))
+            .collect(),
+        y_label: String::new(),
+        x_range: [0.5, race.racers.len() as f64 + 0.5],
+        series: columns
+            .into_iter()
+            .map(|(key, points)| Series::points(key, [128; 3], Shape::Dot, points))
+            .collect(),
+        notes: race_notes(ask),
+        ..Chart::default()
+    }
+}
+
+/// A figure in few letters: nothing smaller than a ten-thousandth matters here.
+pub fn figure(value: f64) -> String {
+    match value {
+        v if !v.is_finite() => "–".to_owned(),
+        v if v < SMALLEST_ERROR => "<.0001".to_owned(),
+        v if v < 0.01 => format!("{v:.4}"),
+        v if v < 1.0 => format!("{v:.3}"),
+        v if v < 100.0 => format!("{v:.2}"),
+        v => format!("{v:.0}"),
+    }
+}

@@ -1,0 +1,396 @@
+//! The paper's Table 1 with numbers: one line a representation, the least of each column marked.
+
+use super::figure;
+use crate::study::{
+    Measure, Race, Spread,
+    race::{Racer, Row},
+};
+
+/// What a measure means, for tooltips.
+pub fn meaning(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Own => "CIEDE2000 between the light's own colour and that of its likeness.",
+        Measure::Patches => {
+            "Mean CIEDE2000 of the patches. Light and reflectances are both approximated, with \
+             the same count of numbers."
+        }
+        Measure::PatchesWorst => "Largest CIEDE2000 of the patches, both factors approximated.",
+        Measure::Filters => {
+            "Mean CIEDE2000 behind Gaussian band-passes of 10 nm full width at 420, 430 ... 670 \
+             nm. The filter is exact; the exact light behind it is brought to Y = 50."
+        }
+        Measure::Rms => {
+            "Root mean square of likeness minus light over that of the light, at 1 nm, percent."
+        }
+        Measure::RmsBlurred => {
+            "Root mean square of the difference over that of the light, both behind a Gaussian \
+             blur of 10 nm full width, percent."
+        }
+    }
+}
+
+/// A column of the race's table.
+pub struct RaceColumn {
+    /// Stands over the column.
+    pub title: String,
+    /// What it counts, with its unit.
+    pub tip: String,
+    /// Width that its figures need, points.
+    pub width: f32,
+    /// Decides the chart and the winners.
+    pub decides: bool,
+    /// A cell for each racer.
+    pub cells: Vec<RaceCell>,
+}
+
+/// A cell of the race's table.
+#[derive(Clone, Default)]
+pub struct RaceCell {
+    /// The figure.
+    pub text: String,
+    /// More about it; may be empty.
+    pub tip: String,
+    /// The least of its column.
+    pub wins: bool,
+}
+
+/// The table as text.
+pub struct RaceTable {
+    /// One a line.
+    pub racers: Vec<Racer>,
+    /// Figures of all of them.
+    pub columns: Vec<RaceColumn>,
+    /// Whether more than one light races, so that figures are spreads.
+    pub many: bool,
+}
+
+/// What is compared in a column; less is better.
+type Value<'a> = &'a dyn Fn(&Row) -> Option<f64>;
+
+impl RaceTable {
+    /// The table of a class (or all) at a count.
+    pub fn new(race: &Race, class: Option<&str>, budget: usize, decides: Measure) -> Self {
+        let rows: Vec<Row> = (0..race.racers.len())
+            .map(|racer| race.row(class, budget, racer))
+            .collect();
+        let many = rows.first().is_some_and(|row| row.lamps > 1);
+        let mut columns = Vec::new();
+        patches(&mut columns, &rows, many, decides);
+        for (title, measure, factor) in [
+            ("filters ΔE00", Measure::Filters, 1.0),
+            ("rms 10 nm, %", Measure::RmsBlurred, 100.0),
+            ("own ΔE00", Measure::Own, 1.0),
+        ] {
+            let of = |row: &Row| of_measure(row, measure);
+            let tip = meaning(measure);
+            let mut column = spread_column(title, tip, &rows, many, factor, &of);
+            column.decides = measure == decides;
+            if many && measure == Measure::Own {
+                // Two figures too small to be written, and the sign of those who win.
+                column.width = 114.0;
+            }
+            columns.push(column);
+        }
+        let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
+                     choice.";
+        columns.push(spread_column(
+            "check ΔE00",
+            check,
+            &rows,
+            many,
+            1.0,
+            &|row| row.check,
+        ));
+        let mut rms = spread_column(
+            "rms 1 nm, %",
+            meaning(Measure::Rms),
+            &rows,
+            many,
+            100.0,
+            &|row| row.relative_rms,
+        );
+        rms.decides = decides == Measure::Rms;
+        columns.push(rms);
+        columns.push(spent(race, class, budget, rows.len()));
+        costs(&mut columns, &rows, many, &race.cost_of);
+        Self {
+            racers: race.racers.clone(),
+            columns,
+            many,
+        }
+    }
+}
+
+/// What a racer is listed under.
+pub fn group(racer: Racer) -> &'static str {
+    match racer {
+        Racer::Composite(_) => "Composites",
+        Racer::Rival(_) => "Other representations",
+        Racer::Chosen => "Chosen per light, by the patches",
+    }
+}
+
+/// A racer's name in the table.
+pub fn name(racer: Racer) -> &'static str {
+    match racer {
+        Racer::Chosen => "Best composite per light",
+        other => other.title(),
+    }
+}
+
+/// What a racer is, a sentence.
+pub fn about(racer: Racer) -> String {
+    let words = match racer {
+        Racer::Composite(way) => {
+            let spikes = if way.spikes {
+                "The heaviest lines are spikes, as many as make the 10 nm-blurred error least."
+            } else {
+                "No spikes."
+            };
+            let exact = if way.colour_exact {
+                " The light's own X, Y, Z are made exact."
+            } else {
+                ""
+            };
+            format!("{spikes}{exact}")
+        }
+        Racer::Rival(family) => family.about().meaning.to_owned(),
+        Racer::Chosen => "For each light the composite that is best on the patches: one of the \
+                          eight above again, so it wins nothing of its own."
+            .to_owned(),
+    };
+    format!("{}. {words}", racer.title())
+}
+
+fn of_measure(row: &Row, measure: Measure) -> Option<Spread> {
+    match measure {
+        Measure::Own => row.own,
+        Measure::Patches | Measure::PatchesWorst => row.patches,
+        Measure::Filters => row.filters,
+        Measure::Rms => row.relative_rms,
+        Measure::RmsBlurred => row.relative_rms_10nm,
+    }
+}
+
+/// Errors closer than this are equal: a colour-exact fit is off by rounding only.
+const EQUAL: f64 = 1e-6;
+
+/// Marks the least value of a column; whoever is as good as the best wins too.
+fn mark(rows: &[Row], cells: &mut [RaceCell], value: Value<'_>) {
+    let racing = |row: &Row| row.racer != Racer::Chosen;
+    let best = rows
+        .iter()
+        .filter(|row| racing(row))
+        .filter_map(value)
+        .fold(f64::INFINITY, f64::min);
+    for (row, cell) in rows.iter().zip(cells) {
+        let near = |v: f64| v <= best * (1.0 + 1e-9) || v.max(best) < EQUAL;
+        cell.wins = racing(row) && value(row).is_some_and(near);
+    }
+}
+
+fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Measure) {
+    let tip = meaning(Measure::Patches);
+    if !many {
+        let of = |row: &Row| row.patches;
+        let mut column = spread_column("patches ΔE00", tip, rows, false, 1.0, &of);
+        column.width = 92.0;
+        column.decides = decides == Measure::Patches;
+        columns.push(column);
+        return;
+    }
+    type Part = fn(Spread) -> f64;
+    let parts: [(&str, Part, &str); 3] = [
+        (
+            "patches ΔE00",
+            |s| s.median,
+            "Half of the lights are below.",
+        ),
+        ("95 %", |s| s.p95, "95 % of the lights are below."),
+        ("worst", |s| s.worst, "The worst light."),
+    ];
+    for (i, (title, part, more)) in parts.into_iter().enumerate() {
+        let value = move |row: &Row| row.patches.map(part);
+        let mut cells: Vec<RaceCell> = rows.iter().map(|row| plain(value(row))).collect();
+        mark(rows, &mut cells, &value);
+        columns.push(RaceColumn {
+            title: title.to_owned(),
+            tip: format!("{tip} {more}"),
+            width: if i == 0 { 92.0 } else { 56.0 },
+            decides: i == 0 && decides == Measure::Patches,
+            cells,
+        });
+    }
+}
+
+fn plain(value: Option<f64>) -> RaceCell {
+    RaceCell {
+        text: value.map_or_else(|| "–".to_owned(), figure),
+        ..RaceCell::default()
+    }
+}
+
+fn column(title: &str, tip: &str, width: f32, cells: Vec<RaceCell>) -> RaceColumn {
+    RaceColumn {
+        title: title.to_owned(),
+        tip: tip.to_owned(),
+        width,
+        decides: false,
+        cells,
+    }
+}
+
+fn spread_column(
+    title: &str,
+    tip: &str,
+    rows: &[Row],
+    many: bool,
+    factor: f64,
+    of: &dyn Fn(&Row) -> Option<Spread>,
+) -> RaceColumn {
+    let mut cells: Vec<RaceCell> = rows
+        .iter()
+        .map(|row| match of(row) {
+            None => plain(None),
+            Some(s) if !many => plain(Some(factor * s.median)),
+            Some(s) => {
+                let [median, p95, worst] = [s.median, s.p95, s.worst].map(|v| figure(factor * v));
+                RaceCell {
+                    tip: format!("median {median}, 95 % below {p95}, worst {worst}"),
+                    text: format!("{median} / {p95}"),
+                    wins: false,
+                }
+            }
+        })
+        .collect();
+    mark(rows, &mut cells, &|row| of(row).map(|s| s.median));
+    column(title, tip, if many { 104.0 } else { 84.0 }, cells)
+}
+
+/// Numbers really spent, and spikes among them.
+fn spent(race: &Race, class: Option<&str>, budget: usize, racers: usize) -> RaceColumn {
+    let cells = (0..racers)
+        .map(|racer| {
+            let runs = || {
+                race.of_class(class)
+                    .map(move |l| race.run(l, budget, racer))
+            };
+            let least = runs().map(|r| r.numbers).min().unwrap_or(0);
+            let most = runs().map(|r| r.numbers).max().unwrap_or(0);
+            let spikes = runs().map(|r| r.spikes).max().unwrap_or(0);
+            RaceCell {
+                text: if least == most {
+                    most.to_string()
+                } else {
+                    format!("{least}-{most}")
+                },
+                tip: match spikes {
+                    0 => String::new(),
+                    1 => "One spike at most, two numbers.".to_owned(),
+                    n => format!("Up to {n} spikes, two numbers each."),
+                },
+                wins: false,
+            }
+        })
+        .collect();
+    let tip = "Numbers really spent: a table may have fewer components than asked for, and a \
+               wavelet coefficient takes two.";
+    column("numbers", tip, 58.0, cells)
+}
+
+fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str) {
+    let first = format!(" Measured in this run on {cost_of}, the light with most lines.");
+    let mut add =
+        |title: &str, tip: String, width: f32, value: Value<'_>, text: &dyn Fn(f64) -> String| {
+            let mut cells: Vec<RaceCell> = rows
+                .iter()
+                .map(|row| RaceCell {
+                    text: value(row).map_or_else(|| "–".to_owned(), text),
+                    ..RaceCell::default()
+                })
+                .collect();
+            mark(rows, &mut cells, value);
+            columns.push(column(title, &tip, width, cells));
+        };
+    let lobes = if many {
+        "Share of the lights whose smooth part dips below -0.1 % of the peak, percent."
+    } else {
+        "Whether the smooth part dips below -0.1 % of the peak."
+    };
+    add(
+        if many { "dips %" } else { "dips" },
+        lobes.to_owned(),
+        54.0,
+        &|row| Some(row.negative_lobes),
+        &|share| match (many, share > 0.0) {
+            (true, _) => format!("{:.0}", 100.0 * share),
+            (false, true) => "yes".to_owned(),
+            (false, false) => "no".to_owned(),
+        },
+    );
+    add(
+        "ns/product",
+        format!(
+            "Time from the stored numbers of a light and a reflectance to the values of their \
+             product, nanoseconds. Samples and boxes multiply their own few values; the others \
+             are read at points first.{first}"
+        ),
+        82.0,
+        &|row| row.cost.map(|c| c.ns_per_product),
+        &nanoseconds,
+    );
+    add(
+        "ns/value",
+        format!("Time for one value at one wavelength, nanoseconds.{first}"),
+        76.0,
+        &|row| row.cost.map(|c| c.ns_per_evaluation),
+        &nanoseconds,
+    );
+    add(
+        "bytes",
+        "Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place takes 2."
+            .to_owned(),
+        62.0,
+        &|row| row.cost.map(|c| c.bytes as f64),
+        &|bytes| format!("{bytes:.0}"),
+    );
+    promises(columns, rows);
+}
+
+/// What the numbers of a representation can do beside being few.
+fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
+    for (title, tip, yes) in [
+        (
+            "portable",
+            "Whether the numbers mean something by themselves; principal components need their \
+             table.",
+            (|racer: Racer| !racer.needs_table()) as fn(Racer) -> bool,
+        ),
+        (
+            "flexible",
+            "Whether fewer numbers are a prefix of more: one fit, cut anywhere. With spikes or \
+             colour-exact every count is a fit of its own.",
+            Racer::is_prefix,
+        ),
+    ] {
+        columns.push(column(
+            title,
+            tip,
+            58.0,
+            rows.iter()
+                .map(|row| RaceCell {
+                    text: if yes(row.racer) { "yes" } else { "no" }.to_owned(),
+                    ..RaceCell::default()
+                })
+                .collect(),
+        ));
+    }
+}
+
+fn nanoseconds(ns: f64) -> String {
+    if ns < 100.0 {
+        format!("{ns:.1}")
+    } else {
+        format!("{ns:.0}")
+    }
+}

@@ -1,0 +1,134 @@
+//! Who wins: per class and count, and per light.
+
+use std::sync::Arc;
+
+use super::{figure, shown_factor, spread_of};
+use crate::{
+    app::{
+        Entry,
+        library::Library,
+        studies::{Class, Field, RaceAsk},
+        study_report::sets,
+    },
+    preset::Preset,
+    spectrum::Kind,
+    study::{Measure, Race, race::Racer},
+};
+
+/// A winner with its error in words.
+#[derive(Clone)]
+pub struct Won {
+    /// Who wins; none where the figure does not exist.
+    pub racer: Option<Racer>,
+    /// By which error, with its unit.
+    pub error: String,
+}
+
+/// A light of the race.
+pub struct Lamp {
+    /// Its name.
+    pub name: String,
+    /// Its class.
+    pub class: String,
+    /// Who wins on it.
+    pub won: Won,
+    /// Its entry in the library; none when it left.
+    pub entry: Option<Arc<Entry>>,
+}
+
+/// All winners.
+pub struct Winners {
+    /// What decides.
+    pub measure: Measure,
+    /// The count of numbers of [`lamps`](Self::lamps).
+    pub numbers: usize,
+    /// The counts of numbers of [`sets`](Self::sets).
+    pub budgets: Vec<usize>,
+    /// A set's name with its count of lights and its winner at every count of numbers.
+    pub sets: Vec<(String, usize, Vec<Won>)>,
+    /// Every light.
+    pub lamps: Vec<Lamp>,
+}
+
+impl Winners {
+    /// The winners of a race, per light at one count.
+    pub fn new(ask: &RaceAsk, race: &Race, budget: usize, measure: Measure) -> Self {
+        let words = |error: Option<f64>| match error {
+            Some(error) if measure.is_colour() => figure(error),
+            Some(error) => format!("{} %", figure(shown_factor(measure) * error)),
+            None => "–".to_owned(),
+        };
+        let place = |racer: Racer| race.racers.iter().position(|r| *r == racer);
+        let sets = sets(race)
+            .into_iter()
+            .map(|(name, class)| {
+                let class = class.as_deref();
+                let won = (0..race.budgets.len())
+                    .map(|budget| {
+                        let racer = race.winner_of(class, budget, measure);
+                        let spread = racer
+                            .and_then(place)
+                            .and_then(|place| spread_of(race, class, budget, place, measure));
+                        Won {
+                            racer,
+                            error: words(spread.map(|s| s.median)),
+                        }
+                    })
+                    .collect();
+                (name, race.of_class(class).count(), won)
+            })
+            .collect();
+        let lamps = race
+            .lamps
+            .iter()
+            .enumerate()
+            .map(|(i, (name, class))| {
+                let racer = race.winner_on(i, budget, measure);
+                let error = racer
+                    .and_then(place)
+                    .and_then(|place| measure.of(&race.run(i, budget, place).verdict));
+                Lamp {
+                    name: name.clone(),
+                    class: class.clone(),
+                    won: Won {
+                        racer,
+                        error: words(error),
+                    },
+                    entry: entry_of(&ask.field, race, i),
+                }
+            })
+            .collect();
+        Self {
+            measure,
+            numbers: race.budgets[budget],
+            budgets: race.budgets.clone(),
+            sets,
+            lamps,
+        }
+    }
+}
+
+/// The entry of the library, or of the user's own, that a light of the race came from.
+fn entry_of(field: &Field, race: &Race, lamp: usize) -> Option<Arc<Entry>> {
+    let name = &race.lamps[lamp].0;
+    // Two tables of one name stand in the order in which they raced.
+    let before = race.lamps[..lamp].iter().filter(|l| l.0 == *name).count();
+    let shipped = |wanted: &dyn Fn(&Preset) -> bool| {
+        let mut called = Library::bundled()
+            .presets()
+            .filter(|p| p.kind == Kind::Light && p.name == *name && p.line_list().is_none())
+            .filter(|p| wanted(p));
+        Entry::of_preset(called.nth(before)?).map(Arc::new)
+    };
+    match field {
+        Field::One(entry) => Some(entry.0.clone()),
+        Field::Shipped => shipped(&|_| true),
+        Field::Class(class) => shipped(&|p| Class::of(p) == Some(*class)),
+        Field::Group(group) => shipped(&|p| p.group == *group),
+        Field::These(entries) => entries
+            .iter()
+            .filter(|entry| entry.0.name() == name)
+            .nth(before)
+            .map(|entry| entry.0.clone()),
+    }
+}

@@ -1,0 +1,182 @@
+//! From a recipe to a spectrum: pure steps over a document.
+
+use std::sync::Arc;
+
+use super::{
+    document::Document,
+    entry::Entry,
+    library::Library,
+    opened::ImageEntry,
+    picture,
+    products::{
+        Link,
+        two_lights::{Made, NoMetamer, TwoLightsSheet},
+    },
+    recipe::Recipe,
+};
+use crate::spectrum::{Band, Kind, NamedSpectrum, Sampled};
+
+/// Why something cannot be made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum WhyNot {
+    /// Nothing has that key.
+    Missing(String),
+    /// It is not what it has to be: key, what it is, what was expected.
+    OtherKind(String, Kind, &'static str),
+    /// There is no such metamer.
+    Metamer(NoMetamer),
+    /// Nothing was measured there.
+    Nothing,
+    /// It would be made of itself.
+    Circle,
+}
+
+impl std::fmt::Display for WhyNot {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Missing(key) => write!(f, "found no {key}"),
+            Self::OtherKind(key, kind, expected) => {
+                write!(f, "found {key} ({kind}), expected {expected}")
+            }
+            Self::Metamer(why) => write!(f, "{}", why.words()),
+            Self::Nothing => write!(f, "found nothing that was measured there"),
+            Self::Circle => write!(f, "it would be made of itself"),
+        }
+    }
+}
+
+/// Makes a spectrum.
+///
+/// # Errors
+/// [`WhyNot`] when what it stands on is missing or unfit.
+pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNot> {
+    match recipe {
+        Recipe::Metamer {
+            light,
+            other,
+            patch_set,
+            patch,
+            room_percent,
+        } => {
+            let lights = [lamp(document, light)?, lamp(document, other)?];
+            let settings = document.settings;
+            let sheet =
+                TwoLightsSheet::measured(settings.band, settings.observer, lights, patch_set);
+            Made::of(&sheet, *patch, *room_percent)
+                .and_then(|made| made.spectrum(&sheet).ok_or(NoMetamer::NoRoom))
+                .map_err(WhyNot::Metamer)
+        }
+        Recipe::Region { image, rect } => {
+            let found = image_of(document, image).ok_or_else(|| WhyNot::Missing(image.clone()))?;
+            picture::named(&found.image, *rect).ok_or(WhyNot::Nothing)
+        }
+        Recipe::Through { light, chain } => {
+            let light = lamp(document, light)?;
+            let links = chain.iter().map(|(key, times)| {
+                let entry = entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.clone()))?;
+                if !entry.kind().is_factor() {
+                    let expected = "a reflectance or transmittance";
+                    return Err(WhyNot::OtherKind(key.clone(), entry.kind(), expected));
+                }
+                Ok(Link::new(entry, *times))
+            });
+            through(&light, &links.collect::<Result<Vec<_>, _>>()?).ok_or(WhyNot::Nothing)
+        }
+    }
+}
+
+/// What a chain leaves of a light, over the light's own range at every nm: it serves under another
+/// range of the model too.
+fn through(light: &Entry, chain: &[Link]) -> Option<NamedSpectrum> {
+    let table = &light.spectrum.samples;
+    let band = Band::new(table.first_nm().ceil(), table.last_nm().floor()).ok()?;
+    let mut values = light.on_band(band);
+    for link in chain {
+        for (value, share) in values.iter_mut().zip(link.on_band(band)) {
+            *value *= share;
+        }
+    }
+    let met: Vec<String> = chain.iter().map(Link::met).collect();
+    let keys: Vec<&str> = chain.iter().map(|link| link.entry.key.as_str()).collect();
+    let names: Vec<&str> = chain.iter().map(|link| link.entry.name()).collect();
+    Some(NamedSpectrum {
+        name: format!("{} {}", light.name(), met.join(" ")),
+        kind: Kind::Light,
+        unit: light.spectrum.unit.clone(),
+        scale: 1.0,
+        samples: Sampled::even(band.min_nm(), 1.0, values).ok()?,
+        notes: vec![format!(
+            "Made: {} ({}) {} ({}), at every nm.",
+            light.name(),
+            light.key,
+            met.join(" "),
+            keys.join(", "),
+        )],
+        source: format!("made from {} and {}", light.name(), names.join(", ")),
+    })
+}
+
+fn lamp(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
+    let entry = entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.to_owned()))?;
+    match entry.kind() {
+        Kind::Light => Ok(entry),
+        kind => Err(WhyNot::OtherKind(key.to_owned(), kind, "a light")),
+    }
+}
+
+/// What a document holds under a key, its own or shipped; the paper's lamps as it weighs them.
+fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
+    let held = document.own.iter().chain([&document.light]);
+    if let Some(entry) = held.into_iter().find(|entry| entry.key == key) {
+        return Some(entry.clone());
+    }
+    let preset = Library::bundled().find_or_make(key).ok()?;
+    Entry::of_preset_weighing(&preset, Some(document.weight_factor)).map(Arc::new)
+}
+
+fn image_of<'a>(document: &'a Document, key: &str) -> Option<&'a Arc<ImageEntry>> {
+    document.images.iter().find(|image| image.key == key)
+}
+
+/// What a recipe's result depends on, as a document has it: equal for two documents, the result is
+/// the same. Spectra are compared by where they are in memory, shipped ones never change but for
+/// the weights of the paper's lamps.
+pub fn signature(recipe: &Recipe, document: &Document) -> Vec<usize> {
+    let held = |key: &str| {
+        let own = document.own.iter().find(|entry| entry.key == key);
+        let image = image_of(document, key);
+        own.map(|entry| Arc::as_ptr(entry) as usize)
+            .or(image.map(|image| Arc::as_ptr(&image.image) as usize))
+            .unwrap_or_default()
+    };
+    let mut all: Vec<usize> = recipe.stands_on().into_iter().map(held).collect();
+    all.push(document.weight_factor.to_bits() as usize);
+    if let Recipe::Metamer { .. } = recipe {
+        let settings = document.settings;
+        let ends = [settings.band.min_nm(), settings.band.max_nm()];
+        all.extend(ends.map(|nm| nm.to_bits() as usize));
+        all.push(settings.observer as usize);
+    }
+    all
+}
+
+/// Whether a recipe stands on an entry, directly or through what it is made of.
+pub fn stands_on(recipe: &Recipe, document: &Document, key: &str) -> bool {
+    // Every entry is looked at once, so that a circle that a file brought in ends too.
+    let mut seen: Vec<String> = Vec::new();
+    let mut left: Vec<String> = recipe.stands_on().into_iter().map(str::to_owned).collect();
+    while let Some(next) = left.pop() {
+        if next == key {
+            return true;
+        }
+        if seen.contains(&next) {
+            continue;
+        }
+        let own = document.own.iter().find(|entry| entry.key == next);
+        if let Some(recipe) = own.and_then(|entry| entry.origin.recipe()) {
+            left.extend(recipe.stands_on().into_iter().map(str::to_owned));
+        }
+        seen.push(next);
+    }
+    false
+}

@@ -1,0 +1,84 @@
+//! The document's light with its model, also while the window looks at a reflectance.
+
+use std::sync::Arc;
+
+use super::super::{
+    derived::Derived,
+    document::{Document, Subject},
+    line_names::LineName,
+    spike_names::names_of,
+    state::{App, derived_of},
+    tables::Tables,
+};
+use crate::{
+    spectrum::{Band, Factor},
+    study::products::Product,
+};
+
+/// The light, its model as the settings have it, and what it is looked at with.
+#[derive(Clone, Debug)]
+pub struct ModelledLight {
+    /// Model and colours of the light.
+    pub derived: Arc<Derived>,
+    /// Colour-matching functions and bases.
+    pub tables: Arc<Tables>,
+    settings: super::super::settings::Settings,
+}
+
+impl ModelledLight {
+    /// The light of the state; nothing is computed anew when the state's model is of the light.
+    pub fn of(app: &App) -> Self {
+        let document = app.document();
+        let settings = document.settings;
+        if document.is_about_light() {
+            return Self {
+                derived: app.derived().clone(),
+                tables: app.tables().clone(),
+                settings,
+            };
+        }
+        let (derived, tables) = derived_of(&Document {
+            subject: Subject::Light,
+            ..document.clone()
+        });
+        Self {
+            derived: Arc::new(derived),
+            tables: Arc::new(tables),
+            settings,
+        }
+    }
+
+    /// The grid.
+    pub fn band(&self) -> Band {
+        self.derived.band
+    }
+
+    /// What the light's spikes are called, in their order.
+    pub fn spike_names(&self, app: &App) -> Vec<LineName> {
+        if app.document().is_about_light() {
+            return app.spike_names().to_vec();
+        }
+        names_of(&app.document().light, &self.derived, app.element_lines())
+    }
+
+    /// Ready to be multiplied as the settings say.
+    pub fn product(&self) -> Product<'_> {
+        Product {
+            measured: &self.derived.measured,
+            model: &self.derived.model,
+            sampling: self.settings.sampling,
+            seen: &self.tables.viewing.weights,
+            width_nm: self.settings.max_width_nm,
+        }
+    }
+
+    /// A curve of shares on the grid as a factor; its dips are kept as spikes when the settings
+    /// ask for dips.
+    pub fn factor(&self, values: Vec<f64>) -> Factor {
+        if self.settings.dips && self.settings.spikes {
+            Factor::keeping_dips(self.band(), values, self.settings.spike_settings())
+        } else {
+            Factor::new(values)
+        }
+    }
+}

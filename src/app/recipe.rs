@@ -1,0 +1,90 @@
+//! How a spectrum is made from others: data that the document keeps and a workspace writes. What
+//! it stands on is named by keys;
+//! `make` makes it, again whenever one of those changes.
+
+use serde::{Deserialize, Serialize};
+
+use crate::spectrum::Rect;
+
+/// How a spectrum is made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Recipe {
+    /// A reflectance of the same colour as a patch under one light and another under a second.
+    Metamer {
+        /// Key of the light under which both match.
+        light: String,
+        /// Key of the light under which they part.
+        other: String,
+        /// The group of the patch.
+        patch_set: String,
+        /// Which of its reflectances, from 0.
+        patch: usize,
+        /// How much of the room within 0 to 1 is used, per cent.
+        room_percent: i32,
+    },
+    /// The mean of pixels of a spectral image.
+    Region {
+        /// Key of the image.
+        image: String,
+        /// The pixels.
+        rect: Rect,
+    },
+    /// What a chain of filters and surfaces leaves of a light.
+    Through {
+        /// Key of the light.
+        light: String,
+        /// Keys of what it meets, in that order.
+        chain: Vec<(String, Times)>,
+    },
+}
+
+impl Recipe {
+    /// Keys of all that it stands on.
+    pub fn stands_on(&self) -> Vec<&str> {
+        match self {
+            Self::Metamer { light, other, .. } => vec![light, other],
+            Self::Region { image, .. } => vec![image],
+            Self::Through { light, chain } => std::iter::once(light.as_str())
+                .chain(chain.iter().map(|(key, _)| key.as_str()))
+                .collect(),
+        }
+    }
+
+    /// The light that it is made with; `None` where there is none.
+    pub fn light(&self) -> Option<&str> {
+        match self {
+            Self::Metamer { light, .. } | Self::Through { light, .. } => Some(light),
+            Self::Region { .. } => None,
+        }
+    }
+
+    /// The same with another light.
+    #[must_use]
+    pub fn with_light(mut self, key: &str) -> Self {
+        match &mut self {
+            Self::Metamer { light, .. } | Self::Through { light, .. } => key.clone_into(light),
+            Self::Region { .. } => {}
+        }
+        self
+    }
+}
+
+/// How a light meets one factor of a chain.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Times {
+    /// Thickness as a multiple of the measured one (Beer-Lambert); 1 is as measured.
+    pub thickness: f64,
+    /// How many times in a row it is met.
+    pub bounces: u32,
+}
+
+impl Default for Times {
+    fn default() -> Self {
+        Self {
+            thickness: 1.0,
+            bounces: 1,
+        }
+    }
+}

@@ -1,0 +1,366 @@
+//! The user's own spectra and images: how they join, change, follow what they are made of, and go.
+
+use std::sync::Arc;
+
+use super::{App, Tone};
+use crate::{
+    app::{
+        command::MadeFor,
+        document::{Document, FIRST_LIGHT, Subject},
+        entry::Entry,
+        make::{self, WhyNot},
+        opened::{ImageEntry, Opened},
+        origin::{FileReading, FromFile, MadeBy, Origin, SameFile, SourceFile},
+        recipe::Recipe,
+    },
+    io::MakersResult,
+    spectrum::{Kind, NamedSpectrum},
+};
+
+impl App {
+    /// Takes spectra in and shows the first; the first of those that are `sure`, where there are.
+    pub(super) fn adopt(
+        &mut self,
+        spectra: impl Iterator<Item = (NamedSpectrum, Vec<MakersResult>, Origin)>,
+        sure: &[bool],
+    ) {
+        let before = self.document.own.len();
+        for (spectrum, makers, origin) in spectra {
+            let entry = Arc::new(self.own_entry(spectrum, makers, origin));
+            self.document.own.push(entry);
+        }
+        // Among many files the first may be one that is only drawn over another.
+        let new = &self.document.own[before..];
+        let mut known = new.iter().zip(sure).filter(|(_, sure)| **sure);
+        let first = known
+            .find_map(|(entry, _)| entry.is_usable().then_some(entry))
+            .or(new.iter().find(|e| e.is_usable()))
+            .or(new.first())
+            .cloned();
+        if let Some(entry) = first {
+            self.show(entry);
+        }
+    }
+
+    /// The next free number among own spectra and images.
+    fn next_number(&mut self) -> u64 {
+        let number = self.document.next_own;
+        self.document.next_own = number.saturating_add(1);
+        number
+    }
+
+    fn own_entry(
+        &mut self,
+        spectrum: NamedSpectrum,
+        makers: Vec<MakersResult>,
+        origin: Origin,
+    ) -> Entry {
+        Entry {
+            makers,
+            origin,
+            ..Entry::own(self.next_number(), spectrum)
+        }
+    }
+
+    pub(super) fn take_in(&mut self, files: Vec<Opened>) {
+        // Of several files the first is shown.
+        let sure: Vec<bool> = match &files[..] {
+            [file] => file
+                .doubtful_kinds()
+                .iter()
+                .map(|doubtful| !doubtful)
+                .collect(),
+            _ => Vec::new(),
+        };
+        let before = self.document.looks();
+        let mut spectra = Vec::new();
+        for file in files {
+            let source = SourceFile {
+                path: file.path.clone(),
+                bytes: file.bytes.clone(),
+                name: file.file.clone(),
+                images_only: false,
+                before: before.clone(),
+            };
+            let reading = reading(&file, Arc::new(source));
+            for (index, image) in file.images.iter().enumerate() {
+                let key = format!("image/{}", self.next_number());
+                let from = FromFile {
+                    reading: reading.clone(),
+                    index,
+                };
+                let image = image.clone();
+                let entry = ImageEntry { key, from, image };
+                self.document.images.push(Arc::new(entry));
+            }
+            let makers: Vec<_> = (0..file.spectra.len()).map(|i| file.makers_of(i)).collect();
+            let all = file.spectra.into_iter().zip(makers).enumerate();
+            spectra.extend(all.map(|(index, (spectrum, makers))| {
+                let reading = reading.clone();
+                (spectrum, makers, Origin::File(FromFile { reading, index }))
+            }));
+        }
+        self.adopt(spectra.into_iter(), &sure);
+    }
+
+    /// Puts what was read anew in the place of what a file brought before.
+    pub(super) fn reread(&mut self, key: &str, opened: &Opened) {
+        let document = &self.document;
+        let own = document.own.iter().find(|entry| entry.key == key);
+        let image = document.images.iter().find(|image| image.key == key);
+        let from = own.and_then(|entry| entry.origin.file());
+        let Some(from) = from.or(image.map(|image| &image.from)) else {
+            return;
+        };
+        let file = &SameFile(from.reading.file.clone());
+        let reading = reading(opened, file.0.clone());
+        self.reread_images(file, opened, &reading);
+        let of_file = |entry: &Arc<Entry>| {
+            let from = entry.origin.file().filter(|from| from.is_of(file))?;
+            Some((entry.key.clone(), from.index, from.reading.spectra))
+        };
+        let mut known: Vec<_> = self.document.own.iter().filter_map(of_file).collect();
+        known.sort_by_key(|(_, index, _)| *index);
+        let first = |app: &Self| {
+            let (key, ..) = known.first()?;
+            app.document.own.iter().find(|e| e.key == *key).cloned()
+        };
+        let was_shown = first(self).is_some_and(|entry| entry.is_usable());
+        for (key, index, _) in &known {
+            let Some(spectrum) = opened.spectra.get(*index) else {
+                self.remove(key);
+                continue;
+            };
+            let makers = opened.makers_of(*index);
+            self.change_entry(key, |entry| {
+                entry.spectrum = spectrum.clone();
+                entry.makers.clone_from(&makers);
+                entry.origin = Origin::File(FromFile {
+                    reading: reading.clone(),
+                    index: *index,
+                });
+            });
+        }
+        // Those that a person took out stay out.
+        let before = known.first().map_or(0, |(.., spectra)| *spectra);
+        for (index, spectrum) in opened.spectra.iter().enumerate().skip(before) {
+            let from = FromFile {
+                reading: reading.clone(),
+                index,
+            };
+            let makers = opened.makers_of(index);
+            let entry = self.own_entry(spectrum.clone(), makers, Origin::File(from));
+            self.document.own.push(Arc::new(entry));
+        }
+        // What was an overlay at best and is a light now is shown as one.
+        if let Some(entry) = first(self)
+            && !was_shown
+            && entry.is_usable()
+        {
+            self.document.overlays.retain(|o| o.key != entry.key);
+            self.show(entry);
+        }
+    }
+
+    fn reread_images(&mut self, file: &SameFile, opened: &Opened, reading: &Arc<FileReading>) {
+        for known in &mut self.document.images {
+            let index = known.from.index;
+            let image = opened.images.get(index);
+            if let Some(image) = image.filter(|_| known.from.is_of(file)) {
+                *known = Arc::new(ImageEntry {
+                    key: known.key.clone(),
+                    from: FromFile {
+                        reading: reading.clone(),
+                        index,
+                    },
+                    image: image.clone(),
+                });
+            }
+        }
+    }
+
+    pub(super) fn rename(&mut self, key: &str, name: &str) {
+        self.change_entry(key, |entry| {
+            name.clone_into(&mut entry.spectrum.name);
+            if let Origin::Made(made) = &mut entry.origin {
+                made.name = Some(name.to_owned());
+            }
+        });
+    }
+
+    pub(super) fn change_entry(&mut self, key: &str, change: impl Fn(&mut Entry)) {
+        let Some(old) = self.document.own.iter().find(|e| e.key == key) else {
+            return;
+        };
+        let mut entry = Entry::clone(old);
+        change(&mut entry);
+        // The same everywhere: what is on screen is what is in the library.
+        let entry = Arc::new(entry);
+        let document = &mut self.document;
+        let everywhere = document
+            .own
+            .iter_mut()
+            .chain(&mut document.overlays)
+            .chain(&mut document.factor)
+            .chain(std::iter::once(&mut document.light))
+            .chain(document.products.entries_mut());
+        for held in everywhere.filter(|e| e.key == key) {
+            *held = entry.clone();
+        }
+        // What is no factor any more leaves the chain.
+        let products = std::mem::take(&mut self.document.products);
+        self.document.products = products.clamped();
+        // A light that turned into a reflectance changes its place.
+        let is_light = self.document.light.key == key;
+        let is_factor = self.document.factor.as_ref().is_some_and(|f| f.key == key);
+        if is_light && entry.kind() != Kind::Light {
+            self.document.light = self.the_first_light();
+            self.show(entry);
+        } else if is_factor && !entry.kind().is_factor() {
+            self.document.factor = None;
+            self.show(entry);
+        }
+    }
+
+    pub(super) fn remove(&mut self, key: &str) {
+        self.document.own.retain(|e| e.key != key);
+        self.document.overlays.retain(|e| e.key != key);
+        self.document.edits.remove(key);
+        self.document.products.forget(key);
+        self.freeze_what_stands_on(key);
+        if self.document.factor.as_ref().is_some_and(|f| f.key == key) {
+            self.document.factor = None;
+            self.document.subject = Subject::Light;
+        }
+        if self.document.light.key == key {
+            self.document.light = self.the_first_light();
+        }
+    }
+
+    fn the_first_light(&self) -> Arc<Entry> {
+        self.entry(FIRST_LIGHT)
+            .unwrap_or_else(|| self.bundled[0].clone())
+    }
+
+    /// Makes a spectrum, one of the user's own from now on.
+    pub(super) fn make(&mut self, recipe: Recipe, place: MadeFor) {
+        let spectrum = match make::make(&recipe, &self.document) {
+            Ok(spectrum) => spectrum,
+            Err(why) => return self.say(Tone::Problem, format!("It cannot be made: {why}.")),
+        };
+        let origin = Origin::Made(MadeBy { recipe, name: None });
+        match place {
+            MadeFor::Shown => self.adopt(std::iter::once((spectrum, Vec::new(), origin)), &[]),
+            MadeFor::Outgoing => {
+                let entry = Arc::new(self.own_entry(spectrum, Vec::new(), origin));
+                self.document.own.push(entry.clone());
+                self.document.products.outgoing = Some(entry);
+            }
+        }
+    }
+
+    pub(super) fn make_otherwise(&mut self, key: &str, recipe: Recipe) {
+        let why = if make::stands_on(&recipe, &self.document, key) {
+            Some(WhyNot::Circle)
+        } else {
+            self.remake(key, &recipe).err()
+        };
+        if let Some(why) = why {
+            self.say(Tone::Problem, format!("It cannot be made so: {why}."));
+        }
+    }
+
+    /// Makes again what stands on something that changed since `before`. What cannot be made any
+    /// more keeps its numbers.
+    pub(super) fn make_again(&mut self, before: &Document) {
+        let made: Vec<(String, Recipe)> = self
+            .document
+            .own
+            .iter()
+            .filter_map(|entry| Some((entry.key.clone(), entry.origin.recipe()?.clone())))
+            .collect();
+        for (key, recipe) in made {
+            // In the order in which they were made, so that one can stand on another.
+            let now = make::signature(&recipe, &self.document);
+            if now != make::signature(&recipe, before) && self.remake(&key, &recipe).is_err() {
+                // Its numbers are the last that could be made.
+            }
+        }
+    }
+
+    fn remake(&mut self, key: &str, recipe: &Recipe) -> Result<(), WhyNot> {
+        let spectrum = make::make(recipe, &self.document)?;
+        let mut own = self.document.own.iter();
+        let Some(entry) = own.find(|entry| entry.key == key) else {
+            return Ok(());
+        };
+        let name = match &entry.origin {
+            Origin::Made(made) => made.name.clone(),
+            Origin::Preset(_) | Origin::File(_) | Origin::Numbers => None,
+        };
+        let spectrum = NamedSpectrum {
+            name: name.clone().unwrap_or_else(|| spectrum.name.clone()),
+            ..spectrum
+        };
+        let origin = Origin::Made(MadeBy {
+            recipe: recipe.clone(),
+            name,
+        });
+        if entry.spectrum != spectrum || entry.origin != origin {
+            self.change_entry(key, |entry| {
+                entry.spectrum = spectrum.clone();
+                entry.origin = origin.clone();
+            });
+        }
+        Ok(())
+    }
+
+    /// The numbers stay as they are.
+    pub(super) fn freeze(&mut self, key: &str) {
+        let mut own = self.document.own.iter();
+        if own.any(|entry| entry.key == key && entry.origin.recipe().is_some()) {
+            self.change_entry(key, |entry| entry.origin = Origin::Numbers);
+        }
+    }
+
+    /// What was made of something that is gone is what it was.
+    pub(super) fn freeze_what_stands_on(&mut self, key: &str) {
+        let stands = |entry: &&Arc<Entry>| {
+            let recipe = entry.origin.recipe();
+            recipe.is_some_and(|recipe| recipe.stands_on().contains(&key))
+        };
+        let own = self.document.own.iter().filter(stands);
+        let keys: Vec<String> = own.map(|entry| entry.key.clone()).collect();
+        for key in keys {
+            self.freeze(&key);
+        }
+    }
+    /// An image of the last time was read again: it stands where it stood, in every step of the
+    /// history too. That it was away for a moment is nothing to undo.
+
+    pub(super) fn image_is_back(&mut self, image: &Arc<ImageEntry>) {
+        let number = |key: &str| key.rsplit('/').next().and_then(|n| n.parse::<u64>().ok());
+        let documents = std::iter::once(&mut self.document).chain(self.history.all_mut());
+        for document in documents {
+            let images = &mut document.images;
+            if images.iter().any(|known| known.key == image.key) {
+                continue;
+            }
+            let before = |known: &Arc<ImageEntry>| number(&known.key) < number(&image.key);
+            let place = images.partition_point(before);
+            images.insert(place, image.clone());
+            if let Some(number) = number(&image.key) {
+                document.next_own = document.next_own.max(number.saturating_add(1));
+            }
+        }
+        self.revision += 1;
+    }
+}
+
+fn reading(opened: &Opened, file: Arc<SourceFile>) -> Arc<FileReading> {
+    Arc::new(FileReading {
+        file,
+        choices: opened.choices.clone(),
+        spectra: opened.spectra.len(),
+    })
+}

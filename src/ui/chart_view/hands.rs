@@ -1,0 +1,153 @@
+//! Panning and zooming, by egui_plot: what part of the axes a chart shows.
+
+use eframe::egui;
+use egui::{Id, Rect, Response, Ui, UiBuilder, Vec2};
+use egui_plot::{Plot, PlotBounds, PlotTransform};
+
+use super::{How, paint};
+use crate::app::chart::{Drawing, Scale, View};
+
+/// What is shown of a panel, in coordinates of egui_plot: of each axis the first and the last.
+type Bounds = [[f64; 2]; 2];
+
+/// The part of an axis that was panned or zoomed to.
+#[derive(Clone, Copy, PartialEq)]
+struct Zoom {
+    /// What the chart showed by itself, and its scale: another axis forgets the zoom.
+    of: ([f64; 2], Scale),
+    shown: [f64; 2],
+}
+
+fn keys(id: Id, how: How) -> [Id; 2] {
+    [id.with("x zoom"), how.y_of.unwrap_or(id).with("y zoom")]
+}
+
+/// Shows everything again.
+pub fn reset(ui: &Ui, id: Id, how: How) {
+    let keys = keys(id, how);
+    ui.data_mut(|data| keys.map(|key| data.remove::<Zoom>(key)));
+}
+
+/// What hands did to a chart in one frame.
+pub(super) struct Hands {
+    pub view: View,
+    pub main: Response,
+    pub lower: Option<Response>,
+    /// Of the main panel.
+    pub transform: PlotTransform,
+}
+
+impl Hands {
+    /// Lets hands move the panels of a drawing that begins at an origin.
+    pub fn on(ui: &mut Ui, drawing: &Drawing<'_>, origin: Vec2, id: Id, how: How) -> Self {
+        let chart = drawing.chart;
+        let (keys, own) = (keys(id, how), chart.whole_view());
+        let of = [(own.x, chart.x_scale), ([0.0; 2], chart.y_scale)];
+        let mut bounds = [(own.x, chart.x_scale), (own.y, chart.y_scale)].map(coordinates);
+        for k in 0..2 {
+            let zoom = ui.data(|d| d.get_temp::<Zoom>(keys[k]));
+            if let Some(zoom) = zoom.filter(|zoom| zoom.of == of[k]) {
+                bounds[k] = zoom.shown;
+            }
+        }
+        let rect = |field| paint::rect(origin, field);
+        let main = panel(ui, rect(drawing.main), "main", bounds, how);
+        let mut shown = main.shown(bounds);
+        let lower = chart.residual.as_ref().zip(drawing.lower);
+        let lower = lower.map(|(lower, field)| {
+            let asked = [shown[0], lower.y_limits()];
+            let drawn = panel(ui, rect(field), "lower", asked, how);
+            shown[0] = drawn.shown(asked)[0];
+            drawn.response
+        });
+        for k in 0..2 {
+            if shown[k] != bounds[k] {
+                let zoom = Zoom {
+                    of: of[k],
+                    shown: shown[k],
+                };
+                ui.data_mut(|d| d.insert_temp(keys[k], zoom));
+            }
+        }
+        if main.response.double_clicked() && how.moves && how.tells {
+            reset(ui, id, how);
+            ui.ctx().request_repaint();
+        }
+        Self {
+            view: View {
+                x: values(shown[0], chart.x_scale),
+                y: values(shown[1], chart.y_scale),
+            },
+            main: main.response,
+            lower,
+            transform: main.transform,
+        }
+    }
+}
+
+/// A panel as egui_plot has the hands on it.
+struct Panel {
+    response: Response,
+    transform: PlotTransform,
+}
+
+impl Panel {
+    /// What is shown now: what was asked for, unless a hand moved it.
+    fn shown(&self, asked: Bounds) -> Bounds {
+        let (min, max) = (self.transform.bounds().min(), self.transform.bounds().max());
+        let by_hand = self.response.contains_pointer() || self.response.dragged();
+        let shown = [[min[0], max[0]], [min[1], max[1]]];
+        if by_hand && shown.iter().all(|[low, high]| low < high) {
+            shown
+        } else {
+            asked
+        }
+    }
+}
+
+/// Nothing but the hands: what is to be seen is painted beside.
+fn panel(ui: &mut Ui, rect: Rect, name: &str, bounds: Bounds, how: How) -> Panel {
+    let is_main = name == "main";
+    let mut ui = ui.new_child(UiBuilder::new().max_rect(rect).id_salt(name));
+    let plot = Plot::new(name)
+        .width(rect.width())
+        .height(rect.height())
+        .min_size(Vec2::ZERO)
+        .show_axes(false)
+        .show_grid(false)
+        .show_background(false)
+        .show_x(false)
+        .show_y(false)
+        .show_crosshair(false)
+        .allow_drag([how.pans && how.moves, how.pans && how.moves && is_main])
+        .allow_zoom([how.moves, how.moves && is_main])
+        .allow_boxed_zoom(is_main && how.moves)
+        .allow_scroll(false)
+        .allow_axis_zoom_drag(false)
+        .allow_double_click_reset(false)
+        .label_formatter(|_| None);
+    let shown = plot.show(&mut ui, |plot| {
+        let [x, y] = bounds;
+        plot.set_plot_bounds(PlotBounds::from_min_max([x[0], y[0]], [x[1], y[1]]));
+    });
+    Panel {
+        response: shown.response,
+        transform: shown.transform,
+    }
+}
+
+/// Values as coordinates of egui_plot.
+fn coordinates((range, scale): ([f64; 2], Scale)) -> [f64; 2] {
+    match scale {
+        Scale::Linear => range,
+        Scale::Log10 => range.map(f64::log10),
+    }
+}
+
+/// Coordinates of egui_plot as values.
+fn values(range: [f64; 2], scale: Scale) -> [f64; 2] {
+    match scale {
+        Scale::Linear => range,
+        Scale::Log10 => range.map(|at| 10_f64.powf(at)),
+    }
+}

@@ -1,0 +1,43 @@
+//! How a page's parts share its room.
+
+use eframe::egui;
+use egui::{Align, Layout, ScrollArea, Ui, vec2};
+
+/// Room of a scroll area's bar, which stands over the right edge, points.
+const BAR: f32 = 8.0;
+
+/// What may be higher than its room, in a scroll area as wide and high as that.
+pub fn scrolled<R>(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
+    ScrollArea::vertical()
+        .id_salt(id)
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            ui.set_max_width(ui.available_width() - BAR);
+            add(ui)
+        })
+        .inner
+}
+
+/// Two columns of the same width, their words ragged.
+pub fn two_columns<C>(
+    ui: &mut Ui,
+    context: &mut C,
+    left: impl FnOnce(&mut Ui, &mut C),
+    right: impl FnOnce(&mut Ui, &mut C),
+) {
+    let down = Layout::top_down(Align::Min);
+    ui.columns(2, |columns| {
+        columns[0].with_layout(down, |ui| left(ui, context));
+        columns[1].with_layout(down, |ui| right(ui, context));
+    });
+}
+
+/// A row of one line, also when it is empty: what stands below must not jump.
+pub fn line(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_height(size.y);
+        ui.set_max_width(size.x);
+        add(ui);
+    });
+}

@@ -1,0 +1,76 @@
+//! How thick a factor is and how often it is met.
+
+use eframe::egui;
+use egui::{DragValue, RichText, Ui};
+
+use super::super::change;
+use crate::{
+    app::{
+        products::{BOUNCES, Link, THICKNESSES},
+        ticks::short,
+    },
+    ui::{kit::named, pages::PageContext},
+};
+
+pub(super) fn thickness(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
+    if !link.has_thickness() {
+        return;
+    }
+    let label = ui.label(
+        RichText::new("thickness")
+            .small()
+            .color(context.theme.faint),
+    );
+    let mm = link.measured_mm();
+    let unit = mm.unwrap_or(1.0);
+    let mut value = link.thickness * unit;
+    let drag = DragValue::new(&mut value)
+        .range(*THICKNESSES.start() * unit..=*THICKNESSES.end() * unit)
+        .speed(0.02 * unit)
+        .custom_formatter(|v, _| short(v));
+    let drag = match mm {
+        Some(_) => drag.suffix(" mm"),
+        None => drag.suffix(" ×"),
+    };
+    let response = ui.add(drag);
+    let name = format!("Thickness of stage {}", index + 1);
+    named(&response, egui::Role::SpinButton, &name);
+    let meaning = match mm {
+        Some(mm) => format!(
+            "Thickness of the glass, mm; measured at {} mm. Internal transmittance to the power \
+             of the ratio (Beer-Lambert).",
+            short(mm)
+        ),
+        None => "Thickness as a multiple of the measured one (Beer-Lambert): each share to this \
+                 power. For glasses and filters."
+            .to_owned(),
+    };
+    let changed = response.changed();
+    label.on_hover_text(&meaning);
+    response.on_hover_text(meaning);
+    if changed {
+        let ratio = value / unit;
+        change(context, |products| products.chain[index].thickness = ratio);
+    }
+}
+
+pub(super) fn times(ui: &mut Ui, context: &mut PageContext<'_>, link: &Link, index: usize) {
+    let meaning = "How many times in a row the light meets it: bounces off a surface, passes \
+                   through a filter.";
+    let label = ui.label(RichText::new("met").small().color(context.theme.faint));
+    label.on_hover_text(meaning);
+    let mut bounces = link.bounces;
+    let response = ui.add(
+        DragValue::new(&mut bounces)
+            .range(BOUNCES)
+            .speed(0.05)
+            .suffix(if link.bounces == 1 { " time" } else { " times" }),
+    );
+    let name = format!("Bounces of stage {}", index + 1);
+    named(&response, egui::Role::SpinButton, &name);
+    let changed = response.changed();
+    response.on_hover_text(meaning);
+    if changed {
+        change(context, |products| products.chain[index].bounces = bounces);
+    }
+}

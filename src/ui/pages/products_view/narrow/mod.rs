@@ -1,0 +1,339 @@
+//! The part "Narrow filters" of the page "Products": a band-pass moved over the light.
+
+mod band_pass;
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{DragValue, RichText, Sense, Slider, Ui, Vec2, vec2};
+
+use crate::{
+    app::{
+        App, Entry,
+        chart::{self, Chart},
+        charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
+        memo::Memo,
+        products::memory::{NarrowMemory, PASS_WIDTHS_NM},
+        studies::paper::{delta_e, figure, percent},
+    },
+    color::Swatch,
+    io::many::numbers,
+    spectrum::{Band, Kind},
+    study::products::NarrowPoint,
+    ui::{
+        kit::{Chooser, Column, Row, named, scrolled, table, titled, two_columns},
+        pages::PageContext,
+        swatch,
+    },
+};
+
+/// From this width on the two charts stand side by side, points.
+const WIDE: f32 = 1040.0;
+
+/// What people and tests call the controls.
+pub mod names {
+    pub const CENTRE: &str = "Centre";
+    pub const WIDTH: &str = "Width";
+    pub const FILTER: &str = "Filter";
+    pub const GAUSSIAN: &str = "Gaussian";
+    pub const COPY: &str = "Copy filters as CSV";
+    pub const COLOUR: &str = "ΔE00";
+    pub const LUMINANCE: &str = "luminance";
+}
+
+/// The part and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct NarrowView {
+    behind: Memo<u64, (Behind, Vec<FilterRow>)>,
+    curve: Memo<(u64, f64), Vec<NarrowPoint>>,
+    shown: Memo<(u64, NarrowMemory, chart::Theme), (Figures, [Chart; 2])>,
+    grip: Option<band_pass::Grip>,
+}
+
+impl NarrowView {
+    /// Draws the part.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let (app, revision) = (context.app, context.app.revision());
+        let (behind, rows) = &*self.behind.get(revision, |_| {
+            let behind = Behind::of(app);
+            let table = behind.table(app);
+            (behind, table)
+        });
+        let band = behind.band;
+        controls(ui, context, band);
+        let memory = context.memory.products.narrow.clone();
+        let filter = filter_of(app, &memory, band);
+        let curve = self
+            .curve
+            .get((revision, memory.width_nm), |(_, width_nm)| {
+                behind.curve(*width_nm)
+            });
+        let key = (revision, memory, context.chart_theme());
+        let (figures, [light, errors]) = &*self.shown.get(key, |(_, memory, theme)| {
+            let marked = match &filter {
+                Filter::Gaussian { centre_nm, .. } => Some(*centre_nm),
+                Filter::Real(_) => None,
+            };
+            let width_nm = memory.width_nm;
+            let light = behind.light_chart(app, &filter, *theme);
+            let errors = behind.error_chart(app, curve, memory.luminance, width_nm, marked, *theme);
+            (behind.figures(&filter), [light, errors])
+        });
+        let room = ui.available_size();
+        let scale = context.theme.scale;
+        let grip = &mut self.grip;
+        scrolled(ui, "narrow", |ui| {
+            let width = ui.available_width();
+            if width >= WIDE * scale {
+                let height = (0.52 * room.y).max(260.0 * scale);
+                let left = |ui: &mut Ui, context: &mut PageContext<'_>| {
+                    let size = vec2(ui.available_width(), height);
+                    band_pass::light(ui, context, band, light, size, grip);
+                };
+                two_columns(ui, context, left, |ui, context| {
+                    let size = vec2(ui.available_width(), height);
+                    band_pass::errors(ui, context, band, errors, size);
+                });
+                fields(ui, context, behind, figures, &filter);
+            } else {
+                let height = (0.37 * room.y).clamp(210.0 * scale, 380.0 * scale);
+                let size = vec2(width, height);
+                band_pass::light(ui, context, band, light, size, grip);
+                fields(ui, context, behind, figures, &filter);
+                band_pass::errors(ui, context, band, errors, size);
+            }
+            filters(ui, context, behind, rows);
+        });
+    }
+}
+
+/// What stands over the light: a measured filter while it is there, else the Gaussian, its centre
+/// inside the band.
+fn filter_of(app: &App, memory: &NarrowMemory, band: Band) -> Filter {
+    let entry = memory.filter.as_ref().and_then(|key| app.entry(key));
+    match entry.filter(|entry| entry.kind().is_factor()) {
+        Some(entry) => Filter::Real(entry),
+        None => Filter::Gaussian {
+            centre_nm: memory.centre_nm.clamp(band.min_nm(), band.max_nm()),
+            width_nm: memory.width_nm,
+        },
+    }
+}
+
+/// Centre, width, and a measured filter in their place.
+fn controls(ui: &mut Ui, context: &mut PageContext<'_>, band: Band) {
+    let app = context.app;
+    let memory = &mut context.memory.products.narrow;
+    ui.horizontal_wrapped(|ui| {
+        let label = ui.label(names::CENTRE);
+        let mut centre = memory.centre_nm.clamp(band.min_nm(), band.max_nm());
+        let slider = Slider::new(&mut centre, band.min_nm()..=band.max_nm())
+            .fixed_decimals(1)
+            .suffix(" nm");
+        let response = ui.add(slider).labelled_by(label.id).on_hover_text(
+            "Centre of the Gaussian band-pass, nm. It can be dragged in the chart too.",
+        );
+        if response.changed() {
+            memory.centre_nm = centre;
+            memory.filter = None;
+        }
+        let label = ui.label(names::WIDTH);
+        let width = DragValue::new(&mut memory.width_nm)
+            .speed(0.1)
+            .range(PASS_WIDTHS_NM)
+            .fixed_decimals(1)
+            .suffix(" nm");
+        let response = ui.add(width).labelled_by(label.id).on_hover_text(format!(
+            "Full width of the band-pass at half its maximum, {} to {} nm. Its edges can be \
+             dragged in the chart too.",
+            PASS_WIDTHS_NM.start(),
+            PASS_WIDTHS_NM.end()
+        ));
+        if response.changed() {
+            memory.filter = None;
+        }
+        ui.separator();
+        let chosen = memory.filter.as_ref().and_then(|key| app.entry(key));
+        if ui
+            .selectable_label(chosen.is_none(), names::GAUSSIAN)
+            .on_hover_text("The Gaussian band-pass of this centre and width.")
+            .clicked()
+        {
+            memory.filter = None;
+        }
+        let says = chosen.as_ref().map_or("or a measured filter", |e| e.name());
+        let chooser = Chooser {
+            name: names::FILTER,
+            meaning: "A measured filter or glass in the Gaussian's place: shipped or your own.",
+            says,
+            offers: transmittances,
+            width: 150.0 * context.theme.scale,
+        };
+        if let Some(entry) = chooser.show(ui, app) {
+            memory.filter = Some(entry.key.clone());
+        }
+    });
+}
+
+fn transmittances(entry: &Entry) -> bool {
+    entry.kind() == Kind::Transmittance
+}
+
+/// Every shipped filter glass and the user's own filters.
+fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[FilterRow]) {
+    let app = context.app;
+    ui.add_space(4.0);
+    titled(
+        ui,
+        "Behind measured filters and glasses",
+        names::COPY,
+        "Copies all filters with what the three are off by as a table.",
+        || behind.csv(app, rows),
+    );
+    if rows.is_empty() {
+        ui.weak("There are no filters.");
+        return;
+    }
+    let mut columns = vec![
+        Column::words(
+            "filter",
+            "Measured transmittance. Click a row to put it over the light.",
+            3.4,
+        ),
+        Column::numbers(
+            "luminance",
+            "Y of the exact light behind the filter over that of the whole light, percent.",
+            1.1,
+        ),
+    ];
+    columns.extend((0..WAYS.len()).map(|way| {
+        let meaning = format!("CIEDE2000. {}", WAY_MEANINGS[way]);
+        Column::numbers(WAYS[way], &meaning, 1.2)
+    }));
+    let told: Vec<Row> = rows
+        .iter()
+        .map(|row| {
+            let errors = row.figures.ways.map(|way| delta_e(way.delta_e_2000));
+            let name = row.entry.name();
+            Row {
+                name: format!("Filter {name}: {}", errors.join(", ")),
+                note: format!("{name}\nClick to put it over the light."),
+                cells: [
+                    name.to_owned(),
+                    match row.figures.luminance {
+                        Some(share) => format!("{} %", percent(share)),
+                        None => "–".to_owned(),
+                    },
+                ]
+                .into_iter()
+                .chain(errors)
+                .collect(),
+                ..Row::default()
+            }
+        })
+        .collect();
+    let memory = &mut context.memory.products.narrow;
+    let chosen = memory
+        .filter
+        .as_ref()
+        .and_then(|key| rows.iter().position(|row| row.entry.key == *key));
+    let theme = context.theme;
+    let clicked = table(ui, &columns, &told, chosen, true, theme);
+    if let Some(row) = clicked.and_then(|index| rows.get(index)) {
+        let entry: &Arc<Entry> = &row.entry;
+        memory.filter =
+            (chosen.is_none_or(|c| rows[c].entry.key != entry.key)).then(|| entry.key.clone());
+    }
+}
+
+/// The exact light and the three representations behind the filter, side by side.
+fn fields(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    behind: &Behind,
+    figures: &Figures,
+    filter: &Filter,
+) {
+    ui.add_space(2.0);
+    if !behind.has_colour() {
+        ui.weak("There is no visible light in this range: nothing to see behind a filter.");
+        return;
+    }
+    let over = match filter {
+        Filter::Gaussian {
+            centre_nm,
+            width_nm,
+        } => format!("Behind {centre_nm:.1} nm, {width_nm:.1} nm wide"),
+        Filter::Real(entry) => format!("Behind {}", entry.name()),
+    };
+    let (swatches, gain) = behind.swatches(figures);
+    let sentence = format!(
+        "{over}: {} % of the luminance; three times {}.",
+        percent(figures.luminance),
+        numbers(behind.numbers())
+    );
+    ui.add(egui::Label::new(sentence).truncate())
+        .on_hover_text(format!(
+            "Shown {} times as bright as it is, as the colours are compared.",
+            figure(gain)
+        ));
+    ui.horizontal(|ui| {
+        let spacing = 8.0;
+        ui.spacing_mut().item_spacing.x = spacing;
+        let width = ((ui.available_width() - 3.0 * spacing) / 4.0).floor();
+        let height = 30.0 * context.theme.scale;
+        field(
+            ui,
+            vec2(width, height),
+            &swatches[0],
+            "exact",
+            "",
+            "Measured light, exact filter.",
+        );
+        for (way, colours) in figures.ways.iter().enumerate() {
+            let words = format!("ΔE00 {}", delta_e(colours.delta_e_2000));
+            let luminance = colours.luminance_error.map_or_else(
+                || "no luminance to be off by".to_owned(),
+                |error| format!("luminance {:+.2} %", 100.0 * error),
+            );
+            let meaning = format!("{}\n{words}, {luminance}.", WAY_MEANINGS[way]);
+            field(
+                ui,
+                vec2(width, height),
+                &swatches[way + 1],
+                WAYS[way],
+                &words,
+                &meaning,
+            );
+        }
+    });
+    ui.add_space(4.0);
+}
+
+/// One colour with what it is and by how much it is off below it.
+fn field(ui: &mut Ui, size: Vec2, colour: &Swatch, name: &str, words: &str, meaning: &str) {
+    ui.vertical(|ui| {
+        ui.set_width(size.x);
+        ui.spacing_mut().item_spacing.y = 1.0;
+        let told = format!("{name} behind the filter {words}");
+        let hex = colour.hex();
+        let mapping = if colour.in_gamut {
+            String::new()
+        } else {
+            " The screen cannot show it; the nearest it can.".to_owned()
+        };
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+        named(&response, egui::Role::Image, &told);
+        let shown = swatch::colour(colour.rgb8);
+        swatch::paint_split(ui, rect, shown, shown);
+        if !colour.in_gamut {
+            swatch::out_of_gamut_mark(ui, rect.left_top() + vec2(9.0, 8.0));
+        }
+        response.on_hover_text(format!("{meaning}\nsRGB {hex}.{mapping}"));
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.add(egui::Label::new(RichText::new(name).small()).truncate());
+            ui.add(egui::Label::new(RichText::new(words).small().strong()).truncate());
+        });
+    });
+}

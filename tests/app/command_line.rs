@@ -1,0 +1,332 @@
+//! docs/command_line.md tells the truth: commands, options with their defaults, keys of JSON.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ffi::OsString,
+    fs,
+    path::Path,
+};
+
+use crate::docs::{document, quoted, rows, section};
+use serde_json::Value;
+use spectral_explorer::{
+    app::{pages::Page, products::Part},
+    cli::{self, Outcome},
+};
+
+const DOCUMENT: &str = "docs/command_line.md";
+
+/// The options that several commands take, by their headings.
+const SHARED: [&str; 2] = ["### Which spectrum", "### The model"];
+
+/// What a command that works prints.
+fn printed(args: &[&str]) -> String {
+    let words = std::iter::once(&cli::PROGRAM).chain(args);
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
+    let err = String::from_utf8_lossy(&err);
+    assert_eq!(outcome, Outcome::Done(0), "{args:?}: {err}");
+    String::from_utf8(out).expect("UTF-8")
+}
+
+/// The help of a command; of the program without one.
+fn help(command: &str) -> String {
+    match command {
+        "" => printed(&["--help"]),
+        command => printed(&[command, "--help"]),
+    }
+}
+
+/// Every command of the program.
+fn commands() -> BTreeSet<String> {
+    help("")
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.strip_prefix("  "))
+        // Lines that go on are further in.
+        .filter(|line| !line.starts_with(' '))
+        .filter_map(|line| line.split_whitespace().next())
+        .filter(|command| *command != "help")
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The options of a help, but for those that every command has.
+fn options(help: &str) -> BTreeSet<String> {
+    help.lines()
+        .filter_map(|line| line.strip_prefix("      --"))
+        .filter_map(|line| line.split_whitespace().next())
+        .map(|option| format!("--{option}"))
+        .collect()
+}
+
+/// The option that a row is about, without its value.
+fn option(row: &[&str]) -> Option<String> {
+    let words = quoted(row[0]);
+    let option = words.first()?.split_whitespace().next()?;
+    Some(option.to_owned())
+}
+
+#[test]
+fn every_command_is_told_and_no_other() {
+    let document = document(DOCUMENT);
+    let told: BTreeSet<String> = rows(section(&document, "## Commands"))
+        .iter()
+        .filter_map(|row| option(row))
+        .collect();
+    let known = commands();
+    assert!(known.len() > 5, "{known:?}");
+    assert_eq!(told, known);
+}
+
+#[test]
+fn every_option_of_every_command_is_told_and_no_other() {
+    let document = document(DOCUMENT);
+    let mut told: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for heading in SHARED {
+        let text = section(&document, heading);
+        let takers = text.lines().find(|line| line.starts_with("Taken by "));
+        for taker in quoted(takers.expect("who takes them")) {
+            let options = told.entry(taker.to_owned()).or_default();
+            options.extend(rows(text).iter().filter_map(|row| option(row)));
+        }
+    }
+    for row in rows(section(&document, "### Of one command")) {
+        let Some(option) = option(&row) else {
+            continue;
+        };
+        let mut takers = quoted(row[1]);
+        if takers.is_empty() {
+            // The program without a command.
+            takers.push("");
+        }
+        for taker in takers {
+            let options = told.entry(taker.to_owned()).or_default();
+            options.insert(option.clone());
+        }
+    }
+    let known: BTreeMap<String, BTreeSet<String>> = commands()
+        .into_iter()
+        .chain([String::new()])
+        .map(|command| {
+            let options = options(&help(&command));
+            (command, options)
+        })
+        .collect();
+    for (command, options) in &known {
+        assert_eq!(told.get(command), Some(options), "{command}");
+    }
+    for command in told.keys() {
+        assert!(known.contains_key(command), "no command {command}");
+    }
+}
+
+#[test]
+fn the_defaults_are_those_of_the_help() {
+    let document = document(DOCUMENT);
+    let help = help("report");
+    let words: Vec<&str> = help.split_whitespace().collect();
+    let help = words.join(" ");
+    let mut defaults = 0;
+    for heading in SHARED {
+        for row in rows(section(&document, heading)) {
+            if option(&row).is_some() && !row[2].is_empty() {
+                defaults += 1;
+                let words = format!("[default: {}]", row[2]);
+                assert!(help.contains(&words), "{}: not {words}", row[0]);
+            }
+        }
+    }
+    assert!(defaults > 5, "only {defaults} defaults were found");
+}
+
+#[test]
+fn every_page_can_be_named() {
+    let document = document(DOCUMENT);
+    let rows = rows(section(&document, "### Of one command"));
+    let row = rows
+        .iter()
+        .find(|row| option(row).as_deref() == Some("--page"));
+    let words = row.expect("a row about --page")[2];
+    for word in Page::ALL.map(Page::word) {
+        assert!(words.contains(word), "{word}");
+    }
+    for word in Part::ALL.map(Part::word) {
+        assert!(words.contains(word), "{word}");
+    }
+}
+
+/// What stands for several keys, spelt out: `a.{b,c}` is `a.b` and `a.c`.
+fn spelt_out(keys: &str) -> Vec<String> {
+    let Some((before, rest)) = keys.split_once('{') else {
+        return vec![keys.to_owned()];
+    };
+    let (choices, after) = rest.split_once('}').expect("a brace that is closed");
+    choices
+        .split(',')
+        .flat_map(|choice| spelt_out(&format!("{before}{choice}{after}")))
+        .collect()
+}
+
+/// The keys that the document tells of under a heading.
+fn told_keys(heading: &str) -> BTreeSet<String> {
+    let document = document(DOCUMENT);
+    let rows = rows(section(&document, &format!("### `{heading}`")));
+    let words = rows.iter().flat_map(|row| quoted(row[0]));
+    words.flat_map(spelt_out).collect()
+}
+
+/// Adds every key of some JSON with what leads to it. A list of numbers or words, or of lists of
+/// them, counts as one value.
+fn add_keys(value: &Value, path: &str, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(object) => {
+            let dot = if path.is_empty() { "" } else { "." };
+            for (key, value) in object {
+                add_keys(value, &format!("{path}{dot}{key}"), found);
+            }
+        }
+        Value::Array(items) if items.iter().any(Value::is_object) => {
+            for item in items {
+                add_keys(item, &format!("{path}[]"), found);
+            }
+        }
+        _ => {
+            found.insert(path.to_owned());
+        }
+    }
+}
+
+/// Every key that the examples print is told under the heading, and every key told is printed by
+/// one of them.
+fn holds(heading: &str, examples: &[&[&str]]) {
+    let (told, of_report) = (told_keys(heading), told_keys("report --json"));
+    let mut found = BTreeSet::new();
+    for args in examples {
+        let value: Value = serde_json::from_str(&printed(args)).expect("JSON");
+        add_keys(&value, "", &mut found);
+    }
+    for key in &found {
+        let is_it = |told: &String| match told.strip_suffix('*') {
+            Some(start) => key.starts_with(start) && of_report.contains(key),
+            // Of an empty list nobody sees the keys.
+            None => told == key || told.starts_with(&format!("{key}[]")),
+        };
+        assert!(
+            told.iter().any(is_it),
+            "{heading} prints {key}, and {DOCUMENT} does not tell of it"
+        );
+    }
+    for key in &told {
+        let is_there = match key.strip_suffix('*') {
+            Some(start) => found.iter().any(|found| found.starts_with(start)),
+            None => found.contains(key),
+        };
+        assert!(
+            is_there,
+            "{DOCUMENT} tells of {key}, and {heading} does not print it"
+        );
+    }
+}
+
+/// A file of an example, and its path in words.
+fn put(folder: &Path, name: &str, content: impl AsRef<[u8]>) -> String {
+    let path = folder.join(name);
+    fs::write(&path, content).expect(name);
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+/// What a lamp meter writes, with results of its own.
+fn meter(folder: &Path) -> String {
+    let text = "Model Name\tLI-180\nPPFD\t5.5\nIRR\t0.03\n380nm\t1\n390nm\t1.5\n400nm\t2\n\
+                500nm\t3\n600nm\t4\n700nm\t2\nCCT\t5465.0\n";
+    put(folder, "meter.txt", text)
+}
+
+#[test]
+fn the_keys_of_a_report_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let meter = meter(folder.path());
+    holds(
+        "report --json",
+        &[
+            &["report", "FL2", "--json"],
+            &["report", "FL2", "--basis", "cosine", "--json"],
+            &["report", &meter, "--json"],
+        ],
+    );
+}
+
+#[test]
+fn the_keys_of_a_sweep_are_told() {
+    holds("sweep --json", &[&["sweep", "FL2", "--json"]]);
+}
+
+#[test]
+fn the_keys_of_an_auction_are_told() {
+    // With so many numbers an order and a line are given back on the way.
+    let args = ["auction", "FL2", "--goal", "patches", "--numbers", "61"];
+    let args: Vec<&str> = args.into_iter().chain(["--json"]).collect();
+    holds("auction --json", &[&args]);
+}
+
+#[test]
+fn the_keys_of_a_race_are_told() {
+    holds(
+        "race --json",
+        &[&["race", "FL2", "--numbers", "11", "--json"]],
+    );
+}
+
+#[test]
+fn the_keys_of_a_product_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // Mercury's yellow pair stands in the middle of the dip.
+    let dip = |nm: u32| 0.9 - 0.8 * (-((f64::from(nm) - 578.0) / 3.0).powi(2)).exp();
+    let rows: String = (380..=780)
+        .map(|nm| format!("{nm},{}\n", dip(nm)))
+        .collect();
+    let glass = put(folder.path(), "didymium.csv", rows);
+    let kind = ["--kind", "transmittance", "--dips", "--sampling", "double"];
+    let through_glass: Vec<&str> = ["product", "FL2", &glass, "--json"]
+        .into_iter()
+        .chain(kind)
+        .collect();
+    let red = "colorchecker_ohta/red";
+    holds(
+        "product --json",
+        &[&["product", "FL2", red, "--json"], &through_glass],
+    );
+    holds(
+        "product --set --json",
+        &[&["product", "FL2", "--set", "cri_tcs", "--json"]],
+    );
+    holds(
+        "product --check --json",
+        &[&["product", "FL2", red, "--check", "CIE A", "--json"]],
+    );
+}
+
+#[test]
+fn the_keys_of_what_files_hold_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let meter = meter(folder);
+    let header = "ENVI\nsamples = 10\nlines = 10\nbands = 2\nheader offset = 0\n\
+        data type = 1\ninterleave = bip\nbyte order = 0\n\
+        wavelength units = Nanometers\nwavelength = {500, 600}\n";
+    let cube = put(folder, "cube.hdr", header);
+    let numbers: Vec<u8> = (0..200).collect();
+    put(folder, "cube.img", numbers);
+    let model = folder.join("model.composite.json");
+    let model = model.to_str().expect("UTF-8");
+    printed(&["convert", "FL2", model]);
+    holds("read --json", &[&["read", &meter, &cube, model, "--json"]]);
+}
+
+#[test]
+fn the_keys_of_a_list_are_told() {
+    holds("list --json", &[&["list", "--json"]]);
+}
