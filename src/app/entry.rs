@@ -32,14 +32,15 @@ impl Entry {
         Self::of_preset_weighing(preset, None)
     }
 
-    /// A shipped spectrum, the weights of a composite's spikes multiplied by `factor` instead of
-    /// the file's own factor; other presets have no such weights.
+    /// A shipped spectrum; of the paper's lamps the weights of the spikes multiplied by `factor`
+    /// instead of the file's own factor.
     pub fn of_preset_weighing(preset: &Preset, factor: Option<f64>) -> Option<Self> {
         let spectrum = match &preset.body {
             Body::Spectrum(spectrum) => spectrum.clone(),
             Body::Composite(printed) => {
                 let mut composite = printed.clone();
-                composite.weight_factor = factor.unwrap_or(printed.weight_factor);
+                let of_the_paper = factor.filter(|_| preset.shelf == Shelf::Paper);
+                composite.weight_factor = of_the_paper.unwrap_or(printed.weight_factor);
                 NamedSpectrum {
                     name: preset.name.clone(),
                     kind: preset.kind,

@@ -130,8 +130,8 @@ fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
     if let Some(entry) = held.into_iter().find(|entry| entry.key == key) {
         return Some(entry.clone());
     }
-    let preset = Library::bundled().find(key).ok()?;
-    Entry::of_preset_weighing(preset, Some(document.weight_factor)).map(Arc::new)
+    let preset = Library::bundled().find_or_make(key).ok()?;
+    Entry::of_preset_weighing(&preset, Some(document.weight_factor)).map(Arc::new)
 }
 
 fn image_of<'a>(document: &'a Document, key: &str) -> Option<&'a Arc<ImageEntry>> {

@@ -70,7 +70,8 @@ impl Told {
 
 /// Names of any spikes of a spectrum, in their order.
 pub fn names_of_spikes(spikes: &[Spike], curve: Curve<'_>, light: &Identified) -> Vec<LineName> {
-    let mut names: Vec<LineName> = spikes.iter().map(|s| light.name_at(s.at_nm)).collect();
+    let all: Vec<f64> = spikes.iter().map(|spike| spike.at_nm).collect();
+    let mut names = light.names_at(&all);
     let dips: Vec<usize> = (0..spikes.len())
         .filter(|index| spikes[*index].weight < 0.0)
         .collect();

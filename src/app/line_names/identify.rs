@@ -62,28 +62,36 @@ impl Identified {
         }
     }
 
-    /// The name of the peak that a spike at a place stands for, or of the band of a phosphor that
-    /// it stands in.
-    pub fn name_at(&self, at_nm: f64) -> LineName {
+    /// Names of spikes at some places: of the peak that each stands for, or of the band of a
+    /// phosphor that it stands in. Of several that stand for one peak only the nearest has its
+    /// name.
+    pub fn names_at(&self, places_nm: &[f64]) -> Vec<LineName> {
+        let peaks: Vec<Option<usize>> = places_nm.iter().map(|nm| self.peak_of(*nm)).collect();
+        let off = |place: usize, peak: usize| (self.peaks[peak].at_nm - places_nm[place]).abs();
+        let is_nearest = |place: usize, peak: usize| {
+            let others = (0..places_nm.len()).filter(|other| peaks[*other] == Some(peak));
+            others.min_by(|a, b| off(*a, peak).total_cmp(&off(*b, peak))) == Some(place)
+        };
+        let told = |place: usize| match peaks[place] {
+            Some(peak) if is_nearest(place, peak) => self.told[peak].as_ref(),
+            _ => self.band_at(places_nm[place]),
+        };
+        (0..places_nm.len())
+            .map(|place| name_of(told(place)))
+            .collect()
+    }
+
+    /// The peak that a spike at a place stands for.
+    fn peak_of(&self, at_nm: f64) -> Option<usize> {
         let off = |peak: &usize| (self.peaks[*peak].at_nm - at_nm).abs();
-        let within = |reach_nm: f64| {
-            (0..self.peaks.len())
-                .filter(move |peak| (self.peaks[*peak].at_nm - at_nm).abs() <= reach_nm)
-        };
-        let highest = within(SAME_PEAK_NM)
-            .max_by(|a, b| self.peaks[*a].height.total_cmp(&self.peaks[*b].height));
-        let told = match highest {
-            Some(peak) => self.told[peak].as_ref(),
-            None => self.band_at(at_nm).or_else(|| {
-                let nearest = within(self.reach_nm).min_by(|a, b| off(a).total_cmp(&off(b)));
-                self.told[nearest?].as_ref()
-            }),
-        };
-        told.map_or_else(LineName::default, |told| LineName {
-            safe: Some(told.words.clone()),
-            label: Some(told.label.clone()),
-            near: None,
-        })
+        let all = 0..self.peaks.len();
+        let near = all.clone().filter(|peak| off(peak) <= SAME_PEAK_NM);
+        let highest = near.max_by(|a, b| self.peaks[*a].height.total_cmp(&self.peaks[*b].height));
+        if highest.is_some() || self.band_at(at_nm).is_some() {
+            return highest;
+        }
+        all.filter(|peak| off(peak) <= self.reach_nm)
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
     fn band_at(&self, at_nm: f64) -> Option<&Told> {
@@ -141,6 +149,14 @@ impl Identified {
         let words = told.map(|told| told.map(|told| told.words.as_str()));
         self.peaks.iter().zip(words)
     }
+}
+
+fn name_of(told: Option<&Told>) -> LineName {
+    told.map_or_else(LineName::default, |told| LineName {
+        safe: Some(told.words.clone()),
+        label: Some(told.label.clone()),
+        near: None,
+    })
 }
 
 /// The spike that the pointer is on, with its name: the nearest within a distance.

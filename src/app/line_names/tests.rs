@@ -33,7 +33,7 @@ fn identified(samples: &Sampled) -> Identified {
 }
 
 fn safe(found: &Identified, at_nm: f64) -> Option<String> {
-    found.name_at(at_nm).safe
+    found.names_at(&[at_nm])[0].safe.clone()
 }
 
 /// Strengths of an element's lines as the table has them; neon's beyond 692 nm are on another
@@ -247,7 +247,7 @@ fn random_lines_are_hardly_ever_taken_for_an_element() {
 fn the_pointer_names_the_spike_it_is_on_and_nothing_else() {
     let spikes = [435.8, 546.1].map(|at_nm| Spike { at_nm, weight: 1.0 });
     let found = identified(&lamp(&MERCURY, 2.0, 1.0, 0.1));
-    let names: Vec<LineName> = spikes.iter().map(|s| found.name_at(s.at_nm)).collect();
+    let names = found.names_at(&spikes.map(|spike| spike.at_nm));
     let (spike, name) = spike_under(&spikes, &names, 547.0, 2.0).expect("a spike");
     assert_eq!(
         (spike.at_nm, name.safe.as_deref()),

@@ -1,3 +1,5 @@
+//! Tests of the search: what a teacher or a designer types, and what comes first.
+
 use std::collections::BTreeSet;
 
 use super::*;
