@@ -5,11 +5,11 @@ use std::{fmt::Write as _, io::Write, path::Path};
 use super::{
     arguments::Picture,
     inputs::Inputs,
+    picture_input::{about, light_of},
     picture_relit, print,
-    product::named_light,
     refusal::Refusal,
+    room_words::Lines,
     target::{Replaces, Target},
-    words::Lines,
 };
 use crate::{
     app::ticks::short,
@@ -69,20 +69,6 @@ fn target<'a>(options: &'a Picture, path: &'a Path) -> Target<'a> {
         options.light.as_deref(),
         options.relight.as_deref(),
     ])
-}
-
-/// A light by its name on the command line.
-///
-/// # Errors
-/// [`Refusal::File`] for what cannot be read or is no light.
-pub fn light_of(what: &str, word: &std::ffi::OsStr, inputs: &mut Inputs) -> Result<Light, Refusal> {
-    let entry = named_light(what, word, inputs)?;
-    Ok(Light::new(entry.name(), &entry.spectrum.samples))
-}
-
-/// Words of an error about an input.
-pub fn about(path: &Path) -> impl Fn(PictureError) -> Refusal + '_ {
-    move |why| Refusal::File(format!("{}: {why}", shown(path)))
 }
 
 /// Opens the picture: a cube on disk stays there, others are read whole.

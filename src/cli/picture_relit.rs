@@ -5,7 +5,7 @@ use std::{ffi::OsStr, fs, io::Write, path::Path};
 use super::{
     arguments::Picture as Options,
     inputs::Inputs,
-    picture::{about, light_of},
+    picture_input::{about, light_of},
     print,
     refusal::Refusal,
     target::Target,

@@ -5,7 +5,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::words,
+    cli::room_words,
     color::Srgb,
     design::{
         recover::Method,
@@ -17,41 +17,41 @@ use crate::{
 #[derive(Args, Debug)]
 pub struct Recover {
     /// The colour as a screen shows it, adapted to the light: #rrggbb.
-    #[arg(long, value_name = "HEX", value_parser = words::colour,
+    #[arg(long, value_name = "HEX", value_parser = room_words::colour,
         conflicts_with_all = ["xyz", "lab", "image"])]
     pub colour: Option<Srgb>,
     /// The colour as XYZ, Y = 100 for the light.
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = words::place,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = room_words::place,
         conflicts_with_all = ["lab", "image"])]
     pub xyz: Option<[f64; 3]>,
     /// The colour as L*a*b* against the light.
-    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = words::place,
+    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = room_words::place,
         conflicts_with = "image")]
     pub lab: Option<[f64; 3]>,
     /// The light that the surface is seen under, a file or a preset [default: CIE D65].
     #[arg(long, value_name = "LIGHT")]
     pub light: Option<OsString>,
     /// The same surface's colour under a second light: #rrggbb.
-    #[arg(long, value_name = "HEX", value_parser = words::colour,
+    #[arg(long, value_name = "HEX", value_parser = room_words::colour,
         conflicts_with_all = ["second_xyz", "second_lab"])]
     pub second_colour: Option<Srgb>,
     /// The same as XYZ, Y = 100 for the second light.
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = words::place,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = room_words::place,
         conflicts_with = "second_lab")]
     pub second_xyz: Option<[f64; 3]>,
     /// The same as L*a*b* against the second light.
-    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = words::place)]
+    #[arg(long, value_name = "L,A,B", allow_hyphen_values = true, value_parser = room_words::place)]
     pub second_lab: Option<[f64; 3]>,
     /// The second light, a file or a preset.
     #[arg(long, value_name = "LIGHT", conflicts_with = "image")]
     pub second_light: Option<OsString>,
     /// How: smoothest, fourier3, fourier6 (two colours) or lines (a light of that colour)
     /// [default: smoothest].
-    #[arg(long, value_name = "METHOD", value_parser = words::method, conflicts_with = "image")]
+    #[arg(long, value_name = "METHOD", value_parser = room_words::method, conflicts_with = "image")]
     pub method: Option<Method>,
     /// Places of the lines for --method lines, nm, with commas [default: 405,436,546,578].
     #[arg(long, value_name = "NM", value_delimiter = ',', allow_hyphen_values = true,
-        value_parser = words::finite)]
+        value_parser = room_words::finite)]
     pub lines: Vec<f64>,
     /// The light whose shape is behind the lines [default: the smooth part of FL2].
     #[arg(long, value_name = "LIGHT")]
@@ -60,7 +60,7 @@ pub struct Recover {
     #[arg(long, value_name = "FILE.png", requires = "out")]
     pub image: Option<PathBuf>,
     /// The spectral picture to write, .exr.
-    #[arg(long, value_name = "FILE.exr", requires = "image", value_parser = words::exr_path())]
+    #[arg(long, value_name = "FILE.exr", requires = "image", value_parser = room_words::exr_path())]
     pub out: Option<PathBuf>,
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
@@ -87,22 +87,22 @@ pub struct Mix {
     pub target: Option<String>,
     /// How far off the blackbodies' locus a temperature is, -0.05 to 0.05, positive towards green.
     #[arg(long, value_name = "DUV", requires = "target", allow_hyphen_values = true,
-        value_parser = words::finite)]
+        value_parser = room_words::finite)]
     pub duv: Option<f64>,
     /// What to be best at: ler, rf, ra, melanopic or fewest [default: ler].
-    #[arg(long, value_name = "FIGURE", value_parser = words::favour, conflicts_with = "front")]
+    #[arg(long, value_name = "FIGURE", value_parser = room_words::favour, conflicts_with = "front")]
     pub favour: Option<Favour>,
     /// What not to fall below, such as rf=80, ra=90, ler=300 or melanopic=0.5; repeated.
     #[arg(long = "floor", value_name = "FIGURE=VALUE", conflicts_with = "front")]
     pub floors: Vec<String>,
     /// Instead of channels: the best trade of rf or ra for ler by lines that are free to move:
     /// rf,ler or ra,ler.
-    #[arg(long, value_name = "FIGURES", value_parser = words::against, conflicts_with = "channels",
+    #[arg(long, value_name = "FIGURES", value_parser = room_words::against, conflicts_with = "channels",
         requires = "lines")]
     pub front: Option<Against>,
     /// How many lines each light of the front has, 3 or 4.
     #[arg(long, value_name = "COUNT", requires = "front", allow_negative_numbers = true,
-        value_parser = words::free_lines)]
+        value_parser = room_words::free_lines)]
     pub lines: Option<usize>,
     /// Print JSON; its keys are stable.
     #[arg(long)]

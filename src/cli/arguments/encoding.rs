@@ -5,7 +5,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::{options::PickOptions, words},
+    cli::{options::PickOptions, room_words, words},
     color::Observer,
     spectrum::Band,
 };
@@ -18,7 +18,7 @@ pub struct Encode {
     pub input: OsString,
     /// Most numbers that the light may take, 3 to 64.
     #[arg(long, value_name = "N", default_value = "20",
-        allow_negative_numbers = true, value_parser = words::whole_number)]
+        allow_negative_numbers = true, value_parser = room_words::whole_number)]
     pub numbers: usize,
     /// Without known lamps, so that whoever has the formula can decode the words.
     #[arg(long)]

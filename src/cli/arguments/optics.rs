@@ -5,7 +5,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::{options::ModelOptions, words},
+    cli::{options::ModelOptions, room_words},
     optics::View,
 };
 
@@ -22,43 +22,43 @@ pub struct Prism {
     pub material: OsString,
     /// Angle between both faces, degrees, above 0 and below 180.
     #[arg(long, value_name = "DEGREES", default_value = "60",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub apex: f64,
     /// Angle from the first face's normal, degrees between -90 and 90 [default: that of the least
     /// deviation of --minimum].
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true,
-        value_parser = words::finite, conflicts_with = "minimum")]
+        value_parser = room_words::finite, conflicts_with = "minimum")]
     pub incidence: Option<f64>,
     /// The wavelength whose deviation is to be the least, nm.
     #[arg(long, value_name = "NM", default_value = "546.075",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub minimum: f64,
     /// From the apex to where the light meets the first face, mm.
     #[arg(long, value_name = "MM", default_value = "30",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub entry: f64,
     /// From the prism to the screen, mm.
     #[arg(long, value_name = "MM", default_value = "500",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub screen: f64,
     /// Width of the slit, mm.
     #[arg(long, value_name = "MM", default_value = "0.2",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub slit: f64,
     /// The wavelength in whose way the screen stands, nm.
     #[arg(long, value_name = "NM", default_value = "546.075",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub reference: f64,
     /// Wavelengths to tell of beside the light's spikes, nm, repeated or with commas.
     #[arg(long, value_name = "NM", value_delimiter = ',',
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub at: Vec<f64>,
     /// A transmittance for what the glass absorbs, a file or a preset.
     #[arg(long, value_name = "NAME", requires = "thickness")]
     pub filter: Option<OsString>,
     /// How thick that filter was, mm.
     #[arg(long, value_name = "MM", requires = "filter",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub thickness: Option<f64>,
     /// The model, whose spikes are told of.
     #[command(flatten)]
@@ -80,7 +80,7 @@ pub struct Rainbow {
     pub input: Option<OsString>,
     /// Wavelengths to tell of beside them, nm, repeated or with commas.
     #[arg(long, value_name = "NM", value_delimiter = ',',
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub at: Vec<f64>,
     /// What the drops are of, as in prism.
     #[arg(long, value_name = "MATERIAL", default_value = "water")]
@@ -102,7 +102,7 @@ pub struct Gem {
     pub light: Option<OsString>,
     /// Instead of a light one wavelength of radiance 1, nm.
     #[arg(long, value_name = "NM", conflicts_with = "light",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub wavelength: Option<f64>,
     /// What it is made of: diamond, zirconia, sapphire, n-bk7, n-sf11, n-sf10, silica, water, two
     /// numbers n_d,V_d or a file of refractiveindex.info (.yml).
@@ -116,39 +116,39 @@ pub struct Gem {
     pub view: ViewOptions,
     /// How much it absorbs a unit of length at every wavelength; a unit is the girdle's radius.
     #[arg(long, value_name = "PER_UNIT", conflicts_with = "filter",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub absorption: Option<f64>,
     /// A transmittance for what it absorbs, a file or a preset.
     #[arg(long, value_name = "NAME", requires = "thickness")]
     pub filter: Option<OsString>,
     /// How thick that filter was, in radii of the girdle.
     #[arg(long, value_name = "D", requires = "filter",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub thickness: Option<f64>,
     /// Width and height of the picture, px, 16 to 4096.
     #[arg(long, value_name = "PX", default_value = "480",
-        allow_hyphen_values = true, value_parser = words::side)]
+        allow_hyphen_values = true, value_parser = room_words::side)]
     pub size: usize,
     /// Rays a pixel, 1 to 65536.
     #[arg(long, value_name = "COUNT", default_value = "64",
-        allow_hyphen_values = true, value_parser = words::rays)]
+        allow_hyphen_values = true, value_parser = room_words::rays)]
     pub rays: u32,
     /// The same seed gives the same picture, bit by bit.
     #[arg(long, value_name = "SEED", default_value = "1",
-        allow_hyphen_values = true, value_parser = words::seed)]
+        allow_hyphen_values = true, value_parser = room_words::seed)]
     pub seed: u64,
     /// How many blocks across and down the JSON tells of.
     #[arg(long, value_name = "COUNT", default_value = "16",
-        allow_hyphen_values = true, value_parser = words::blocks)]
+        allow_hyphen_values = true, value_parser = room_words::blocks)]
     pub blocks: usize,
     /// How much brighter a PNG is than its own exposure, in stops from -20 to 20 [default: 0].
-    #[arg(long, value_name = "STOPS", allow_hyphen_values = true, value_parser = words::stops)]
+    #[arg(long, value_name = "STOPS", allow_hyphen_values = true, value_parser = room_words::stops)]
     pub stops: Option<f64>,
     /// The model, whose spikes are traced.
     #[command(flatten)]
     pub model: ModelOptions,
     /// The picture to write: .png, which may replace a picture, or .exr with every wavelength.
-    #[arg(long, value_name = "FILE", value_parser = words::traced_path())]
+    #[arg(long, value_name = "FILE", value_parser = room_words::traced_path())]
     pub out: Option<PathBuf>,
     /// Let it replace any other file too, but for what is read.
     #[arg(long, requires = "out")]
@@ -163,31 +163,31 @@ pub struct Gem {
 pub struct CutOptions {
     /// Width of the table, of the diameter.
     #[arg(long, value_name = "SHARE", default_value = "0.57",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub table: f64,
     /// Slope of the crown's main facets, degrees.
     #[arg(long, value_name = "DEGREES", default_value = "34.5",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub crown: f64,
     /// Slope of the pavilion's main facets, degrees.
     #[arg(long, value_name = "DEGREES", default_value = "40.75",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub pavilion: f64,
     /// How far the stars reach from the table's edge to the girdle, 0 to 1.
     #[arg(long, value_name = "SHARE", default_value = "0.5",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub star: f64,
     /// How far the lower halves reach from the girdle to the tip, 0 to 1.
     #[arg(long, value_name = "SHARE", default_value = "0.77",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub lower: f64,
     /// Height of the girdle, of the diameter.
     #[arg(long, value_name = "SHARE", default_value = "0.03",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub girdle: f64,
     /// Width of the culet, of the diameter; 0 is a tip.
     #[arg(long, value_name = "SHARE", default_value = "0",
-        allow_hyphen_values = true, value_parser = words::finite)]
+        allow_hyphen_values = true, value_parser = room_words::finite)]
     pub culet: f64,
 }
 
@@ -195,16 +195,16 @@ pub struct CutOptions {
 #[derive(Args, Clone, Copy, Debug)]
 pub struct ViewOptions {
     /// A view by its name: A, down on the crown from the front [default: A].
-    #[arg(long, value_name = "VIEW", value_parser = words::view,
+    #[arg(long, value_name = "VIEW", value_parser = room_words::view,
         conflicts_with_all = ["from", "towards", "angle"])]
     pub view: Option<View>,
     /// Where the camera is, in radii of the girdle, z up [default: 0,-4.6,7.2].
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = words::place)]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = room_words::place)]
     pub from: Option<[f64; 3]>,
     /// What it looks at [default: 0,0,-0.2].
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = words::place)]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = room_words::place)]
     pub towards: Option<[f64; 3]>,
     /// How wide it looks, degrees [default: 16].
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = words::finite)]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, value_parser = room_words::finite)]
     pub angle: Option<f64>,
 }

@@ -5,7 +5,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::words::{self, Lines},
+    cli::room_words::{self, Lines},
     pictures::ReferenceKind,
 };
 
@@ -18,15 +18,15 @@ pub struct Picture {
     pub input: PathBuf,
     /// Numbers a pixel, 3 or more and fewer than bands.
     #[arg(long, value_name = "N", conflicts_with = "bound", allow_negative_numbers = true,
-        value_parser = words::whole_number)]
+        value_parser = room_words::whole_number)]
     pub numbers: Option<usize>,
     /// The fewest numbers that keep the 95th percentile of the colour difference within this, 0.01
     /// to 20 [default: 0.5].
-    #[arg(long, value_name = "DE", allow_hyphen_values = true, value_parser = words::bound)]
+    #[arg(long, value_name = "DE", allow_hyphen_values = true, value_parser = room_words::bound)]
     pub bound: Option<f64>,
     /// What multiplies the series: one, light (--light) or mean; with --numbers
     /// [default: what is best].
-    #[arg(long, value_name = "REFERENCE", value_parser = words::reference, requires = "numbers")]
+    #[arg(long, value_name = "REFERENCE", value_parser = room_words::reference, requires = "numbers")]
     pub reference: Option<ReferenceKind>,
     /// The light on a reflectance (then its own, CIE D65 without) or the one that lit a picture
     /// of light, a file or a preset.
@@ -34,7 +34,7 @@ pub struct Picture {
     pub light: Option<OsString>,
     /// Lines with a number of their own: auto, none or places in nm with commas; with --numbers
     /// [default: what is best].
-    #[arg(long, value_name = "LINES", value_parser = words::lines, requires = "numbers")]
+    #[arg(long, value_name = "LINES", value_parser = room_words::lines, requires = "numbers")]
     pub lines: Option<Lines>,
     /// Keep bands that nobody sees too.
     #[arg(long)]
@@ -48,7 +48,7 @@ pub struct Picture {
     pub relight: Option<OsString>,
     /// The file to write: .exr holds every number, .cspx.png is small and opens as a picture; with
     /// --relight a .png.
-    #[arg(long, value_name = "FILE", value_parser = words::traced_path())]
+    #[arg(long, value_name = "FILE", value_parser = room_words::traced_path())]
     pub out: Option<PathBuf>,
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
@@ -67,17 +67,17 @@ pub struct Fit {
     pub input: OsString,
     /// Numbers a spectrum, 3 or more and fewer than wavelengths.
     #[arg(long, value_name = "N", default_value = "20", allow_negative_numbers = true,
-        value_parser = words::whole_number)]
+        value_parser = room_words::whole_number)]
     pub numbers: usize,
     /// What multiplies the series: one or mean.
     #[arg(long, value_name = "REFERENCE", default_value = "one",
-        value_parser = words::fit_reference)]
+        value_parser = room_words::fit_reference)]
     pub reference: ReferenceKind,
     /// Lines with a number of their own: auto or none.
-    #[arg(long, value_name = "LINES", default_value = "auto", value_parser = words::fit_lines)]
+    #[arg(long, value_name = "LINES", default_value = "auto", value_parser = room_words::fit_lines)]
     pub lines: bool,
     /// The file to write, .csv or .json; needed but for lines of JSON.
-    #[arg(long, value_name = "FILE", value_parser = words::numbers_path())]
+    #[arg(long, value_name = "FILE", value_parser = room_words::numbers_path())]
     pub out: Option<PathBuf>,
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]

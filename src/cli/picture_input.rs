@@ -1,0 +1,23 @@
+//! What `picture` reads beside pixels: lights, and words of an error about the picture.
+
+use std::{ffi::OsStr, path::Path};
+
+use super::{inputs::Inputs, product::named_light, refusal::Refusal};
+use crate::{
+    io::error::shown,
+    pictures::{Light, PictureError},
+};
+
+/// A light by its name on the command line.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be read or is no light.
+pub fn light_of(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Light, Refusal> {
+    let entry = named_light(what, word, inputs)?;
+    Ok(Light::new(entry.name(), &entry.spectrum.samples))
+}
+
+/// Words of an error about an input.
+pub fn about(path: &Path) -> impl Fn(PictureError) -> Refusal + '_ {
+    move |why| Refusal::File(format!("{}: {why}", shown(path)))
+}

@@ -1,0 +1,192 @@
+//! One word of the commands that trace, make and keep: to a value, or what was found and what was
+//! expected.
+
+use std::{fmt::Display, ops::RangeInclusive, path::PathBuf, str::FromStr};
+
+use clap::builder::{OsStringValueParser, TypedValueParser};
+
+use super::words::{number, one_of, refused, with_extension};
+use crate::{
+    color::Srgb,
+    design::{
+        recover::Method,
+        solve::{Against, Favour},
+    },
+    optics::{self, View},
+    pictures::ReferenceKind,
+};
+
+/// Any number that is finite.
+pub fn finite(word: &str) -> Result<f64, String> {
+    let value: Option<f64> = word.trim().parse().ok();
+    value
+        .filter(|value| value.is_finite())
+        .ok_or_else(|| refused(word, "a number"))
+}
+
+fn whole<T: Copy + Display + FromStr + PartialOrd>(
+    word: &str,
+    range: &RangeInclusive<T>,
+) -> Result<T, String> {
+    let value = word.trim().parse().ok();
+    value.filter(|value| range.contains(value)).ok_or_else(|| {
+        let (least, most) = (range.start(), range.end());
+        refused(word, format_args!("a whole number from {least} to {most}"))
+    })
+}
+
+/// `--size` of a traced picture.
+pub fn side(word: &str) -> Result<usize, String> {
+    whole(word, &optics::SIZES)
+}
+
+/// `--rays`.
+pub fn rays(word: &str) -> Result<u32, String> {
+    whole(word, &optics::RAYS)
+}
+
+/// `--seed`.
+pub fn seed(word: &str) -> Result<u64, String> {
+    whole(word, &(0..=u64::MAX))
+}
+
+/// A count whose limits are told where it is used.
+pub fn whole_number(word: &str) -> Result<usize, String> {
+    let number = word.trim().parse().ok();
+    number.ok_or_else(|| refused(word, "a whole number"))
+}
+
+/// `--colour`.
+pub fn colour(word: &str) -> Result<Srgb, String> {
+    word.parse().map_err(|_| refused(word, "#rrggbb"))
+}
+
+/// `--method`.
+pub fn method(word: &str) -> Result<Method, String> {
+    one_of(word, &Method::ALL, Method::word)
+}
+
+/// `--favour`.
+pub fn favour(word: &str) -> Result<Favour, String> {
+    one_of(word, &Favour::ALL, Favour::word)
+}
+
+/// `--front`.
+pub fn against(word: &str) -> Result<Against, String> {
+    word.parse().map_err(|_| refused(word, "rf,ler or ra,ler"))
+}
+
+/// `--lines` of a front.
+pub fn free_lines(word: &str) -> Result<usize, String> {
+    match word.trim() {
+        "3" => Ok(3),
+        "4" => Ok(4),
+        _ => Err(refused(word, "3 or 4")),
+    }
+}
+
+/// `--bound`.
+pub fn bound(word: &str) -> Result<f64, String> {
+    number(word, &(0.01..=20.0), "CIEDE2000")
+}
+
+/// `--reference` of a picture.
+pub fn reference(word: &str) -> Result<ReferenceKind, String> {
+    let all = [
+        ReferenceKind::One,
+        ReferenceKind::Light,
+        ReferenceKind::Mean,
+    ];
+    one_of(word, &all, reference_word)
+}
+
+/// `--reference` of a table.
+pub fn fit_reference(word: &str) -> Result<ReferenceKind, String> {
+    one_of(
+        word,
+        &[ReferenceKind::One, ReferenceKind::Mean],
+        reference_word,
+    )
+}
+
+fn reference_word(kind: ReferenceKind) -> &'static str {
+    match kind {
+        ReferenceKind::One => "one",
+        ReferenceKind::Light => "light",
+        ReferenceKind::Mean => "mean",
+    }
+}
+
+/// Which lines of a picture have a number of their own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Lines {
+    /// Those that are found.
+    Auto,
+    /// None.
+    None,
+    /// Those at these places, nm.
+    At(Vec<f64>),
+}
+
+/// `--lines` of a picture.
+pub fn lines(word: &str) -> Result<Lines, String> {
+    match word {
+        "auto" => Ok(Lines::Auto),
+        "none" => Ok(Lines::None),
+        _ => {
+            let places: Option<Vec<f64>> = word.split(',').map(|n| finite(n).ok()).collect();
+            let expected = "auto, none or places in nm with commas";
+            places.map(Lines::At).ok_or_else(|| refused(word, expected))
+        }
+    }
+}
+
+/// `--lines` of a table: whether there are any.
+pub fn fit_lines(word: &str) -> Result<bool, String> {
+    one_of(
+        word,
+        &[true, false],
+        |auto| if auto { "auto" } else { "none" },
+    )
+}
+
+/// `--blocks`.
+pub fn blocks(word: &str) -> Result<usize, String> {
+    whole(word, &(1..=*optics::SIZES.end()))
+}
+
+/// `--stops`.
+pub fn stops(word: &str) -> Result<f64, String> {
+    number(word, &(-20.0..=20.0), "stops")
+}
+
+/// Three numbers: a place.
+pub fn place(word: &str) -> Result<[f64; 3], String> {
+    let numbers: Option<Vec<f64>> = word.split(',').map(|n| finite(n).ok()).collect();
+    numbers
+        .and_then(|numbers| numbers.try_into().ok())
+        .ok_or_else(|| refused(word, "X,Y,Z: three numbers"))
+}
+
+/// `--view`.
+pub fn view(word: &str) -> Result<View, String> {
+    match word {
+        "A" | "a" => Ok(View::A),
+        _ => Err(refused(word, "A (or --from X,Y,Z)")),
+    }
+}
+
+/// `--out` of a traced picture.
+pub fn traced_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["png", "exr"]))
+}
+
+/// `--out` of a spectral picture.
+pub fn exr_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["exr"]))
+}
+
+/// `--out` of numbers.
+pub fn numbers_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["csv", "json"]))
+}
