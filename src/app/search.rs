@@ -119,7 +119,7 @@ impl Index {
             .filter_map(|(row, doc)| Some((score(doc)?, row)))
             .collect();
         // A stable sort keeps the library's order among equals.
-        found.sort_by(|a, b| b.0.cmp(&a.0));
+        found.sort_by_key(|found| std::cmp::Reverse(found.0));
         found.into_iter().map(|(_, row)| row.clone()).collect()
     }
 }

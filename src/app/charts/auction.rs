@@ -63,8 +63,8 @@ pub fn error_words(goal: Goal, error: f64) -> String {
 /// Names of the lines on offer, in their order.
 pub fn names(ask: &AuctionAsk, auction: &Auction, lines: &[ElementLine]) -> Vec<LineName> {
     let light = identified(&ask.about.subject.0, lines);
-    let places = auction.lines.iter().map(|line| line.at_nm);
-    places.map(|at_nm| light.name_at(at_nm)).collect()
+    let places: Vec<f64> = auction.lines.iter().map(|line| line.at_nm).collect();
+    light.names_at(&places)
 }
 
 /// A purchase in words: "order 3", "435.8 nm (Hg 435.8)".
