@@ -3,9 +3,9 @@
 //! ```text
 //! spectrum   what a spectrum is                 band sampled basis spikes composite product chain
 //! preset     the shipped spectra's file format, read once
-//! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches
+//! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches quality
 //! rivals     the other representations          samples bins legendre principal moments wavelet
-//! study      accuracy against numbers           error sweep auction race truth products
+//! study      accuracy against numbers           error sweep auction race truth products quality
 //! io         files <-> spectra, one format a file
 //! app        what the program is doing          document command derived state report export
 //! ui         what it looks like                 one view a file; egui only here

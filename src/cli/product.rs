@@ -4,12 +4,12 @@ use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
 
 use super::{
     arguments::Product,
-    factor::{FactorWord, split_at_sign},
+    factor::FactorWord,
     inputs::Inputs,
     options::ModelOptions,
     print,
     refusal::Refusal,
-    subject::{self, light},
+    subject::{self, light, named_spectrum},
 };
 use crate::{
     app::{
@@ -144,21 +144,6 @@ fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, 
         short(derived.band.min_nm()),
         short(derived.band.max_nm())
     )))
-}
-
-/// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
-fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
-    let is_shipped = || {
-        word.to_str()
-            .is_some_and(|name| Library::bundled().find(name).is_ok())
-    };
-    if Path::new(word).exists() || is_shipped() {
-        return (word, None);
-    }
-    match split_at_sign(word, "#") {
-        Some((name, _, spectrum)) => (name, Some(spectrum)),
-        None => (word, None),
-    }
 }
 
 /// A factor with its thickness and times.

@@ -6,6 +6,7 @@ pub mod harmonics;
 pub mod products;
 pub mod progress;
 pub mod projected_spectrum;
+pub mod quality;
 pub mod race;
 pub mod race_reference;
 pub mod reference;

@@ -11,6 +11,7 @@ mod root;
 
 mod cli;
 mod cli_files;
+mod cli_light;
 mod cli_studies;
 mod command_line;
 mod commands;
