@@ -3,9 +3,9 @@
 //! ```text
 //! spectrum   what a spectrum is                 band sampled basis spikes composite product chain
 //! preset     the shipped spectra's file format, read once
-//! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches
+//! color      from spectrum to colour            observer xyz lab ciede2000 srgb cct patches quality
 //! rivals     the other representations          samples bins legendre principal moments wavelet
-//! study      accuracy against numbers           error sweep auction race truth products
+//! study      accuracy against numbers           error sweep auction race truth products quality
 //! design     making lights and spectra          recover mixture solve scales
 //! lamps      lights in few words                encoder decoder known lamps, wide lines, their race
 //! optics     light through things               index prism rainbow gem film

@@ -1,8 +1,9 @@
 //! Under which terms the program, its data and its fonts may be passed on.
 
-use std::{collections::BTreeSet, fmt::Write as _};
+use std::{collections::BTreeSet, fmt::Write as _, sync::LazyLock};
 
 use super::library::Library;
+use crate::preset::{Group, UNLISTED};
 
 /// A licence or notice in full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,35 +81,51 @@ pub fn overview(library: &Library) -> String {
          The shipped spectra are data files with terms of their own:\n",
     );
     for group in library.all_groups() {
-        let _ = write!(
-            out,
-            "\n{id}: {title}\n  licence: {licence}\n  source: {source}\n  attribution: {attribution}\n  changes: {changes}\n",
-            id = group.id,
-            title = group.title,
-            licence = group.licence,
-            source = group.source,
-            attribution = group.attribution,
-            changes = group.changes,
-        );
-        let others: BTreeSet<String> = group
-            .items
-            .iter()
-            .filter(|item| item.licence != group.licence)
-            .map(|item| item.licence.to_string())
-            .collect();
-        for other in others {
-            let names: Vec<&str> = group
-                .items
-                .iter()
-                .filter(|item| item.licence.to_string() == other)
-                .map(|item| item.name.as_str())
-                .collect();
-            let _ = writeln!(out, "  otherwise: {}: {other}", names.join(", "));
-        }
+        out += &of_group(group);
     }
+    out += &OF_UNLISTED;
     out.push_str("\nFonts in the window:\n");
     for licence in &ALL[5..] {
         let _ = writeln!(out, "  {}", licence.title);
+    }
+    out
+}
+
+/// The tables that no library lists: read once, since a dialog shows the overview in every frame.
+static OF_UNLISTED: LazyLock<String> = LazyLock::new(|| {
+    let groups = UNLISTED
+        .iter()
+        .filter_map(|text| Group::from_json(text).ok());
+    groups.map(|group| of_group(&group)).collect()
+});
+
+/// Where a group comes from and under which terms it stands.
+fn of_group(group: &Group) -> String {
+    let mut out = String::new();
+    let _ = write!(
+        out,
+        "\n{id}: {title}\n  licence: {licence}\n  source: {source}\n  attribution: {attribution}\n  changes: {changes}\n",
+        id = group.id,
+        title = group.title,
+        licence = group.licence,
+        source = group.source,
+        attribution = group.attribution,
+        changes = group.changes,
+    );
+    let others: BTreeSet<String> = group
+        .items
+        .iter()
+        .filter(|item| item.licence != group.licence)
+        .map(|item| item.licence.to_string())
+        .collect();
+    for other in others {
+        let names: Vec<&str> = group
+            .items
+            .iter()
+            .filter(|item| item.licence.to_string() == other)
+            .map(|item| item.name.as_str())
+            .collect();
+        let _ = writeln!(out, "  otherwise: {}: {other}", names.join(", "));
     }
     out
 }
@@ -208,7 +225,8 @@ mod tests {
     fn the_overview_tells_of_every_group_where_from_and_what_was_changed() {
         let library = Library::bundled();
         let overview = overview(library);
-        for group in library.all_groups() {
+        let unlisted = UNLISTED.map(|text| Group::from_json(text).expect("a shipped file"));
+        for group in library.all_groups().chain(&unlisted) {
             for part in [
                 &group.id,
                 &group.source,

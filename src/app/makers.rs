@@ -1,8 +1,11 @@
 //! What an instrument computed from its spectrum, beside what this program computes from it.
 //!
 //! The instrument's numbers stand in the file; ours come from the whole measured table, whatever
-//! range the model is on: colours and lux by plain 1 nm sums over 360-830 nm (CIE 1931), totals by
-//! the trapezium rule over the table's own points. Ours are given in the instrument's unit.
+//! range the model is on: colours and lux by plain 1 nm sums over 360-830 nm (CIE 1931), colour
+//! rendering and hue by [`Figures`], totals by the trapezium rule over the table's own points. Ours
+//! are given in the instrument's unit.
+
+use std::cell::OnceCell;
 
 use super::{
     cells,
@@ -10,20 +13,27 @@ use super::{
     entry::Entry,
     figures::of_quantity,
     photons::JOULE_NM_PER_MICROMOLE,
+    quality_report::light_of,
     scale::LUMENS_PER_WATT,
     spectral_unit::{Counted, SpectralUnit},
 };
 use crate::{
     color::{
         Observer, Xyz,
+        cct::cct_from_xyz,
+        chromaticity::{uv_1976_from_xyz, xy_from_xyz},
+        quality::{Figures, NoFigure, RENDERING_SAMPLES},
         xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },
     io::{MakersResult, Quantity},
-    spectrum::{Kind, Outside, Sampled},
+    spectrum::{Kind, NamedSpectrum, Outside, Sampled},
 };
 
 /// What is said where the program does not know the quantity.
 pub const NOT_YET: &str = "not computed here yet";
+
+/// Said where nothing is seen.
+const DARK: &str = "no visible light";
 
 /// Square metres in a square foot: lux of one foot-candle are its inverse.
 const SQUARE_FOOT_M2: f64 = 0.3048 * 0.3048;
@@ -125,11 +135,14 @@ pub fn to_csv(rows: &[Beside]) -> String {
 
 /// A measured table with what its unit says.
 struct Light<'a> {
+    spectrum: &'a NamedSpectrum,
     samples: &'a Sampled,
     is_light: bool,
     unit: Option<SpectralUnit>,
     /// Values on whole nm 360-830 as power, in the table's own unit or W m-2 nm-1.
     xyz: Xyz,
+    /// Colour rendering and hue, computed once one of them is asked for.
+    figures: OnceCell<Figures>,
 }
 
 impl<'a> Light<'a> {
@@ -145,6 +158,8 @@ impl<'a> Light<'a> {
             }
         }
         Self {
+            spectrum,
+            figures: OnceCell::new(),
             samples: &spectrum.samples,
             is_light: spectrum.kind == Kind::Light,
             unit,
@@ -154,7 +169,6 @@ impl<'a> Light<'a> {
 
     /// Our number for a quantity, in a unit.
     fn compute(&self, quantity: &Quantity, unit: &str) -> Result<f64, &'static str> {
-        const DARK: &str = "no visible light";
         let finite = |value: f64| {
             if value.is_finite() {
                 Ok(value)
@@ -164,6 +178,9 @@ impl<'a> Light<'a> {
         };
         if *quantity == Quantity::PeakNm {
             return self.peak_nm().ok_or("no values");
+        }
+        if let Some(found) = self.quality(quantity) {
+            return found;
         }
         if !self.is_light {
             return Err("the values are no light");
@@ -187,6 +204,39 @@ impl<'a> Light<'a> {
             Quantity::Other(words) => self.other(words, unit),
             _ => Err(NOT_YET),
         }
+    }
+
+    /// Colour rendering and hue; `None` for other quantities, and where there is no light.
+    fn quality(&self, quantity: &Quantity) -> Option<Result<f64, &'static str>> {
+        let find: fn(&Figures, usize) -> Result<f64, NoFigure> = match quantity {
+            _ if !self.is_light => return None,
+            Quantity::Ra => |figures, _| Ok(figures.rendering.clone()?.ra),
+            Quantity::R(_) => |figures, at| Ok(figures.rendering.clone()?.samples[at].index),
+            Quantity::Rf => |figures, _| Ok(figures.fidelity.clone()?.rf),
+            Quantity::Rg => |figures, _| Ok(figures.fidelity.clone()?.rg),
+            Quantity::DominantNm => |figures, _| figures.dominant.clone()?.nm,
+            Quantity::Purity => |figures, _| Ok(100.0 * figures.dominant.clone()?.purity),
+            _ => return None,
+        };
+        let at = match quantity {
+            Quantity::R(number) => usize::from(*number).checked_sub(1)?,
+            _ => 0,
+        };
+        if at >= RENDERING_SAMPLES {
+            return None;
+        }
+        let figures = self.figures.get_or_init(|| {
+            let (light, measured) = light_of(self.spectrum);
+            Figures::of(&light, measured)
+        });
+        Some(find(figures, at).map_err(|why| match why {
+            NoFigure::Dark(_) | NoFigure::NotPositive { .. } => DARK,
+            NoFigure::NoCct(_) => "too far from the blackbody locus",
+            NoFigure::NearWhite { .. } => "no hue: too near the white",
+            NoFigure::VioletEnd => "the violet end of the locus",
+            NoFigure::RedEnd => "the red end of the locus",
+            _ => "out of the formula's range",
+        }))
     }
 
     /// What makers' own words name and is computed like the rest.
@@ -412,8 +462,7 @@ mod tests {
             let entry = light(unit, 500.0, vec![1.0; 101], &[(key, "1")]);
             beside(&entry)[0].ours.expect_err("nothing")
         };
-        assert_eq!(why("W m-2 nm-1", "CRI"), NOT_YET);
-        assert_eq!(why("W m-2 nm-1", "R9"), NOT_YET);
+        assert_eq!(why("W m-2 nm-1", "R:B"), NOT_YET);
         assert!(why("counts", "LUX").contains("unit of the values"));
         assert!(why("W m-2 nm-1", "Luminance").contains("no radiance"));
         assert!(why("W m-2 sr-1 nm-1", "LUX").contains("no irradiance"));
@@ -423,9 +472,60 @@ mod tests {
             "W m-2 nm-1",
             500.0,
             vec![0.0; 9],
-            &[("x", "0.3"), ("CCT", "3000")],
+            &[
+                ("x", "0.3"),
+                ("CCT", "3000"),
+                ("Ra", "80"),
+                ("LambdaD", "500"),
+            ],
         );
-        assert!(beside(&dark).iter().all(|r| r.ours.is_err()));
+        let rows = beside(&dark);
+        assert!(rows.iter().all(|row| row.ours.is_err()));
+        assert!(rows[2..].iter().all(|row| row.ours == Err(DARK)));
+        let green = light("", 540.0, vec![0.0, 1.0, 0.0], &[("Ra", "0"), ("Rf", "0")]);
+        for row in beside(&green) {
+            let why = row.ours.expect_err("nothing");
+            assert!(why.contains("blackbody locus"), "{}: {why}", row.quantity);
+        }
+    }
+
+    #[test]
+    fn colour_rendering_is_that_of_the_quality_figures() {
+        // FL2 by CIE 13.3 and TM-30 as other programs have it: Ra 64, R9 -84, Rf 70, Rg 86.
+        let entry = crate::app::open::resolve("cie_fluorescent_5nm/FL2", None, None).expect("FL2");
+        let keys = ["Ra", "R9", "R15", "Rf", "Rg", "LambdaD", "Purity"];
+        let results = keys.map(|key| MakersResult::of(Some(0), key, "1", false).expect(key));
+        let entry = Entry {
+            makers: results.to_vec(),
+            ..entry
+        };
+        let (found, measured) = light_of(&entry.spectrum);
+        let figures = Figures::of(&found, measured);
+        let rendering = figures.rendering.expect("a lamp");
+        let fidelity = figures.fidelity.expect("a lamp");
+        let dominant = figures.dominant.expect("a tint");
+        let expected = [
+            rendering.ra,
+            rendering.samples[8].index,
+            rendering.samples[14].index,
+            fidelity.rf,
+            fidelity.rg,
+            dominant.nm.expect("a hue"),
+            100.0 * dominant.purity,
+        ];
+        for (row, expected) in beside(&entry).iter().zip(expected) {
+            assert_eq!(row.ours, Ok(expected), "{}", row.quantity);
+        }
+        assert_relative_eq!(expected[0], 64.0, epsilon = 1.0);
+        let wrong = MakersResult {
+            quantity: Quantity::R(16),
+            ..results[1].clone()
+        };
+        let entry = Entry {
+            makers: vec![wrong],
+            ..entry
+        };
+        assert_eq!(beside(&entry)[0].ours, Err(NOT_YET));
     }
 
     #[test]
@@ -434,12 +534,12 @@ mod tests {
             "W m-2 nm-1",
             554.0,
             vec![0.0, 1.0, 0.0],
-            &[("IRR", "1.25"), ("Ra", "90")],
+            &[("IRR", "1.25"), ("R:B", "90")],
         );
         let csv = to_csv(&beside(&entry));
         let lines: Vec<&str> = csv.lines().collect();
         assert_eq!(lines[0], "quantity,unit,instrument,ours,difference");
         assert_eq!(lines[1], "irradiance,W m-2,1.25,1,-0.25");
-        assert_eq!(lines[2], "Ra,,90,,");
+        assert_eq!(lines[2], "R:B,,90,,");
     }
 }

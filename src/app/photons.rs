@@ -5,15 +5,11 @@
 //! readers leave such numbers alone, and whoever opens the file for its light turns them here.
 
 use super::spectral_unit::{Counted, SpectralUnit};
+pub use crate::color::quality::JOULE_NM_PER_MICROMOLE;
 use crate::{
     io::meaning,
     spectrum::{Kind, NamedSpectrum},
 };
-
-/// Planck's constant x speed of light x Avogadro's number, J nm per µmol of photons: what turns
-/// a photon flux at a wavelength in nm into power (all three exact in the SI of 2019).
-pub const JOULE_NM_PER_MICROMOLE: f64 =
-    6.626_070_15e-34 * 299_792_458.0 * 1e9 * 6.022_140_76e23 * 1e-6;
 
 /// Whether a spectrum is a light whose values count photons per nm.
 pub fn counts_photons(spectrum: &NamedSpectrum) -> bool {

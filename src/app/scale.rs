@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+pub use crate::color::quality::LUMENS_PER_WATT;
 use crate::{
     color::Observer,
     spectrum::{Kind, NamedSpectrum},
@@ -23,10 +24,6 @@ pub enum Scale {
     /// One watt over the table's range.
     OneWatt,
 }
-
-/// Maximum luminous efficacy, lm/W: 683 lm/W at 540 THz (SI, 2019), which for air wavelengths and
-/// the CIE table's peak at 555 nm reads 683.002.
-pub const LUMENS_PER_WATT: f64 = 683.002;
 
 impl Scale {
     /// Every choice, as the switch lists them.

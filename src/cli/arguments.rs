@@ -54,6 +54,8 @@ pub struct Arguments {
 pub enum Command {
     /// Print the model of a spectrum, its error and its colour.
     Report(Report),
+    /// Print every figure of lights and of their models: CCT, Ra, Rf, melanopic ratio, ...
+    Light(Light),
     /// Print error against numbers: every order, both bases, with and without spikes.
     Sweep(Sweep),
     /// Print what to buy with every two numbers: an order or a spike.
@@ -120,6 +122,31 @@ pub struct Report {
     /// share_of_power.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Options of `light`.
+#[derive(Args, Debug)]
+pub struct Light {
+    /// Lights: files (lamps.csv#2 is the second of several spectra, - is standard input), folders
+    /// with such files, presets' names (FL2, "CIE D65") or group/name. A file means all its
+    /// lights. TLCI is left out: the camera and patch tables of EBU Tech 3355 are not openly
+    /// licensed.
+    #[arg(value_name = "INPUT", required = true)]
+    pub lights: Vec<OsString>,
+    /// The model.
+    #[command(flatten)]
+    pub model: ModelOptions,
+    /// Print JSON; its keys are stable. One light is an object; several, and a folder, are a list.
+    #[arg(long)]
+    pub json: bool,
+    /// Print CSV, a line a light, for one light too [default: words for one light, CSV for
+    /// several and for a folder].
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
+    /// With --json also what has no key there: absolute values such as lux and PPFD, other
+    /// observers, every sample of TM-30, the shape, and the reasons by key.
+    #[arg(long, requires = "json")]
+    pub full: bool,
 }
 
 /// Options of `sweep`.

@@ -2,7 +2,7 @@
 
 use std::{fmt::Write as _, io::Write, path::Path};
 
-use super::{arguments::Mix, inputs::Inputs, print, product::named_light, refusal::Refusal};
+use super::{arguments::Mix, inputs::Inputs, print, refusal::Refusal, subject::named_light};
 use crate::{
     app::library::Library,
     color::xyz::{FIRST_NM, LAST_NM},

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! spectral-explorer [FILES] [--window]          the window, opened by the caller
-//! spectral-explorer report|sweep|race|product|gem|read|list ...    one command a file
+//! spectral-explorer report|light|sweep|race|product|gem|read|list ...   one command a file
 //! ```
 //!
 //! Everything is written to what the caller hands in, and pictures are made by the caller's
@@ -10,6 +10,7 @@
 //! what was found and what was expected.
 
 mod arguments;
+mod asked_lights;
 mod auction;
 mod convert;
 mod decode;
@@ -18,6 +19,7 @@ mod factor;
 mod fit;
 mod gem;
 mod inputs;
+mod light;
 mod list;
 mod material;
 mod mix;
@@ -143,6 +145,7 @@ fn carry_out(
             ..
         } => match command {
             Command::Report(options) => report::run(&options, out, inputs)?,
+            Command::Light(options) => light::run(&options, out, inputs)?,
             Command::Sweep(options) => sweep::run(&options, out, inputs)?,
             Command::Auction(options) => auction::run(&options, out, inputs)?,
             Command::Race(options) => race::run(&options, out, inputs)?,

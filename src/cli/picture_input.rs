@@ -2,7 +2,7 @@
 
 use std::{ffi::OsStr, path::Path};
 
-use super::{inputs::Inputs, product::named_light, refusal::Refusal};
+use super::{inputs::Inputs, refusal::Refusal, subject::named_light};
 use crate::{
     io::error::shown,
     pictures::{Light, PictureError},

@@ -9,9 +9,9 @@ use super::{
     inputs::Inputs,
     material::{absorption_of, material},
     print,
-    product::named_light,
     refusal::Refusal,
     subject,
+    subject::named_light,
 };
 use crate::{
     app::{App, ticks::short},

@@ -4,12 +4,12 @@ use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
 
 use super::{
     arguments::Product,
-    factor::{FactorWord, split_at_sign},
+    factor::FactorWord,
     inputs::Inputs,
     options::ModelOptions,
     print,
     refusal::Refusal,
-    subject::{self, light},
+    subject::{self, named_light},
 };
 use crate::{
     app::{
@@ -142,31 +142,6 @@ fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, 
         short(derived.band.min_nm()),
         short(derived.band.max_nm())
     )))
-}
-
-/// A light by a word that may tell which of a file's spectra it is; `what` is the word of the
-/// command line that names it.
-///
-/// # Errors
-/// [`Refusal::File`] for what cannot be read or is no light.
-pub fn named_light(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Entry, Refusal> {
-    let (name, spectrum) = named_spectrum(word);
-    light(what, name, spectrum, inputs)
-}
-
-/// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
-fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
-    let is_shipped = || {
-        word.to_str()
-            .is_some_and(|name| Library::bundled().knows(name))
-    };
-    if Path::new(word).exists() || is_shipped() {
-        return (word, None);
-    }
-    match split_at_sign(word, "#") {
-        Some((name, _, spectrum)) => (name, Some(spectrum)),
-        None => (word, None),
-    }
 }
 
 /// A factor with its thickness and times.

@@ -8,9 +8,9 @@ use super::{
     material::material,
     print,
     prism::{add_table, light_of},
-    product::named_light,
     refusal::Refusal,
     subject,
+    subject::named_light,
 };
 use crate::optics::{Light, Material, rainbow_json};
 

@@ -5,11 +5,10 @@ use std::{ffi::OsStr, fmt::Write as _, io::Write};
 use super::{
     arguments::Recover,
     inputs::Inputs,
-    print,
-    product::named_light,
-    recover_image,
+    print, recover_image,
     refusal::Refusal,
     subject,
+    subject::named_light,
     viewing::{OBSERVER, light},
 };
 use crate::{

@@ -24,17 +24,24 @@ impl Refusal {
     /// Says so in one line and gives the exit code: 2 for arguments, 1 for files; a reader that
     /// went away (`| head`) has all it wanted and is no error.
     pub fn tell(self, err: &mut dyn Write) -> u8 {
-        let (text, code) = match self {
-            Self::Usage(text) => (text, 2),
-            Self::File(text) => (text, 1),
+        let code = match &self {
+            Self::Usage(_) => 2,
+            Self::File(_) => 1,
             Self::Output(error) if error.kind() == Io::BrokenPipe => return 0,
-            Self::Output(error) => (
-                format!("the output: found {}, expected to write it", error.kind()),
-                1,
-            ),
+            Self::Output(_) => 1,
         };
-        super::remark(err, &text);
+        super::remark(err, &self.into_words());
         code
+    }
+
+    /// What was found and what was expected.
+    pub fn into_words(self) -> String {
+        match self {
+            Self::Usage(text) | Self::File(text) => text,
+            Self::Output(error) => {
+                format!("the output: found {}, expected to write it", error.kind())
+            }
+        }
     }
 }
 

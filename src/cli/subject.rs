@@ -3,6 +3,7 @@
 use std::{ffi::OsStr, path::Path};
 
 use super::{
+    factor::split_at_sign,
     inputs::Inputs,
     options::{ModelOptions, PickOptions},
     refusal::Refusal,
@@ -11,6 +12,7 @@ use crate::{
     app::{
         App, Command, Document, Entry, Settings,
         document::Subject,
+        library::Library,
         open::{self, Loaded, Wanted},
         opened::Opened,
         workspace::Restored,
@@ -163,6 +165,31 @@ pub fn light(
         "{shown}: found {} values, expected a light{remedy}",
         entry.kind()
     )))
+}
+
+/// A light by a word that may tell which of a file's spectra it is; `what` is the word of the
+/// command line that names it.
+///
+/// # Errors
+/// [`Refusal::File`] for what cannot be read or is no light.
+pub fn named_light(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Entry, Refusal> {
+    let (name, spectrum) = named_spectrum(word);
+    light(what, name, spectrum, inputs)
+}
+
+/// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
+pub fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
+    let is_shipped = || {
+        word.to_str()
+            .is_some_and(|name| Library::bundled().knows(name))
+    };
+    if Path::new(word).exists() || is_shipped() {
+        return (word, None);
+    }
+    match split_at_sign(word, "#") {
+        Some((name, _, spectrum)) => (name, Some(spectrum)),
+        None => (word, None),
+    }
 }
 
 /// The project in a file; `None` when the file is none or is something else.

@@ -2,7 +2,7 @@
 
 use std::ffi::OsStr;
 
-use super::{inputs::Inputs, product::named_light, refusal::Refusal, subject::USUAL_LIGHT};
+use super::{inputs::Inputs, refusal::Refusal, subject::USUAL_LIGHT, subject::named_light};
 use crate::{app::Entry, color::Observer, design::recover::Viewing};
 
 /// The observer that colours are meant for.

@@ -14,6 +14,7 @@
 //! patches       many reflectances under one light, fast enough for a slider
 //! wavelength_rgb  the colours under a wavelength axis
 //! matrix        3x3 arithmetic that works in constants
+//! quality       every figure a lighting person asks for
 //! ```
 //!
 //! Units: wavelengths in nm, temperatures in kelvin, XYZ in whatever scale the caller states
@@ -30,6 +31,7 @@ pub mod lab;
 pub mod matrix;
 pub mod observer;
 pub mod patches;
+pub mod quality;
 pub mod srgb;
 pub mod wavelength_rgb;
 pub mod xyz;

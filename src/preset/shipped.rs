@@ -1,5 +1,7 @@
 //! The texts of the shipped files.
 
+use super::group::Group;
+
 /// The shipped files, in the order in which the library lists their groups.
 pub const SHIPPED: [&str; 24] = [
     include_str!("../../presets/cie_illuminants.json"),
@@ -36,3 +38,58 @@ pub const FAMILIES: &str = include_str!("../../presets/families.json");
 
 /// Which shipped surfaces make a set by everyday names.
 pub const EVERYDAY: &str = include_str!("../../presets/everyday_surfaces.json");
+/// Tables that figures are computed from and that no library lists: it has their items already, in
+/// a coarser step.
+pub const UNLISTED: [&str; 1] = [include_str!("../../presets/tm30_ces99_1nm.json")];
+
+impl Group {
+    /// The shipped group with an id, listed or not, read anew at every call; `None` when there is
+    /// none.
+    pub fn shipped(id: &str) -> Option<Self> {
+        // What a group is called stands in the first lines of its file.
+        let stated = format!("\"group\":\"{id}\"");
+        let is_it = |text: &&str| text.lines().take(6).any(|line| line.contains(&stated));
+        let text = SHIPPED.into_iter().chain(UNLISTED).find(is_it)?;
+        Self::from_json(text).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_shipped_group_is_found_by_its_id() {
+        for text in SHIPPED.into_iter().chain(UNLISTED) {
+            let group = Group::from_json(text).expect("a shipped file");
+            assert_eq!(Group::shipped(&group.id), Some(group));
+        }
+        assert_eq!(Group::shipped("tm30_ces99"), None);
+    }
+
+    #[test]
+    fn what_is_not_listed_is_listed_in_a_coarser_step_under_the_same_terms() {
+        for text in UNLISTED {
+            let fine = Group::from_json(text).expect("a shipped file");
+            let coarse = fine.id.replace("_1nm", "_5nm");
+            let coarse = SHIPPED
+                .iter()
+                .map(|text| Group::from_json(text).expect("a shipped file"))
+                .find(|group| group.id == coarse)
+                .expect("the listed group");
+            assert_eq!(fine.licence, coarse.licence);
+            assert_eq!(fine.attribution, coarse.attribution);
+            assert_eq!(fine.items.len(), coarse.items.len());
+            for (fine, coarse) in fine.items.iter().zip(&coarse.items) {
+                assert_eq!(fine.name, coarse.name);
+                let table = |preset: &crate::preset::Preset| {
+                    preset.spectrum().expect("a table").samples.clone()
+                };
+                let (fine, coarse) = (table(fine), table(coarse));
+                for (nm, value) in coarse.nm().iter().zip(coarse.values()) {
+                    assert_eq!(fine.at(*nm, crate::spectrum::Outside::Zero), *value);
+                }
+            }
+        }
+    }
+}

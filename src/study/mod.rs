@@ -8,6 +8,7 @@ pub mod measure;
 pub mod products;
 pub mod progress;
 pub mod projected_spectrum;
+pub mod quality;
 pub mod race;
 pub mod race_reference;
 pub mod reference;

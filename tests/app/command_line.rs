@@ -264,6 +264,43 @@ fn the_keys_of_a_report_are_told() {
 }
 
 #[test]
+fn the_keys_of_a_light_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    holds("light --json", &[&["light", "FL2", "--json"]]);
+    let rows: String = (380..=780).map(|nm| format!("{nm},0.5\n")).collect();
+    let rows = format!("nm,irradiance (W/m2/nm)\n{rows}");
+    let lamp = put(folder.path(), "lamp.csv", rows);
+    let args = ["light", &lamp, "--json", "--full"];
+    holds("light --json --full", &[&args]);
+}
+
+#[test]
+fn the_csv_of_lights_has_the_keys_that_are_told() {
+    let document = document(DOCUMENT);
+    let told = section(&document, "### `light --json`");
+    let csv = printed(&["light", "FL2", "FL11"]);
+    let head = csv.lines().next().expect("a head");
+    let keys: Vec<&str> = head.split(',').collect();
+    let start = keys.iter().position(|key| key.starts_with("model_"));
+    let (of_light, of_model) = keys[1..].split_at(start.expect("of the model") - 1);
+    for (key, of_model) in of_light.iter().zip(of_model) {
+        assert_eq!(format!("model_{key}"), *of_model);
+        let is_special = key
+            .strip_prefix('r')
+            .is_some_and(|n| n.parse::<u8>().is_ok());
+        let is_told = told.contains(&format!("`{key}`"))
+            || ["{", ","].iter().any(|before| {
+                [",", "}"]
+                    .iter()
+                    .any(|behind| told.contains(&format!("{before}{key}{behind}")))
+            });
+        assert!(is_special || is_told, "{key}");
+    }
+    assert_eq!(keys.last(), Some(&"notes"));
+    assert_eq!(keys.len(), 2 + 2 * of_light.len());
+}
+
+#[test]
 fn the_keys_of_a_sweep_are_told() {
     holds("sweep --json", &[&["sweep", "FL2", "--json"]]);
 }

@@ -170,6 +170,37 @@ impl Choice {
         };
         format!("{}{more}", told.join(", "))
     }
+
+    /// Each of them alone, of the kind that a person says it is.
+    fn into_found(self, kind: Option<Kind>) -> Vec<Found> {
+        let Self {
+            spectra,
+            makers,
+            open,
+            is_whole: _,
+        } = self;
+        let count = spectra.len();
+        let mut makers = makers.into_iter();
+        let found = |(index, mut spectrum): (usize, NamedSpectrum)| {
+            // An image's pixels have the image's kind.
+            spectrum.kind = kind.unwrap_or(spectrum.kind);
+            if count > 1 {
+                spectrum
+                    .notes
+                    .push(format!("Spectrum {} of {count} in the file.", index + 1));
+            }
+            // Words for absorbance or weighting functions are told from a light's or a filter's.
+            let may_be_either = spectrum.kind == Kind::Light || spectrum.kind.is_factor();
+            Found {
+                is_kind_open: may_be_either && open.get(index).copied().unwrap_or_default(),
+                entry: Entry {
+                    makers: makers.next().unwrap_or_default(),
+                    ..Entry::own(1, spectrum)
+                },
+            }
+        };
+        spectra.into_iter().enumerate().map(found).collect()
+    }
 }
 
 fn of_file(path: &Path, opened: Opened, wanted: &Wanted) -> Result<Found, String> {
@@ -194,29 +225,14 @@ fn of_file(path: &Path, opened: Opened, wanted: &Wanted) -> Result<Found, String
         }
         None => 0,
     };
-    let Choice {
-        mut spectra,
-        makers,
-        open,
-        is_whole: _,
-    } = choice;
-    let mut spectrum = spectra.swap_remove(index);
-    // An image's pixels have the image's kind.
-    spectrum.kind = wanted.choices.kind.unwrap_or(spectrum.kind);
-    if count > 1 {
-        spectrum
-            .notes
-            .push(format!("Spectrum {} of {count} in the file.", index + 1));
-    }
-    // Words for absorbance or weighting functions are told from a light's or a filter's.
-    let may_be_either = spectrum.kind == Kind::Light || spectrum.kind.is_factor();
-    Ok(Found {
-        is_kind_open: may_be_either && open.get(index).copied().unwrap_or_default(),
-        entry: Entry {
-            makers: makers.into_iter().nth(index).unwrap_or_default(),
-            ..Entry::own(1, spectrum)
-        },
-    })
+    Ok(choice.into_found(wanted.choices.kind).swap_remove(index))
+}
+
+/// Every spectrum of a file, those of an image for what its picture is of, as [`find`] gives one of
+/// them.
+pub fn every(opened: Opened, choices: &Choices) -> Vec<Found> {
+    let choice = Choice::of(opened, &Wanted::default());
+    choice.map_or_else(|_| Vec::new(), |all| all.into_found(choices.kind))
 }
 
 fn picked(spectra: &[NamedSpectrum], pick: &str) -> Option<usize> {

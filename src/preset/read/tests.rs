@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::*;
-use crate::preset::SHIPPED;
+use crate::preset::{SHIPPED, UNLISTED};
 
 const SMALL: &str = r#"{"format":"spectral-explorer-presets","version":1,"group":"g","title":"t",
 "kind":"light","shelf":"LED","source":"s","licence":{"id":"MIT","words":"w"},
@@ -105,7 +105,7 @@ fn bits(list: &[f64]) -> Vec<Option<u64>> {
 #[test]
 fn every_number_of_a_file_is_kept_to_the_bit() {
     let mut compared = 0;
-    for text in SHIPPED.into_iter().chain([SMALL]) {
+    for text in SHIPPED.into_iter().chain(UNLISTED).chain([SMALL]) {
         let group = Group::from_json(text).expect("a shipped file");
         let file: Value = serde_json::from_str(text).expect("JSON");
         let items = file["items"].as_array().expect("items");
@@ -153,7 +153,7 @@ fn every_number_of_a_file_is_kept_to_the_bit() {
 
 #[test]
 fn every_shipped_item_stands_on_a_line_of_its_own_in_shortest_decimals() {
-    for text in SHIPPED {
+    for text in SHIPPED.into_iter().chain(UNLISTED) {
         let count = Group::from_json(text).expect("a shipped file").items.len();
         let items = text.lines().filter(|line| line.starts_with("{\"name\""));
         let mut seen = 0;
@@ -179,7 +179,7 @@ fn every_shipped_item_stands_on_a_line_of_its_own_in_shortest_decimals() {
 
 #[test]
 fn no_shipped_text_tells_a_path_of_a_machine() {
-    for text in SHIPPED {
+    for text in SHIPPED.into_iter().chain(UNLISTED) {
         let bad = [
             "/home/", "/root/", "/tmp/", "/work/", "/usr/", "/mnt/", "C:\\", "file:",
         ];
@@ -204,7 +204,7 @@ fn every_number_is_the_sources_bit_for_bit() {
         list.iter().map(|v| v.as_f64().map(f64::to_bits)).collect()
     };
     let mut compared = 0;
-    for text in SHIPPED {
+    for text in SHIPPED.into_iter().chain(UNLISTED) {
         let file: File = serde_json::from_str(text).expect("a shipped file");
         if file.group == "paper" {
             continue;

@@ -1,0 +1,130 @@
+//! `light`: every figure of lights and of their models, in words, as JSON or as CSV.
+//!
+//! One light is told in words or as an object, several and a folder as a table or a list.
+
+use std::{
+    io::Write,
+    num::NonZero,
+    sync::mpsc::{RecvTimeoutError, channel},
+    thread,
+};
+
+use serde_json::Value;
+
+use super::{
+    arguments::Light,
+    asked_lights::{Asked, AskedLight, Of, TOLD_EVERY},
+    inputs::Inputs,
+    options::ModelOptions,
+    print,
+    refusal::Refusal,
+};
+use crate::{
+    app::{
+        Settings,
+        quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
+    },
+    study::{Progress, quality::in_parallel},
+};
+
+/// Carries the command out. An INPUT that is refused does not stop the others.
+///
+/// # Errors
+/// [`Refusal`], after everything else was printed, when one of the INPUTs was refused.
+pub fn run(options: &Light, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+    let Light {
+        lights: words,
+        model,
+        json: as_json,
+        csv,
+        full,
+    } = options;
+    inputs.note_sampling(*model, false);
+    if model.observer.is_some() && !model.colour_exact {
+        inputs.note("--observer is not used: every figure has the observer of its standard");
+    }
+    let mut asked = Asked::of(words, *model, inputs);
+    let is_one = words.len() == 1 && asked.lights.len() == 1 && !asked.has_folder;
+    if !asked.lights.is_empty() {
+        let sheets = sheets(&asked.lights, *model, is_one, inputs);
+        let of_json = |sheet: &Sheet| {
+            let of = if *full { full_json } else { json };
+            of(&sheet.name, &sheet.measured, Some(&sheet.model))
+        };
+        let told = match &sheets[..] {
+            [sheet] if is_one && *as_json => format!("{:#}\n", of_json(sheet)),
+            sheets if *as_json => {
+                let list: Vec<Value> = sheets.iter().map(of_json).collect();
+                format!("{:#}\n", Value::Array(list))
+            }
+            [sheet] if is_one && !csv => text(sheet, &asked.lights[0].of.light().spectrum),
+            sheets => {
+                let line = |s: &Sheet| csv_line(&s.name, &s.measured, Some(&s.model));
+                csv_head() + &sheets.iter().map(line).collect::<String>()
+            }
+        };
+        print(out, &told)?;
+    }
+    let Some(last) = asked.refused.pop() else {
+        return Ok(());
+    };
+    if !asked.lights.is_empty() {
+        inputs.tell_notes();
+    }
+    for line in asked.refused {
+        inputs.remark(&line);
+    }
+    Err(Refusal::File(last))
+}
+
+/// The figures of all, those of several on all processors.
+fn sheets(
+    lights: &[AskedLight],
+    model: ModelOptions,
+    is_one: bool,
+    inputs: &mut Inputs,
+) -> Vec<Sheet> {
+    let Some(first) = lights.first() else {
+        return Vec::new();
+    };
+    let settings = model.over(Settings::default());
+    let modeller = Modeller::new(first.of.light().clone(), settings);
+    let make = |asked: &AskedLight| {
+        let [alone, among_others] = asked.names.clone();
+        let name = if is_one { alone } else { among_others };
+        match &asked.of {
+            Of::Light(light) => modeller.sheet(name, &modeller.document(light.clone())),
+            Of::Project(document) => modeller.sheet(name, document),
+        }
+    };
+    if is_one {
+        return vec![make(first)];
+    }
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    let progress = Progress::default();
+    let told = || format!("{:.0} % of the figures", 100.0 * progress.share());
+    let work = || in_parallel(lights, threads, &progress, make);
+    // Nobody cancels it.
+    watched(told, inputs, work).unwrap_or_default()
+}
+
+/// Does some work and tells how far it is meanwhile.
+fn watched<R: Send>(
+    told: impl Fn() -> String,
+    inputs: &mut Inputs,
+    work: impl FnOnce() -> R + Send,
+) -> R {
+    let (sender, done) = channel::<()>();
+    thread::scope(|scope| {
+        let job = scope.spawn(move || {
+            // Gone with the work, however that ends.
+            let _sender = sender;
+            work()
+        });
+        while done.recv_timeout(TOLD_EVERY) == Err(RecvTimeoutError::Timeout) {
+            inputs.remark(&told());
+        }
+        job.join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}

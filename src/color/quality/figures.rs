@@ -1,0 +1,248 @@
+//! Every figure of one light.
+
+use crate::color::{
+    Cct, Observer, Xyz, cct::cct_from_xyz, uv_1976_from_xyz, xy_from_xyz, xyz::xyz_from_nm_values,
+};
+
+use super::{
+    absolute::{Absolute, Measured, absolute},
+    alpha_opic::{AlphaOpic, alpha_opic},
+    dominant::{Dominant, dominant},
+    fidelity::{Fidelity, fidelity},
+    light::{FIRST_NM, LAST_NM, Light, POINTS, positive},
+    no_figure::NoFigure,
+    photometry::{luminous_efficacy, sp_ratio},
+    photons::{PhotonsPer100Lx, photons_per_100_lx},
+    reference::DAYLIGHT_TO_K,
+    rendering::{Rendering, rendering},
+    shape::{Shape, shape},
+    similarity::{Similarity, similarity},
+};
+
+/// Every figure of a light; each is itself or why it does not exist.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figures {
+    /// CIE 1931, Y = 100.
+    pub xyz: Result<Xyz, NoFigure>,
+    /// Chromaticity for each of [`Observer::ALL`].
+    pub xy: [Result<[f64; 2], NoFigure>; 4],
+    /// CIE 1976 u'v' (CIE 1931 observer).
+    pub uv: Result<[f64; 2], NoFigure>,
+    /// Correlated colour temperature and Duv.
+    pub cct: Result<Cct, NoFigure>,
+    /// CRI.
+    pub rendering: Result<Rendering, NoFigure>,
+    /// TM-30.
+    pub fidelity: Result<Fidelity, NoFigure>,
+    /// Luminous efficacy of radiation, lm/W.
+    pub luminous_efficacy: Result<f64, NoFigure>,
+    /// Dominant wavelength and purity.
+    pub dominant: Result<Dominant, NoFigure>,
+    /// S/P ratio.
+    pub sp_ratio: Result<f64, NoFigure>,
+    /// Alpha-opic ratios.
+    pub alpha_opic: Result<AlphaOpic, NoFigure>,
+    /// Photons that come with 100 lx.
+    pub photons: Result<PhotonsPer100Lx, NoFigure>,
+    /// Spectral similarity.
+    pub similarity: Result<Similarity, NoFigure>,
+    /// Peak, centroid, width.
+    pub shape: Result<Shape, NoFigure>,
+    /// Lux and the like, where the unit says what is measured.
+    pub absolute: Result<Absolute, NoFigure>,
+    /// What is to be known beside the figures, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// The figures that are drawn against the order of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FewFigures {
+    /// CRI.
+    pub ra: Result<f64, NoFigure>,
+    /// TM-30.
+    pub rf: Result<f64, NoFigure>,
+    /// Correlated colour temperature and Duv.
+    pub cct: Result<Cct, NoFigure>,
+    /// Melanopic daylight efficacy ratio.
+    pub melanopic_der: Result<f64, NoFigure>,
+}
+
+impl Figures {
+    /// All figures of a light whose values measure what `measured` says.
+    pub fn of(light: &Light, measured: Option<Measured>) -> Self {
+        let xyz = xyz_of(light, Observer::Cie1931);
+        let xy = Observer::ALL.map(|observer| chromaticity(light, observer));
+        let cct = cct_of(&xyz);
+        let mut figures = Self {
+            uv: xyz.clone().and_then(uv_of),
+            dominant: xy[0].clone().and_then(dominant),
+            rendering: cct.clone().and_then(|cct| rendering(light, cct)),
+            fidelity: cct.clone().and_then(|cct| fidelity(light, cct)),
+            luminous_efficacy: luminous_efficacy(light),
+            sp_ratio: sp_ratio(light),
+            alpha_opic: alpha_opic(light),
+            photons: photons_per_100_lx(light),
+            similarity: similarity(light, cct.clone().map(|cct| cct.kelvin)),
+            shape: shape(light),
+            absolute: absolute(light, measured),
+            notes: Vec::new(),
+            xyz,
+            xy,
+            cct,
+        };
+        figures.notes = figures.noted(light);
+        figures
+    }
+
+    fn noted(&self, light: &Light) -> Vec<String> {
+        let mut notes = Vec::new();
+        if light.lit().is_err() {
+            return notes;
+        }
+        let negatives = light.negatives();
+        if negatives > 0 {
+            notes.push(format!(
+                "{negatives} of the values on whole nm are negative and were used as they are"
+            ));
+        }
+        let [first_nm, last_nm] = light.ends_nm();
+        // What the luminosity function weighs outside is below 1e-4 of its whole.
+        if first_nm > 380 || last_nm < 780 {
+            notes.push(format!(
+                "the light is known from {first_nm} to {last_nm} nm only; what is missing of 380-780 nm counts as zero"
+            ));
+        }
+        if let Ok(found) = &self.rendering
+            && found.is_too_far()
+        {
+            notes.push(format!(
+                "Ra: the colour is {:.4} from its reference in CIE 1960 uv; CIE 13.3 vouches for its index within 0.0054",
+                found.distance
+            ));
+        }
+        if let Ok(found) = &self.fidelity {
+            let empty = found.bins.iter().filter(|bin| bin.is_none()).count();
+            if empty > 0 {
+                notes.push(format!(
+                    "{empty} of the 16 hue bins hold no sample under this reference"
+                ));
+            }
+        }
+        if let Ok(cct) = &self.cct
+            && cct.kelvin > DAYLIGHT_TO_K
+        {
+            notes.push(format!(
+                "the formula of the daylight reference is stated up to {DAYLIGHT_TO_K} K and was used at {:.0} K",
+                cct.kelvin
+            ));
+        }
+        if let Ok(found) = &self.dominant
+            && found.purity > 1.0 + 1e-6
+        {
+            notes.push(
+                "purity above 1: negative values take the colour beyond the locus".to_owned(),
+            );
+        }
+        notes
+    }
+}
+
+impl FewFigures {
+    /// The few figures of a light.
+    pub fn of(light: &Light) -> Self {
+        let cct = cct_of(&xyz_of(light, Observer::Cie1931));
+        Self {
+            ra: cct.clone().and_then(|cct| Ok(rendering(light, cct)?.ra)),
+            rf: cct.clone().and_then(|cct| Ok(fidelity(light, cct)?.rf)),
+            melanopic_der: alpha_opic(light).map(|found| found.melanopic_der()),
+            cct,
+        }
+    }
+}
+
+/// Reads the tables and builds the locus of blackbodies, which the first light would wait for
+/// (a seventh of a second): for a thread at the start.
+pub fn prepare() {
+    let _ = Figures::of(&Light::of_nm_values(&[1.0; POINTS]), None);
+}
+
+/// XYZ with Y = 100.
+fn xyz_of(light: &Light, observer: Observer) -> Result<Xyz, NoFigure> {
+    let sums = sums_of(light.lit()?, observer);
+    positive(sums.y, "sum with the luminosity function")?;
+    sums.with_y(100.0).ok_or(NoFigure::OutOfRange {
+        what: "the sums with the colour-matching functions",
+    })
+}
+
+fn sums_of(light: &Light, observer: Observer) -> Xyz {
+    let table = observer.table();
+    let lines = light.lines().iter();
+    let lines = lines.map(|l| Xyz::from_array(table.at(l.at_nm)) * l.weight);
+    lines.fold(xyz_from_nm_values(light.values(), observer), |sum, line| {
+        sum + line
+    })
+}
+
+fn chromaticity(light: &Light, observer: Observer) -> Result<[f64; 2], NoFigure> {
+    let first_nm = observer.table().first_nm;
+    let from = (first_nm - FIRST_NM) as usize;
+    let is_below = light.lit()?.values()[from..].iter().all(|v| *v == 0.0)
+        && !light
+            .lines()
+            .iter()
+            .any(|l| (f64::from(first_nm)..=f64::from(LAST_NM)).contains(&l.at_nm));
+    if is_below {
+        return Err(NoFigure::BelowObserver { observer, first_nm });
+    }
+    let sums = sums_of(light, observer);
+    positive(sums.x + sums.y + sums.z, "X + Y + Z")?;
+    xy_from_xyz(sums).ok_or(NoFigure::OutOfRange {
+        what: "the sums with the colour-matching functions",
+    })
+}
+
+fn uv_of(xyz: Xyz) -> Result<[f64; 2], NoFigure> {
+    uv_1976_from_xyz(xyz).ok_or(NoFigure::OutOfRange {
+        what: "X + 15 Y + 3 Z is not positive",
+    })
+}
+
+fn cct_of(xyz: &Result<Xyz, NoFigure>) -> Result<Cct, NoFigure> {
+    Ok(cct_from_xyz(xyz.clone()?)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::{Sampled, Spike};
+
+    #[test]
+    fn the_unit_of_the_values_changes_no_ratio() {
+        let light = |factor: f64| {
+            let values = [3.0, 5.0, 2.0].map(|v| v * factor).to_vec();
+            Light::of_sampled(&Sampled::new(vec![380.0, 550.0, 780.0], values).unwrap())
+        };
+        // A power of two leaves every bit as it is.
+        assert_eq!(
+            Figures::of(&light(1.0), None),
+            Figures::of(&light(2.0_f64.powi(-900)), None)
+        );
+    }
+
+    #[test]
+    fn a_line_is_the_limit_of_a_narrow_triangle() {
+        let line = Spike {
+            at_nm: 546.0,
+            weight: 1.0,
+        };
+        let table = Sampled::new(vec![545.999, 546.0, 546.001], vec![0.0, 1000.0, 0.0]).unwrap();
+        let (exact, narrow) = (Light::of_line(line), Light::of_sampled(&table));
+        let (exact, narrow) = (Figures::of(&exact, None), Figures::of(&narrow, None));
+        let (a, b) = (exact.xy[0].clone().unwrap(), narrow.xy[0].clone().unwrap());
+        // The triangle's mean distance from its middle is 3e-4 nm, and the locus moves 0.01 a nm.
+        assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
+        let (a, b) = (exact.sp_ratio.unwrap(), narrow.sp_ratio.unwrap());
+        assert!((a / b - 1.0).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,115 @@
+//! One of the 16 hue bins of TM-30.
+
+use crate::color::Xyz;
+
+/// Number of hue bins.
+pub const BINS: usize = 16;
+
+/// Width of a bin, degrees.
+const WIDTH_DEG: f64 = 360.0 / BINS as f64;
+
+/// The local figures of a hue bin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HueBin {
+    /// Local fidelity, 0-100.
+    pub rf: f64,
+    /// Local chroma shift as a fraction; positive is more chroma.
+    pub rcs: f64,
+    /// Local hue shift, radians; positive turns to greater hue (red to yellow to green).
+    pub rhs: f64,
+    /// Point of the vector graphic under the light: mean a'b' over the reference's mean chroma.
+    pub test_ab: [f64; 2],
+    /// Point under the reference, on the unit circle at its own hue.
+    pub reference_ab: [f64; 2],
+    /// How many samples fall into the bin.
+    pub samples: usize,
+    /// Mean colour of its samples under the light (CIE 1964, Y = 100 for the light).
+    pub test_xyz: Xyz,
+    /// Mean colour of its samples under the reference.
+    pub reference_xyz: Xyz,
+}
+
+/// Middle of a bin (0-15), degrees of hue.
+pub fn bin_middle_deg(bin: usize) -> f64 {
+    (bin as f64 + 0.5) * WIDTH_DEG
+}
+
+/// The bin that a hue falls into; hues are of samples under the reference.
+pub(super) fn bin_of([a, b]: [f64; 2]) -> usize {
+    let degrees = b.atan2(a).to_degrees().rem_euclid(360.0);
+    // A hue a rounding below 360 may come out as 360 itself.
+    ((degrees / WIDTH_DEG) as usize).min(BINS - 1)
+}
+
+/// The index of a mean colour difference: 100 for none, never below 0.
+pub(super) fn index_of(difference: f64) -> f64 {
+    10.0 * ((100.0 - 6.73 * difference) / 10.0).exp().ln_1p()
+}
+
+/// What is summed over a bin's samples.
+#[derive(Clone, Copy, Default)]
+pub(super) struct BinSum {
+    pub(super) samples: usize,
+    pub(super) difference: f64,
+    pub(super) test_ab: [f64; 2],
+    pub(super) reference_ab: [f64; 2],
+    pub(super) test_xyz: Xyz,
+    pub(super) reference_xyz: Xyz,
+}
+
+impl BinSum {
+    /// The sums over the number of samples; `None` for an empty bin.
+    pub(super) fn mean(self) -> Option<Self> {
+        let share = 1.0 / self.samples as f64;
+        (self.samples > 0).then(|| Self {
+            samples: self.samples,
+            difference: self.difference * share,
+            test_ab: self.test_ab.map(|v| v * share),
+            reference_ab: self.reference_ab.map(|v| v * share),
+            test_xyz: self.test_xyz * share,
+            reference_xyz: self.reference_xyz * share,
+        })
+    }
+
+    /// The figures of a bin from its means; `None` where the reference has no chroma.
+    pub(super) fn figures(self, bin: usize) -> Option<HueBin> {
+        let chroma = self.reference_ab[0].hypot(self.reference_ab[1]);
+        if chroma.is_nan() || chroma <= 1e-9 {
+            return None;
+        }
+        let (sin, cos) = bin_middle_deg(bin).to_radians().sin_cos();
+        let [a, b] = [0, 1].map(|k| (self.test_ab[k] - self.reference_ab[k]) / chroma);
+        Some(HueBin {
+            rf: index_of(self.difference),
+            rcs: a * cos + b * sin,
+            rhs: b * cos - a * sin,
+            test_ab: self.test_ab.map(|v| v / chroma),
+            reference_ab: self.reference_ab.map(|v| v / chroma),
+            samples: self.samples,
+            test_xyz: self.test_xyz,
+            reference_xyz: self.reference_xyz,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bins_begin_at_hue_zero_and_go_round() {
+        for bin in 0..BINS {
+            let (sin, cos) = bin_middle_deg(bin).to_radians().sin_cos();
+            assert_eq!(bin_of([cos, sin]), bin);
+        }
+        assert_eq!(bin_of([1.0, 0.0]), 0);
+        assert_eq!(bin_of([1.0, -1e-18]), 15);
+    }
+
+    #[test]
+    fn no_difference_is_100_and_a_large_one_0() {
+        // ln(1 + e^10) is 4.5e-5 above 10.
+        assert!((index_of(0.0) - 100.0).abs() < 5e-4);
+        assert!(index_of(1000.0) >= 0.0 && index_of(1000.0) < 1e-9);
+    }
+}

@@ -1,0 +1,62 @@
+//! Light quality: every figure a lighting person asks for, of measured light and of models.
+//!
+//! ```text
+//! light        a light on whole nm 360-830, and lines without width beside them
+//! weight       what a light is weighed by: tables on whole nm, read once from the presets
+//! no_figure    why a figure does not exist, in words
+//! reference    blackbodies and daylight: the reference lights of CRI, TM-30 and SSI
+//! rendering    CRI: Ra and R1 to R15 (CIE 13.3)
+//! appearance   CIECAM02 and its uniform space, as far as TM-30 needs them
+//! fidelity     TM-30: Rf, Rg, hue bins, vector graphic (ANSI/IES TM-30-20, CIE 224)
+//! hue_bin      one of the 16 hue bins
+//! photometry   luminous efficacy, S/P ratio
+//! absolute     what absolute values mean: lux and the like
+//! alpha_opic   the five alpha-opic quantities (CIE S 026)
+//! photons      PPFD and ePPFD per 100 lx
+//! dominant     dominant and complementary wavelength, purity
+//! similarity   SSI (SMPTE ST 2122)
+//! sprague      the interpolation of CRI's test colours
+//! shape        peak, centroid, width at half height
+//! figures      all of them of one light
+//! diagram      the geometry of chromaticity diagrams as plain data
+//! ```
+//!
+//! A light is weighed, never sampled: a line of no width counts with what a weighting function is
+//! at its exact place. A figure that does not exist is a [`NoFigure`] that says why. TLCI is left
+//! out: it needs camera and patch tables that are not openly licensed.
+
+mod absolute;
+mod alpha_opic;
+mod appearance;
+pub mod diagram;
+mod dominant;
+mod fidelity;
+mod figures;
+mod hue_bin;
+mod light;
+mod no_figure;
+mod photometry;
+mod photons;
+mod reference;
+mod rendering;
+mod shape;
+mod similarity;
+mod sprague;
+mod weight;
+
+pub use absolute::{Absolute, Measured, Radiometric, absolute};
+pub use alpha_opic::{ALPHA_OPIC_WORDS, AlphaOpic, alpha_opic};
+pub use dominant::{Dominant, dominant};
+pub use fidelity::{Fidelity, SAMPLES, fidelity, sample_names};
+pub use figures::{FewFigures, Figures, prepare};
+pub use hue_bin::{BINS, HueBin, bin_middle_deg};
+pub use light::{FIRST_NM, LAST_NM, Light, POINTS};
+pub use no_figure::{Dark, NoFigure};
+pub use photometry::{LUMENS_PER_WATT, luminous_efficacy, sp_ratio};
+pub use photons::{JOULE_NM_PER_MICROMOLE, PhotonsPer100Lx, photons_per_100_lx};
+pub use reference::{
+    Reference, daylight, daylight_xy, fidelity_reference, planck, rendering_reference,
+};
+pub use rendering::{RENDERING_NAMES, RENDERING_SAMPLES, RenderedSample, Rendering, rendering};
+pub use shape::{Peak, Shape, Width, shape};
+pub use similarity::{Similarity, SimilarityBands, SimilarityReference, similarity};

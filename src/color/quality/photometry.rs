@@ -1,0 +1,73 @@
+//! Photometry: luminous efficacy and the S/P ratio.
+
+use std::sync::LazyLock;
+
+use super::{
+    light::{Light, positive},
+    no_figure::NoFigure,
+    weight::Weight,
+};
+
+/// Maximum luminous efficacy, lm/W: 683 lm/W at 540 THz (SI, 2019), which for air wavelengths and
+/// the CIE table's peak at 555 nm reads 683.002.
+pub const LUMENS_PER_WATT: f64 = 683.002;
+
+/// What luminous efficacy of radiation is counted with: the rounded constant, by custom.
+const LUMENS_PER_WATT_ROUNDED: f64 = 683.0;
+
+/// The largest efficacy of scotopic vision, lm/W.
+const SCOTOPIC_LUMENS_PER_WATT: f64 = 1700.06;
+
+const SUM_WITH_V: &str = "sum with V(λ)";
+
+/// Luminous efficacy of radiation over 360-830 nm, lm/W: `683 sum(P V) / sum(P)`.
+///
+/// # Errors
+/// [`NoFigure`] when there is no light or a sum is not positive.
+pub fn luminous_efficacy(light: &Light) -> Result<f64, NoFigure> {
+    let power = positive(light.lit()?.power(), "sum of the values")?;
+    Ok(LUMENS_PER_WATT_ROUNDED * luminous_sum(light)? / power)
+}
+
+/// Scotopic over photopic: `1700.06 sum(P V') / (683.002 sum(P V))`.
+///
+/// # Errors
+/// [`NoFigure`] when there is no light or nothing of it is seen by day.
+pub fn sp_ratio(light: &Light) -> Result<f64, NoFigure> {
+    let photopic = luminous_sum(light.lit()?)?;
+    Ok(SCOTOPIC_LUMENS_PER_WATT * SCOTOPIC.sum(light) / (LUMENS_PER_WATT * photopic))
+}
+
+/// `sum(P V)`, positive.
+pub(super) fn luminous_sum(light: &Light) -> Result<f64, NoFigure> {
+    positive(photopic_sum(light), SUM_WITH_V)
+}
+
+/// `sum(P V)`.
+pub(super) fn photopic_sum(light: &Light) -> f64 {
+    PHOTOPIC.sum(light)
+}
+
+static PHOTOPIC: LazyLock<Weight> = LazyLock::new(|| Weight::named("V(lambda) photopic"));
+
+static SCOTOPIC: LazyLock<Weight> = LazyLock::new(|| Weight::named("V'(lambda) scotopic"));
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::Spike;
+
+    fn line(at_nm: f64) -> Light {
+        Light::of_line(Spike {
+            at_nm,
+            weight: 0.25,
+        })
+    }
+
+    #[test]
+    fn a_line_at_555_nm_has_the_largest_efficacy() {
+        // One division by itself.
+        assert!((luminous_efficacy(&line(555.0)).unwrap() - 683.0).abs() < 1e-12);
+        assert!(luminous_efficacy(&line(556.0)).unwrap() < 683.0);
+    }
+}

@@ -1,0 +1,244 @@
+//! Colour rendering index: Ra and R1 to R15.
+//!
+//! Source: CIE 13.3-1995. Fourteen test colours and the Japanese skin of R15 under the light and
+//! under a reference of the same CCT, in CIE 1964 U*V*W* with the von Kries shift of the standard;
+//! Ri = 100 - 4.6 dE, Ra the mean of the first eight. The CCT is not rounded, nor is any Ri before
+//! the mean. Sums are over 1 nm, 360-830; the test colours, given every 5 nm, are interpolated by
+//! Sprague's formula. With straight lines between them a lamp of a few lines would differ: Ra of
+//! low-pressure sodium by 0.17, R9 of three narrow LEDs by 0.7.
+
+use std::sync::LazyLock;
+
+use crate::{
+    color::{Cct, Observer, Xyz, uv_1960_from_xyz},
+    spectrum::{Outside, Sampled, band::dot},
+};
+
+use super::{
+    light::{FIRST_NM, LAST_NM, Light, positive},
+    no_figure::NoFigure,
+    reference::{Reference, rendering_reference},
+    sprague::sprague,
+    weight::{shipped_group, table_of, value_at},
+};
+
+/// Number of test colours.
+pub const RENDERING_SAMPLES: usize = 15;
+
+/// What the test colours look like in daylight.
+pub const RENDERING_NAMES: [&str; RENDERING_SAMPLES] = [
+    "light greyish red",
+    "dark greyish yellow",
+    "strong yellow green",
+    "moderate yellowish green",
+    "light bluish green",
+    "light blue",
+    "light violet",
+    "light reddish purple",
+    "strong red",
+    "strong yellow",
+    "strong green",
+    "strong blue",
+    "light skin",
+    "leaf green",
+    "Japanese skin",
+];
+
+/// Step of the tables of test colours, nm.
+const TABLE_STEP_NM: usize = 5;
+
+/// Test colours that Ra is the mean of.
+const GENERAL: usize = 8;
+
+/// Distance of the light from its reference in CIE 1960 uv up to which CIE 13.3 allows its index.
+const FARTHEST_FROM_REFERENCE: f64 = 5.4e-3;
+
+/// A test colour under the light and under its reference; Y = 100 for either light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RenderedSample {
+    /// Its index Ri.
+    pub index: f64,
+    /// Under the light.
+    pub test: Xyz,
+    /// Under the reference.
+    pub reference: Xyz,
+}
+
+/// The colour rendering of a light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rendering {
+    /// The general index Ra.
+    pub ra: f64,
+    /// R1 to R15 with the colours behind them (CIE 1931).
+    pub samples: [RenderedSample; RENDERING_SAMPLES],
+    /// What it was compared with.
+    pub reference: Reference,
+    /// The light itself, Y = 100.
+    pub test_white: Xyz,
+    /// The reference itself, Y = 100.
+    pub reference_white: Xyz,
+    /// Distance of light and reference in CIE 1960 uv.
+    pub distance: f64,
+}
+
+impl Rendering {
+    /// R1 to R15.
+    pub fn indices(&self) -> [f64; RENDERING_SAMPLES] {
+        self.samples.map(|sample| sample.index)
+    }
+
+    /// Whether the light is too far from its reference for CIE 13.3 to vouch for the index.
+    pub fn is_too_far(&self) -> bool {
+        self.distance > FARTHEST_FROM_REFERENCE
+    }
+}
+
+/// The colour rendering of a light of this CCT.
+///
+/// # Errors
+/// [`NoFigure`] when there is no light, or a test colour leaves the formula's range.
+pub fn rendering(light: &Light, cct: Cct) -> Result<Rendering, NoFigure> {
+    let light = light.lit()?;
+    let reference = rendering_reference(cct.kelvin);
+    let (tests, test_white) = seen(light)?;
+    let (references, reference_white) = seen(&Light::of_nm_values(&reference.on_nm()))?;
+    let out = || NoFigure::OutOfRange {
+        what: "a test colour has no chromaticity under this light",
+    };
+    let from = uv_1960_from_xyz(test_white).ok_or_else(out)?;
+    let to = uv_1960_from_xyz(reference_white).ok_or_else(out)?;
+    let shift = Shift::new(from, to);
+    let mut samples = [RenderedSample {
+        index: 0.0,
+        test: Xyz::ZERO,
+        reference: Xyz::ZERO,
+    }; RENDERING_SAMPLES];
+    for (sample, (test, reference)) in samples.iter_mut().zip(tests.into_iter().zip(references)) {
+        let seen_uv = uv_1960_from_xyz(test).ok_or_else(out)?;
+        let expected_uv = uv_1960_from_xyz(reference).ok_or_else(out)?;
+        let a = uvw(shift.of(seen_uv), test.y, to);
+        let b = uvw(expected_uv, reference.y, to);
+        let difference = (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
+        *sample = RenderedSample {
+            index: 100.0 - 4.6 * difference,
+            test,
+            reference,
+        };
+    }
+    if samples.iter().any(|sample| !sample.index.is_finite()) {
+        return Err(out());
+    }
+    let general = samples[..GENERAL].iter().map(|s| s.index).sum::<f64>();
+    Ok(Rendering {
+        ra: general / GENERAL as f64,
+        samples,
+        reference,
+        test_white,
+        reference_white,
+        distance: (from[0] - to[0]).hypot(from[1] - to[1]),
+    })
+}
+
+/// The von Kries shift of CIE 13.3 from a light's chromaticity to its reference's.
+struct Shift {
+    c: f64,
+    d: f64,
+}
+
+impl Shift {
+    fn new(from: [f64; 2], to: [f64; 2]) -> Self {
+        let ([from_c, from_d], [to_c, to_d]) = (cd(from), cd(to));
+        Self {
+            c: to_c / from_c,
+            d: to_d / from_d,
+        }
+    }
+
+    fn of(&self, uv: [f64; 2]) -> [f64; 2] {
+        let [c, d] = cd(uv);
+        let (c, d) = (self.c * c, self.d * d);
+        let below = 16.518 + 1.481 * c - d;
+        [(10.872 + 0.404 * c - 4.0 * d) / below, 5.520 / below]
+    }
+}
+
+fn cd([u, v]: [f64; 2]) -> [f64; 2] {
+    [
+        (4.0 - u - 10.0 * v) / v,
+        (1.708 * v + 0.404 - 1.481 * u) / v,
+    ]
+}
+
+/// CIE 1964 U*V*W* against a white.
+fn uvw([u, v]: [f64; 2], y: f64, white: [f64; 2]) -> [f64; 3] {
+    let w = 25.0 * y.cbrt() - 17.0;
+    [13.0 * w * (u - white[0]), 13.0 * w * (v - white[1]), w]
+}
+
+/// Every test colour and the light itself, Y = 100 for the light.
+fn seen(light: &Light) -> Result<([Xyz; RENDERING_SAMPLES], Xyz), NoFigure> {
+    let table = Observer::Cie1931.table();
+    let weighted = table
+        .xyz
+        .each_ref()
+        .map(|row| row.iter().zip(light.values()).map(|(w, v)| w * v).collect());
+    let weighted: [Vec<f64>; 3] = weighted;
+    let lines: Vec<([f64; 3], f64)> = light
+        .lines()
+        .iter()
+        .map(|l| (table.at(l.at_nm).map(|w| w * l.weight), l.at_nm))
+        .collect();
+    let sum_of_lines = |of: &dyn Fn(f64) -> f64, k: usize| -> f64 {
+        lines.iter().map(|(xyz, at_nm)| xyz[k] * of(*at_nm)).sum()
+    };
+    let white: [f64; 3] =
+        std::array::from_fn(|k| weighted[k].iter().sum::<f64>() + sum_of_lines(&|_| 1.0, k));
+    let unit = 100.0 / positive(white[1], "sum with V(λ)")?;
+    let samples = std::array::from_fn(|sample| {
+        let row = &TEST_COLOURS[sample];
+        Xyz::from_array(std::array::from_fn(|k| {
+            let at = |nm| value_at(FIRST_NM, row, nm);
+            unit * (dot(row, &weighted[k]) + sum_of_lines(&at, k))
+        }))
+    });
+    Ok((samples, Xyz::from_array(white) * unit))
+}
+
+/// Radiance factors on whole nm 360-830, end values held.
+static TEST_COLOURS: LazyLock<Vec<Vec<f64>>> = LazyLock::new(|| {
+    let group = shipped_group("cri_tcs");
+    let table = |name: &str| {
+        let table = table_of(&group, name);
+        let fine = sprague(table.values(), TABLE_STEP_NM);
+        let fine = Sampled::even(table.first_nm(), 1.0, fine).expect("finite values");
+        fine.on_whole_nm(FIRST_NM, LAST_NM, Outside::Hold)
+    };
+    // The set of 2024 has the skin of R15, which the publication of 1995 has not.
+    let classic = (1..=14).map(|i| table(&format!("TCS{i:02}")));
+    classic.chain([table("CIE 2024: TCS15")]).collect()
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reference_renders_as_itself() {
+        for kelvin in [2000.0, 4999.0, 5000.0, 6504.0, 20_000.0] {
+            let light = Light::of_nm_values(&rendering_reference(kelvin).on_nm());
+            let found = rendering(&light, Cct { kelvin, duv: 0.0 }).unwrap();
+            // Both sides are the same numbers up to the light's scaling.
+            assert!((found.ra - 100.0).abs() < 1e-9, "{kelvin}: {}", found.ra);
+            assert!(found.indices().iter().all(|r| (r - 100.0).abs() < 1e-9));
+            assert!(!found.is_too_far());
+        }
+    }
+
+    #[test]
+    fn the_shift_takes_the_light_to_its_reference() {
+        let (from, to) = ([0.25, 0.35], [0.21, 0.32]);
+        let moved = Shift::new(from, to).of(from);
+        // The standard's coefficients have four digits.
+        assert!((moved[0] - to[0]).abs() < 1e-4 && (moved[1] - to[1]).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,7 @@
+//! Studies of light quality: many lights at once, and figures against the order of a model.
+
+mod many;
+mod order;
+
+pub use many::{figures_of_many, in_parallel};
+pub use order::{Chosen, OrderFigures, OrderPoint, figures_against_order};
