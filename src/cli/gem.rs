@@ -9,8 +9,7 @@ use super::{
     print,
     prism::light_of,
     refusal::Refusal,
-    subject::named_light,
-    subject::{self, USUAL_LIGHT},
+    subject::{self, USUAL_LIGHT, named_light},
     target::{Replaces, Target},
     words::extension,
 };

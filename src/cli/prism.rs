@@ -10,8 +10,7 @@ use super::{
     material::{absorption_of, material},
     print,
     refusal::Refusal,
-    subject,
-    subject::named_light,
+    subject::{self, named_light},
 };
 use crate::{
     app::{App, ticks::short},

@@ -9,8 +9,7 @@ use super::{
     print,
     prism::{add_table, light_of},
     refusal::Refusal,
-    subject,
-    subject::named_light,
+    subject::{self, named_light},
 };
 use crate::optics::{Light, Material, rainbow_json};
 

@@ -7,8 +7,7 @@ use super::{
     inputs::Inputs,
     print, recover_image,
     refusal::Refusal,
-    subject,
-    subject::named_light,
+    subject::{self, named_light},
     viewing::{OBSERVER, light},
 };
 use crate::{
