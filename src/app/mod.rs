@@ -34,6 +34,7 @@ pub mod picture;
 pub mod product_report;
 pub mod product_view;
 pub mod products;
+pub mod quality;
 pub mod quality_report;
 pub mod read_report;
 pub mod recipe;

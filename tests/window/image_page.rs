@@ -306,7 +306,7 @@ fn settle(ui: &mut Ui) {
     loop {
         ui.step();
         ui.state_mut().0.studies.finish();
-        if !ui.state().0.is_busy() && !ui.state().0.studies.is_running() {
+        if !ui.state().0.is_busy() && !ui.state_mut().0.studies.is_running() {
             break;
         }
         assert!(Instant::now() < until, "still busy");

@@ -57,7 +57,7 @@ fn settle(ui: &mut Ui) {
     loop {
         ui.step();
         ui.step();
-        if !ui.state().0.studies.is_running() {
+        if !ui.state_mut().0.studies.is_running() {
             break;
         }
         assert!(start.elapsed() < LONGEST_WAIT, "a study does not end");

@@ -178,7 +178,7 @@ fn open(app: App, page: Page, size: [f32; 2]) -> Ui {
 fn settled(ui: &mut Ui) {
     for _ in 0..1000 {
         ui.step();
-        if !ui.state().0.studies.is_running() {
+        if !ui.state_mut().0.studies.is_running() {
             break;
         }
         std::thread::sleep(Duration::from_millis(10));

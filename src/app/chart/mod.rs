@@ -205,10 +205,15 @@ pub enum Marks {
         /// The boxes and their values.
         cells: Cells,
     },
+    /// Boxes with colours of their own, as a ground for other series; no data.
+    Fields {
+        /// First and last x, first and last y, and colour of each box.
+        fields: Vec<([[f64; 2]; 2], Rgb)>,
+    },
 }
 
 impl Marks {
-    /// The points of any kind of marks; a heat map has none.
+    /// The points of any kind of marks; a heat map and a ground have none.
     pub fn points(&self) -> &[[f64; 2]] {
         match self {
             Self::Line { points, .. }
@@ -216,7 +221,7 @@ impl Marks {
             | Self::Area { points, .. }
             | Self::Bars { points, .. }
             | Self::Points { points, .. } => points,
-            Self::Cells { .. } => &[],
+            Self::Cells { .. } | Self::Fields { .. } => &[],
         }
     }
 
@@ -239,6 +244,7 @@ impl Marks {
             }
             Self::Bars { .. } => tops.chain([0.0]).collect(),
             Self::Cells { cells } => cells.y_edges.clone(),
+            Self::Fields { .. } => Vec::new(),
         }
     }
 }

@@ -138,6 +138,16 @@ impl<'a> Pen<'a> {
                 places.map(|at| form(at, radius, *shape, colour)).collect()
             }
             Marks::Cells { cells } => self.cells(cells),
+            Marks::Fields { fields } => {
+                let inside = |([[left, right], [low, high]], colour): &([[f64; 2]; 2], [u8; 3])| {
+                    let foot = self.plot.place([*left, *low])?;
+                    let field = Field::between(foot, self.plot.place([*right, *high])?);
+                    Some((field.cut_to(self.plot.field)?, *colour))
+                };
+                vec![Primitive::Fields(
+                    fields.iter().filter_map(inside).collect(),
+                )]
+            }
         }
     }
 

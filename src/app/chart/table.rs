@@ -53,7 +53,7 @@ impl Chart {
     fn columns(&self) -> Vec<Column> {
         let mut columns = Vec::new();
         for (i, series) in self.all_series().enumerate() {
-            if series.marks.cells().is_some() {
+            if matches!(series.marks, Marks::Cells { .. } | Marks::Fields { .. }) {
                 continue;
             }
             let name = name_of(series, i);

@@ -6,6 +6,7 @@ pub mod image;
 pub mod import;
 pub mod order;
 pub mod products;
+pub mod quality;
 pub mod race;
 pub mod spectrum;
 pub mod tradeoff;

@@ -7,7 +7,7 @@ use crate::{
         open::{Loaded, load_bytes_as, load_path_as},
         opened::Opened,
         origin::SourceFile,
-        studies::{Job, Stage, Wake},
+        studies::{Job, Stage, Wake, Work},
     },
     io::{Choices, text},
 };

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Page;
 use crate::{
-    app::{picture::ImageMemory, products::ProductsMemory},
+    app::{charts::quality::DiagramShows, picture::ImageMemory, products::ProductsMemory},
     study::{Goal, Measure},
 };
 
@@ -38,6 +38,8 @@ pub struct PageMemory {
     pub race_measure: Measure,
     /// Products: its parts.
     pub products: ProductsMemory,
+    /// Chromaticity: what the diagram shows.
+    pub diagram: DiagramShows,
     /// Image: which one, which pixels, and how it is drawn.
     pub image: ImageMemory,
 }
@@ -58,6 +60,7 @@ impl Default for PageMemory {
             race_numbers: 20,
             race_measure: Measure::Patches,
             products: ProductsMemory::default(),
+            diagram: DiagramShows::default(),
             image: ImageMemory::default(),
         }
     }

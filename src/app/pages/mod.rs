@@ -15,6 +15,8 @@ pub enum Place {
     Look,
     /// What does it do behind glass and off surfaces?
     Through,
+    /// Is it a good light?
+    Quality,
     /// How few numbers will do?
     Numbers,
     /// And in a picture?
@@ -23,10 +25,11 @@ pub enum Place {
 
 impl Place {
     /// Every place that has a page, from the top of the rail down.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Learn,
         Self::Look,
         Self::Through,
+        Self::Quality,
         Self::Numbers,
         Self::Picture,
     ];
@@ -37,6 +40,7 @@ impl Place {
             Self::Learn => "Learn",
             Self::Look => "Look",
             Self::Through => "Through",
+            Self::Quality => "Quality",
             Self::Numbers => "Numbers",
             Self::Picture => "Picture",
         }
@@ -48,6 +52,7 @@ impl Place {
             Self::Learn => "Show me",
             Self::Look => "What is in this light?",
             Self::Through => "What does it do behind glass and off surfaces?",
+            Self::Quality => "Is it a good light?",
             Self::Numbers => "How few numbers will do?",
             Self::Picture => "And in a picture?",
         }
@@ -83,6 +88,14 @@ pub enum Page {
     TwoLights,
     /// Is this light that one off this surface?
     SameSurface,
+    /// Figures of light quality, measured and by the model.
+    Quality,
+    /// Where the light is among colours.
+    Chromaticity,
+    /// What the light does to colours: TM-30 and CRI.
+    Rendition,
+    /// Figures of light quality against the order.
+    QualityOrder,
     /// The light's coefficients beside those of the colour-matching functions.
     Coefficients,
     /// Error against numbers.
@@ -135,7 +148,7 @@ const fn row(
 }
 
 /// The pages, place by place.
-const ROWS: [Row; 15] = [
+const ROWS: [Row; 19] = [
     row(
         Page::Glossary,
         (Place::Learn, Page::Glossary),
@@ -191,6 +204,34 @@ const ROWS: [Row; 15] = [
         ("Same surface?", "same-surface"),
         &["check"],
         "Whether a spectrum is the light off a surface: S3 = S1 S2.",
+    ),
+    row(
+        Page::Quality,
+        (Place::Quality, Page::Quality),
+        ("Figures", "quality"),
+        &[],
+        "Every figure of light quality, measured beside model, and what it means.",
+    ),
+    row(
+        Page::Chromaticity,
+        (Place::Quality, Page::Chromaticity),
+        ("Chromaticity", "chromaticity"),
+        &[],
+        "Where the light is among colours, whites and screens.",
+    ),
+    row(
+        Page::Rendition,
+        (Place::Quality, Page::Rendition),
+        ("Colours under it", "rendition"),
+        &[],
+        "What the light does to colours: TM-30 and CRI, hue by hue.",
+    ),
+    row(
+        Page::QualityOrder,
+        (Place::Quality, Page::QualityOrder),
+        ("Against order", "quality-order"),
+        &[],
+        "From how many numbers on a model has the figures of its light.",
     ),
     row(
         Page::Coefficients,
@@ -295,7 +336,7 @@ impl Page {
 
     /// Whether the model's knobs act on what it shows.
     pub fn has_model(self) -> bool {
-        matches!(self.place(), Place::Look | Place::Numbers)
+        matches!(self.place(), Place::Look | Place::Quality | Place::Numbers)
     }
 }
 

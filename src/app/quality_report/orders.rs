@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    app::{App, tables::Tables},
+    app::{App, Derived, tables::Tables},
     color::{xyz_of_parts, xyz_of_spikes},
     spectrum::{Basis, Composite, Series, Spike, basis::numbers_of_order},
 };
@@ -22,17 +22,23 @@ pub struct ModelsByOrder {
 impl ModelsByOrder {
     /// The models of what the window shows, by its settings but for the order.
     pub fn of(app: &App) -> Self {
-        let (derived, tables) = (app.derived(), app.tables());
+        let is_exact = app.document().settings.colour_exact;
+        Self::new(app.derived(), app.tables().clone(), is_exact)
+    }
+
+    /// The models of what was derived with some tables.
+    pub fn new(derived: &Derived, tables: Arc<Tables>, colour_exact: bool) -> Self {
         let (band, weights) = (derived.band, &tables.viewing.weights);
         let spikes = derived.model.spikes.clone();
-        let smooth_target = app.document().settings.colour_exact.then(|| {
+        let smooth_target = colour_exact.then(|| {
             let whole = xyz_of_parts(band, &derived.measured, &[], weights);
             (whole - xyz_of_spikes(band, &spikes, weights)).to_array()
         });
         let basis = &tables.basis;
+        let projected = basis.project(&derived.parts.smooth, basis.numbers());
         Self {
-            projected: basis.project(&derived.parts.smooth, basis.numbers()),
-            tables: tables.clone(),
+            projected,
+            tables,
             spikes,
             smooth_target,
         }

@@ -109,24 +109,6 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
         });
     }
 
-    /// Takes in what is finished.
-    pub fn take_in(&mut self) {
-        if self
-            .running
-            .as_ref()
-            .is_some_and(|r| r.thread.is_finished())
-        {
-            self.join();
-        } else if let Some(running) = &self.running {
-            self.stage = Stage::Running(running.progress.share());
-        }
-    }
-
-    /// Waits for what is being computed.
-    pub fn finish(&mut self) {
-        self.join();
-    }
-
     fn join(&mut self) {
         let Some(running) = self.running.take() else {
             return;
@@ -184,9 +166,38 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
     pub fn stage(&self) -> Stage {
         self.stage
     }
+}
+
+/// Any job, whatever it computes.
+pub trait Work {
+    /// Takes in what is finished.
+    fn take_in(&mut self);
+
+    /// Waits for what is being computed.
+    fn finish(&mut self);
 
     /// Whether something is being computed.
-    pub fn is_running(&self) -> bool {
+    fn is_running(&self) -> bool;
+}
+
+impl<K: Clone + PartialEq, T: Send + 'static> Work for Job<K, T> {
+    fn take_in(&mut self) {
+        if self
+            .running
+            .as_ref()
+            .is_some_and(|r| r.thread.is_finished())
+        {
+            self.join();
+        } else if let Some(running) = &self.running {
+            self.stage = Stage::Running(running.progress.share());
+        }
+    }
+
+    fn finish(&mut self) {
+        self.join();
+    }
+
+    fn is_running(&self) -> bool {
         self.running.is_some()
     }
 }

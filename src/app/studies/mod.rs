@@ -10,7 +10,7 @@ pub mod take;
 
 pub use about::About;
 pub use field::{Class, Field, RaceAsk};
-pub use job::{Job, Stage, Wake};
+pub use job::{Job, Stage, Wake, Work};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
@@ -28,6 +28,7 @@ use crate::{
         Auction, Goal, Progress, Race, Sweep,
         auction::{self, Terms},
         products::{ProductTime, Sizes, product_times},
+        quality::OrderFigures,
         race,
     },
 };
@@ -161,6 +162,8 @@ pub struct Studies {
     pub timing: Job<TimingAsk, Vec<ProductTime>>,
     /// Error against bounces, by the program's revision.
     pub bounces: Job<u64, Bounced>,
+    /// Light quality against the order, by the program's revision.
+    pub quality: Job<u64, OrderFigures>,
     /// The picture of a spectral image.
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
@@ -168,8 +171,7 @@ pub struct Studies {
 }
 
 impl Studies {
-    /// Takes in what is finished.
-    pub fn take_in(&mut self) {
+    fn all(&mut self) -> [&mut dyn Work; 11] {
         let Self {
             sweep,
             auction,
@@ -178,65 +180,28 @@ impl Studies {
             surfaces,
             timing,
             bounces,
+            quality,
             raster,
             region,
         } = self;
-        sweep.take_in();
-        auction.take_in();
-        spend.take_in();
-        race.take_in();
-        surfaces.take_in();
-        timing.take_in();
-        bounces.take_in();
-        raster.take_in();
-        region.take_in();
+        let Surfaces { pairs, ranking } = surfaces;
+        [
+            sweep, auction, spend, race, pairs, ranking, timing, bounces, quality, raster, region,
+        ]
+    }
+
+    /// Takes in what is finished.
+    pub fn take_in(&mut self) {
+        self.all().into_iter().for_each(|job| job.take_in());
     }
 
     /// Whether anything is being computed.
-    pub fn is_running(&self) -> bool {
-        let Self {
-            sweep,
-            auction,
-            spend,
-            race,
-            surfaces,
-            timing,
-            bounces,
-            raster,
-            region,
-        } = self;
-        sweep.is_running()
-            || auction.is_running()
-            || spend.is_running()
-            || race.is_running()
-            || surfaces.is_running()
-            || timing.is_running()
-            || bounces.is_running()
-            || raster.is_running()
-            || region.is_running()
+    pub fn is_running(&mut self) -> bool {
+        self.all().into_iter().any(|job| job.is_running())
     }
 
     /// Waits for everything.
     pub fn finish(&mut self) {
-        let Self {
-            sweep,
-            auction,
-            spend,
-            race,
-            surfaces,
-            timing,
-            bounces,
-            raster,
-            region,
-        } = self;
-        sweep.finish();
-        auction.finish();
-        spend.finish();
-        race.finish();
-        surfaces.finish();
-        timing.finish();
-        bounces.finish();
-        raster.finish();
-        region.finish();
+        self.all().into_iter().for_each(|job| job.finish());
     }
 }

@@ -27,28 +27,6 @@ pub struct Surfaces {
     pub ranking: Job<RankAsk, Vec<Ranked>>,
 }
 
-impl Surfaces {
-    /// Takes in what is finished.
-    pub fn take_in(&mut self) {
-        let Self { pairs, ranking } = self;
-        pairs.take_in();
-        ranking.take_in();
-    }
-
-    /// Whether anything is being computed.
-    pub fn is_running(&self) -> bool {
-        let Self { pairs, ranking } = self;
-        pairs.is_running() || ranking.is_running()
-    }
-
-    /// Waits for everything.
-    pub fn finish(&mut self) {
-        let Self { pairs, ranking } = self;
-        pairs.finish();
-        ranking.finish();
-    }
-}
-
 /// A shipped surface on a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {

@@ -5,6 +5,7 @@ pub mod coefficients_view;
 pub mod glossary_view;
 pub mod image_view;
 pub mod products_view;
+pub mod quality_view;
 pub mod race_view;
 pub mod tradeoff_view;
 pub mod truth_view;
@@ -72,6 +73,7 @@ pub struct Pages {
     auction: auction_view::AuctionView,
     race: race_view::RaceView,
     products: products_view::ProductsView,
+    quality: quality_view::QualityView,
     image: image_view::ImageView,
     glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
@@ -93,6 +95,10 @@ impl Pages {
             Page::Narrow => products.narrow.show(ui, context),
             Page::TwoLights => products.two_lights.show(ui, context),
             Page::SameSurface => products.same_surface.show(ui, context),
+            Page::Quality => self.quality.figures(ui, context),
+            Page::Chromaticity => self.quality.diagram(ui, context),
+            Page::Rendition => self.quality.rendition(ui, context),
+            Page::QualityOrder => self.quality.order(ui, context),
             Page::Coefficients => self.coefficients.show(ui, context),
             Page::Tradeoff => self.tradeoff.show(ui, context),
             Page::Auction => self.auction.show(ui, context),

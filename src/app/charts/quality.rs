@@ -1,0 +1,388 @@
+//! The figures of a light as charts: its place among colours, what it does to colours, and what a
+//! few numbers do to both.
+
+use crate::{
+    app::chart::{Chart, Dash, Inks, Marks, Palette, Rgb, Series, Shape, Theme},
+    color::{
+        Observer, Srgb, Xyz,
+        quality::{
+            Fidelity, RENDERING_NAMES, Rendering,
+            diagram::{
+                ELLIPSES, GAMUTS, Plane, QUADRANGLES, TICKS_K, daylight_locus, planckian_locus,
+                spectral_locus, tick,
+            },
+        },
+        srgb::linear_from_xyz,
+    },
+    study::quality::{Chosen, OrderFigures},
+};
+
+/// What the diagram shows beside the light.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
+pub struct DiagramShows {
+    /// CIE 1976 u'v', else CIE 1931 xy.
+    pub uniform: bool,
+    /// sRGB, P3 and Rec. 2020.
+    pub gamuts: bool,
+    /// The nominal whites of ANSI C78.377.
+    pub whites: bool,
+    /// MacAdam's ellipses, ten times enlarged.
+    pub ellipses: bool,
+    /// The neighbourhood of the light alone.
+    pub near: bool,
+}
+
+impl Default for DiagramShows {
+    fn default() -> Self {
+        Self {
+            uniform: true,
+            gamuts: false,
+            whites: true,
+            ellipses: false,
+            near: false,
+        }
+    }
+}
+
+impl DiagramShows {
+    fn plane(self) -> Plane {
+        if self.uniform {
+            Plane::Uv1976
+        } else {
+            Plane::Xy
+        }
+    }
+}
+
+/// Boxes of colour along an axis of the diagram.
+const BOXES: usize = 110;
+
+/// How far the neighbourhood of a light reaches to either side.
+const NEAR: f64 = 0.03;
+
+/// The brightest colour of a chromaticity that a screen shows, the rest cut.
+fn shown(xy: [f64; 2]) -> Option<Rgb> {
+    let [x, y] = xy;
+    if y <= 0.0 {
+        return None;
+    }
+    let linear = linear_from_xyz(Xyz::new(x / y, 1.0, (1.0 - x - y) / y)).map(|v| v.max(0.0));
+    let most = linear.into_iter().fold(0.0, f64::max);
+    (most > 0.0).then(|| Srgb::from_linear(linear.map(|v| v / most)).0)
+}
+
+fn is_inside(locus: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let next = locus.iter().cycle().skip(1);
+    let crossings = locus.iter().zip(next).filter(|([ax, ay], [bx, by])| {
+        (ay > &y) != (by > &y) && x < (bx - ax) * (y - ay) / (by - ay) + ax
+    });
+    crossings.count() % 2 == 1
+}
+
+/// The chromaticity diagram with a light as measured and by its model, both xy.
+pub fn diagram(
+    measured: Option<[f64; 2]>,
+    model: Option<[f64; 2]>,
+    shows: DiagramShows,
+    theme: Theme,
+) -> Chart {
+    let plane = shows.plane();
+    let (inks, palette) = (Inks::of(theme), Palette::of(theme));
+    let locus: Vec<[f64; 2]> = spectral_locus(Observer::Cie1931, plane)
+        .into_iter()
+        .filter(|point| (380..=700).contains(&point.nm))
+        .map(|point| point.at)
+        .collect();
+    let whole = if shows.uniform {
+        [[0.0, 0.64], [0.0, 0.6]]
+    } else {
+        [[0.0, 0.76], [0.0, 0.86]]
+    };
+    let [x_range, y_range] = match measured.filter(|_| shows.near) {
+        Some(xy) => plane.of_xy(xy).map(|at| [at - NEAR, at + NEAR]),
+        None => whole,
+    };
+    let mut series = vec![colours(&locus, plane, [x_range, y_range])];
+    let line = |name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash| {
+        Series::new(
+            name,
+            colour,
+            Marks::Line {
+                points,
+                width,
+                dash,
+            },
+        )
+    };
+    let closed = |mut points: Vec<[f64; 2]>| {
+        points.extend(points.first().copied());
+        points
+    };
+    let edge = palette.text;
+    series.push(line("", edge, closed(locus), 1.4, Dash::Solid));
+    if shows.gamuts {
+        for gamut in GAMUTS.iter().filter(|gamut| gamut.name != "DCI-P3") {
+            let corners = gamut.primaries.map(|xy| plane.of_xy(xy)).to_vec();
+            series.push(line(gamut.name, edge, closed(corners), 1.0, Dash::Dashed));
+        }
+    }
+    if shows.ellipses {
+        for ellipse in &ELLIPSES {
+            let outline = ellipse.outline(10.0, 48).into_iter();
+            let points = outline.map(|xy| plane.of_xy(xy)).collect();
+            series.push(line("", [70; 3], closed(points), 0.9, Dash::Solid));
+        }
+    }
+    if shows.whites {
+        for white in QUADRANGLES.iter() {
+            let corners = white.corners.map(|xy| plane.of_xy(xy)).to_vec();
+            series.push(line("", [40; 3], closed(corners), 0.9, Dash::Solid));
+        }
+    }
+    let black = [15; 3];
+    let blackbodies = planckian_locus(plane);
+    series.push(line("blackbodies", black, blackbodies, 1.8, Dash::Solid));
+    series.push(line(
+        "daylight",
+        [60; 3],
+        daylight_locus(plane),
+        1.2,
+        Dash::Dotted,
+    ));
+    for mark in TICKS_K
+        .into_iter()
+        .filter_map(|kelvin| tick(kelvin, 0.01, plane))
+    {
+        series.push(line(
+            "",
+            black,
+            vec![mark.below, mark.above],
+            1.0,
+            Dash::Solid,
+        ));
+    }
+    let point = |name: &str, colour: Rgb, shape: Shape, radius: f64, xy: [f64; 2]| {
+        let marks = Marks::Points {
+            points: vec![plane.of_xy(xy)],
+            radius,
+            shape,
+        };
+        Series::new(name, colour, marks)
+    };
+    if let Some(xy) = measured {
+        series.push(point("", [255; 3], Shape::Dot, 6.5, xy));
+        series.push(point("measured", black, Shape::Dot, 5.0, xy));
+    }
+    if let Some(xy) = model {
+        series.push(point("model", inks.spikes, Shape::Ring, 7.0, xy));
+    }
+    let [x_label, y_label] = if shows.uniform {
+        ["u′", "v′"]
+    } else {
+        ["x", "y"]
+    };
+    Chart {
+        title: "Chromaticity".to_owned(),
+        x_label: x_label.to_owned(),
+        y_label: y_label.to_owned(),
+        x_range,
+        y_range: Some(y_range),
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// The colours inside the locus, as far as a screen shows them.
+fn colours(locus: &[[f64; 2]], plane: Plane, [x_range, y_range]: [[f64; 2]; 2]) -> Series {
+    let step = |[low, high]: [f64; 2]| (high - low) / BOXES as f64;
+    let (dx, dy) = (step(x_range), step(y_range));
+    let mut fields = Vec::new();
+    for row in 0..BOXES {
+        let y = y_range[0] + dy * row as f64;
+        for column in 0..BOXES {
+            let x = x_range[0] + dx * column as f64;
+            let middle = [x + dx / 2.0, y + dy / 2.0];
+            if !is_inside(locus, middle) {
+                continue;
+            }
+            if let Some(colour) = shown(plane.to_xy(middle)) {
+                fields.push(([[x, x + dx], [y, y + dy]], colour));
+            }
+        }
+    }
+    Series::new("", [128; 3], Marks::Fields { fields })
+}
+
+/// TM-30's colour vector graphic: the reference a circle, the light around it.
+pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
+    let (inks, palette) = (Inks::of(theme), Palette::of(theme));
+    let circle = |radius: f64| -> Vec<[f64; 2]> {
+        let turns = (0..=90).map(|i| f64::from(i) * std::f64::consts::TAU / 90.0);
+        turns
+            .map(|turn| [radius * turn.cos(), radius * turn.sin()])
+            .collect()
+    };
+    let line = |name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash| {
+        Series::new(
+            name,
+            colour,
+            Marks::Line {
+                points,
+                width,
+                dash,
+            },
+        )
+    };
+    let mut series: Vec<Series> = [0.8, 0.9, 1.1, 1.2]
+        .map(|radius| line("", palette.grid, circle(radius), 1.0, Dash::Solid))
+        .to_vec();
+    series.push(line(
+        "reference",
+        palette.axis,
+        circle(1.0),
+        1.6,
+        Dash::Solid,
+    ));
+    let bins: Vec<_> = fidelity.bins.iter().flatten().collect();
+    let mut around: Vec<[f64; 2]> = bins.iter().map(|bin| bin.test_ab).collect();
+    around.extend(around.first().copied());
+    for bin in &bins {
+        let ends = vec![bin.reference_ab, bin.test_ab];
+        let colour = of_hue(bin.reference_ab);
+        series.push(line("", colour, ends, 2.2, Dash::Solid));
+        let marks = Marks::Points {
+            points: vec![bin.test_ab],
+            radius: 3.2,
+            shape: Shape::Dot,
+        };
+        series.push(Series::new("", colour, marks));
+    }
+    series.push(line("this light", inks.spikes, around, 2.0, Dash::Solid));
+    Chart {
+        title: format!(
+            "Colour vectors: Rf {:.0}, Rg {:.0}",
+            fidelity.rf, fidelity.rg
+        ),
+        x_label: "a′ over the reference's chroma".to_owned(),
+        y_label: "b′".to_owned(),
+        x_range: [-1.5, 1.5],
+        y_range: Some([-1.5, 1.5]),
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// A colour for a hue of the graphic, plain and of middle lightness.
+fn of_hue([a, b]: [f64; 2]) -> Rgb {
+    let turn = b.atan2(a);
+    let part = |shift: f64| 0.5 + 0.5 * (turn - shift).cos();
+    let third = std::f64::consts::TAU / 3.0;
+    [0.35, 0.35 + third, 0.35 + 2.0 * third].map(|shift| (60.0 + 170.0 * part(shift)) as u8)
+}
+
+/// What of the hue bins bars tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfBins {
+    /// Local fidelity.
+    Fidelity,
+    /// Local chroma shift, per cent.
+    Chroma,
+}
+
+/// The 16 hue bins as bars.
+pub fn bin_bars(fidelity: &Fidelity, what: OfBins, theme: Theme) -> Chart {
+    let mut series = Vec::new();
+    for (i, bin) in fidelity.bins.iter().enumerate() {
+        let Some(bin) = bin else { continue };
+        let value = match what {
+            OfBins::Fidelity => bin.rf,
+            OfBins::Chroma => 100.0 * bin.rcs,
+        };
+        let at = i as f64 + 1.0;
+        let colour = of_hue(bin.reference_ab);
+        series.push(Series::bars("", colour, 0.8, vec![[at, value]]));
+    }
+    let (title, unit, range) = match what {
+        OfBins::Fidelity => ("Fidelity of each hue", "Rf,h", [0.0, 100.0]),
+        OfBins::Chroma => ("Chroma shift of each hue", "%", [-40.0, 40.0]),
+    };
+    Chart {
+        title: title.to_owned(),
+        x_label: "Hue bin".to_owned(),
+        y_label: unit.to_owned(),
+        x_range: [0.4, 16.6],
+        y_range: Some(range),
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// R1 to R15 as bars, in the colours of the samples under the reference.
+pub fn sample_bars(rendering: &Rendering, theme: Theme) -> Chart {
+    let mut series = Vec::new();
+    let mut names = Vec::new();
+    for (i, sample) in rendering.samples.iter().enumerate() {
+        let at = i as f64 + 1.0;
+        let xyz = sample.reference.scaled(0.01);
+        let colour = Srgb::from_linear(linear_from_xyz(xyz).map(|v| v.clamp(0.0, 1.0))).0;
+        let bar = Series::bars("", colour, 0.8, vec![[at, sample.index]]);
+        series.push(bar.with_notes(vec![format!(
+            "R{}, {}: {:.0}",
+            i + 1,
+            RENDERING_NAMES[i],
+            sample.index
+        )]));
+        names.push((at, format!("R{}", i + 1)));
+    }
+    let indices = rendering.indices();
+    let lowest = indices.into_iter().fold(0.0, f64::min);
+    Chart {
+        title: format!("CRI: Ra {:.0}, the mean of R1 to R8", rendering.ra),
+        x_label: "Test colour".to_owned(),
+        y_label: "Ri".to_owned(),
+        x_range: [0.4, 15.6],
+        x_names: names,
+        y_range: Some([(lowest / 20.0).floor() * 20.0, 100.0]),
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// One figure against the order of the model, the exact value a line.
+pub fn against_order(found: &OrderFigures, chosen: Chosen, theme: Theme) -> Chart {
+    let inks = Inks::of(theme);
+    let points: Vec<[f64; 2]> = found
+        .points
+        .iter()
+        .filter_map(|point| Some([point.order as f64, chosen.of(&point.figures)?]))
+        .collect();
+    let last = found.points.last().map_or(1.0, |point| point.order as f64);
+    let mut series = Vec::new();
+    if let Some(exact) = chosen.of(&found.exact) {
+        let near = chosen.near_enough(exact);
+        let marks = Marks::Area {
+            points: vec![[0.0, exact + near], [last, exact + near]],
+            base: vec![exact - near; 2],
+            is_coloured: false,
+        };
+        series.push(Series::new("near enough", inks.residual, marks));
+        let level = vec![[0.0, exact], [last, exact]];
+        series.push(Series::line("measured", inks.measured, level).dashed(Dash::Dashed));
+    }
+    series.push(Series::line("model", inks.spikes, points.clone()));
+    series.push(Series::points("", inks.spikes, Shape::Dot, points));
+    Chart {
+        title: format!("{} against the order", chosen.title()),
+        x_label: "Order N".to_owned(),
+        y_label: chosen.title().to_owned(),
+        x_range: [0.0, last],
+        series,
+        theme,
+        ..Chart::default()
+    }
+}

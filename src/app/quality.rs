@@ -1,0 +1,238 @@
+//! What the place "Quality" shows of a state: figures measured and by the model, and sentences.
+
+use std::sync::Arc;
+
+use super::{
+    document::{Document, Subject},
+    quality_report::{ModelsByOrder, Row, Sheet, rows},
+    state::{App, derived_of},
+    tables::Tables,
+};
+use crate::{
+    app::Derived,
+    color::quality::{Figures, Light, NoFigure, diagram::quadrangle_of},
+    study::{
+        Progress,
+        quality::{Chosen, OrderFigures, figures_against_order},
+    },
+};
+
+/// Everything that the place shows beside the curves against the order.
+#[derive(Clone, Debug)]
+pub struct QualityShown {
+    /// The result in a sentence.
+    pub sentence: String,
+    /// Where it is among whites, a sentence.
+    pub place: String,
+    /// What it does to colours, a sentence.
+    pub rendition: String,
+    /// Each figure as measured and by the model.
+    pub rows: Vec<(Row, Row)>,
+    /// The light and its model.
+    pub sheet: Sheet,
+}
+
+impl QualityShown {
+    /// Of the document's light.
+    pub fn of(app: &App) -> Self {
+        let (document, derived, _) = of_light(app);
+        let name = document.light.name().to_owned();
+        let sheet = Sheet::of(name, &document, &derived);
+        let rows = rows(&sheet.measured)
+            .into_iter()
+            .zip(rows(&sheet.model))
+            .collect();
+        Self {
+            sentence: sentence(&sheet),
+            place: place(&sheet),
+            rendition: rendition(&sheet),
+            rows,
+            sheet,
+        }
+    }
+
+    /// Chromaticities as measured and by the model.
+    pub fn places(&self) -> [Option<[f64; 2]>; 2] {
+        let xy = |figures: &Figures| figures.xy[0].clone().ok();
+        [xy(&self.sheet.measured), xy(&self.sheet.model)]
+    }
+}
+
+/// The state about its light, whatever it is about.
+fn of_light(app: &App) -> (Document, Arc<Derived>, Arc<Tables>) {
+    let document = app.document();
+    if document.is_about_light() {
+        return (
+            document.clone(),
+            app.derived().clone(),
+            app.tables().clone(),
+        );
+    }
+    let document = Document {
+        subject: Subject::Light,
+        ..document.clone()
+    };
+    let (derived, tables) = derived_of(&document);
+    (document, Arc::new(derived), Arc::new(tables))
+}
+
+/// "FL2 has no ...: why", for sentences that need a figure.
+fn without(name: &str, what: &str, why: &NoFigure) -> String {
+    format!("{name} has no {what}: {why}.")
+}
+
+fn sentence(sheet: &Sheet) -> String {
+    let (name, figures) = (&sheet.name, &sheet.measured);
+    let (fidelity, rendering) = match (&figures.fidelity, &figures.rendering) {
+        (Ok(fidelity), Ok(rendering)) => (fidelity, rendering),
+        (Err(why), _) | (_, Err(why)) => return without(name, "colour rendition", why),
+    };
+    let word = match fidelity.rf {
+        rf if rf >= 90.0 => "shows colours nearly as its reference does",
+        rf if rf >= 80.0 => "shows most colours well",
+        rf if rf >= 60.0 => "shifts colours so that one notices",
+        _ => "distorts colours",
+    };
+    let by_model = sheet.model.fidelity.as_ref().map_or_else(
+        |_| String::new(),
+        |model| {
+            let numbers = sheet.composite.numbers();
+            let off = model.rf - fidelity.rf;
+            format!(" Its model of {numbers} numbers has Rf {off:+.1}.")
+        },
+    );
+    format!(
+        "{name} {word}: Rf {:.0}, Ra {:.0}, R9 {:.0}.{by_model}",
+        fidelity.rf, rendering.ra, rendering.samples[8].index
+    )
+}
+
+fn place(sheet: &Sheet) -> String {
+    let (name, figures) = (&sheet.name, &sheet.measured);
+    let cct = match &figures.cct {
+        Ok(cct) => cct,
+        Err(why) => return without(name, "colour temperature", why),
+    };
+    let white = figures.xy[0].clone().ok().and_then(quadrangle_of);
+    let white = white.map_or_else(
+        || "outside the whites that lamps are sold by".to_owned(),
+        |white| format!("sold as {:.0} K", white.nominal_k),
+    );
+    let side = match cct.duv {
+        duv if duv > 0.001 => "greenish",
+        duv if duv < -0.001 => "pinkish",
+        _ => "neither greenish nor pinkish",
+    };
+    let (kelvin, duv) = (cct.kelvin, cct.duv);
+    format!("{name}: {kelvin:.0} K and {side} (Duv {duv:+.4}), {white}.")
+}
+
+fn rendition(sheet: &Sheet) -> String {
+    let name = &sheet.name;
+    let fidelity = match &sheet.measured.fidelity {
+        Ok(fidelity) => fidelity,
+        Err(why) => return without(name, "colour rendition", why),
+    };
+    let bins = fidelity.bins.iter().enumerate();
+    let worst = bins
+        .filter_map(|(i, bin)| Some((i, bin.as_ref()?)))
+        .min_by(|a, b| a.1.rf.total_cmp(&b.1.rf));
+    let worst = worst.map_or_else(String::new, |(i, bin)| {
+        let how = match bin.rcs {
+            c if c > 0.03 => "too vivid",
+            c if c < -0.03 => "too dull",
+            _ => "turned in hue",
+        };
+        format!(
+            " Worst are colours of hue {}: {how}, Rf {:.0}.",
+            i + 1,
+            bin.rf
+        )
+    });
+    format!(
+        "{name}: Rf {:.0}, Rg {:.0}.{worst}",
+        fidelity.rf, fidelity.rg
+    )
+}
+
+/// Highest order of the curves.
+const HIGHEST: usize = 40;
+
+/// What the figures against the order are of.
+#[derive(Clone, Debug)]
+pub struct ByOrder {
+    light: Light,
+    models: ModelsByOrder,
+}
+
+impl ByOrder {
+    /// Of a state's light; the order in force does not matter.
+    pub fn of(app: &App) -> Self {
+        let (document, derived, tables) = of_light(app);
+        let (light, _) = super::quality_report::light_of(&document.light.spectrum);
+        Self {
+            light: light.within(derived.band),
+            models: ModelsByOrder::new(&derived, tables, document.settings.colour_exact),
+        }
+    }
+
+    /// The answer; `None` when it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<OrderFigures> {
+        let highest = self.models.highest_order().min(HIGHEST);
+        figures_against_order(&self.light, highest, |n| self.models.model(n), progress)
+    }
+}
+
+/// From which order on the figures are there, a sentence.
+pub fn settled_words(found: &OrderFigures) -> String {
+    let highest = found.points.last().map_or(0, |point| point.order);
+    let said = Chosen::ALL.map(|chosen| {
+        let title = chosen.title();
+        match (chosen.of(&found.exact), found.settled_from(chosen)) {
+            (None, _) => format!("{title} has no value"),
+            (_, Some(order)) => format!("{title} from order {order} on"),
+            (_, None) => format!("{title} at no order up to {highest}"),
+        }
+    });
+    format!("As good as measured: {}.", said.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::Command;
+
+    #[test]
+    fn the_sentence_has_the_figures_of_the_sheet() {
+        let app = App::new();
+        let shown = QualityShown::of(&app);
+        let fidelity = shown.sheet.measured.fidelity.as_ref().expect("a white");
+        assert!(shown.sentence.contains(&format!("Rf {:.0}", fidelity.rf)));
+        assert!(shown.place.contains(" K and "), "{}", shown.place);
+        assert!(shown.rendition.contains("Worst are"));
+        let titles: Vec<_> = shown.rows.iter().map(|(a, b)| (a.key, b.key)).collect();
+        assert!(titles.iter().all(|(a, b)| a == b));
+    }
+
+    #[test]
+    fn a_light_without_a_white_says_why() {
+        let mut app = App::new();
+        app.apply(Command::OpenPreset("paper/Mercury".to_owned()));
+        let shown = QualityShown::of(&app);
+        for words in [&shown.sentence, &shown.place, &shown.rendition] {
+            assert!(words.ends_with('.') && !words.contains("NaN"), "{words}");
+        }
+    }
+
+    #[test]
+    fn figures_against_order_are_those_of_the_models() {
+        let app = App::new();
+        let ask = ByOrder::of(&app);
+        let found = ask.answer(&Progress::default()).expect("not cancelled");
+        assert_eq!(found.points.len(), HIGHEST + 1);
+        let words = settled_words(&found);
+        for chosen in Chosen::ALL {
+            assert!(words.contains(chosen.title()), "{words}");
+        }
+    }
+}
