@@ -28,7 +28,7 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
             .striped(true)
             .spacing([8.0 * theme.scale, 2.0])
             .show(ui, |ui| {
-                ui.weak("place");
+                ui.weak("place, nm");
                 ui.weak("weight").on_hover_text(format!(
                     "Radiant power of the line, in {} x nm.",
                     if unit.is_empty() {
@@ -37,9 +37,9 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                         &unit
                     }
                 ));
-                ui.weak("share")
+                ui.weak("share, %")
                     .on_hover_text("Of the total power in the range, percent.");
-                ui.weak("width")
+                ui.weak("width, nm")
                     .on_hover_text("Full width at half maximum of the line it stands for, nm.");
                 ui.weak("line")
                     .on_hover_text("Named only where it is safe; otherwise the nearest line.");
@@ -51,8 +51,7 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                         DragValue::new(&mut at_nm)
                             .speed(0.1)
                             .range(band.min_nm()..=band.max_nm())
-                            .fixed_decimals(2)
-                            .suffix(" nm"),
+                            .fixed_decimals(2),
                     );
                     let size = weight.abs().max(f64::MIN_POSITIVE);
                     let power = ui.add(
@@ -75,12 +74,12 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                     }
                     let share = derived.parts.share(spike.spike.weight);
                     ui.monospace(
-                        share.map_or_else(|| "–".to_owned(), |s| format!("{:.2} %", 100.0 * s)),
+                        share.map_or_else(|| "–".to_owned(), |s| format!("{:.2}", 100.0 * s)),
                     );
                     ui.monospace(
                         spike
                             .width_nm
-                            .map_or_else(|| "–".to_owned(), |w| format!("{w:.1} nm")),
+                            .map_or_else(|| "–".to_owned(), |w| format!("{w:.1}")),
                     );
                     let name = app.spike_names().get(index);
                     let line = ui.label(

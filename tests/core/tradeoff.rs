@@ -200,7 +200,7 @@ fn the_front_is_what_no_cheaper_model_reaches() {
 
 #[test]
 fn a_reflectance_is_swept_under_its_light_without_patches_and_filters() {
-    let mut app = app_about("CIE D65", Settings::default());
+    let mut app = app_about("CIE D65", Settings::plain());
     let red = app.entry("cri_tcs/TCS09").expect("it is shipped");
     app.apply(Command::Show(red));
     let sweep = SweepAsk::of(app.document())

@@ -1,3 +1,5 @@
+//! Which names lights get, lamp by lamp and under any knobs.
+
 use super::*;
 use crate::{
     app::library::Library,
