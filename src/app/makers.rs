@@ -20,8 +20,6 @@ use super::{
 use crate::{
     color::{
         Observer, Xyz,
-        cct::cct_from_xyz,
-        chromaticity::{uv_1976_from_xyz, xy_from_xyz},
         quality::{Figures, NoFigure, RENDERING_SAMPLES},
         xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },

@@ -217,7 +217,7 @@ mod tests {
     #[test]
     fn a_light_without_a_white_says_why() {
         let mut app = App::new();
-        app.apply(Command::OpenPreset("paper/Mercury".to_owned()));
+        app.apply(Command::Show(app.entry("paper/Mercury").expect("shipped")));
         let shown = QualityShown::of(&app);
         for words in [&shown.sentence, &shown.place, &shown.rendition] {
             assert!(words.ends_with('.') && !words.contains("NaN"), "{words}");

@@ -100,6 +100,12 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
                 [-3.0, -9.0],
             ]);
         }
+        Place::Quality => {
+            // A lamp.
+            painter.circle_stroke(middle - vec2(0.0, 2.5), 6.5, stroke);
+            line(&[[-3.0, 6.0], [3.0, 6.0]]);
+            line(&[[-2.0, 9.0], [2.0, 9.0]]);
+        }
         Place::Numbers => {
             for at in [-3.0, 3.0] {
                 line(&[[at + 2.0, -9.0], [at - 2.0, 9.0]]);

@@ -5,6 +5,7 @@ use std::{path::PathBuf, sync::Arc};
 use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, View,
+        charts::quality::DiagramShows,
         document::FIRST_LIGHT,
         document::Height,
         pages::{FieldChoice, Page, PageMemory, WaysShown},
@@ -202,6 +203,11 @@ pub fn full_preferences() -> Preferences {
                     twice: true,
                 },
                 absorption: AbsorptionMemory { example: 1 },
+            },
+            diagram: DiagramShows {
+                gamuts: true,
+                near: true,
+                ..DiagramShows::default()
             },
             image: ImageMemory {
                 key: Some("image/3".to_owned()),

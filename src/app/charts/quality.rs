@@ -1,6 +1,8 @@
 //! The figures of a light as charts: its place among colours, what it does to colours, and what a
 //! few numbers do to both.
 
+use serde::{Deserialize, Serialize};
+
 use crate::{
     app::chart::{Chart, Dash, Inks, Marks, Palette, Rgb, Series, Shape, Theme},
     color::{
@@ -18,7 +20,7 @@ use crate::{
 };
 
 /// What the diagram shows beside the light.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct DiagramShows {
     /// CIE 1976 u'v', else CIE 1931 xy.
