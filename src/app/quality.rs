@@ -4,13 +4,15 @@ use std::sync::Arc;
 
 use super::{
     document::{Document, Subject},
-    quality_report::{ModelsByOrder, Row, Sheet, rows},
+    entry::Entry,
+    quality_report::{ModelsByOrder, Row, Sheet, light_of, rows},
     state::{App, derived_of},
     tables::Tables,
 };
 use crate::{
     app::Derived,
     color::quality::{Figures, Light, NoFigure, diagram::quadrangle_of},
+    spectrum::Kind,
     study::{
         Progress,
         quality::{Chosen, OrderFigures, figures_against_order},
@@ -26,8 +28,10 @@ pub struct QualityShown {
     pub place: String,
     /// What it does to colours, a sentence.
     pub rendition: String,
-    /// Each figure as measured and by the model.
-    pub rows: Vec<(Row, Row)>,
+    /// Each figure as measured, then by the model, then of every light laid over it.
+    pub rows: Vec<Vec<Row>>,
+    /// Those lights.
+    pub others: Vec<String>,
     /// The light and its model.
     pub sheet: Sheet,
 }
@@ -38,15 +42,40 @@ impl QualityShown {
         let (document, derived, _) = of_light(app);
         let name = document.light.name().to_owned();
         let sheet = Sheet::of(name, &document, &derived);
-        let rows = rows(&sheet.measured)
-            .into_iter()
-            .zip(rows(&sheet.model))
+        let beside: Vec<&Arc<Entry>> = document
+            .overlays
+            .iter()
+            .filter(|entry| entry.kind() == Kind::Light)
+            .take(MOST_BESIDE)
             .collect();
+        let columns = [rows(&sheet.measured), rows(&sheet.model)].into_iter();
+        let columns: Vec<Vec<Row>> = columns
+            .chain(beside.iter().map(|entry| {
+                let (light, measured) = light_of(&entry.spectrum);
+                rows(&Figures::of(&light, measured))
+            }))
+            .collect();
+        let rows = columns[0]
+            .iter()
+            .map(|first| {
+                let same = |column: &Vec<Row>| {
+                    let row = column.iter().find(|row| row.key == first.key);
+                    row.cloned().unwrap_or_else(|| Row {
+                        value: Err("counted in another unit".to_owned()),
+                        reading: String::new(),
+                        ..first.clone()
+                    })
+                };
+                columns.iter().map(same).collect()
+            })
+            .collect();
+        let others = beside.iter().map(|entry| entry.name().to_owned()).collect();
         Self {
             sentence: sentence(&sheet),
             place: place(&sheet),
             rendition: rendition(&sheet),
             rows,
+            others,
             sheet,
         }
     }
@@ -98,7 +127,12 @@ fn sentence(sheet: &Sheet) -> String {
         |model| {
             let numbers = sheet.composite.numbers();
             let off = model.rf - fidelity.rf;
-            format!(" Its model of {numbers} numbers has Rf {off:+.1}.")
+            let how = match off {
+                off if off.abs() < 0.05 => "the same Rf".to_owned(),
+                off if off < 0.0 => format!("an Rf {:.1} lower", -off),
+                off => format!("an Rf {off:.1} higher"),
+            };
+            format!(" Its model of {numbers} numbers has {how}.")
         },
     );
     format!(
@@ -155,6 +189,9 @@ fn rendition(sheet: &Sheet) -> String {
     )
 }
 
+/// How many lights laid over it have columns beside it.
+const MOST_BESIDE: usize = 4;
+
 /// Highest order of the curves.
 const HIGHEST: usize = 40;
 
@@ -169,7 +206,7 @@ impl ByOrder {
     /// Of a state's light; the order in force does not matter.
     pub fn of(app: &App) -> Self {
         let (document, derived, tables) = of_light(app);
-        let (light, _) = super::quality_report::light_of(&document.light.spectrum);
+        let (light, _) = light_of(&document.light.spectrum);
         Self {
             light: light.within(derived.band),
             models: ModelsByOrder::new(&derived, tables, document.settings.colour_exact),
@@ -210,8 +247,22 @@ mod tests {
         assert!(shown.sentence.contains(&format!("Rf {:.0}", fidelity.rf)));
         assert!(shown.place.contains(" K and "), "{}", shown.place);
         assert!(shown.rendition.contains("Worst are"));
-        let titles: Vec<_> = shown.rows.iter().map(|(a, b)| (a.key, b.key)).collect();
-        assert!(titles.iter().all(|(a, b)| a == b));
+        assert!(shown.rows.iter().all(|row| row.len() == 2));
+    }
+
+    #[test]
+    fn lights_laid_over_it_stand_beside_it_and_surfaces_do_not() {
+        let mut app = App::new();
+        for key in ["cie_fluorescent_1nm/FL11", "colorchecker_ohta/red"] {
+            let entry = app.entry(key).expect("shipped");
+            app.apply(Command::ToggleOverlay(entry));
+        }
+        let shown = QualityShown::of(&app);
+        assert_eq!(shown.others, ["FL11"]);
+        let rf = shown.rows.iter().find(|row| row[0].key == "rf");
+        let rf = rf.expect("every light has the row");
+        assert_eq!(rf.len(), 3);
+        assert!(rf[2].value.is_ok() && rf[2].value != rf[0].value);
     }
 
     #[test]

@@ -87,7 +87,7 @@ fn sheets(
     let Some(first) = lights.first() else {
         return Vec::new();
     };
-    let settings = model.over(Settings::default());
+    let settings = model.over(Settings::plain());
     let modeller = Modeller::new(first.of.light().clone(), settings);
     let make = |asked: &AskedLight| {
         let [alone, among_others] = asked.names.clone();

@@ -75,7 +75,7 @@ impl<'a> Heading<'a> {
 }
 
 /// Bytes that all copies of a text of the header may take together.
-const MOST_SHARED: usize = 4 << 20;
+const MOST_SHARED: usize = 3 << 20;
 
 /// Bytes of such a text that are kept in any case.
 const LEAST_SHARED: usize = 60;

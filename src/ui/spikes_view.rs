@@ -28,7 +28,7 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
             .striped(true)
             .spacing([8.0 * theme.scale, 2.0])
             .show(ui, |ui| {
-                ui.weak("place, nm");
+                ui.weak("nm");
                 ui.weak("weight").on_hover_text(format!(
                     "Radiant power of the line, in {} x nm.",
                     if unit.is_empty() {
@@ -37,9 +37,9 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                         &unit
                     }
                 ));
-                ui.weak("share, %")
+                ui.weak("%")
                     .on_hover_text("Of the total power in the range, percent.");
-                ui.weak("width, nm")
+                ui.weak("wide")
                     .on_hover_text("Full width at half maximum of the line it stands for, nm.");
                 ui.weak("line")
                     .on_hover_text("Named only where it is safe; otherwise the nearest line.");

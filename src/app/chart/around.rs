@@ -53,7 +53,7 @@ impl Drawing<'_> {
                 out.push(form(middle, radius, *shape, colour));
             }
             // The colour bar tells what its colours mean.
-            Marks::Cells { .. } | Marks::Fields { .. } => {}
+            Marks::Cells { .. } | Marks::Fields { .. } | Marks::Words { .. } => {}
         }
         let at = [field.left + (SAMPLE + GAP) * looks.scale, y];
         let room = self.size[0] - 2.0 * self.legend[0].left;

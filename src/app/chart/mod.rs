@@ -205,6 +205,11 @@ pub enum Marks {
         /// The boxes and their values.
         cells: Cells,
     },
+    /// Words at places, without marks: what lines nearby are.
+    Words {
+        /// Where the middle of each stands, and what it says.
+        words: Vec<([f64; 2], String)>,
+    },
     /// Boxes with colours of their own, as a ground for other series; no data.
     Fields {
         /// First and last x, first and last y, and colour of each box.
@@ -213,7 +218,7 @@ pub enum Marks {
 }
 
 impl Marks {
-    /// The points of any kind of marks; a heat map and a ground have none.
+    /// The points of any kind of marks; heat maps, words and a ground have none.
     pub fn points(&self) -> &[[f64; 2]] {
         match self {
             Self::Line { points, .. }
@@ -221,8 +226,16 @@ impl Marks {
             | Self::Area { points, .. }
             | Self::Bars { points, .. }
             | Self::Points { points, .. } => points,
-            Self::Cells { .. } | Self::Fields { .. } => &[],
+            Self::Cells { .. } | Self::Fields { .. } | Self::Words { .. } => &[],
         }
+    }
+
+    /// Whether it has no points that a table could hold.
+    pub(super) fn is_no_series(&self) -> bool {
+        matches!(
+            self,
+            Self::Cells { .. } | Self::Fields { .. } | Self::Words { .. }
+        )
     }
 
     /// The heat map, if it is one.
@@ -244,7 +257,7 @@ impl Marks {
             }
             Self::Bars { .. } => tops.chain([0.0]).collect(),
             Self::Cells { cells } => cells.y_edges.clone(),
-            Self::Fields { .. } => Vec::new(),
+            Self::Fields { .. } | Self::Words { .. } => Vec::new(),
         }
     }
 }

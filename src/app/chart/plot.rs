@@ -138,6 +138,19 @@ impl<'a> Pen<'a> {
                 places.map(|at| form(at, radius, *shape, colour)).collect()
             }
             Marks::Cells { cells } => self.cells(cells),
+            Marks::Words { words } => {
+                let inside = |(at, words): &([f64; 2], String)| {
+                    Some(Primitive::Text(Text {
+                        at: self.inside(*at)?,
+                        anchor: Anchor::Middle,
+                        size: self.looks.small(),
+                        colour,
+                        words: words.clone(),
+                        ..Text::default()
+                    }))
+                };
+                words.iter().filter_map(inside).collect()
+            }
             Marks::Fields { fields } => {
                 let inside = |([[left, right], [low, high]], colour): &([[f64; 2]; 2], [u8; 3])| {
                     let foot = self.plot.place([*left, *low])?;

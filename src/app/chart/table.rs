@@ -53,7 +53,7 @@ impl Chart {
     fn columns(&self) -> Vec<Column> {
         let mut columns = Vec::new();
         for (i, series) in self.all_series().enumerate() {
-            if matches!(series.marks, Marks::Cells { .. } | Marks::Fields { .. }) {
+            if series.marks.is_no_series() {
                 continue;
             }
             let name = name_of(series, i);

@@ -57,29 +57,35 @@ impl DiagramShows {
     }
 }
 
-/// Boxes of colour along an axis of the diagram.
-const BOXES: usize = 110;
+/// Boxes of colour along the axes of the diagram.
+const BOXES: [usize; 2] = [90, 220];
 
 /// How far the neighbourhood of a light reaches to either side.
 const NEAR: f64 = 0.03;
 
-/// The brightest colour of a chromaticity that a screen shows, the rest cut.
+/// A colour of a chromaticity: what a screen cannot show is whitened until it can.
 fn shown(xy: [f64; 2]) -> Option<Rgb> {
     let [x, y] = xy;
     if y <= 0.0 {
         return None;
     }
-    let linear = linear_from_xyz(Xyz::new(x / y, 1.0, (1.0 - x - y) / y)).map(|v| v.max(0.0));
+    let linear = linear_from_xyz(Xyz::new(x / y, 1.0, (1.0 - x - y) / y));
+    let least = linear.into_iter().fold(0.0, f64::min);
+    let linear = linear.map(|v| v - least);
     let most = linear.into_iter().fold(0.0, f64::max);
     (most > 0.0).then(|| Srgb::from_linear(linear.map(|v| v / most)).0)
 }
 
-fn is_inside(locus: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let next = locus.iter().cycle().skip(1);
-    let crossings = locus.iter().zip(next).filter(|([ax, ay], [bx, by])| {
-        (ay > &y) != (by > &y) && x < (bx - ax) * (y - ay) / (by - ay) + ax
-    });
-    crossings.count() % 2 == 1
+/// Where a level line enters and leaves a closed line, from left to right.
+fn crossings(closed: &[[f64; 2]], y: f64) -> Vec<f64> {
+    let next = closed.iter().cycle().skip(1);
+    let sides = closed.iter().zip(next);
+    let mut found: Vec<f64> = sides
+        .filter(|([_, ay], [_, by])| (*ay > y) != (*by > y))
+        .map(|([ax, ay], [bx, by])| (bx - ax) * (y - ay) / (by - ay) + ax)
+        .collect();
+    found.sort_by(f64::total_cmp);
+    found
 }
 
 /// The chromaticity diagram with a light as measured and by its model, both xy.
@@ -144,26 +150,27 @@ pub fn diagram(
     }
     let black = [15; 3];
     let blackbodies = planckian_locus(plane);
-    series.push(line("blackbodies", black, blackbodies, 1.8, Dash::Solid));
-    series.push(line(
-        "daylight",
-        [60; 3],
-        daylight_locus(plane),
-        1.2,
-        Dash::Dotted,
-    ));
+    series.push(line("", black, blackbodies, 1.8, Dash::Solid));
+    series.push(line("", [60; 3], daylight_locus(plane), 1.2, Dash::Dotted));
+    // Far from the light only some temperatures have room for their words.
+    let told: &[f64] = match shows.near {
+        true => &TICKS_K,
+        false => &[2000.0, 3000.0, 4000.0, 6500.0, 10_000.0],
+    };
+    let mut words = Vec::new();
     for mark in TICKS_K
         .into_iter()
         .filter_map(|kelvin| tick(kelvin, 0.01, plane))
     {
-        series.push(line(
-            "",
-            black,
-            vec![mark.below, mark.above],
-            1.0,
-            Dash::Solid,
-        ));
+        let [low, high] = [mark.below, mark.above];
+        series.push(line("", black, vec![low, high], 1.0, Dash::Solid));
+        if told.contains(&mark.kelvin) {
+            // A little beyond the tick's end.
+            let beyond = [0, 1].map(|k| low[k] + 0.5 * (low[k] - high[k]));
+            words.push((beyond, format!("{:.0} K", mark.kelvin)));
+        }
     }
+    series.push(Series::new("", black, Marks::Words { words }));
     let point = |name: &str, colour: Rgb, shape: Shape, radius: f64, xy: [f64; 2]| {
         let marks = Marks::Points {
             points: vec![plane.of_xy(xy)],
@@ -173,8 +180,8 @@ pub fn diagram(
         Series::new(name, colour, marks)
     };
     if let Some(xy) = measured {
-        series.push(point("", [255; 3], Shape::Dot, 6.5, xy));
-        series.push(point("measured", black, Shape::Dot, 5.0, xy));
+        series.push(point("", black, Shape::Dot, 6.0, xy));
+        series.push(point("measured", inks.measured, Shape::Dot, 4.5, xy));
     }
     if let Some(xy) = model {
         series.push(point("model", inks.spikes, Shape::Ring, 7.0, xy));
@@ -198,19 +205,23 @@ pub fn diagram(
 
 /// The colours inside the locus, as far as a screen shows them.
 fn colours(locus: &[[f64; 2]], plane: Plane, [x_range, y_range]: [[f64; 2]; 2]) -> Series {
-    let step = |[low, high]: [f64; 2]| (high - low) / BOXES as f64;
-    let (dx, dy) = (step(x_range), step(y_range));
+    let step = |[low, high]: [f64; 2], boxes: usize| (high - low) / boxes as f64;
+    let (dx, dy) = (step(x_range, BOXES[0]), step(y_range, BOXES[1]));
     let mut fields = Vec::new();
-    for row in 0..BOXES {
-        let y = y_range[0] + dy * row as f64;
-        for column in 0..BOXES {
-            let x = x_range[0] + dx * column as f64;
-            let middle = [x + dx / 2.0, y + dy / 2.0];
-            if !is_inside(locus, middle) {
-                continue;
-            }
-            if let Some(colour) = shown(plane.to_xy(middle)) {
-                fields.push(([[x, x + dx], [y, y + dy]], colour));
+    for row in 0..BOXES[1] {
+        let low = y_range[0] + dy * row as f64;
+        let y = low + dy / 2.0;
+        for inside in crossings(locus, y).chunks_exact(2) {
+            for column in 0..BOXES[0] {
+                let left = x_range[0] + dx * column as f64;
+                let right = (left + dx).min(inside[1]);
+                let left = left.max(inside[0]);
+                if left >= right {
+                    continue;
+                }
+                if let Some(colour) = shown(plane.to_xy([(left + right) / 2.0, y])) {
+                    fields.push(([[left, right], [low, low + dy]], colour));
+                }
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The place "Quality": whether it is a good light, measured beside model.
 
 use eframe::egui;
-use egui::{RichText, Ui, vec2};
+use egui::{Align, Layout, RichText, Ui, vec2};
 
 use super::{PageContext, progress};
 use crate::{
@@ -42,17 +42,25 @@ impl QualityView {
         let shown = self.shown(context.app);
         headline(ui, &shown.sentence, context);
         ui.add_space(6.0);
-        let columns = [
+        let mut columns = vec![
             Column::words(
                 "figure",
                 "Point at a row for the standard that it follows.",
-                1.7,
+                2.2,
             ),
             Column::numbers("measured", "Of the whole table as it was measured.", 1.2),
             Column::numbers("model", "Of the smooth part and the lines together.", 1.2),
-            Column::words("what it says", "", 4.0),
         ];
-        let rows: Vec<TableRow> = shown.rows.iter().map(figure_row).collect();
+        let beside = "A light laid over this one (+ Compare), as it was measured.";
+        let others = shown.others.iter();
+        columns.extend(others.map(|name| Column::numbers(name, beside, 1.2)));
+        let reading = 4.0 - 0.6 * shown.others.len() as f32;
+        columns.push(Column::words(
+            "what it says",
+            "Of the light as measured.",
+            reading,
+        ));
+        let rows: Vec<TableRow> = shown.rows.iter().map(|row| figure_row(row)).collect();
         let table = Table {
             enabled: false,
             ..Table::new(&columns, context.theme)
@@ -133,7 +141,7 @@ impl QualityView {
             }
             charts
         });
-        four(ui, context, charts, "rendition");
+        four(ui, context, charts, "rendition", Some(0));
     }
 
     /// What a few numbers do to the figures.
@@ -150,44 +158,58 @@ impl QualityView {
         };
         headline(ui, &settled_words(&found), context);
         let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen, theme));
-        four(ui, context, &charts, "quality against order");
+        four(ui, context, &charts, "quality against order", None);
     }
 }
 
-/// Up to four charts, two beside each other.
-fn four(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str) {
+/// Up to four charts, two beside each other; in one of them equal steps are equal lengths.
+fn four(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    charts: &[Chart],
+    id: &str,
+    square: Option<usize>,
+) {
     let room = ui.available_size();
     let gap = ui.spacing().item_spacing;
-    let size = vec2((room.x - gap.x) / 2.0, (room.y - gap.y) / 2.0);
+    let field = vec2((room.x - gap.x) / 2.0, (room.y - gap.y) / 2.0);
     for (row, pair) in charts.chunks(2).enumerate() {
         ui.horizontal_top(|ui| {
             for (column, chart) in pair.iter().enumerate() {
-                ui.allocate_ui(size, |ui| {
+                ui.allocate_ui_with_layout(field, Layout::top_down(Align::Min), |ui| {
+                    let mut size = field;
+                    if square == Some(2 * row + column) {
+                        // What stands above and below a panel is about what stands at its sides.
+                        size.x = size.x.min(0.95 * size.y);
+                    }
                     context.chart(ui, chart, (id, row, column), size);
+                    ui.set_min_size(field);
                 });
             }
         });
     }
 }
 
-/// A row of the table of figures.
-fn figure_row((measured, model): &(Row, Row)) -> TableRow {
+/// A row of the table of figures: of the light as measured, by its model, of other lights.
+fn figure_row(of: &[Row]) -> TableRow {
+    let first = &of[0];
     let why = |row: &Row| row.value.clone().err().unwrap_or_default();
+    let reading = match &first.value {
+        Ok(_) => first.reading.clone(),
+        Err(why) => why.clone(),
+    };
+    let title = std::iter::once(first.title.to_owned());
     TableRow {
-        name: format!(
-            "{}: {}, model {}",
-            measured.title,
-            measured.shown(),
-            model.shown()
-        ),
-        cells: vec![
-            measured.title.to_owned(),
-            measured.shown(),
-            model.shown(),
-            measured.reading.clone(),
-        ],
-        note: measured.method.to_owned(),
-        tips: vec![String::new(), why(measured), why(model)],
+        name: format!("{}: {}", first.title, first.shown()),
+        cells: title
+            .chain(of.iter().map(Row::shown))
+            .chain([reading.clone()])
+            .collect(),
+        note: first.method.to_owned(),
+        tips: std::iter::once(String::new())
+            .chain(of.iter().map(why))
+            .chain([reading])
+            .collect(),
         ..TableRow::default()
     }
 }
