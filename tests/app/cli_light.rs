@@ -362,10 +362,9 @@ fn a_light_without_figures_answers_in_words() {
 fn a_project_is_its_light_under_its_own_settings() {
     let folder = folder();
     let mut app = App::new();
-    let settings = app.document().settings;
     app.apply(Command::Edit(Settings {
         order: 11,
-        ..settings
+        ..Settings::plain()
     }));
     let name = app.document().light.name().to_owned();
     let text = workspace::to_json(app.document(), None).expect("JSON");

@@ -148,7 +148,7 @@ const fn row(
 }
 
 /// The pages, place by place.
-const ROWS: [Row; 19] = [
+const ROWS: &[Row] = &[
     row(
         Page::Glossary,
         (Place::Learn, Page::Glossary),

@@ -171,7 +171,7 @@ pub struct Studies {
 }
 
 impl Studies {
-    fn all(&mut self) -> [&mut dyn Work; 11] {
+    fn all(&mut self) -> Vec<&mut dyn Work> {
         let Self {
             sweep,
             auction,
@@ -185,7 +185,7 @@ impl Studies {
             region,
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
-        [
+        vec![
             sweep, auction, spend, race, pairs, ranking, timing, bounces, quality, raster, region,
         ]
     }
