@@ -335,9 +335,9 @@ impl App {
             self.freeze(&key);
         }
     }
+
     /// An image of the last time was read again: it stands where it stood, in every step of the
     /// history too. That it was away for a moment is nothing to undo.
-
     pub(super) fn image_is_back(&mut self, image: &Arc<ImageEntry>) {
         let number = |key: &str| key.rsplit('/').next().and_then(|n| n.parse::<u64>().ok());
         let documents = std::iter::once(&mut self.document).chain(self.history.all_mut());
