@@ -8,6 +8,7 @@ use super::{
     charts::{order::curve_chart, spectrum::spectrum_chart},
     derived::{OF_CURVE, PatchPair},
     settings::Detector,
+    sheet,
     state::App,
     workspace,
 };
@@ -48,13 +49,15 @@ pub enum Export {
     PlotSvg,
     /// The error against the order as SVG.
     CurveSvg,
+    /// One page about the light as SVG.
+    SheetSvg,
     /// Everything, to open again.
     Project,
 }
 
 impl Export {
     /// Everything that the menu offers to save as text, in its order.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::CompositeJson,
         Self::CompositeLine,
         Self::Csv,
@@ -67,6 +70,7 @@ impl Export {
         Self::CurveCsv,
         Self::PlotSvg,
         Self::CurveSvg,
+        Self::SheetSvg,
         Self::Project,
     ];
 
@@ -85,6 +89,7 @@ impl Export {
             Self::CurveCsv => "Error against order (CSV)",
             Self::PlotSvg => "Plot (SVG)",
             Self::CurveSvg => "Error against order (SVG)",
+            Self::SheetSvg => "Sheet about the light (SVG)",
             Self::Project => "Project",
         }
     }
@@ -98,7 +103,7 @@ impl Export {
             Self::Spd => "spd",
             Self::Spdx => "spdx",
             Self::ArgyllSp => "sp",
-            Self::PlotSvg | Self::CurveSvg => "svg",
+            Self::PlotSvg | Self::CurveSvg | Self::SheetSvg => "svg",
         }
     }
 
@@ -112,6 +117,7 @@ impl Export {
             Self::PatchesCsv => "-patches",
             Self::SpikesCsv => "-spikes",
             Self::CurveCsv | Self::CurveSvg => "-error-against-order",
+            Self::SheetSvg => "-sheet",
             Self::Project => "-project",
         };
         format!("{}{part}.{}", file_stem(app), self.extension())
@@ -154,6 +160,7 @@ impl Export {
             Self::CurveCsv => Ok(curve_csv(app)),
             Self::PlotSvg => Ok(spectrum_chart(app, theme).to_svg(1000, 640)),
             Self::CurveSvg => Ok(curve_chart(app, theme).to_svg(1000, 560)),
+            Self::SheetSvg => Ok(sheet::to_svg(app)),
             Self::Project => workspace::to_json(document, None),
         }
     }

@@ -42,6 +42,7 @@ pub mod report;
 pub mod scale;
 pub mod search;
 pub mod settings;
+pub mod sheet;
 pub mod spectral_unit;
 pub mod spike_hand;
 pub mod spike_names;

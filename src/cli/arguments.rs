@@ -314,9 +314,13 @@ pub struct Plot {
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
-    /// The picture to write, .svg or .png; it may replace a picture.
-    #[arg(long, value_name = "FILE", value_parser = words::picture_path())]
+    /// The picture to write, .svg or .png, with --sheet .svg or .pdf; it may replace a picture.
+    #[arg(long, value_name = "FILE", value_parser = words::plot_path())]
     pub out: PathBuf,
+    /// One page about the light in place of its plot: what it is, how good it is, its colours, the
+    /// numbers of its model. A4; --size and --theme are not used.
+    #[arg(long)]
+    pub sheet: bool,
     /// Let it replace any other file too, but for what is read.
     #[arg(long)]
     pub force: bool,

@@ -13,7 +13,7 @@ use super::{
     words,
 };
 use crate::{
-    app::charts::spectrum::spectrum_chart,
+    app::{charts::spectrum::spectrum_chart, sheet},
     io::{atomic::save_atomically, error::shown},
 };
 
@@ -32,12 +32,22 @@ pub fn run(
         pick,
         model,
         out: path,
+        sheet,
         force,
         size,
         theme,
     } = options;
-    let painter = match words::extension(path).as_str() {
-        "svg" => None,
+    let (extension, is_page) = (words::extension(path), *sheet);
+    let painter = match (extension.as_str(), is_page) {
+        ("svg", _) | ("pdf", true) => None,
+        (other, _) if is_page || other == "pdf" => {
+            let expected = ["--out with .svg or .png", "--sheet with .svg or .pdf"];
+            return Err(Refusal::Usage(format!(
+                "--out {}: found .{other}, expected {}",
+                shown(path),
+                expected[usize::from(is_page)]
+            )));
+        }
         _ => Some(painter(pictures, "a plot as PNG")?),
     };
     let target = Target {
@@ -52,6 +62,21 @@ pub fn run(
     let app = subject::app(input, pick, *model, inputs)?;
     inputs.note_sampling(*model, false);
     let [width, height] = *size;
+    if is_page {
+        if !app.document().is_about_light() {
+            return Err(Refusal::File(format!(
+                "{}: found {} values, expected a light for --sheet",
+                app.document().subject_entry().name(),
+                app.document().subject_entry().kind()
+            )));
+        }
+        let page = match extension.as_str() {
+            "pdf" => sheet::to_pdf(&app).map_err(Refusal::File)?,
+            _ => sheet::to_svg(&app).into_bytes(),
+        };
+        save_atomically(target.path()?, &page).map_err(|why| Refusal::File(why.to_string()))?;
+        return print(out, &format!("Wrote {}, one page.\n", shown(path)));
+    }
     let picture = match painter {
         Some(painter) => painter.plot(&app, *theme, *size),
         None => {

@@ -124,7 +124,9 @@ fn is_picture(path: &Path) -> bool {
     let mut head = Vec::new();
     let read = fs::File::open(path).and_then(|file| file.take(HEAD_BYTES).read_to_end(&mut head));
     read.is_ok()
-        && (head.starts_with(b"\x89PNG\r\n\x1a\n") || is_svg(&String::from_utf8_lossy(&head)))
+        && (head.starts_with(b"\x89PNG\r\n\x1a\n")
+            || head.starts_with(b"%PDF-")
+            || is_svg(&String::from_utf8_lossy(&head)))
 }
 
 /// Whether a text begins as SVG does: its first element, behind declarations and comments, is one.

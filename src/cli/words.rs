@@ -265,9 +265,9 @@ pub fn png_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["png"]))
 }
 
-/// `--out` of a plot.
-pub fn picture_path() -> impl TypedValueParser<Value = PathBuf> {
-    OsStringValueParser::new().try_map(|path| with_extension(path, &["svg", "png"]))
+/// A path of a picture or of a page about a light.
+pub fn plot_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["svg", "png", "pdf"]))
 }
 
 /// A path that ends in one of some ways.

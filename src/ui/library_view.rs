@@ -82,6 +82,8 @@ struct Art {
 
 /// Points of a row's small curve.
 const CURVE_POINTS: usize = 36;
+/// Places between two of them at which it is looked for lines.
+const STEPS_BETWEEN: usize = 10;
 
 /// One line of the list.
 enum Row {
@@ -572,14 +574,17 @@ impl Art {
     fn of(entry: &Entry) -> Self {
         let samples = &entry.spectrum.samples;
         let outside = entry.kind().outside();
-        let values: Vec<f64> = (0..CURVE_POINTS)
-            .map(|i| {
-                samples.at(
-                    380.0 + 400.0 * i as f64 / (CURVE_POINTS - 1) as f64,
-                    outside,
-                )
-            })
-            .collect();
+        // The highest of what stands between two points, so that no line falls through.
+        let step = 400.0 / (CURVE_POINTS - 1) as f64;
+        let highest_near = |i: usize| {
+            let nm = (0..=STEPS_BETWEEN).map(|k| {
+                let part = k as f64 / STEPS_BETWEEN as f64 - 0.5;
+                380.0 + step * (i as f64 + part)
+            });
+            nm.map(|nm| samples.at(nm, outside))
+                .fold(f64::NEG_INFINITY, f64::max)
+        };
+        let values: Vec<f64> = (0..CURVE_POINTS).map(highest_near).collect();
         let top = values.iter().copied().fold(0.0, f64::max);
         let swatch = match entry.kind() {
             Kind::Light => {

@@ -42,7 +42,7 @@ pub mod names {
     /// The spikes switch.
     pub const SPIKES: &str = "Spikes";
     /// The absorption switch.
-    pub const DIPS: &str = "Dips too";
+    pub const DIPS: &str = "Dark lines too";
 }
 
 /// Draws the knobs; what changed is pushed as one command. Gives what is to be said about it.

@@ -24,6 +24,8 @@ pub enum Wish {
     Save(Export),
     /// Save the plot as PNG.
     SavePlotPng,
+    /// One page about the light.
+    SaveSheetPdf,
     /// Save the error against the order as PNG.
     SaveCurvePng,
     /// Save the window as PNG.
@@ -258,6 +260,7 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
             match export {
                 Export::PlotSvg => wish(ui, "Plot (PNG)", Wish::SavePlotPng),
                 Export::CurveSvg => wish(ui, "Error against order (PNG)", Wish::SaveCurvePng),
+                Export::SheetSvg => wish(ui, "Sheet about the light (PDF)", Wish::SaveSheetPdf),
                 _ => {}
             }
         }

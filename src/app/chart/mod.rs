@@ -36,6 +36,8 @@ pub use plot::Plot;
 pub use primitive::{Anchor, Field, Place, Primitive, Text};
 pub use ramp::ramp_colour;
 pub use shape::{Dash, Shape};
+pub use svg::{escaped, px};
+pub use text::{text_width, wrap};
 
 /// An sRGB colour, 8 bits a channel.
 pub type Rgb = [u8; 3];

@@ -20,13 +20,8 @@ impl Chart {
     /// The document is higher than asked where titles and notes leave no room for the panels.
     pub fn to_svg(&self, width: u32, height: u32) -> String {
         let asked = [width.max(160), height.max(120)].map(f64::from);
-        let drawing = Drawing::new(self, asked, Looks::FILE);
-        let mut body = String::new();
-        for primitive in drawing.primitives(self.whole_view()) {
-            // Writing to a String cannot fail.
-            let _ = write(&mut body, &primitive);
-        }
-        let [width, height] = drawing.size.map(|side| px(side.ceil()));
+        let (body, size) = self.to_svg_body(asked);
+        let [width, height] = size.map(|side| px(side.ceil()));
         let title = escaped(&self.title);
         let description = escaped(&self.description());
         format!(
@@ -37,6 +32,17 @@ impl Chart {
 {body}</svg>
 "#
         )
+    }
+
+    /// What stands in such a document, for a page of several charts, and how large it became.
+    pub fn to_svg_body(&self, size: [f64; 2]) -> (String, [f64; 2]) {
+        let drawing = Drawing::new(self, size, Looks::FILE);
+        let mut body = String::new();
+        for primitive in drawing.primitives(self.whole_view()) {
+            // Writing to a String cannot fail.
+            let _ = write(&mut body, &primitive);
+        }
+        (body, drawing.size)
     }
 }
 
@@ -192,14 +198,15 @@ pub(super) fn hex([r, g, b]: Rgb) -> String {
 }
 
 /// A length or coordinate with at most two decimals.
-fn px(length: f64) -> String {
+/// A length in px with as many digits as can be seen.
+pub fn px(length: f64) -> String {
     let digits = format!("{length:.2}");
     let digits = without_trailing_zeros(&digits);
     if digits == "-0" { "0" } else { digits }.to_owned()
 }
 
 /// A text as it stands between tags: on one line, without the characters that XML 1.0 forbids.
-fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

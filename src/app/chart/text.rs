@@ -9,7 +9,7 @@ pub(super) const LEADING: f64 = 1.4;
 const LETTER_WIDTH: f64 = 0.58;
 
 /// Estimated width of a text, px.
-pub(super) fn text_width(text: &str, size: f64) -> f64 {
+pub fn text_width(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * size * LETTER_WIDTH
 }
 
@@ -20,7 +20,7 @@ pub(super) fn widest<'a>(texts: impl IntoIterator<Item = &'a String>, size: f64)
 }
 
 /// A text as lines that are no wider than `width` px, broken at spaces; words are left whole.
-pub(super) fn wrap(text: &str, width: f64, size: f64) -> Vec<String> {
+pub fn wrap(text: &str, width: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {

@@ -285,7 +285,7 @@ impl Derived {
             && lowest < -WORTH_SAYING
         {
             warnings.push(format!(
-                "The smooth part dips below zero, to {:.1} % of the peak.",
+                "The smooth part goes below zero, to {:.1} % of the peak.",
                 100.0 * lowest
             ));
         }

@@ -190,6 +190,35 @@ fn no_shipped_text_tells_a_path_of_a_machine() {
 }
 
 /// Compares with the collection from which the files were made, where it is at hand.
+/// Lines were added to this table: all of the source's are there with their strengths, and of what
+/// was added the file says so.
+fn holds_all_lines(file: &File, items: &[Value]) -> usize {
+    let said = &file.changes;
+    for item in &file.items {
+        let is_original = items.iter().any(|o| o["name"] == item.name.as_str());
+        let symbol = item.element.as_deref().expect("an element");
+        assert!(is_original || said.contains(symbol), "{symbol}: {said}");
+    }
+    for original in items {
+        let name = original["name"].as_str().expect("a name");
+        let ours = file.items.iter().find(|item| item.name == name);
+        let ours = ours.unwrap_or_else(|| panic!("{name} is missing"));
+        let nm = ours.wavelengths.as_ref().expect("places").clone().nm();
+        let strengths = ours.strengths.as_ref().expect("strengths");
+        let list = |key: &str| original[key].as_array().expect("a list").clone();
+        for (place, strength) in list("wavelength_nm").iter().zip(list("values")) {
+            let index = nm.iter().position(|nm| Some(*nm) == place.as_f64());
+            let index = index.unwrap_or_else(|| panic!("{name}: {place} is missing"));
+            let known = strength.as_f64();
+            assert!(
+                known.is_none() || strengths[index] == known,
+                "{name}: {place}"
+            );
+        }
+    }
+    items.len()
+}
+
 #[test]
 fn every_number_is_the_sources_bit_for_bit() {
     let root = std::env::var("CARGO_MANIFEST_DIR")
@@ -212,6 +241,10 @@ fn every_number_is_the_sources_bit_for_bit() {
         let source = std::fs::read_to_string(folder.join(format!("{}.json", file.group)));
         let source: Value = serde_json::from_str(&source.expect("the source file")).unwrap();
         let items = source["items"].as_array().expect("items");
+        if file.group == "atomic_lines" {
+            compared += holds_all_lines(&file, items);
+            continue;
+        }
         assert_eq!(items.len(), file.items.len(), "{}", file.group);
         for (item, original) in file.items.iter().zip(items) {
             let at = format!("{}/{}", file.group, item.name);

@@ -313,7 +313,7 @@ fn acts(ui: &mut Ui, (budget, busy): (&mut usize, bool), asked: &mut Asked) {
     count.on_hover_text("Most numbers that Automatic may spend, 1 to 101.");
     asked.more = ui
         .button(names::MORE)
-        .on_hover_text("Basis, colour-exact, widest line, dips, range, observer, products.")
+        .on_hover_text("Basis, colour-exact, widest line, dark lines, range, observer, products.")
         .clicked();
     asked.reset = ui
         .button(names::RESET)

@@ -12,13 +12,15 @@ use crate::{
         chart::{self, Chart},
         charts::coefficients::{CoefficientCharts, Sight},
         memo::Memo,
-        studies::paper::{CHANNELS, figure, harmonics_of, off_percent, percent, three},
+        studies::paper::{
+            CHANNELS, colours_summed, figure, harmonics_of, off_percent, percent, three,
+        },
         tables::CURVE_ORDER,
     },
     io::many::numbers,
     spectrum::{Basis, basis::numbers_of_order},
     study::harmonics::Harmonics,
-    ui::chart_view::ChartResponse,
+    ui::{chart_view::ChartResponse, swatch},
 };
 
 /// Time between two orders while playing, s.
@@ -26,6 +28,9 @@ const STEP_SECONDS: f64 = 0.5;
 
 /// Narrowest chart of bars, points.
 const LEAST_CHART: f32 = 270.0;
+
+/// Room of the colours side by side, points.
+const SWATCH: Vec2 = vec2(120.0, 44.0);
 
 /// Lowest row of bars, points.
 const LEAST_ROW: f32 = 204.0;
@@ -68,9 +73,21 @@ impl CoefficientsView {
         }
         play(ui, context, &mut self.next_step, highest);
         controls(ui, context, &mut self.next_step, highest);
-        for sentence in sentences(context, harmonics) {
-            ui.label(sentence);
-        }
+        ui.horizontal_top(|ui| {
+            let order = context.memory.partial_order;
+            if let Some([whole, summed]) = colours_summed(context.app, harmonics, order) {
+                let size = SWATCH * context.theme.scale;
+                let name = format!("Colour: measured {}, summed {}", whole.hex(), summed.hex());
+                swatch::split(ui, size, &whole, &summed, &name).on_hover_text(format!(
+                    "Left the colour as measured, right the colour of the orders up to {order}."
+                ));
+            }
+            ui.vertical(|ui| {
+                for sentence in sentences(context, harmonics) {
+                    ui.label(sentence);
+                }
+            });
+        });
 
         let sight = Sight {
             channel: context.memory.channel,

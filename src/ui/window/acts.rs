@@ -142,6 +142,7 @@ impl Window {
             Wish::Summary => self.batch.show(),
             Wish::Save(export) => self.save(Saving::Text(export), context),
             Wish::SavePlotPng => self.save(Saving::PlotPng, context),
+            Wish::SaveSheetPdf => self.save(Saving::SheetPdf, context),
             Wish::SaveCurvePng => {
                 let chart = curve_chart(&self.app, self.file_theme());
                 let mut wish = ChartWish::new(&chart, ChartForm::Png);

@@ -26,6 +26,7 @@ use crate::{
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
         pages::Page,
+        sheet,
         state::Tone,
     },
     io::atomic::save_atomically,
@@ -36,6 +37,8 @@ use crate::{
 pub(super) enum Saving {
     Text(Export),
     PlotPng,
+    /// One page about the light.
+    SheetPdf,
     WindowPng,
     Chart(ChartWish),
 }
@@ -339,6 +342,7 @@ impl Window {
         let extension = match &saving {
             Saving::Text(export) => export.extension(),
             Saving::PlotPng | Saving::WindowPng => "png",
+            Saving::SheetPdf => "pdf",
             Saving::Chart(wish) => wish.form.extension(),
         };
         self.ask(
@@ -369,6 +373,7 @@ impl Window {
         match saving {
             Saving::Text(export) => export.suggested_name(&self.app),
             Saving::PlotPng => format!("{}.png", export::file_stem(&self.app)),
+            Saving::SheetPdf => format!("{}-sheet.pdf", export::file_stem(&self.app)),
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
             Saving::Chart(wish) => wish.file_name(),
         }
@@ -408,6 +413,7 @@ impl Window {
                     let chart = spectrum_chart(&app, theme);
                     Ok(picture::chart_png(&chart, [1200, 760]))
                 }
+                Saving::SheetPdf => sheet::to_pdf(&app),
                 Saving::WindowPng => Ok(picture::window_png(
                     &app,
                     &preferences,

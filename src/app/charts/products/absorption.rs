@@ -116,7 +116,7 @@ fn met(app: &App) -> Vec<String> {
         };
         for met in &step.met {
             all.push(format!(
-                "{} in {name}: the line at {} stands on a dip at {}, {:.0} % deep. Its weight \
+                "{} in {name}: the line at {} stands on a dark line at {}, {:.0} % deep. Its weight \
                  goes from {} to {}.",
                 document.light.name(),
                 called(met.line_nm),
@@ -204,7 +204,7 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
         };
         (dip.spike, label, note)
     };
-    stems("dips", inks.product, dips.iter().map(told).collect());
+    stems("dark lines", inks.product, dips.iter().map(told).collect());
     let unit = app.unit();
     let mut notes = vec![format!("Spectrum: {}", document.subject_entry().name())];
     notes.extend(provenance(app));

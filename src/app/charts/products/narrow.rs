@@ -9,7 +9,7 @@ use crate::{
         App, Entry,
         cells::{line, number, words},
         chart::Inks,
-        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Theme},
+        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
         charts::spectrum::provenance,
         made::is_made,
         products::ModelledLight,
@@ -75,6 +75,21 @@ impl Filter {
             Self::Real(entry) => entry.on_band(band),
         }
     }
+
+    /// Where it can be taken hold of, with its share there: the top moves it, the flanks widen it.
+    fn handles(&self) -> Vec<[f64; 2]> {
+        match *self {
+            Self::Gaussian {
+                centre_nm,
+                width_nm,
+            } => vec![
+                [centre_nm - 0.5 * width_nm, 0.5],
+                [centre_nm, 1.0],
+                [centre_nm + 0.5 * width_nm, 0.5],
+            ],
+            Self::Real(_) => Vec::new(),
+        }
+    }
 }
 
 /// The light as measured and in three representations of equal size.
@@ -86,7 +101,6 @@ pub struct Behind {
     pub band: Band,
     lit: ModelledLight,
     narrow: Narrow,
-    width_nm: f64,
 }
 
 /// What one filter leaves of the light.
@@ -122,7 +136,6 @@ impl Behind {
             light: app.document().light.name().to_owned(),
             band: lit.band(),
             narrow,
-            width_nm: settings.max_width_nm,
             lit,
         }
     }
@@ -207,7 +220,11 @@ impl Behind {
         let tops: Vec<[f64; 2]> = spikes
             .iter()
             .zip(&base)
-            .map(|(s, b)| [s.at_nm, b + s.stem_height(self.width_nm)])
+            .enumerate()
+            .map(|(i, (s, b))| {
+                let width = derived.parts.stem_width_nm(i);
+                [s.at_nm, b + s.stem_height(width)]
+            })
             .collect();
         let highest = derived
             .measured
@@ -224,9 +241,15 @@ impl Behind {
             base: Vec::new(),
             is_coloured: false,
         };
+        let handles = filter.handles().into_iter();
+        let handles = handles
+            .filter(|[nm, _]| band.contains(*nm))
+            .map(|[nm, share]| [nm, unit * share])
+            .collect();
         let mut series = vec![
             Series::new("filter, 1 at the top", inks.residual, area),
             thin("", inks.residual, over, Dash::Solid),
+            Series::points("", inks.residual, Shape::Square, handles),
             thin(
                 "measured",
                 inks.measured,

@@ -284,12 +284,12 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
             columns.push(column(title, &tip, width, cells));
         };
     let lobes = if many {
-        "Share of the lights whose smooth part dips below -0.1 % of the peak, percent."
+        "Share of the lights whose smooth part goes below -0.1 % of the peak, percent."
     } else {
-        "Whether the smooth part dips below -0.1 % of the peak."
+        "Whether the smooth part goes below -0.1 % of the peak."
     };
     add(
-        if many { "dips %" } else { "dips" },
+        if many { "below 0 %" } else { "below 0" },
         lobes.to_owned(),
         54.0,
         &|row| Some(row.negative_lobes),

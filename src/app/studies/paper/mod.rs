@@ -15,7 +15,7 @@ pub use table::{
 
 use crate::{
     app::{state::App, tables::Viewing},
-    color::{Observer, Xyz, xy_from_xyz, xyz_of_one, xyz_of_parts},
+    color::{Adaptation, Observer, Swatch, Xyz, xy_from_xyz, xyz_of_one, xyz_of_parts},
     spectrum::{
         Band, Basis, Composite, Sampling, Series, basis::numbers_of_order, spikes::detect_shapes,
     },
@@ -46,6 +46,22 @@ pub fn harmonics_of(app: &App) -> Harmonics {
         plain_colour_matching: document.is_about_light()
             && document.settings.observer == Observer::Cie1931,
     })
+}
+
+/// The colour as measured and as far as the orders up to `order` have come, equally bright where
+/// it is a light's; `None` where there is none.
+pub fn colours_summed(app: &App, harmonics: &Harmonics, order: usize) -> Option<[Swatch; 2]> {
+    let running = harmonics.orders.get(order)?.running;
+    let whole = app.derived().colour.exact?;
+    let share = |k: usize| running[k] / harmonics.exact[k];
+    let Xyz { x, y, z } = whole.xyz;
+    let summed = Xyz::new(x * share(0), y * share(1), z * share(2));
+    let swatch = match app.document().is_about_light() {
+        true => Swatch::of_light(summed),
+        // A white of any brightness is the light of the surfaces; their Y counts against its 100.
+        false => Swatch::of_patch(summed, Xyz::new(0.0, 100.0, 0.0), Adaptation::None),
+    };
+    summed.is_finite().then_some([whole.swatch, swatch])
 }
 
 /// All that the claims come to on a document.

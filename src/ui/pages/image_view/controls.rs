@@ -148,7 +148,7 @@ fn exposure(ui: &mut Ui, context: &mut PageContext<'_>) {
         .fixed_decimals(1)
         .suffix(" stops");
     ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
-    ui.weak("over the 99th percentile").on_hover_text(meaning);
+    ui.weak("over what fits the screen").on_hover_text(meaning);
 }
 
 fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: &str) {

@@ -23,11 +23,11 @@ use crate::{
 /// Names of controls, shared with the tests that move them.
 pub mod names {
     pub const OTHER: &str = "Another light, glass or surface";
-    pub const DIPS: &str = "Look for dips";
-    pub const THRESHOLD: &str = "Least share of a dip";
-    pub const WIDTH: &str = "Widest dip";
+    pub const DIPS: &str = "Look for dark lines";
+    pub const THRESHOLD: &str = "Least share of a dark line";
+    pub const WIDTH: &str = "Widest dark line";
     pub const COPY: &str = "Copy as CSV";
-    pub const OFF: &str = "Dips are not looked for";
+    pub const OFF: &str = "Dark lines are not looked for";
 }
 
 /// From this width on the table stands beside the chart, points.
@@ -136,7 +136,7 @@ fn examples(ui: &mut Ui, context: &mut PageContext<'_>) {
             let response = ui.selectable_label(is_shown, example.title);
             if response
                 .on_hover_text(format!(
-                    "{} Shows it with dips of at least {} % of the power, up to {} nm wide, on \
+                    "{} Shows it with dark lines of at least {} % of the power, up to {} nm wide, on \
                      {}-{} nm.",
                     example.meaning,
                     short(example.threshold_percent),
@@ -272,9 +272,9 @@ fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
             below.join(", "),
             short(settings.max_width_nm),
             if below.len() == 1 {
-                "the dip takes"
+                "the dark line takes"
             } else {
-                "these dips take"
+                "these dark lines take"
             },
             if below.len() == 1 {
                 "this place"
@@ -289,14 +289,14 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
     ui.horizontal(|ui| {
         let count = found.dips.len();
         ui.strong(match count {
-            0 => "No dips".to_owned(),
-            1 => "1 dip".to_owned(),
-            _ => format!("{count} dips"),
+            0 => "No dark lines".to_owned(),
+            1 => "1 dark line".to_owned(),
+            _ => format!("{count} dark lines"),
         });
         if count > 0 {
             let named = found.dips.iter().filter(|dip| dip.name.is_some()).count();
             ui.weak(format!("{named} named")).on_hover_text(
-                "A dip has a name only where it stands at a known line and most other lines of \
+                "A dark line has a name only where it stands at a known line and most other lines of \
                  the same family are in the measured curve too.",
             );
             if ui
@@ -310,12 +310,12 @@ fn dip_table(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet, ro
     });
     if found.dips.is_empty() {
         if looks(context.app.document().settings) {
-            ui.weak("Nothing narrow enough is missing. Lower the share or allow wider dips.");
+            ui.weak("Nothing narrow enough is missing. Lower the share or allow wider ones.");
         }
         return;
     }
     let columns = [
-        Column::numbers("nm", "Centroid of the dip, nm.", 0.8),
+        Column::numbers("nm", "Centroid of the dark line, nm.", 0.8),
         Column::numbers(
             "weight",
             "Power that is missing, in the plot's unit × nm.",
@@ -339,7 +339,7 @@ fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
     ui.strong("A line on a line");
     let sentence = format!(
         "A spike times a spike at the same place has no finite product. A line of the light \
-         within {SAME_PLACE_NM} nm of a dip of a factor is therefore multiplied by what the dip \
+         within {SAME_PLACE_NM} nm of a dark line of a factor is therefore multiplied by what that \
          lets through: w (1 − depth), times the factor's series there."
     );
     ui.add(Label::new(sentence).wrap());
@@ -347,10 +347,10 @@ fn rule(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
         let document = context.app.document();
         let light = document.light.name();
         let text = if !looks(document.settings) {
-            "With dips switched on, the present light and chain are tried here.".to_owned()
+            "With dark lines switched on, the present light and chain are tried here.".to_owned()
         } else {
             format!(
-                "{light} through the present chain ({} factor{}): no line stands on a dip.",
+                "{light} through the present chain ({} factor{}): no line stands on a dark line.",
                 document.products.chain.len(),
                 if document.products.chain.len() == 1 {
                     ""
@@ -382,9 +382,9 @@ fn row(app: &App, dip: &DipRow) -> Row {
         name.clone(),
     ];
     Row {
-        name: format!("Dip at {} nm, depth {}, {name}", cells[0], cells[2]),
+        name: format!("Dark line at {} nm, depth {}, {name}", cells[0], cells[2]),
         note: if dip.below_zero {
-            "The dip takes the model's total below zero.".to_owned()
+            "The dark line takes the model's total below zero.".to_owned()
         } else {
             String::new()
         },

@@ -333,7 +333,7 @@ fn spike_table(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet, place
         Column::numbers(
             "of the light's",
             "Its weight here over that in the light, percent: what the factors so far let through \
-             at its place. A dip of a factor has none in the light.",
+             at its place. A dark line of a factor has none in the light.",
             1.1,
         ),
         Column::words(

@@ -1,0 +1,265 @@
+//! One page about a light, to print or to hand to a client: what it is, how good it is, its colours
+//! and the numbers of its model. A4 upright, as SVG or PDF.
+
+use std::{fmt::Write as _, sync::Arc};
+
+use super::{
+    about::About,
+    chart::{Chart, Palette, Rgb, Theme, escaped, px, text_width, wrap},
+    charts::{
+        quality::{DiagramShows, diagram, vector_graphic},
+        spectrum::spectrum_chart,
+    },
+    quality::QualityShown,
+    quality_report::Row,
+    state::App,
+};
+use crate::{color::Srgb, io::composite_line};
+
+/// A4 in px of 1/96 inch.
+const PAGE: [f64; 2] = [794.0, 1123.0];
+const MARGIN: f64 = 44.0;
+/// Of the rows, and of what is small.
+const SIZES: [f64; 2] = [10.5, 8.5];
+/// Where the columns of the table begin.
+const COLUMNS: [f64; 4] = [0.0, 190.0, 285.0, 390.0];
+/// Rows of the table that say little beside the others.
+const LEFT_OUT: [&str; 18] = [
+    "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r10", "r11", "r12", "r13", "r14", "r15",
+    "s_cone", "m_cone", "l_cone", "tlci",
+];
+/// The font of the window, so that the page looks the same everywhere.
+const FONT: &[u8] = include_bytes!("../ui/fonts/DejaVuSans.ttf");
+
+/// The page of the document's light as SVG.
+pub fn to_svg(app: &App) -> String {
+    let shown = QualityShown::of(app);
+    let mut page = Page::new();
+    page.head(app, &shown);
+    let whole = PAGE[0] - 2.0 * MARGIN;
+    page.chart(
+        &spectrum_chart(app, Theme::Light),
+        [MARGIN, page.y],
+        [whole, 236.0],
+    );
+    page.y += 246.0;
+    let half = (whole - 16.0) / 2.0;
+    let [measured, model] = shown.places();
+    let places = diagram(measured, model, DiagramShows::default(), Theme::Light);
+    page.chart(&places, [MARGIN, page.y], [half, 300.0]);
+    if let Ok(fidelity) = &shown.sheet.measured.fidelity {
+        let vectors = vector_graphic(fidelity, Theme::Light);
+        let square = [half.min(318.0), 300.0];
+        page.chart(&vectors, [MARGIN + half + 16.0, page.y], square);
+    }
+    page.y += 312.0;
+    page.table(&shown);
+    page.patches(app);
+    page.foot(app);
+    page.finish()
+}
+
+/// The page as PDF.
+///
+/// # Errors
+/// One line when the page cannot be written so.
+pub fn to_pdf(app: &App) -> Result<Vec<u8>, String> {
+    use svg2pdf::usvg;
+    let mut options = usvg::Options {
+        font_family: "DejaVu Sans".to_owned(),
+        ..usvg::Options::default()
+    };
+    let fonts = Arc::make_mut(&mut options.fontdb);
+    fonts.load_font_data(FONT.to_vec());
+    fonts.set_sans_serif_family("DejaVu Sans");
+    let tree = usvg::Tree::from_str(&to_svg(app), &options).map_err(|e| e.to_string())?;
+    // 96 px are an inch, and an inch is 72 points.
+    let page = svg2pdf::PageOptions { dpi: 96.0 };
+    svg2pdf::to_pdf(&tree, svg2pdf::ConversionOptions::default(), page).map_err(|e| e.to_string())
+}
+
+/// A page that is written from its top down.
+struct Page {
+    body: String,
+    /// Where the next thing begins.
+    y: f64,
+}
+
+impl Page {
+    fn new() -> Self {
+        Self {
+            body: String::new(),
+            y: MARGIN,
+        }
+    }
+
+    fn finish(self) -> String {
+        let [width, height] = PAGE.map(px);
+        let body = self.body;
+        format!(
+            r##"<?xml version="1.0" encoding="UTF-8"?>
+<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" font-family="DejaVu Sans, sans-serif" fill="none">
+<rect width="{width}" height="{height}" fill="#ffffff"/>
+{body}</svg>
+"##
+        )
+    }
+
+    fn text(&mut self, [x, y]: [f64; 2], size: f64, ink: Rgb, words: &str) {
+        let [x, y, size] = [x, y, size].map(px);
+        let (ink, words) = (Srgb(ink).hex(), escaped(words));
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            self.body,
+            r#"<text x="{x}" y="{y}" font-size="{size}" fill="{ink}">{words}</text>"#
+        );
+    }
+
+    /// Lines of words over the whole width, each below the one before.
+    fn words(&mut self, size: f64, ink: Rgb, words: &str) {
+        for line in wrap(words, PAGE[0] - 2.0 * MARGIN, size) {
+            self.y += 1.35 * size;
+            self.text([MARGIN, self.y], size, ink, &line);
+        }
+    }
+
+    fn chart(&mut self, chart: &Chart, [x, y]: [f64; 2], size: [f64; 2]) {
+        let (body, _) = chart.to_svg_body(size);
+        let _ = writeln!(
+            self.body,
+            "<g transform=\"translate({} {})\" font-family=\"DejaVu Sans, sans-serif\">{body}</g>",
+            px(x),
+            px(y)
+        );
+    }
+
+    fn head(&mut self, app: &App, shown: &QualityShown) {
+        let palette = Palette::of(Theme::Light);
+        let about = About::of(&app.document().light);
+        self.words(19.0, palette.text, &about.title());
+        let rest = [about.about, about.table].join(" ");
+        self.words(SIZES[0], palette.faint, rest.trim());
+        self.y += 4.0;
+        for sentence in [&shown.sentence, &shown.place, &shown.rendition] {
+            self.words(SIZES[0], palette.text, sentence);
+        }
+        self.y += 12.0;
+    }
+
+    fn table(&mut self, shown: &QualityShown) {
+        let palette = Palette::of(Theme::Light);
+        let step = 1.32 * SIZES[0];
+        let titles = [
+            "",
+            "measured",
+            "model",
+            "what it says of the light as measured",
+        ];
+        for (x, title) in COLUMNS.iter().zip(titles) {
+            self.text([MARGIN + x, self.y], SIZES[1], palette.faint, title);
+        }
+        let is_told = |row: &&Vec<Row>| row[0].value.is_ok() && !LEFT_OUT.contains(&row[0].key);
+        for row in shown.rows.iter().filter(is_told) {
+            self.y += step;
+            let [first, model] = [&row[0], &row[1]];
+            let told = [first.title, &first.shown(), &model.shown(), &first.reading];
+            for (x, words) in COLUMNS.iter().zip(told) {
+                self.text([MARGIN + x, self.y], SIZES[0], palette.text, words);
+            }
+        }
+        self.y += 16.0;
+    }
+
+    /// Surfaces under the light, each split into measured and model.
+    fn patches(&mut self, app: &App) {
+        let Some(patches) = &app.derived().patches else {
+            return;
+        };
+        let side = (PAGE[0] - 2.0 * MARGIN) / 24.0;
+        for (i, patch) in patches.items.iter().take(24).enumerate() {
+            let x = MARGIN + side * i as f64;
+            for (part, swatch) in [(0.0, patch.exact_swatch), (0.5, patch.model_swatch)] {
+                let _ = writeln!(
+                    self.body,
+                    r#"<rect x="{}" y="{}" width="{}" height="22" fill="{}"/>"#,
+                    px(x + part * (side - 2.0)),
+                    px(self.y),
+                    px(0.5 * (side - 2.0)),
+                    swatch.hex()
+                );
+            }
+        }
+        self.y += 34.0;
+        let ink = Palette::of(Theme::Light).faint;
+        let words = "Surfaces under the light, left as measured, right by the model.";
+        self.text([MARGIN, self.y], SIZES[1], ink, words);
+        self.y += 6.0;
+    }
+
+    /// The numbers of the model, how the file was read, and by what.
+    fn foot(&mut self, app: &App) {
+        let palette = Palette::of(Theme::Light);
+        let model = &app.derived().model;
+        let numbers = composite_line::write(model);
+        self.words(
+            SIZES[1],
+            palette.text,
+            &format!("Model, {} numbers: {numbers}", model.numbers()),
+        );
+        let lowest = PAGE[1] - MARGIN - 12.0;
+        for note in &app.document().light.spectrum.notes {
+            if self.y + 2.8 * SIZES[1] < lowest {
+                self.words(SIZES[1], palette.faint, note);
+            }
+        }
+        let by = concat!("Spectral Explorer ", env!("CARGO_PKG_VERSION"));
+        let width = text_width(by, SIZES[1]);
+        let at = [PAGE[0] - MARGIN - width, PAGE[1] - MARGIN + 8.0];
+        self.text(at, SIZES[1], palette.faint, by);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::Command;
+
+    #[test]
+    fn the_page_tells_the_figures_of_the_light_and_its_model() {
+        let app = App::new();
+        let svg = to_svg(&app);
+        let tree = roxmltree::Document::parse(&svg).expect("well-formed");
+        let words: Vec<&str> = tree.descendants().filter_map(|node| node.text()).collect();
+        let shown = QualityShown::of(&app);
+        for key in ["cct", "ra", "r9", "rf", "melanopic_der"] {
+            let row = shown.rows.iter().find(|row| row[0].key == key).expect(key);
+            for told in [&row[0], &row[1]] {
+                assert!(words.contains(&told.shown().as_str()), "{key}");
+            }
+        }
+        assert!(!svg.contains("NaN"));
+    }
+
+    #[test]
+    fn the_page_of_any_shipped_light_stays_on_the_paper_and_becomes_a_pdf() {
+        let mut app = App::new();
+        for key in [
+            "paper/Sodium",
+            "cie_illuminants/CIE A",
+            "lamps_nist_traditional/Metal Halide",
+        ] {
+            app.apply(Command::Show(app.entry(key).expect(key)));
+            let svg = to_svg(&app);
+            let tree = roxmltree::Document::parse(&svg).expect("well-formed");
+            for text in tree.descendants().filter(|node| node.has_tag_name("text")) {
+                let y: f64 = text
+                    .attribute("y")
+                    .and_then(|y| y.parse().ok())
+                    .expect("a place");
+                assert!(y < PAGE[1], "{key}: {:?}", text.text());
+            }
+            let pdf = to_pdf(&app).expect("a page");
+            assert!(pdf.starts_with(b"%PDF-"));
+        }
+    }
+}
