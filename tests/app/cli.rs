@@ -530,7 +530,14 @@ fn arguments_that_make_no_sense_are_refused_in_one_line() {
             "--json: found \"yes\", expected no value",
         ),
         (&["plot", "FL2"], "found no --out FILE"),
-        (&["plot", "FL2", "--out", "a.pdf"], "--out: found \"a.pdf\""),
+        (
+            &["plot", "FL2", "--out", "a.pdf"],
+            "--out a.pdf: found .pdf",
+        ),
+        (
+            &["plot", "FL2", "--sheet", "--out", "a.png"],
+            "--out a.png: found .png",
+        ),
         (&["render", "--out", "a.svg"], "--out: found \"a.svg\""),
         (
             &["render", "--out", "a.png", "--size", "9x9"],
@@ -922,6 +929,24 @@ fn a_plot_is_svg_that_an_xml_reader_takes_or_a_png() {
     said(&["plot", "FL11", "--out", png.to_str().unwrap()]);
     let sketch = fs::read_to_string(&png).unwrap();
     assert_eq!(sketch, "plot cie_fluorescent_1nm/FL11 Light [1280, 800]");
+}
+
+#[test]
+fn a_sheet_is_one_page_and_of_lights_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (svg, pdf) = (place("a.svg"), place("a.pdf"));
+    said(&["plot", "FL2", "--sheet", "--out", &svg]);
+    let text = fs::read_to_string(&svg).unwrap();
+    let tree = roxmltree::Document::parse(&text).unwrap();
+    assert_eq!(tree.root_element().attribute("width"), Some("794"));
+    // The second time a page replaces a page.
+    for _ in 0..2 {
+        said(&["plot", "FL2", "--sheet", "--out", &pdf]);
+    }
+    assert!(fs::read(&pdf).unwrap().starts_with(b"%PDF-"));
+    let line = refusal(1, &["plot", "red", "--sheet", "--out", &place("b.svg")]);
+    assert!(line.contains("expected a light"), "{line}");
 }
 
 #[test]

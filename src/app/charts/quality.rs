@@ -334,21 +334,28 @@ pub fn bin_bars(fidelity: &Fidelity, what: OfBins, theme: Theme) -> Chart {
     }
 }
 
-/// R1 to R15 as bars, in the colours of the samples under the reference.
+/// R1 to R15 as bars, each split into the sample's colour under the reference and under the light.
 pub fn sample_bars(rendering: &Rendering, theme: Theme) -> Chart {
+    const HALF: f64 = 0.4;
     let mut series = Vec::new();
     let mut names = Vec::new();
     for (i, sample) in rendering.samples.iter().enumerate() {
         let at = i as f64 + 1.0;
-        let xyz = sample.reference.scaled(0.01);
-        let colour = Srgb::from_linear(linear_from_xyz(xyz).map(|v| v.clamp(0.0, 1.0))).0;
-        let bar = Series::bars("", colour, 0.8, vec![[at, sample.index]]);
-        series.push(bar.with_notes(vec![format!(
-            "R{}, {}: {:.0}",
-            i + 1,
-            RENDERING_NAMES[i],
-            sample.index
-        )]));
+        for (side, xyz, whose) in [
+            (-1.0, sample.reference, "under the reference"),
+            (1.0, sample.test, "under this light"),
+        ] {
+            let linear = linear_from_xyz(xyz.scaled(0.01));
+            let colour = Srgb::from_linear(linear.map(|v| v.clamp(0.0, 1.0))).0;
+            let place = at + side * HALF / 2.0;
+            let bar = Series::bars("", colour, HALF, vec![[place, sample.index]]);
+            series.push(bar.with_notes(vec![format!(
+                "R{}, {}, {whose}: {:.0}",
+                i + 1,
+                RENDERING_NAMES[i],
+                sample.index
+            )]));
+        }
         names.push((at, format!("R{}", i + 1)));
     }
     let indices = rendering.indices();
