@@ -5,7 +5,7 @@ use std::{fmt::Write as _, sync::Arc};
 
 use super::{
     about::About,
-    chart::{Chart, Palette, Rgb, Theme, escaped, px, text_width, wrap},
+    chart::{Chart, Palette, Rgb, Theme, elided, escaped, px, text_width, wrap},
     charts::{
         quality::{DiagramShows, diagram, vector_graphic},
         spectrum::spectrum_chart,
@@ -22,7 +22,9 @@ const MARGIN: f64 = 44.0;
 /// Of the rows, and of what is small.
 const SIZES: [f64; 2] = [10.5, 8.5];
 /// Where the columns of the table begin.
-const COLUMNS: [f64; 4] = [0.0, 190.0, 285.0, 390.0];
+const COLUMNS: [f64; 4] = [0.0, 180.0, 285.0, 390.0];
+/// How much smaller a chart is than in a file of its own.
+const SHRUNK: f64 = 0.64;
 /// Rows of the table that say little beside the others.
 const LEFT_OUT: [&str; 18] = [
     "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r10", "r11", "r12", "r13", "r14", "r15",
@@ -37,22 +39,23 @@ pub fn to_svg(app: &App) -> String {
     let mut page = Page::new();
     page.head(app, &shown);
     let whole = PAGE[0] - 2.0 * MARGIN;
-    page.chart(
-        &spectrum_chart(app, Theme::Light),
-        [MARGIN, page.y],
-        [whole, 236.0],
-    );
-    page.y += 246.0;
+    let spectrum = Chart {
+        title: String::new(),
+        notes: Vec::new(),
+        ..spectrum_chart(app, Theme::Light)
+    };
+    page.chart(&spectrum, [MARGIN, page.y], [whole, 250.0]);
+    page.y += 258.0;
     let half = (whole - 16.0) / 2.0;
     let [measured, model] = shown.places();
     let places = diagram(measured, model, DiagramShows::default(), Theme::Light);
-    page.chart(&places, [MARGIN, page.y], [half, 300.0]);
+    page.chart(&places, [MARGIN, page.y], [half, 290.0]);
     if let Ok(fidelity) = &shown.sheet.measured.fidelity {
         let vectors = vector_graphic(fidelity, Theme::Light);
-        let square = [half.min(318.0), 300.0];
+        let square = [half.min(300.0), 290.0];
         page.chart(&vectors, [MARGIN + half + 16.0, page.y], square);
     }
-    page.y += 312.0;
+    page.y += 304.0;
     page.table(&shown);
     page.patches(app);
     page.foot(app);
@@ -123,13 +126,13 @@ impl Page {
         }
     }
 
+    /// A chart, its words as small as those of the page.
     fn chart(&mut self, chart: &Chart, [x, y]: [f64; 2], size: [f64; 2]) {
-        let (body, _) = chart.to_svg_body(size);
+        let (body, _) = chart.to_svg_body(size.map(|side| side / SHRUNK));
+        let [x, y] = [x, y].map(px);
         let _ = writeln!(
             self.body,
-            "<g transform=\"translate({} {})\" font-family=\"DejaVu Sans, sans-serif\">{body}</g>",
-            px(x),
-            px(y)
+            r#"<g transform="translate({x} {y}) scale({SHRUNK})">{body}</g>"#
         );
     }
 
@@ -164,7 +167,10 @@ impl Page {
             let [first, model] = [&row[0], &row[1]];
             let told = [first.title, &first.shown(), &model.shown(), &first.reading];
             for (x, words) in COLUMNS.iter().zip(told) {
-                self.text([MARGIN + x, self.y], SIZES[0], palette.text, words);
+                // Letters are about half as wide as the font is high.
+                let room = (PAGE[0] - 2.0 * MARGIN - x) / (0.52 * SIZES[0]);
+                let words = elided(words, room as usize);
+                self.text([MARGIN + x, self.y], SIZES[0], palette.text, &words);
             }
         }
         self.y += 16.0;
@@ -207,9 +213,13 @@ impl Page {
             &format!("Model, {} numbers: {numbers}", model.numbers()),
         );
         let lowest = PAGE[1] - MARGIN - 12.0;
-        for note in &app.document().light.spectrum.notes {
+        let spectrum = &app.document().light.spectrum;
+        let source = format!("Source: {}", spectrum.source);
+        let scale = format!("Scale of the curves: {}.", app.document().scale.words());
+        let told = [scale, source].into_iter().chain(spectrum.notes.clone());
+        for note in told {
             if self.y + 2.8 * SIZES[1] < lowest {
-                self.words(SIZES[1], palette.faint, note);
+                self.words(SIZES[1], palette.faint, &note);
             }
         }
         let by = concat!("Spectral Explorer ", env!("CARGO_PKG_VERSION"));

@@ -37,7 +37,7 @@ pub use primitive::{Anchor, Field, Place, Primitive, Text};
 pub use ramp::ramp_colour;
 pub use shape::{Dash, Shape};
 pub use svg::{escaped, px};
-pub use text::{text_width, wrap};
+pub use text::{elided, text_width, wrap};
 
 /// An sRGB colour, 8 bits a channel.
 pub type Rgb = [u8; 3];

@@ -35,7 +35,7 @@ pub fn wrap(text: &str, width: f64, size: f64) -> Vec<String> {
 }
 
 /// A text that is cut where it would be longer than `most` letters.
-pub(super) fn elided(text: &str, most: usize) -> String {
+pub fn elided(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         return text.to_owned();
     }

@@ -214,13 +214,14 @@ fn colours(locus: &[[f64; 2]], plane: Plane, [x_range, y_range]: [[f64; 2]; 2]) 
         for inside in crossings(locus, y).chunks_exact(2) {
             for column in 0..BOXES[0] {
                 let left = x_range[0] + dx * column as f64;
-                let right = (left + dx).min(inside[1]);
+                // A little over the next, so that no ground shows between.
+                let right = (left + 1.05 * dx).min(inside[1]);
                 let left = left.max(inside[0]);
                 if left >= right {
                     continue;
                 }
                 if let Some(colour) = shown(plane.to_xy([(left + right) / 2.0, y])) {
-                    fields.push(([[left, right], [low, low + dy]], colour));
+                    fields.push(([[left, right], [low, low + 1.05 * dy]], colour));
                 }
             }
         }
