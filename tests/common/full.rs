@@ -8,7 +8,7 @@ use spectral_explorer::{
         charts::quality::DiagramShows,
         document::FIRST_LIGHT,
         document::Height,
-        pages::{FieldChoice, Page, PageMemory, WaysShown},
+        pages::{FieldChoice, Page, PageMemory, WaysShown, WordsMemory},
         picture::{ImageMemory, Show, Spread},
         products::{
             Link, Products, ProductsMemory,
@@ -169,6 +169,12 @@ pub fn full_preferences() -> Preferences {
             field: FieldChoice::Discharge,
             race_numbers: 31,
             race_measure: Measure::Rms,
+            race_strict: true,
+            words: WordsMemory {
+                numbers: 11,
+                portable: true,
+                itself: true,
+            },
             ways: WaysShown {
                 plain: false,
                 ..WaysShown::default()
