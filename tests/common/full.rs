@@ -102,6 +102,7 @@ pub fn full_document() -> Document {
         basis: Basis::Cosine,
         order: 13,
         spikes: false,
+        wide_lines: true,
         threshold_percent: 1.0 / 3.0,
         max_width_nm: 7.7,
         dips: true,

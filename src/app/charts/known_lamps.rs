@@ -3,7 +3,7 @@
 
 use crate::{
     app::{
-        chart::{Chart, Dash, Inks, Marks, Panel, Rgb, Series, Theme},
+        chart::{Chart, Dash, Inks, Marks, Panel, Rgb, Scale, Series, Theme},
         studies::EncodedLight,
     },
     color::srgb_of_fill,
@@ -59,6 +59,7 @@ pub fn words_chart(name: &str, found: &EncodedLight, theme: Theme) -> Chart {
         x_label: "Wavelength, nm".to_owned(),
         y_label: "Of the measured peak".to_owned(),
         x_range: [band.min_nm(), band.max_nm()],
+        y_scale: scale(&found.measured),
         series,
         colours: colours(band),
         residual: Some(Panel {
@@ -82,6 +83,20 @@ fn on(band: Band, values: &[f64], top: f64) -> Vec<[f64; 2]> {
         .zip(values)
         .map(|(nm, v)| [nm, v / unit])
         .collect()
+}
+
+/// Lines that tower over the mean this many times are drawn over an axis of roots.
+const TOWERS: f64 = 6.0;
+
+/// How heights are drawn.
+fn scale(measured: &[f64]) -> Scale {
+    let top = measured.iter().fold(0.0_f64, |m, v| m.max(*v));
+    let mean = measured.iter().sum::<f64>() / measured.len().max(1) as f64;
+    if mean > 0.0 && top > TOWERS * mean {
+        Scale::Root
+    } else {
+        Scale::Linear
+    }
 }
 
 /// The colours of the wavelengths.

@@ -63,7 +63,9 @@ impl KnownLampsView {
                     (shown, words_chart(name, encoded, theme))
                 });
                 headline(ui, &words.sentence, context);
+                ui.add_space(4.0);
                 controls(ui, context);
+                ui.add_space(4.0);
                 let room = ui.available_size();
                 let below = BELOW * context.theme.scale;
                 let size = vec2(room.x, (room.y - below).max(160.0));
@@ -130,9 +132,6 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
                 ..Table::new(&columns, theme)
             };
             table.show(ui, &rows, &mut |_, _, _| {});
-            for line in &words.lines {
-                ui.small(format!("line at {line}"));
-            }
         },
         |ui, _| {
             ui.horizontal(|ui| {
@@ -148,6 +147,9 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
             let text = RichText::new(&words.words).monospace().small();
             ui.add(Label::new(text).wrap());
             ui.weak(words.needs);
+            for line in &words.lines {
+                ui.small(format!("line at {line}"));
+            }
         },
     );
 }
