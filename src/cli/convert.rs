@@ -286,7 +286,7 @@ fn model(
     let what = format!(
         "the model of {}, {}",
         file.name,
-        composite_json::in_words(&file.composite)
+        composite_json::in_words(&file.composite, &file.widths_nm)
     );
     Ok(with_notes(what, &notes))
 }

@@ -96,14 +96,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let file = parse(input, text)?;
     Ok(Reading {
-        notes: vec![in_words(&file.composite)],
+        notes: vec![in_words(&file.composite, &file.widths_nm)],
         composites: vec![file],
         ..Reading::default()
     })
 }
 
-/// One line about a composite: basis, order, range, spikes.
-pub fn in_words(composite: &Composite) -> String {
+/// One line about a composite with the widths of its lines, if they have any: basis, order, range,
+/// spikes. That they have one is a number more.
+pub fn in_words(composite: &Composite, widths_nm: &[f64]) -> String {
     let (band, smooth) = (composite.band(), &composite.smooth);
     format!(
         "{} series of order {}, {}-{} nm, {}, {}",
@@ -113,9 +114,10 @@ pub fn in_words(composite: &Composite) -> String {
         band.max_nm(),
         match composite.spikes.len() {
             0 => "no spikes".to_owned(),
-            n => many(n, "spike", "spikes"),
+            n if widths_nm.is_empty() => many(n, "spike", "spikes"),
+            n => many(n, "line with its width", "lines with their widths"),
         },
-        numbers(composite.numbers())
+        numbers(composite.numbers() + usize::from(!widths_nm.is_empty()))
     )
 }
 

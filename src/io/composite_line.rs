@@ -70,7 +70,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let (composite, widths_nm) = parse_lines(&input.needs_text()?.text)
         .map_err(|LineError { found, expected }| input.error(found, expected).at_line(1))?;
     Ok(Reading {
-        notes: vec![in_words(&composite)],
+        notes: vec![in_words(&composite, &widths_nm)],
         composites: vec![CompositeFile {
             composite,
             widths_nm,

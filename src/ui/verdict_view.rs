@@ -359,7 +359,7 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
                 n => format!("{} for {n} lines", 2 * n),
             };
             let label = match app.derived().widths.is_wide() {
-                true => ", 1 for their widths",
+                true => ", 1 for widths",
                 false => "",
             };
             let words = format!("{smooth} for the smooth part, {lines}{label}");

@@ -95,12 +95,12 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
                  x its width).",
             );
         };
-        let with_widths = width >= 880.0;
+        let with_widths = width >= 800.0;
         if !tight {
             lines(ui, view);
         }
         if with_widths {
-            widths(ui, app, commands);
+            widths(ui, app, width >= 880.0, commands);
         }
         let others = |ui: &mut Ui, view: &mut View| {
             chip(
@@ -130,7 +130,7 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
                 others(ui, view);
             }
             if !with_widths {
-                ui.horizontal(|ui| widths(ui, app, commands));
+                ui.horizontal(|ui| widths(ui, app, true, commands));
             }
             chip(
                 ui,
@@ -173,7 +173,7 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
 }
 
 /// Whether lines are ideal, or as wide as they are.
-fn widths(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
+fn widths(ui: &mut Ui, app: &App, in_full: bool, commands: &mut Vec<Command>) {
     let settings = app.document().settings;
     ui.spacing_mut().item_spacing.x = 0.0;
     for (wide_lines, word, meaning) in [
@@ -190,8 +190,9 @@ fn widths(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {
         ),
     ] {
         let is_chosen = settings.wide_lines == wide_lines;
+        let shown = if wide_lines && !in_full { "Wide" } else { word };
         let button = ui
-            .add_enabled(settings.spikes, Button::selectable(is_chosen, word))
+            .add_enabled(settings.spikes, Button::selectable(is_chosen, shown))
             .on_hover_text(meaning)
             .on_disabled_hover_text("No lines are taken out.");
         button.widget_info(|| {

@@ -187,7 +187,7 @@ fn sentence(standing: &Standing, counts: &[(Entrant, Vec<(Entrant, usize, usize)
             _ => "wide lines alone",
         };
         Some(format!(
-            "{title} are ahead of every other representation in {won} of {of} cells ({}), least \
+            "{title} are ahead of the other representations in {won} of {of} cells ({}), least \
              against {} ({})",
             per_cent(won, of),
             peer.title().to_lowercase(),

@@ -231,6 +231,7 @@ impl RaceView {
                 table_head(ui, context, ask, race, class, budget);
                 drawn.table.show(ui, theme);
                 ui.add_space(8.0);
+                ways.show(ui, context, standing, class);
                 let wide = ui.available_width() >= WIDE;
                 let height = (360.0 * theme.scale).max(240.0);
                 if wide {
@@ -251,9 +252,6 @@ impl RaceView {
                     ui.add_space(8.0);
                     drawn.winners.show(ui, context, 230.0 * theme.scale);
                 }
-                ui.add_space(8.0);
-                ui.separator();
-                ways.show(ui, context, standing, class);
                 if let Some(larger) = &drawn.larger {
                     ui.add_space(8.0);
                     ui.separator();
