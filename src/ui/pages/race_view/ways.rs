@@ -91,19 +91,21 @@ impl WaysView {
             rows.iter().map(row).collect()
         });
         let theme = context.theme;
-        solid_bars(ui);
-        egui::ScrollArea::horizontal()
-            .id_salt("known lamps in the race")
-            .show(ui, |ui| {
-                ui.set_width(scaled(NAMES + 5.0 * CELL, theme));
-                let columns = columns();
-                let table = Table {
-                    enabled: false,
-                    dense: true,
-                    ..Table::new(&columns, theme)
-                };
-                table.show(ui, rows, &mut |_, _, _| {});
-            });
+        ui.scope(|ui| {
+            solid_bars(ui);
+            egui::ScrollArea::horizontal()
+                .id_salt("known lamps in the race")
+                .show(ui, |ui| {
+                    ui.set_width(scaled(NAMES + 5.0 * CELL, theme));
+                    let columns = columns();
+                    let table = Table {
+                        enabled: false,
+                        dense: true,
+                        ..Table::new(&columns, theme)
+                    };
+                    table.show(ui, rows, &mut |_, _, _| {});
+                });
+        });
         ui.add_space(8.0);
     }
 }
