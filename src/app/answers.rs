@@ -216,6 +216,8 @@ pub fn automatic(settings: Settings, sweep: &Sweep, numbers: usize) -> Option<Se
             basis: point.way.basis,
             colour_exact: point.way.colour_exact,
             spikes: point.way.spikes,
+            // The count was that of ideal lines.
+            wide_lines: false,
             order: point.order,
             ..settings
         })
@@ -231,6 +233,7 @@ pub fn as_in_the_paper(app: &App) -> Settings {
     Settings {
         basis: Basis::Fourier,
         colour_exact: false,
+        wide_lines: false,
         detector: Detector::Gradient,
         gradient_percent: Settings::default().gradient_percent,
         sampling: crate::spectrum::Sampling::Paper,

@@ -5,10 +5,9 @@ use std::sync::Arc;
 use super::{library::Library, origin::Origin};
 use crate::{
     io::MakersResult,
+    lamps::{Spike as WideSpike, add_spikes},
     preset::{self, Body, Preset, Shelf},
-    spectrum::{
-        Band, Composite, Kind, NamedSpectrum, Sampled, Series, Spike, composite::add_spikes,
-    },
+    spectrum::{Band, Composite, Kind, NamedSpectrum, Sampled, Series, Spike},
 };
 
 /// One spectrum of the library or of the user's own files.
@@ -126,9 +125,23 @@ const SAMPLED_NOTE: &str =
 /// A composite as a 1 nm table over its own range, each spike split linearly over its two
 /// neighbouring nm; `None` for a composite with numbers that are not finite.
 pub fn sampled_from_composite(composite: &Composite) -> Option<Sampled> {
+    sampled_from_lines(composite, &[])
+}
+
+/// [`sampled_from_composite`] of lines with their widths in nm; 0, or none given, is an ideal spike.
+pub fn sampled_from_lines(composite: &Composite, widths_nm: &[f64]) -> Option<Sampled> {
     let band = composite.band();
+    let lines = composite
+        .spikes
+        .iter()
+        .enumerate()
+        .map(|(i, spike)| WideSpike {
+            at_nm: spike.at_nm,
+            weight: spike.weight,
+            width_nm: widths_nm.get(i).copied().unwrap_or(0.0),
+        });
     let mut values = composite.smooth.on_band();
-    add_spikes(band, &composite.spikes, &mut values);
+    add_spikes(band, &lines.collect::<Vec<_>>(), &mut values);
     Sampled::even(band.min_nm(), 1.0, values).ok()
 }
 

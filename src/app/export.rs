@@ -141,7 +141,9 @@ impl Export {
             Self::CompositeJson => {
                 composite_json::write(&composite_file(app)).map_err(|e| e.to_string())
             }
-            Self::CompositeLine => Ok(composite_line::write(&derived.model) + "\n"),
+            Self::CompositeLine => {
+                Ok(composite_line::write_lines(&derived.model, &derived.widths.written()) + "\n")
+            }
             Self::Csv => {
                 let scaled = scaled_subject(app);
                 encode("csv", &scaled, &columns(app), &provenance(app))
@@ -196,6 +198,7 @@ pub fn composite_file(app: &App) -> CompositeFile {
     let spectrum = &app.document().subject_entry().spectrum;
     CompositeFile {
         composite: app.derived().model.clone(),
+        widths_nm: app.derived().widths.written(),
         unit: spectrum.unit.clone(),
         source: spectrum.source.clone(),
         name: spectrum.name.clone(),

@@ -17,6 +17,7 @@ pub mod figures;
 pub mod glossary;
 pub mod history;
 pub mod import;
+pub mod known_lamps;
 pub mod library;
 pub mod licences;
 pub mod line_names;

@@ -15,7 +15,7 @@ pub use named::{Found, Wanted, names_a_file, resolve};
 pub use summary::{FileRow, OpenBefore, Outcome, Summary};
 
 use super::{
-    entry::sampled_from_composite,
+    entry::sampled_from_lines,
     opened::Opened,
     photons, picture,
     workspace::{self, Restored},
@@ -267,7 +267,7 @@ impl Opened {
 
 fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
     Some(NamedSpectrum {
-        samples: sampled_from_composite(&file.composite)?,
+        samples: sampled_from_lines(&file.composite, &file.widths_nm)?,
         name: file.name,
         kind: file.kind,
         unit: file.unit,
@@ -276,7 +276,7 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
             let composite = &file.composite;
             let mut notes = vec![format!(
                 "A composite of {}, sampled at 1 nm; the model on screen is fitted anew.",
-                many::numbers(composite.numbers())
+                many::numbers(composite.numbers() + usize::from(!file.widths_nm.is_empty()))
             )];
             let band = composite.band();
             let outside = |s: &&Spike| !band.contains(s.at_nm);

@@ -1,10 +1,21 @@
 //! The product of the light with one patch, as measured and by the model.
 
 use super::{derived::Derived, tables::PatchTables};
-use crate::spectrum::{
-    Composite, Sampling, Series, Spike,
-    product::{on_grid, resampled},
-};
+use crate::spectrum::{Composite, Sampling, Series, Spike, product::resampled};
+
+/// The model off a surface on the grid, lines that have a width with it, and its ideal lines.
+fn times_on_grid(derived: &Derived, reflectance: &[f64]) -> (Vec<f64>, Vec<Spike>) {
+    let mut values = derived.outline();
+    values
+        .iter_mut()
+        .zip(reflectance)
+        .for_each(|(v, r)| *v *= r);
+    let weighed = derived.ideal_spikes().into_iter().map(|spike| Spike {
+        weight: spike.weight * derived.band.interpolate(reflectance, spike.at_nm),
+        ..spike
+    });
+    (values, weighed.collect())
+}
 
 /// The product of the light with one patch, exact and by the model.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +45,7 @@ impl ProductView {
     ) -> Option<Self> {
         let reflectance = patches.reflectances.get(index)?;
         let (smooth, spikes) = match sampling {
-            Sampling::Exact => on_grid(&derived.model, reflectance),
+            Sampling::Exact => times_on_grid(derived, reflectance),
             Sampling::Paper
             | Sampling::ThreeN
             | Sampling::FourN

@@ -145,6 +145,7 @@ fn result_json(result: &MakersResult) -> Value {
 fn composite_json(file: &CompositeFile) -> Value {
     let CompositeFile {
         composite,
+        widths_nm,
         unit,
         source,
         name,
@@ -159,7 +160,7 @@ fn composite_json(file: &CompositeFile) -> Value {
         "basis": composite.smooth.basis.word(),
         "order": composite.smooth.order(),
         "spikes": composite.spikes.len(),
-        "numbers": composite.numbers(),
+        "numbers": composite.numbers() + usize::from(!widths_nm.is_empty()),
     })
 }
 

@@ -132,14 +132,20 @@ fn model_json(app: &App, derived: &Derived) -> Value {
         .spikes
         .iter()
         .zip(app.spike_names())
-        .map(|(spike, name)| {
-            json!({
+        .enumerate()
+        .map(|(i, (spike, name))| {
+            let mut entry = json!({
                 "at_nm": spike.at_nm,
                 "weight": spike.weight,
                 "share_of_power": derived.parts.share(spike.weight),
                 "line": name.safe,
                 "label": name.label,
-            })
+            });
+            // Only where widths were asked for.
+            if let Some(width) = derived.widths.nm.get(i) {
+                entry["fwhm_nm"] = json!(width);
+            }
+            entry
         })
         .collect();
     json!({
@@ -148,7 +154,7 @@ fn model_json(app: &App, derived: &Derived) -> Value {
         "order": model.smooth.order(),
         "coefficients": coefficients,
         "spikes": spikes,
-        "numbers": model.numbers(),
+        "numbers": derived.numbers(),
     })
 }
 
@@ -251,7 +257,7 @@ pub fn text(app: &App) -> String {
         derived.band.min_nm(),
         derived.band.max_nm(),
         many(model.spikes.len(), "spike", "spikes"),
-        numbers(model.numbers()),
+        numbers(derived.numbers()),
         match derived.exactness {
             Some(Exactness::Exact { .. }) => ", colour-exact",
             _ => "",

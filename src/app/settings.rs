@@ -48,6 +48,8 @@ pub struct Settings {
     pub order: usize,
     /// Whether lines are taken out as spikes at all.
     pub spikes: bool,
+    /// Each line as wide as it is, instead of the paper's ideal spike.
+    pub wide_lines: bool,
     /// Least share of the power a spike must carry, percent.
     pub threshold_percent: f64,
     /// Widest line, full width at half maximum, nm.
@@ -74,6 +76,7 @@ impl Default for Settings {
             basis: Basis::Cosine,
             order: 7,
             spikes: true,
+            wide_lines: false,
             threshold_percent: 0.5,
             max_width_nm: 10.0,
             dips: false,

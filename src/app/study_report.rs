@@ -555,10 +555,10 @@ pub fn race_notes(ask: &RaceAsk) -> Vec<String> {
     ]
 }
 
-/// A race as a table, one representation, count and set a line.
-pub fn race_csv(ask: &RaceAsk, race: &Race) -> String {
+/// A race as a table, one representation, count and set a line; `more` are comments above it.
+pub fn race_csv(ask: &RaceAsk, race: &Race, more: &[String]) -> String {
     let mut out = "# title: representations at equal counts of numbers\n".to_owned();
-    for note in race_notes(ask) {
+    for note in race_notes(ask).iter().chain(more) {
         let _ = writeln!(out, "# {note}");
     }
     let _ = writeln!(

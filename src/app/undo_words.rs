@@ -74,7 +74,16 @@ fn of_settings(before: Settings, after: Settings) -> Vec<String> {
         let band = after.band;
         words.push(format!("range {} to {} nm", band.min_nm(), band.max_nm()));
     }
+    if before.wide_lines != after.wide_lines {
+        let how = if after.wide_lines {
+            "lines as wide as they are"
+        } else {
+            "ideal lines"
+        };
+        words.push(how.to_owned());
+    }
     let rest = |settings: Settings| Settings {
+        wide_lines: false,
         order: 0,
         threshold_percent: 0.0,
         basis: after.basis,

@@ -215,6 +215,9 @@ pub struct Race {
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
+    /// Counts a known lamp's index and a line's width as numbers of their own.
+    #[arg(long)]
+    pub strict: bool,
     /// Print JSON instead of CSV; its keys are stable. In both relative errors and negative_lobes
     /// are fractions of 1 and not per cent.
     #[arg(long)]

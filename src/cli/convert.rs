@@ -276,7 +276,7 @@ fn model(
         }
     };
     let text = if words::extension(&options.out) == LINE {
-        Ok(composite_line::write(&file.composite) + "\n")
+        Ok(composite_line::write_lines(&file.composite, &file.widths_nm) + "\n")
     } else {
         composite_json::write(&file)
     };
@@ -286,7 +286,7 @@ fn model(
     let what = format!(
         "the model of {}, {}",
         file.name,
-        composite_json::in_words(&file.composite)
+        composite_json::in_words(&file.composite, &file.widths_nm)
     );
     Ok(with_notes(what, &notes))
 }
@@ -315,6 +315,7 @@ fn composite(options: &Convert, inputs: &mut Inputs) -> Option<CompositeFile> {
     let preset = Library::bundled().find(options.input.to_str()?).ok()?;
     Some(CompositeFile {
         composite: composite_from_preset(preset.composite()?)?,
+        widths_nm: Vec::new(),
         unit: preset.unit.clone(),
         source: preset.source.clone(),
         name: preset.name.clone(),

@@ -78,6 +78,9 @@ pub struct ModelOptions {
     /// Take no lines out as spikes.
     #[arg(long)]
     pub no_spikes: bool,
+    /// Keep each line as wide as it is; without it lines are ideal spikes.
+    #[arg(long)]
+    pub wide_lines: bool,
     /// Look for absorption lines too.
     #[arg(long)]
     pub dips: bool,
@@ -109,6 +112,7 @@ impl ModelOptions {
             colour_exact: _,
             plain: _,
             no_spikes,
+            wide_lines,
             dips: _,
             range: _,
             observer: _,
@@ -116,6 +120,7 @@ impl ModelOptions {
         } = self;
         let given = [
             ("--no-spikes", *no_spikes),
+            ("--wide-lines", *wide_lines),
             ("--sampling", sampling.is_some()),
         ];
         given.into_iter().filter(|g| g.1).map(|g| g.0).collect()
@@ -142,6 +147,7 @@ impl ModelOptions {
             colour_exact,
             plain: _,
             no_spikes,
+            wide_lines,
             dips,
             range,
             observer,
@@ -151,6 +157,7 @@ impl ModelOptions {
             basis: basis.unwrap_or(settings.basis),
             order: order.unwrap_or(settings.order),
             spikes: settings.spikes && !no_spikes,
+            wide_lines: settings.wide_lines || wide_lines,
             threshold_percent: threshold.unwrap_or(settings.threshold_percent),
             max_width_nm: max_width.unwrap_or(settings.max_width_nm),
             dips: settings.dips || dips,

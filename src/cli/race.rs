@@ -19,10 +19,11 @@ use super::{
 use crate::{
     app::{
         App, Entry,
+        charts::race::Ways,
         library::Library,
         memo::ByAddress,
         open::Loaded,
-        studies::{Class, Field, RaceAsk},
+        studies::{Class, Field, RaceAsk, WaysAsk},
         study_report,
     },
     io::{
@@ -30,6 +31,7 @@ use crate::{
         error::{quoted, shown},
         many::many,
     },
+    lamps::race_json,
     preset::Preset,
     spectrum::Kind,
     study::{Progress, reference::scaled_to_one},
@@ -46,6 +48,7 @@ pub fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(
         set,
         pick,
         model,
+        strict,
         json,
     } = options;
     let (app, field) = match (input, set) {
@@ -97,11 +100,16 @@ pub fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(
             ));
         }
     }
+    let standing =
+        WaysAsk::of(&ask, &ask.budgets, *strict).and_then(|ways| ways.answer(&Progress::default()));
     if *json {
-        let json = study_report::race_json(&ask, &race);
+        let mut json = study_report::race_json(&ask, &race);
+        json["judged"] = standing.as_ref().map(race_json).into();
         print(out, &format!("{json:#}\n"))
     } else {
-        print(out, &study_report::race_csv(&ask, &race))
+        let won = standing.as_ref().map(Ways::of);
+        let lines = won.map_or_else(Vec::new, |ways| ways.notes());
+        print(out, &study_report::race_csv(&ask, &race, &lines))
     }
 }
 

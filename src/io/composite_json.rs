@@ -1,16 +1,19 @@
 //! The composite model as JSON, bit-exact there and back.
 //!
 //! ```text
-//! {"format": "composite-spectrum", "version": 1, "range_nm": [min, max],
+//! {"format": "composite-spectrum", "version": 1 | 2, "range_nm": [min, max],
 //!  "basis": "fourier" | "cosine",
 //!  "coefficients": {"a": [N+1], "b": [N]} | {"c": [2N+1]},
-//!  "spikes": [{"at_nm", "weight"}], "unit", "source", "name", "kind", "scale_in_force",
+//!  "spikes": [{"at_nm", "weight", "fwhm_nm"}], "unit", "source", "name", "kind", "scale_in_force",
 //!  "written_by"}
 //! ```
 //!
 //! `name` and `kind` ("light", "reflectance", ...) may be missing: then the model is called as its
 //! file and is a light. The last two are for people; a model is always written in its file's own
 //! numbers.
+//!
+//! `fwhm_nm`, the full width of a Gaussian line at half its height, is version 2's: without it a line
+//! is an ideal spike. A model of ideal spikes is written as version 1.
 //!
 //! The Fourier `a0` is the paper's, halved in the series; the cosine `c0` is not. A Fourier series
 //! whose last sine was dropped is written with a zero in its place.
@@ -28,8 +31,8 @@ use super::{CompositeFile, Confidence, Format, Input, ReadError, Reading};
 /// The word in `format`.
 pub const FORMAT_WORD: &str = "composite-spectrum";
 
-/// The version written and read.
-pub const VERSION: u32 = 1;
+/// The versions written and read: of ideal spikes, and of lines that have a width.
+pub const VERSIONS: [u32; 2] = [1, 2];
 
 /// The composite model.
 pub const FORMAT: Format = Format {
@@ -77,6 +80,8 @@ struct Coefficients {
 struct Line {
     at_nm: f64,
     weight: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    fwhm_nm: Option<f64>,
 }
 
 fn sniff(input: &Input) -> Confidence {
@@ -91,14 +96,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let file = parse(input, text)?;
     Ok(Reading {
-        notes: vec![in_words(&file.composite)],
+        notes: vec![in_words(&file.composite, &file.widths_nm)],
         composites: vec![file],
         ..Reading::default()
     })
 }
 
-/// One line about a composite: basis, order, range, spikes.
-pub fn in_words(composite: &Composite) -> String {
+/// One line about a composite with the widths of its lines, if they have any: basis, order, range,
+/// spikes. That they have one is a number more.
+pub fn in_words(composite: &Composite, widths_nm: &[f64]) -> String {
     let (band, smooth) = (composite.band(), &composite.smooth);
     format!(
         "{} series of order {}, {}-{} nm, {}, {}",
@@ -108,9 +114,10 @@ pub fn in_words(composite: &Composite) -> String {
         band.max_nm(),
         match composite.spikes.len() {
             0 => "no spikes".to_owned(),
-            n => many(n, "spike", "spikes"),
+            n if widths_nm.is_empty() => many(n, "spike", "spikes"),
+            n => many(n, "line with its width", "lines with their widths"),
         },
-        numbers(composite.numbers())
+        numbers(composite.numbers() + usize::from(!widths_nm.is_empty()))
     )
 }
 
@@ -133,21 +140,25 @@ fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
     if format != FORMAT_WORD {
         return Err(input.error(format!("format \"{format}\""), format!("\"{FORMAT_WORD}\"")));
     }
-    if version != VERSION {
-        return Err(input.error(format!("version {version}"), format!("version {VERSION}")));
+    let [first, last] = VERSIONS;
+    if !VERSIONS.contains(&version) {
+        let expected = format!("version {first} or {last}");
+        return Err(input.error(format!("version {version}"), expected));
     }
     let band = Band::new(min, max)
         .map_err(|error| input.error(format!("range_nm [{min}, {max}]"), error.to_string()))?;
     let coefficients = prefix_order(basis, coefficients)
         .map_err(|(found, expected)| input.error(found, expected))?;
-    let spikes = spikes
-        .into_iter()
-        .map(|Line { at_nm, weight }| Spike { at_nm, weight })
-        .collect();
-    let composite = checked(band, basis, coefficients, spikes)
+    let lines = spikes.into_iter().map(|line| {
+        let Line { at_nm, weight, .. } = line;
+        let width_nm = line.fwhm_nm.filter(|_| version == last);
+        (Spike { at_nm, weight }, width_nm.unwrap_or(0.0))
+    });
+    let (composite, widths_nm) = checked_lines(band, basis, coefficients, lines.collect())
         .map_err(|(found, expected)| input.error(found, expected))?;
     Ok(CompositeFile {
         composite,
+        widths_nm,
         unit,
         source,
         name: if name.is_empty() {
@@ -236,6 +247,32 @@ pub fn checked(
     })
 }
 
+/// The widest line that is believed, nm.
+const WIDEST_NM: f64 = 1000.0;
+
+/// [`checked`] of lines with their widths, which are put in order with them; the widths are empty
+/// where all are ideal.
+pub fn checked_lines(
+    band: Band,
+    basis: Basis,
+    coefficients: Vec<f64>,
+    mut lines: Vec<(Spike, f64)>,
+) -> Result<(Composite, Vec<f64>), (String, String)> {
+    let is_width = |width: &f64| (0.0..=WIDEST_NM).contains(width);
+    if let Some((_, odd)) = lines.iter().find(|(_, width)| !is_width(width)) {
+        let expected = format!("a width of 0 to {WIDEST_NM} nm");
+        return Err((format!("a line {odd} nm wide"), expected));
+    }
+    if !lines.is_sorted_by(|(x, _), (y, _)| x.at_nm <= y.at_nm) {
+        lines.sort_by(|(x, _), (y, _)| x.at_nm.total_cmp(&y.at_nm));
+    }
+    let (spikes, mut widths): (Vec<Spike>, Vec<f64>) = lines.into_iter().unzip();
+    if widths.iter().all(|width| *width == 0.0) {
+        widths.clear();
+    }
+    Ok((checked(band, basis, coefficients, spikes)?, widths))
+}
+
 /// A composite as JSON.
 ///
 /// # Errors
@@ -243,6 +280,7 @@ pub fn checked(
 pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
     let CompositeFile {
         composite,
+        widths_nm,
         unit,
         source,
         name,
@@ -253,7 +291,8 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         && composite
             .spikes
             .iter()
-            .all(|s| s.at_nm.is_finite() && s.weight.is_finite());
+            .all(|s| s.at_nm.is_finite() && s.weight.is_finite())
+        && widths_nm.iter().all(|width| width.is_finite());
     if !finite || smooth.coefficients.is_empty() {
         return Err(WriteError::new(
             name,
@@ -276,16 +315,18 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
     };
     let file = File {
         format: FORMAT_WORD.to_owned(),
-        version: VERSION,
+        version: VERSIONS[usize::from(!widths_nm.is_empty())],
         range_nm: [smooth.band.min_nm(), smooth.band.max_nm()],
         basis: smooth.basis,
         coefficients,
         spikes: composite
             .spikes
             .iter()
-            .map(|s| Line {
+            .enumerate()
+            .map(|(i, s)| Line {
                 at_nm: s.at_nm,
                 weight: s.weight,
+                fwhm_nm: widths_nm.get(i).copied().filter(|width| *width > 0.0),
             })
             .collect(),
         unit: unit.clone(),

@@ -3,24 +3,27 @@
 //! ```text
 //! cs1;fourier;380:780;a0 a1 b1 a2 b2 ...;404.87*2.39 435.84*5.94
 //! cs1;cosine;380:780;c0 c1 c2 ...;
+//! cs2;cosine;380:780;c0 c1 c2 ...;404.87*2.39*3.1 435.84*5.94
 //! ```
 //!
 //! Five fields: mark and version, basis, range in nm, coefficients in prefix order, spikes as
-//! `nm*weight`. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
+//! `nm*weight`. In a line of mark `cs2` a spike may have a third number, the full width at half
+//! maximum of a Gaussian line in nm; it is written where a line has a width. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
 //! and kind are not in the line: it is taken as a light unless a person says otherwise.
 
 use std::fmt;
 
 use crate::spectrum::{Band, Basis, Composite, Kind, Spike};
 
-use super::composite_json::{checked, in_words};
+use super::composite_json::{checked_lines, in_words};
 use super::error::quoted;
 use super::number::number;
 use super::provenance::shortest;
 use super::{CompositeFile, Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
 
-/// First field of the line: the format and its version.
-pub const MARK: &str = "cs1";
+/// First field of the line: the format and its version, of ideal spikes and of lines that have a
+/// width.
+pub const MARKS: [&str; 2] = ["cs1", "cs2"];
 
 /// The one-line composite.
 pub const FORMAT: Format = Format {
@@ -55,7 +58,8 @@ fn trouble(found: impl Into<String>, expected: impl Into<String>) -> LineError {
 }
 
 fn sniff(input: &Input) -> Confidence {
-    if input.head().starts_with("cs1;") {
+    let starts = |mark: &&str| input.head().starts_with(&format!("{mark};"));
+    if MARKS.iter().any(starts) {
         Confidence::Certain
     } else {
         Confidence::No
@@ -63,12 +67,13 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let composite = parse(&input.needs_text()?.text)
+    let (composite, widths_nm) = parse_lines(&input.needs_text()?.text)
         .map_err(|LineError { found, expected }| input.error(found, expected).at_line(1))?;
     Ok(Reading {
-        notes: vec![in_words(&composite)],
+        notes: vec![in_words(&composite, &widths_nm)],
         composites: vec![CompositeFile {
             composite,
+            widths_nm,
             unit: String::new(),
             source: String::new(),
             name: input.stem().to_owned(),
@@ -85,17 +90,31 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     })
 }
 
-/// A composite as one line without a line end.
+/// A composite of ideal spikes as one line without a line end.
 pub fn write(composite: &Composite) -> String {
+    write_lines(composite, &[])
+}
+
+/// A composite with the widths of its lines (none where all are ideal) as one line without a line
+/// end.
+pub fn write_lines(composite: &Composite, widths_nm: &[f64]) -> String {
+    let mark = MARKS[usize::from(!widths_nm.is_empty())];
     let smooth = &composite.smooth;
     let coefficients: Vec<String> = smooth.coefficients.iter().map(|c| shortest(*c)).collect();
     let spikes: Vec<String> = composite
         .spikes
         .iter()
-        .map(|s| format!("{}*{}", shortest(s.at_nm), shortest(s.weight)))
+        .enumerate()
+        .map(|(i, s)| {
+            let spike = format!("{}*{}", shortest(s.at_nm), shortest(s.weight));
+            match widths_nm.get(i).filter(|width| **width > 0.0) {
+                Some(width) => format!("{spike}*{}", shortest(*width)),
+                None => spike,
+            }
+        })
         .collect();
     format!(
-        "{MARK};{};{}:{};{};{}",
+        "{mark};{};{}:{};{};{}",
         smooth.basis.word(),
         shortest(smooth.band.min_nm()),
         shortest(smooth.band.max_nm()),
@@ -109,8 +128,17 @@ pub fn write(composite: &Composite) -> String {
 /// # Errors
 /// [`LineError`] with the part that is wrong.
 pub fn parse(text: &str) -> Result<Composite, LineError> {
+    parse_lines(text).map(|(composite, _)| composite)
+}
+
+/// The same with the widths of its lines; none where all are ideal.
+///
+/// # Errors
+/// [`LineError`] with the part that is wrong.
+pub fn parse_lines(text: &str) -> Result<(Composite, Vec<f64>), LineError> {
     let fields: Vec<&str> = text.trim().split(';').map(str::trim).collect();
-    if fields[0] != MARK {
+    let has_widths = fields[0] == MARKS[1];
+    if !MARKS.contains(&fields[0]) {
         return Err(trouble(
             quoted(fields[0]),
             "a line that begins with \"cs1;\"",
@@ -135,9 +163,10 @@ pub fn parse(text: &str) -> Result<Composite, LineError> {
         .collect::<Result<_, _>>()?;
     let spikes = spikes
         .split_whitespace()
-        .map(parse_spike)
+        .map(|word| parse_spike(word, has_widths))
         .collect::<Result<_, _>>()?;
-    checked(band, basis, coefficients, spikes).map_err(|(found, expected)| trouble(found, expected))
+    checked_lines(band, basis, coefficients, spikes)
+        .map_err(|(found, expected)| trouble(found, expected))
 }
 
 fn finite(word: &str, expected: &str) -> Result<f64, LineError> {
@@ -158,14 +187,20 @@ fn parse_range(range: &str) -> Result<Band, LineError> {
         .map_err(|error| trouble(format!("range {}", quoted(range)), error.to_string()))
 }
 
-fn parse_spike(word: &str) -> Result<Spike, LineError> {
-    let (at_nm, weight) = word
+/// A spike with its width, 0 where it has none.
+fn parse_spike(word: &str, has_widths: bool) -> Result<(Spike, f64), LineError> {
+    let (at_nm, rest) = word
         .split_once('*')
         .ok_or_else(|| trouble(format!("spike {}", quoted(word)), "nm*weight"))?;
-    Ok(Spike {
+    let (weight, width) = match rest.split_once('*').filter(|_| has_widths) {
+        Some((weight, width)) => (weight, finite(width, "a line's width in nm")?),
+        None => (rest, 0.0),
+    };
+    let spike = Spike {
         at_nm: finite(at_nm, "a spike's wavelength in nm")?,
         weight: finite(weight, "a spike's weight")?,
-    })
+    };
+    Ok((spike, width))
 }
 
 #[cfg(test)]
@@ -195,8 +230,8 @@ mod tests {
     fn each_fault_is_named() {
         for (line, words) in [
             (
-                "cs2;x",
-                "found \"cs2\", expected a line that begins with \"cs1;\"",
+                "cs3;x",
+                "found \"cs3\", expected a line that begins with \"cs1;\"",
             ),
             ("cs1;fourier", "found 2 fields"),
             (
@@ -219,6 +254,42 @@ mod tests {
             let error = parse(line).unwrap_err().to_string();
             assert!(error.contains(words), "{line}: {error}");
         }
+    }
+
+    #[test]
+    fn widths_come_back_in_line_and_json_and_sort_with_their_lines() {
+        let line = "cs2;cosine;380:780;1 2 3;404.87*2.39*3.1 435.84*5.94";
+        let (composite, widths_nm) = parse_lines(line).unwrap();
+        assert_eq!(widths_nm, [3.1, 0.0]);
+        assert_eq!(write_lines(&composite, &widths_nm), line);
+        let turned = "cs2;cosine;380:780;1 2 3;435.84*5.94 404.87*2.39*3.1";
+        assert_eq!(parse_lines(turned).unwrap().1, widths_nm);
+        let file = CompositeFile {
+            composite,
+            widths_nm,
+            unit: String::new(),
+            source: String::new(),
+            name: "wide".to_owned(),
+            kind: Kind::Light,
+        };
+        let text = composite_json::write(&file).unwrap();
+        assert!(text.contains("\"version\": 2"), "{text}");
+        let read = |text: &str| read_bytes("x.json", text.as_bytes());
+        assert_eq!(read(&text).unwrap().composites, [file.clone()]);
+        // The first version knows no widths.
+        let first = text.replace("\"version\": 2", "\"version\": 1");
+        assert!(read(&first).unwrap().composites[0].widths_nm.is_empty());
+        assert!(read(&text.replace("3.1", "-3.1")).is_err());
+        let plain = CompositeFile {
+            widths_nm: Vec::new(),
+            ..file
+        };
+        assert!(
+            composite_json::write(&plain)
+                .unwrap()
+                .contains("\"version\": 1")
+        );
+        assert!(parse("cs1;cosine;380:780;1;404*1*2").is_err());
     }
 
     fn bits() -> impl Strategy<Value = f64> {
@@ -286,6 +357,7 @@ mod tests {
             prop_assert_eq!(all_bits(&line), all_bits(&composite));
             let file = CompositeFile {
                 composite: composite.clone(),
+                widths_nm: Vec::new(),
                 unit: "W m-2 nm-1".to_owned(),
                 source: "a \"test\"".to_owned(),
                 name: "a leaf".to_owned(),

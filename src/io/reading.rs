@@ -140,8 +140,10 @@ impl Guess {
 /// A composite with what a person needs to know about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CompositeFile {
-    /// The model.
+    /// The model, each line at its centre.
     pub composite: Composite,
+    /// Full width at half maximum of each line, nm, 0 for an ideal spike; empty where all are ideal.
+    pub widths_nm: Vec<f64>,
     /// Unit of its smooth part; empty when unknown. A spike's weight is in this unit x nm.
     pub unit: String,
     /// Where the numbers come from; empty when unknown.

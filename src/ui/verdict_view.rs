@@ -358,7 +358,11 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
                 1 => "2 for one line".to_owned(),
                 n => format!("{} for {n} lines", 2 * n),
             };
-            let words = format!("{smooth} for the smooth part, {lines}");
+            let label = match app.derived().widths.is_wide() {
+                true => ", 1 for widths",
+                false => "",
+            };
+            let words = format!("{smooth} for the smooth part, {lines}{label}");
             ui.label(RichText::new(words).small().color(theme.faint))
                 .on_hover_text("An order N takes 2N + 1 numbers; a line two, place and weight.");
         });

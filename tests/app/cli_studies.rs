@@ -347,6 +347,37 @@ fn all_lights_race_class_by_class_and_together() {
 }
 
 #[test]
+fn a_race_tells_in_how_many_cells_known_lamps_and_wide_lines_are_ahead() {
+    let race = json(&["race", "FL11", "--numbers", "2,20", "--strict", "--json"]);
+    let judged = &race["judged"];
+    assert_eq!(judged["count"], "strict");
+    let rows = judged["rows"].as_array().expect("rows");
+    for word in ["known-lamps", "wide-lines", "principal"] {
+        let row = rows.iter().find(|row| row["representation"] == word);
+        let row = row.expect("everybody has a row");
+        assert_eq!(row["numbers"], 20, "2 numbers carry no colour");
+        assert!(row["filters"]["median"].as_f64() > Some(0.0));
+    }
+    for cell in judged["cells"].as_array().expect("cells") {
+        // Three errors and three figures of one light at one count.
+        assert_eq!(cell["of"], 9);
+        let behind = cell["behind"].as_array().map(Vec::len);
+        let won = cell["won"].as_u64().expect("a count") as usize;
+        assert_eq!(behind.map(|behind| behind + won), Some(9));
+    }
+    let (comments, ..) = table(&["race", "FL11", "--numbers", "20"]);
+    let told = comments
+        .iter()
+        .find(|c| c.contains("cells won by known-lamps"));
+    assert!(
+        told.is_some_and(|c| c.contains(" of 9 against moments")),
+        "{comments:?}"
+    );
+    let dark = json(&["race", "FL11", "--numbers", "2", "--json"]);
+    assert!(dark["judged"].is_null());
+}
+
+#[test]
 fn one_light_races_alone_and_counts_repeat() {
     let race = json(&[
         "race",

@@ -8,7 +8,7 @@ use spectral_explorer::{
         charts::quality::DiagramShows,
         document::FIRST_LIGHT,
         document::Height,
-        pages::{FieldChoice, Page, PageMemory, WaysShown},
+        pages::{FieldChoice, Page, PageMemory, WaysShown, WordsMemory},
         picture::{ImageMemory, Show, Spread},
         products::{
             Link, Products, ProductsMemory,
@@ -102,6 +102,7 @@ pub fn full_document() -> Document {
         basis: Basis::Cosine,
         order: 13,
         spikes: false,
+        wide_lines: true,
         threshold_percent: 1.0 / 3.0,
         max_width_nm: 7.7,
         dips: true,
@@ -169,6 +170,12 @@ pub fn full_preferences() -> Preferences {
             field: FieldChoice::Discharge,
             race_numbers: 31,
             race_measure: Measure::Rms,
+            race_strict: true,
+            words: WordsMemory {
+                numbers: 11,
+                portable: true,
+                itself: true,
+            },
             ways: WaysShown {
                 plain: false,
                 ..WaysShown::default()

@@ -4,6 +4,7 @@ pub mod auction;
 pub mod coefficients;
 pub mod image;
 pub mod import;
+pub mod known_lamps;
 pub mod order;
 pub mod products;
 pub mod quality;

@@ -161,7 +161,7 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
     }
     if view.model {
         // The edge keeps the outline apart from whatever it runs over.
-        let points = curve(app, &derived.smooth);
+        let points = curve(app, &derived.outline());
         let edge = Palette::of(theme).ground;
         series.push(line("", edge, points.clone(), 4.0, Dash::Solid));
         series.push(line("model", inks.model, points, 2.0, Dash::Solid));
@@ -171,6 +171,7 @@ fn spectrum_series(app: &App, theme: Theme) -> Vec<Series> {
         series.push(line("smooth part", inks.smooth, points, 2.34, Dash::Solid));
     }
     if view.spikes {
+        series.extend(bells(app, inks));
         let spikes = &derived.model.spikes;
         let labels = labels(app, spikes);
         series.push(stems(
@@ -317,6 +318,19 @@ fn stems(
         labels,
     };
     Series::new(name, colour, marks)
+}
+
+/// Lines that have a width, each as it stands on the smooth curve.
+fn bells(app: &App, inks: Inks) -> Option<Series> {
+    let derived = app.derived();
+    derived.widths.is_wide().then(|| {
+        let marks = Marks::Area {
+            points: curve(app, &derived.outline()),
+            base: curve(app, &derived.smooth).iter().map(|p| p[1]).collect(),
+            is_coloured: false,
+        };
+        Series::new("lines as wide as they are", inks.spikes, marks)
+    })
 }
 
 /// The colours of the wavelengths; none where the range shows none.

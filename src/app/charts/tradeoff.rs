@@ -85,8 +85,8 @@ pub fn verdict_now(app: &App, reference: &Reference) -> Option<Verdict> {
     // A range that was just changed has another grid than the reference.
     (reference.measured().len() == derived.smooth.len()).then(|| {
         reference.verdict(
-            &times(&derived.smooth, unit),
-            &spikes_times(&derived.model.spikes, unit),
+            &times(&derived.outline(), unit),
+            &spikes_times(&derived.ideal_spikes(), unit),
         )
     })
 }
@@ -368,6 +368,7 @@ pub fn take(settings: Settings, point: &SweepPoint) -> Command {
             colour_exact,
             order: point.order,
             detector: Detector::Energy,
+            wide_lines: false,
             ..settings
         },
         edits: SpikeEdits::default(),
@@ -541,6 +542,7 @@ pub fn take_cell(settings: Settings, sweep: &Sweep, cell: usize) -> Option<Comma
             threshold_percent: threshold,
             spikes: true,
             detector: Detector::Energy,
+            wide_lines: false,
             ..settings
         },
         edits: SpikeEdits::default(),

@@ -2,7 +2,7 @@
 
 use super::{
     Question,
-    fitted::{Fitted, is_positive},
+    fitted::{Fitted, is_positive, xyz_of_lines},
 };
 use crate::{
     app::tables::Tables,
@@ -13,7 +13,7 @@ use crate::{
         ciede2000::delta_e_2000,
         lab::lab_from_xyz,
         srgb::Swatch,
-        xyz_of_parts, xyz_of_spikes,
+        xyz_of_parts,
     },
 };
 
@@ -62,7 +62,7 @@ impl Fitted {
         let is_light = question.is_light;
         let exact_1931 = xyz_of_parts(band, question.measured, &[], weights_1931);
         let model_1931 = Xyz::from_array(tables.colour_1931.of(coefficients))
-            + xyz_of_spikes(band, &self.spikes, weights_1931);
+            + xyz_of_lines(band, &self.ideal, &self.widths.bells, weights_1931);
         let missing_luminance = if question.full_luminance > 0.0 {
             let seen = band.inner(
                 question.light,

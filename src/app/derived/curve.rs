@@ -45,15 +45,26 @@ impl Fitted {
         // Everything as a share of the largest value, so that no square overflows or vanishes.
         let unit = height(question.measured).unwrap_or(0.0);
         let measured = times(question.measured, unit);
-        let spikes = spikes_times(&self.spikes, unit);
+        let spikes = spikes_times(&self.ideal, unit);
         let square = band.inner(&measured, &measured);
         let blurred_measured = tables.blur.values(&measured);
         let blurred_square = band.inner(&blurred_measured, &blurred_measured);
         // What is missing before any smooth part: spikes minus measured, plain and blurred.
         let mut rest: Vec<f64> = measured.iter().map(|m| -m).collect();
+        if self.widths.is_wide() {
+            let bells = times(&self.widths.bells, unit);
+            rest.iter_mut().zip(&bells).for_each(|(r, b)| *r += b);
+        }
         add_spikes(band, &spikes, &mut rest);
         let mut blurred_rest: Vec<f64> = blurred_measured.iter().map(|m| -m).collect();
+        if self.widths.is_wide() {
+            let bells = tables.blur.values(&times(&self.widths.bells, unit));
+            let rest = blurred_rest.iter_mut();
+            rest.zip(bells).for_each(|(r, b)| *r += b);
+        }
         tables.blur.add_spikes(&spikes, &mut blurred_rest);
+        // One more number tells that lines have a width.
+        let label = usize::from(self.widths.is_wide());
 
         let mut patch_work = self.patch_work(question, tables);
         let exact_lab = lab_from_xyz(self.exact_xyz, self.white);
@@ -76,7 +87,7 @@ impl Fitted {
                 let rms_blurred = share(band.inner(d, d), blurred_square);
                 OrderPoint {
                     order,
-                    numbers: coefficients.len() + 2 * self.spikes.len(),
+                    numbers: coefficients.len() + 2 * self.spikes.len() + label,
                     figures: Verdict::from_fn(|measure| match measure {
                         Measure::Own => own,
                         Measure::Patches => patches.map(|p| p.0),

@@ -1,6 +1,6 @@
 //! The fit: a subject taken apart and projected once, from which every order is cut.
 
-use super::Question;
+use super::{Question, wide::Widths};
 use crate::{
     app::{settings::Detector, tables::Tables},
     color::{Xyz, xyz_of_one, xyz_of_parts, xyz_of_spikes},
@@ -11,12 +11,20 @@ use crate::{
         gradient,
         spikes::absolute_power,
     },
+    study::{
+        Measure, Verdict,
+        error::{height, spectrum_errors},
+    },
 };
 
 /// A subject taken apart and projected to the largest order: what every order is cut from.
 pub(super) struct Fitted {
     pub parts: Decomposed,
     pub spikes: Vec<Spike>,
+    /// How wide they are.
+    pub widths: Widths,
+    /// Those of no width: all of them, unless widths were asked for.
+    pub ideal: Vec<Spike>,
     /// Plain coefficients to the largest order.
     pub projected: Vec<f64>,
     /// XYZ that the smooth part must have for the subject's colour to be exact.
@@ -35,12 +43,18 @@ impl Fitted {
     pub(super) fn of(question: Question<'_>, tables: &Tables) -> Self {
         let settings = question.settings;
         let band = tables.band();
-        let parts = take_apart(question, band);
+        let mut parts = take_apart(question, band);
+        let widths = if settings.wide_lines {
+            Widths::of(band, question.measured, &mut parts, settings.max_width_nm)
+        } else {
+            Widths::default()
+        };
         let spikes = parts.plain_spikes();
+        let ideal = widths.ideal(&spikes);
         let projected = tables.basis.project(&parts.smooth, tables.basis.numbers());
         let weights = &tables.viewing.weights;
         let exact_xyz = xyz_of_parts(band, question.measured, &[], weights);
-        let spikes_xyz = xyz_of_spikes(band, &spikes, weights);
+        let spikes_xyz = xyz_of_lines(band, &ideal, &widths.bells, weights);
         let white = if question.is_light {
             exact_xyz
         } else {
@@ -51,6 +65,8 @@ impl Fitted {
             smooth_target: (exact_xyz - spikes_xyz).to_array(),
             parts,
             spikes,
+            widths,
+            ideal,
             projected,
             colour_exact: settings.colour_exact,
             spikes_xyz,
@@ -71,6 +87,26 @@ impl Fitted {
             Exactness::TooFewNumbers
         };
         (coefficients, exactness)
+    }
+
+    /// What the model is off by in the spectrum itself.
+    pub(super) fn spectrum_errors(
+        &self,
+        measured: &[f64],
+        smooth: &[f64],
+        tables: &Tables,
+    ) -> Verdict {
+        if !self.widths.is_wide() {
+            return spectrum_errors(&tables.blur, measured, smooth, &self.ideal)
+                .unwrap_or_default();
+        }
+        let outline = self.widths.with_bells(smooth.to_vec());
+        let errors = spectrum_errors(&tables.blur, measured, &outline, &self.ideal);
+        let mut errors = errors.unwrap_or_default();
+        // A line over a dip does not hide that the smooth part dips.
+        errors[Measure::Lowest] = height(measured)
+            .map(|unit| unit * smooth.iter().copied().fold(f64::INFINITY, f64::min));
+        errors
     }
 
     /// XYZ of the model by its coefficients (Eq. 7, corrected), not scaled.
@@ -107,6 +143,19 @@ fn take_apart(question: Question<'_>, band: Band) -> Decomposed {
             },
         ),
     }
+}
+
+/// XYZ of lines: of no width, and those that have one on the grid, if there are any.
+pub(super) fn xyz_of_lines(
+    band: Band,
+    ideal: &[Spike],
+    bells: &[f64],
+    weights: &[Vec<f64>; 3],
+) -> Xyz {
+    if bells.is_empty() {
+        return xyz_of_spikes(band, ideal, weights);
+    }
+    xyz_of_parts(band, bells, ideal, weights)
 }
 
 /// Whether a number is finite and above zero.

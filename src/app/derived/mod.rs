@@ -4,15 +4,19 @@ mod colour;
 mod curve;
 mod fitted;
 mod patches;
+mod wide;
 
 pub use colour::{Colour, ColourComparison};
 pub use curve::{OF_CURVE, OrderPoint};
 pub use patches::{PatchComparison, PatchPair};
+pub use wide::Widths;
 
 use crate::{
     color::{Adaptation, Xyz},
-    spectrum::{Band, Composite, Decomposed, Exactness, Series, SpikeEdits, composite::add_spikes},
-    study::{Measure, Verdict, error::spectrum_errors},
+    spectrum::{
+        Band, Composite, Decomposed, Exactness, Series, Spike, SpikeEdits, composite::add_spikes,
+    },
+    study::{Measure, Verdict},
 };
 
 use super::{settings::Settings, tables::Tables, ticks::short};
@@ -54,11 +58,13 @@ pub struct Derived {
     pub measured: Vec<f64>,
     /// Smooth target, spikes, total power.
     pub parts: Decomposed,
-    /// The model.
+    /// The model, each line as an ideal spike at its centre.
     pub model: Composite,
+    /// How wide its lines are.
+    pub widths: Widths,
     /// The smooth series on the grid.
     pub smooth: Vec<f64>,
-    /// Smooth plus spikes (split over their neighbouring nm) minus measured, on the grid.
+    /// Smooth plus lines (ideal ones split over their neighbouring nm) minus measured, on the grid.
     pub residual: Vec<f64>,
     /// How the colour-exact fit went; `None` when it was not asked for.
     pub exactness: Option<Exactness>,
@@ -99,15 +105,15 @@ impl Derived {
             .zip(question.measured)
             .map(|(s, m)| s - m)
             .collect();
-        add_spikes(band, &fitted.spikes, &mut residual);
+        residual = fitted.widths.with_bells(residual);
+        add_spikes(band, &fitted.ideal, &mut residual);
         let colour = fitted.colour(question, tables, &coefficients);
         // Without a white there is nothing to bring patches to.
         let is_visible = colour.exact.is_some() && colour.model.is_some();
         let patches = is_visible
             .then(|| fitted.patches(question, tables, &coefficients))
             .flatten();
-        let errors = spectrum_errors(&tables.blur, question.measured, &smooth, &fitted.spikes);
-        let mut figures = errors.unwrap_or_default();
+        let mut figures = fitted.spectrum_errors(question.measured, &smooth, tables);
         figures[Measure::Own] = colour.delta_e_2000;
         figures[Measure::Patches] = patches.as_ref().map(|p| p.mean);
         figures[Measure::PatchesWorst] = patches.as_ref().map(|p| p.max);
@@ -130,6 +136,7 @@ impl Derived {
             patches,
             curve: fitted.curve(question, tables),
             parts: fitted.parts,
+            widths: fitted.widths,
             warnings: Vec::new(),
         };
         derived.warnings = derived.warnings_for(question);
@@ -151,15 +158,26 @@ impl Derived {
         }
     }
 
-    /// Numbers that the model takes.
+    /// Numbers that the model takes: one more, the label, where a line has a width.
     pub fn numbers(&self) -> usize {
-        self.model.numbers()
+        self.model.numbers() + usize::from(self.widths.is_wide())
     }
 
-    /// The model with each spike split linearly over its two neighbouring nm, on the grid.
+    /// The model's lines of no width.
+    pub fn ideal_spikes(&self) -> Vec<Spike> {
+        self.widths.ideal(&self.model.spikes)
+    }
+
+    /// The smooth part and the lines that have a width, on the grid.
+    pub fn outline(&self) -> Vec<f64> {
+        self.widths.with_bells(self.smooth.clone())
+    }
+
+    /// The model with each line of no width split linearly over its two neighbouring nm, on the
+    /// grid.
     pub fn model_values(&self) -> Vec<f64> {
-        let mut values = self.smooth.clone();
-        add_spikes(self.band, &self.model.spikes, &mut values);
+        let mut values = self.outline();
+        add_spikes(self.band, &self.ideal_spikes(), &mut values);
         values
     }
 

@@ -2,16 +2,16 @@
 
 use super::{
     Question,
-    fitted::{Fitted, is_positive},
+    fitted::{Fitted, is_positive, xyz_of_lines},
 };
 use crate::{
     app::tables::Tables,
     color::{
-        Lab, Xyz,
+        Lab, PatchSet, Xyz,
         ciede2000::delta_e_2000,
         patches::{difference, labs_into},
         srgb::Swatch,
-        xyz_of_parts, xyz_of_spikes,
+        xyz_of_parts,
     },
     spectrum::{SampleGrid, Sampling, Series, Spike, product::convolve},
 };
@@ -71,9 +71,7 @@ impl Fitted {
             }
             (_, None) => {
                 patches.matrix.xyz_into(coefficients, &mut model);
-                for spike in &self.spikes {
-                    patches.set.add_line(spike.at_nm, spike.weight, &mut model);
-                }
+                self.add_to_patches(&patches.set, &mut model);
             }
         }
         let (mut exact_labs, mut model_labs) = (
@@ -175,17 +173,37 @@ impl Fitted {
         }
     }
 
-    /// Adds the spikes, each weighed by a reflectance where it stands.
+    /// Adds the lines to what each patch sends back.
+    fn add_to_patches(&self, patches: &PatchSet, out: &mut [[f64; 3]]) {
+        for spike in &self.ideal {
+            patches.add_line(spike.at_nm, spike.weight, out);
+        }
+        if self.widths.is_wide() {
+            let mut bells = patches.buffer();
+            patches.xyz_into(&self.widths.bells, &mut bells);
+            for (o, b) in out.as_flattened_mut().iter_mut().zip(bells.as_flattened()) {
+                *o += b;
+            }
+        }
+    }
+
+    /// Adds the lines, those of no width weighed by a reflectance where they stand.
     fn add_lines(&self, reflectance: &Series, tables: &Tables, xyz: &mut [f64; 3]) {
         let weighed: Vec<Spike> = self
-            .spikes
+            .ideal
             .iter()
             .map(|spike| Spike {
                 weight: spike.weight * reflectance.at(spike.at_nm),
                 ..*spike
             })
             .collect();
-        let lines = xyz_of_spikes(reflectance.band, &weighed, &tables.viewing.weights);
+        let mut bells = self.widths.bells.clone();
+        if self.widths.is_wide() {
+            let reflectance = reflectance.on_band();
+            bells.iter_mut().zip(reflectance).for_each(|(b, r)| *b *= r);
+        }
+        let weights = &tables.viewing.weights;
+        let lines = xyz_of_lines(reflectance.band, &weighed, &bells, weights);
         for (x, l) in xyz.iter_mut().zip(lines.to_array()) {
             *x += l;
         }
@@ -203,9 +221,7 @@ impl Fitted {
         let mut exact_labs = vec![zero; exact.len()];
         labs_into(&exact, self.white, &mut exact_labs);
         let mut lines = patches.set.buffer();
-        for spike in &self.spikes {
-            patches.set.add_line(spike.at_nm, spike.weight, &mut lines);
-        }
+        self.add_to_patches(&patches.set, &mut lines);
         Some(PatchWork {
             white: self.white,
             labs: exact_labs.clone(),

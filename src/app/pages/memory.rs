@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::Page;
 use crate::{
     app::{charts::quality::DiagramShows, picture::ImageMemory, products::ProductsMemory},
+    lamps::NUMBERS,
     study::{Goal, Measure},
 };
 
@@ -36,6 +37,10 @@ pub struct PageMemory {
     pub race_numbers: usize,
     /// Race: the figure that decides.
     pub race_measure: Measure,
+    /// Race: whether known lamps and widths of lines are counted as numbers of their own.
+    pub race_strict: bool,
+    /// Known lamps: what the light is made of.
+    pub words: WordsMemory,
     /// Products: its parts.
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
@@ -59,6 +64,8 @@ impl Default for PageMemory {
             field: FieldChoice::ThisLight,
             race_numbers: 20,
             race_measure: Measure::Patches,
+            race_strict: false,
+            words: WordsMemory::default(),
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
             image: ImageMemory::default(),
@@ -95,9 +102,35 @@ impl PageMemory {
                 Measure::PatchesWorst => Measure::Patches,
                 measure => measure,
             },
+            words: WordsMemory {
+                numbers: self.words.numbers.clamp(NUMBERS[0], NUMBERS[1]),
+                ..self.words
+            },
             products: self.products.clamped(),
             image: self.image.clamped(),
             ..self
+        }
+    }
+}
+
+/// How a light is put into few words.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct WordsMemory {
+    /// Most numbers.
+    pub numbers: usize,
+    /// Without known lamps: whoever has the formula can decode the words.
+    pub portable: bool,
+    /// Whether a shipped lamp may be said to be itself.
+    pub itself: bool,
+}
+
+impl Default for WordsMemory {
+    fn default() -> Self {
+        Self {
+            numbers: 20,
+            portable: false,
+            itself: false,
         }
     }
 }
@@ -216,11 +249,16 @@ mod tests {
             auction_numbers: 0,
             spend_numbers: 100_000,
             race_numbers: 21,
+            words: WordsMemory {
+                numbers: 0,
+                ..WordsMemory::default()
+            },
             ..PageMemory::default()
         };
         let sound = nonsense.clamped();
         assert_eq!((sound.channel, sound.race_numbers), (2, 20));
         assert_eq!((sound.auction_numbers, sound.spend_numbers), (1, 101));
+        assert_eq!(sound.words.numbers, 3);
         assert_eq!(sound.goal, Goal::PATCHES);
         let usual = PageMemory::default();
         assert_eq!(usual.clone().clamped(), usual);

@@ -4,7 +4,7 @@ mod memory;
 
 use serde::{Deserialize, Serialize};
 
-pub use memory::{FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown};
+pub use memory::{FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown, WordsMemory};
 
 /// A place of the window: what a person asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,6 +104,8 @@ pub enum Page {
     Auction,
     /// The composite against other representations.
     Race,
+    /// The light in few words: known lamps, a short series, lines of their own width.
+    KnownLamps,
     /// The same product formed in every way.
     Resampling,
     /// Error against the number of bounces.
@@ -260,6 +262,13 @@ const ROWS: &[Row] = &[
         ("Race", "race"),
         &[],
         "The composite against other representations, at equal numbers.",
+    ),
+    row(
+        Page::KnownLamps,
+        (Place::Numbers, Page::KnownLamps),
+        ("Known lamps", "known-lamps"),
+        &[],
+        "What the light is made of: lamps that are known, a short series, a few lines.",
     ),
     row(
         Page::Resampling,

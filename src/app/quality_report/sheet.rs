@@ -33,7 +33,10 @@ impl Sheet {
         Self {
             name,
             measured: Figures::of(&light, measured),
-            model: Figures::of(&Light::of_composite(&derived.model), measured),
+            model: Figures::of(
+                &Light::of_parts(derived.band, &derived.outline(), &derived.ideal_spikes()),
+                measured,
+            ),
             composite: derived.model.clone(),
         }
     }

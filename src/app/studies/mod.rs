@@ -4,6 +4,7 @@
 pub mod about;
 pub mod field;
 pub mod job;
+pub mod lamps;
 pub mod paper;
 pub mod surfaces;
 pub mod take;
@@ -11,6 +12,7 @@ pub mod take;
 pub use about::About;
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake, Work};
+pub use lamps::{EncodeAsk, EncodedLight, WaysAsk};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
@@ -23,6 +25,7 @@ use super::{
     tables::CURVE_ORDER,
 };
 use crate::{
+    lamps::Standing,
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, Progress, Race, Sweep,
@@ -156,6 +159,10 @@ pub struct Studies {
     pub spend: Job<AuctionAsk, Auction>,
     /// The race.
     pub race: Job<RaceAsk, Race>,
+    /// Known lamps and wide lines in the race.
+    pub ways: Job<WaysAsk, Standing>,
+    /// The light in few words, or why there are none.
+    pub encoded: Job<EncodeAsk, Result<EncodedLight, String>>,
     /// Searches of the library's surfaces.
     pub surfaces: Surfaces,
     /// What one product takes.
@@ -177,6 +184,8 @@ impl Studies {
             auction,
             spend,
             race,
+            ways,
+            encoded,
             surfaces,
             timing,
             bounces,
@@ -186,7 +195,8 @@ impl Studies {
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
         vec![
-            sweep, auction, spend, race, pairs, ranking, timing, bounces, quality, raster, region,
+            sweep, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces, quality,
+            raster, region,
         ]
     }
 

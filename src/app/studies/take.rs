@@ -33,6 +33,7 @@ pub fn take(settings: Settings, ask: &AuctionAsk, auction: &Auction, step: &Step
             colour_exact: ask.terms.colour_exact,
             order: step.order,
             spikes: !none,
+            wide_lines: false,
             detector: Detector::Energy,
             ..settings
         },

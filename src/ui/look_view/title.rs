@@ -95,8 +95,12 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
                  x its width).",
             );
         };
+        let with_widths = width >= 800.0;
         if !tight {
             lines(ui, view);
+        }
+        if with_widths {
+            widths(ui, app, width >= 880.0, commands);
         }
         let others = |ui: &mut Ui, view: &mut View| {
             chip(
@@ -124,6 +128,9 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
             }
             if !wide {
                 others(ui, view);
+            }
+            if !with_widths {
+                ui.horizontal(|ui| widths(ui, app, true, commands));
             }
             chip(
                 ui,
@@ -163,6 +170,44 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
             });
         }
     });
+}
+
+/// Whether lines are ideal, or as wide as they are.
+fn widths(ui: &mut Ui, app: &App, in_full: bool, commands: &mut Vec<Command>) {
+    let settings = app.document().settings;
+    ui.spacing_mut().item_spacing.x = 0.0;
+    for (wide_lines, word, meaning) in [
+        (
+            false,
+            "Ideal",
+            "Lines have no width, as in the paper: a place and a weight.",
+        ),
+        (
+            true,
+            "As wide as they are",
+            "Each line is a bell of its own width, kept in the same word as its place; one number \
+             more tells so. What other pages form with the lines takes their centres.",
+        ),
+    ] {
+        let is_chosen = settings.wide_lines == wide_lines;
+        let shown = if wide_lines && !in_full { "Wide" } else { word };
+        let button = ui
+            .add_enabled(settings.spikes, Button::selectable(is_chosen, shown))
+            .on_hover_text(meaning)
+            .on_disabled_hover_text("No lines are taken out.");
+        button.widget_info(|| {
+            let name = format!("Lines: {}", word.to_lowercase());
+            egui::WidgetInfo::selected(egui::Role::RadioButton, true, is_chosen, name)
+        });
+        if button.clicked() && !is_chosen {
+            commands.push(Command::Edit(crate::app::Settings {
+                wide_lines,
+                ..settings
+            }));
+        }
+    }
+    ui.add_space(8.0);
+    ui.spacing_mut().item_spacing.x = 8.0;
 }
 
 const HEIGHTS: [(Height, &str, &str); 3] = [

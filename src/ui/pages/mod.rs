@@ -4,6 +4,7 @@ pub mod auction_view;
 pub mod coefficients_view;
 pub mod glossary_view;
 pub mod image_view;
+pub mod known_lamps_view;
 pub mod products_view;
 pub mod quality_view;
 pub mod race_view;
@@ -72,6 +73,7 @@ pub struct Pages {
     tradeoff: tradeoff_view::TradeoffView,
     auction: auction_view::AuctionView,
     race: race_view::RaceView,
+    known_lamps: known_lamps_view::KnownLampsView,
     products: products_view::ProductsView,
     quality: quality_view::QualityView,
     image: image_view::ImageView,
@@ -103,6 +105,7 @@ impl Pages {
             Page::Tradeoff => self.tradeoff.show(ui, context),
             Page::Auction => self.auction.show(ui, context),
             Page::Race => self.race.show(ui, context),
+            Page::KnownLamps => self.known_lamps.show(ui, context),
             Page::Resampling => products.resampling.show(ui, context),
             Page::Bounces => products.bounces.show(ui, context),
             Page::Image => self.image.show(ui, context),

@@ -27,7 +27,8 @@ pub struct QualityView {
     diagram: Memo<(u64, chart::Theme, DiagramShows), Chart>,
 }
 
-fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
+/// A page's result, a sentence.
+pub(super) fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
     let text = RichText::new(words).size(16.0 * context.theme.scale);
     ui.add(egui::Label::new(text).wrap());
 }

@@ -3,10 +3,12 @@
 
 mod larger;
 mod table;
+mod ways;
 mod winners;
 
 pub use larger::{Larger, Tables};
 pub use table::{RaceCell, RaceColumn, RaceTable, about, group, name};
+pub use ways::{CELLS_AT, Ways, WaysRow, about_entrant};
 pub use winners::{Lamp, Winners, Won};
 
 use crate::{

@@ -2,6 +2,7 @@
 
 mod larger;
 mod table;
+mod ways;
 mod winners;
 
 use std::sync::Arc;
@@ -18,6 +19,7 @@ use crate::{
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
     },
+    lamps::Standing,
     spectrum::Kind,
     study::{Measure, Race, race::Racer},
     ui::{
@@ -39,6 +41,7 @@ pub struct RaceView {
     /// The class shown where several race; all of them without one.
     class: Option<String>,
     shown: Memo<Key, Shown>,
+    ways: ways::WaysView,
 }
 
 /// What decides how a result is shown: the race, the class, which count, the figure, the looks.
@@ -89,6 +92,8 @@ impl RaceView {
         let race = &mut context.studies.race;
         race.ask_by(&ask, context.wake, RaceAsk::answer);
         progress(ui, race, "The race");
+        let standing = ways::WaysView::ask(context, &ask);
+        let race = &mut context.studies.race;
         if race.stage() == Stage::Impossible {
             // What is still there answers another question.
             return;
@@ -96,7 +101,7 @@ impl RaceView {
         let Some((ask, race)) = race.answer().map(|(ask, race)| (ask.clone(), race.clone())) else {
             return;
         };
-        self.result(ui, context, &ask, &race);
+        self.result(ui, context, (&ask, &race), standing.as_ref());
     }
 
     /// Who races, on how many numbers, and what decides.
@@ -199,8 +204,8 @@ impl RaceView {
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,
-        ask: &RaceAsk,
-        race: &Arc<Race>,
+        (ask, race): (&RaceAsk, &Arc<Race>),
+        standing: Option<&Arc<Standing>>,
     ) {
         let numbers = context.memory.race_numbers;
         let Some(budget) = race.budgets.iter().position(|n| *n == numbers) else {
@@ -216,12 +221,17 @@ impl RaceView {
         );
         let drawn = &*self.shown.get(key, |key| Shown::of(ask, key));
         let theme = context.theme;
+        let ways = &mut self.ways;
+        if let Some(standing) = standing {
+            ways.headline(ui, context, standing);
+        }
         egui::ScrollArea::vertical()
             .auto_shrink(false)
             .show(ui, |ui| {
                 table_head(ui, context, ask, race, class, budget);
                 drawn.table.show(ui, theme);
                 ui.add_space(8.0);
+                ways.show(ui, context, standing, class);
                 let wide = ui.available_width() >= WIDE;
                 let height = (360.0 * theme.scale).max(240.0);
                 if wide {

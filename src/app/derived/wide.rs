@@ -1,0 +1,191 @@
+//! Lines as wide as they are: each is given the width that fits best what the detector took out,
+//! and leaves its Gaussian out of the smooth part.
+
+use crate::{
+    lamps::{Spike as WideSpike, add_spikes, as_wide_as_it_is},
+    spectrum::{Band, Decomposed, Spike, spikes::LineShape},
+};
+
+/// A line may be found this much wider than the detector was asked for: half a nm of grid on either
+/// side, and hulls that are not exact.
+const WIDER: f64 = 1.5;
+
+/// The lines of a model by their widths; without a width everywhere where all are ideal.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Widths {
+    /// Full width at half maximum of each line, nm; 0 is ideal. Empty where none was asked for.
+    pub nm: Vec<f64>,
+    /// Those that have a width, on the grid; empty where there are none.
+    pub bells: Vec<f64>,
+}
+
+impl Widths {
+    /// The widths of what a spectrum was taken apart to. The smooth part is changed with them: it
+    /// keeps what a Gaussian cannot say of a line.
+    pub(super) fn of(
+        band: Band,
+        measured: &[f64],
+        parts: &mut Decomposed,
+        max_width_nm: f64,
+    ) -> Self {
+        let mut taken = measured.to_vec();
+        taken
+            .iter_mut()
+            .zip(&parts.smooth)
+            .for_each(|(m, s)| *m -= s);
+        let mut lines = Vec::with_capacity(parts.spikes.len());
+        for found in &mut parts.spikes {
+            let mut line = WideSpike::ideal(found.spike.at_nm, found.spike.weight);
+            // A spike that was set where no line is has no width.
+            if let Some(window) = found.window_nm {
+                let shape = shape_in(band, window, &taken);
+                // One that was moved is as wide as the line that it stands for, and leaves that.
+                let own = as_wide_as_it_is(band, &shape, WIDER * max_width_nm);
+                if !own.is_ideal() {
+                    line.width_nm = own.width_nm;
+                    found.width_nm = Some(own.width_nm);
+                    shape.give_back_to(&mut parts.smooth);
+                    own.shape(band).add_to(-own.weight, &mut parts.smooth);
+                }
+            }
+            lines.push(line);
+        }
+        Self::of_lines(band, &lines)
+    }
+
+    fn of_lines(band: Band, lines: &[WideSpike]) -> Self {
+        let wide: Vec<WideSpike> = lines.iter().copied().filter(|l| !l.is_ideal()).collect();
+        let mut bells = Vec::new();
+        if !wide.is_empty() {
+            bells = vec![0.0; band.points()];
+            add_spikes(band, &wide, &mut bells);
+        }
+        Self {
+            nm: lines.iter().map(|line| line.width_nm).collect(),
+            bells,
+        }
+    }
+
+    /// Whether any line has a width.
+    pub fn is_wide(&self) -> bool {
+        !self.bells.is_empty()
+    }
+
+    /// The widths as files have them: none where all lines are ideal.
+    pub fn written(&self) -> Vec<f64> {
+        if self.is_wide() {
+            self.nm.clone()
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// The lines of no width among these.
+    pub fn ideal(&self, spikes: &[Spike]) -> Vec<Spike> {
+        if !self.is_wide() {
+            return spikes.to_vec();
+        }
+        let with_widths = spikes.iter().zip(&self.nm);
+        let ideal = with_widths.filter(|(_, width)| **width == 0.0);
+        ideal.map(|(spike, _)| *spike).collect()
+    }
+
+    /// Values on the grid with the lines that have a width.
+    pub fn with_bells(&self, mut values: Vec<f64>) -> Vec<f64> {
+        for (value, bell) in values.iter_mut().zip(&self.bells) {
+            *value += bell;
+        }
+        values
+    }
+}
+
+/// What was taken out in a window, with its place and its energy.
+fn shape_in(band: Band, window_nm: [f64; 2], taken: &[f64]) -> LineShape {
+    let index = |nm: f64| (nm - band.min_nm()).round().clamp(0.0, band.steps() as f64) as usize;
+    let [first, last] = window_nm.map(index);
+    let residue = taken[first..=last.max(first)].to_vec();
+    let weighed = residue.iter().zip(first..);
+    let parts = weighed.map(|(r, i)| (band.nm(i), band.weight(i) * r));
+    let (weight, moment) = parts.fold((0.0, 0.0), |(e, m), (nm, w)| (e + w, m + w * nm));
+    let middle = 0.5 * (band.nm(first) + band.nm(last.max(first)));
+    let at_nm = Some(moment / weight).filter(|nm| band.contains(*nm));
+    LineShape {
+        spike: Spike {
+            at_nm: at_nm.unwrap_or(middle),
+            weight,
+        },
+        first,
+        residue,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        app::{App, Command, Settings},
+        lamps::decompose,
+        study::Measure,
+    };
+
+    fn wide(app: &mut App, wide_lines: bool) {
+        app.apply(Command::Edit(Settings {
+            wide_lines,
+            ..app.document().settings
+        }));
+    }
+
+    #[test]
+    fn widths_are_those_of_the_encoder_and_nothing_is_lost() {
+        let mut app = App::new();
+        app.apply(Command::Show(
+            app.entry("cie_fluorescent_1nm/FL11").expect("shipped"),
+        ));
+        wide(&mut app, true);
+        let derived = app.derived();
+        let settings = app.document().settings.spike_settings();
+        let expected = decompose(derived.band, &derived.measured, settings);
+        assert_eq!(derived.widths.nm.len(), expected.spikes.len());
+        assert!(derived.widths.is_wide());
+        for (width, line) in derived.widths.nm.iter().zip(&expected.spikes) {
+            // The same stored width but for the rounding of a difference.
+            assert!((width - line.width_nm).abs() < 0.05 * line.width_nm.max(2.0));
+        }
+        let mut whole = derived.widths.with_bells(derived.parts.smooth.clone());
+        let ideal = derived.widths.ideal(&derived.model.spikes);
+        crate::spectrum::composite::add_spikes(derived.band, &ideal, &mut whole);
+        let most = derived.measured.iter().fold(0.0_f64, |m, v| m.max(*v));
+        for (a, b) in whole.iter().zip(&derived.measured) {
+            // Lines of one sample are ideal and keep to two neighbours.
+            assert!((a - b).abs() < 1e-9 * most || !ideal.is_empty());
+        }
+    }
+
+    #[test]
+    fn wide_lines_cost_a_label_and_bring_the_spectrum_nearer() {
+        let mut app = App::new();
+        app.apply(Command::Show(
+            app.entry("cie_fluorescent_1nm/FL11").expect("shipped"),
+        ));
+        let before = app.derived().clone();
+        assert!(!before.widths.is_wide() && before.widths.nm.is_empty());
+        wide(&mut app, true);
+        let after = app.derived().clone();
+        assert_eq!(after.numbers(), before.numbers() + 1);
+        for measure in [Measure::Rms, Measure::RmsBlurred] {
+            let [is, was] = [&after, &before].map(|d| d.figures[measure].expect("a light"));
+            assert!(is < was, "{measure:?}: {is} {was}");
+        }
+        let own = after.figures[Measure::Own].expect("a colour");
+        assert!(own < 1e-6, "colour-exact with widths too: {own}");
+        let last = after.curve.iter().find(|p| p.order == 7).expect("in reach");
+        assert_eq!(last.numbers, after.numbers());
+        for measure in [Measure::Patches, Measure::Rms, Measure::RmsBlurred] {
+            let [curve, page] = [last.figures[measure], after.figures[measure]];
+            let [curve, page] = [curve, page].map(|v| v.expect("a light"));
+            assert!((curve - page).abs() < 1e-9 * page.max(1.0), "{measure:?}");
+        }
+        wide(&mut app, false);
+        assert_eq!(**app.derived(), *before);
+    }
+}

@@ -1,0 +1,239 @@
+//! Known lamps and lines of their own width as jobs: one light encoded, and the race of the ways.
+
+use std::sync::{Arc, Mutex};
+
+use super::RaceAsk;
+use crate::{
+    app::{document::Document, entry::Entry, memo::ByAddress},
+    color::Observer,
+    lamps::{
+        Ask, Count, Encoded, Encoder, EncodingError, LeaveOut, Makeup, NUMBERS, Panel, Standing,
+        judged, known_lamps, race,
+    },
+    spectrum::{Band, SpikeSettings},
+    study::Progress,
+};
+
+/// What an encoder is made for.
+type Maker = (Band, Observer, SpikeSettings);
+
+/// The encoder of a range; the last one made is kept, since making one takes some tenths of a
+/// second.
+///
+/// # Errors
+/// [`EncodingError::Unseen`] when the range misses the visible.
+pub fn encoder(maker: Maker) -> Result<Arc<Encoder>, EncodingError> {
+    static LAST: Mutex<Option<(Maker, Arc<Encoder>)>> = Mutex::new(None);
+    // Whoever panicked left the last encoder whole.
+    let mut last = LAST.lock().unwrap_or_else(|e| e.into_inner());
+    if let Some((_, encoder)) = last.as_ref().filter(|(known, _)| *known == maker) {
+        return Ok(encoder.clone());
+    }
+    let (band, observer, spikes) = maker;
+    let made = Arc::new(Encoder::new(band, observer, spikes)?);
+    *last = Some((maker, made.clone()));
+    Ok(made)
+}
+
+/// Most numbers of an encoding on a range.
+pub fn most_numbers(band: Band) -> usize {
+    NUMBERS[1].min(band.points() / 2).max(NUMBERS[0])
+}
+
+/// The race of known lamps and wide lines against the other representations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WaysAsk {
+    /// The lights and how they are judged; its counts those that can be encoded.
+    pub race: RaceAsk,
+    /// Whether a known lamp's index and a line's width are numbers of their own.
+    pub strict: bool,
+}
+
+impl WaysAsk {
+    /// The race of the same lights at these counts; `None` when none of them can be encoded.
+    pub fn of(race: &RaceAsk, budgets: &[usize], strict: bool) -> Option<Self> {
+        let range = NUMBERS[0]..=most_numbers(race.band);
+        let budgets: Vec<usize> = budgets
+            .iter()
+            .copied()
+            .filter(|n| range.contains(n))
+            .collect();
+        (!budgets.is_empty()).then(|| Self {
+            race: RaceAsk {
+                budgets,
+                ..race.clone()
+            },
+            strict,
+        })
+    }
+
+    /// The answer; `None` when nothing is seen in the range or it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Standing> {
+        let RaceAsk {
+            band,
+            observer,
+            spikes,
+            ..
+        } = self.race;
+        let encoder = encoder((band, observer, spikes)).ok()?;
+        let rule = (count(self.strict), LeaveOut::Likes);
+        let (course, lamps) = (self.race.course(), self.race.lamps());
+        race(&course, &lamps, &encoder, rule, progress).ok()?
+    }
+}
+
+fn count(strict: bool) -> Count {
+    if strict { Count::Strict } else { Count::Words }
+}
+
+/// What is asked of a light in few words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EncodeAsk {
+    /// The light.
+    pub light: ByAddress<Entry>,
+    /// What the encoder is made for.
+    pub maker: Maker,
+    /// Most numbers.
+    pub numbers: usize,
+    /// Whether known lamps may be used.
+    pub known_lamps: bool,
+    /// Whether the light itself and its likes may be among them.
+    pub itself: bool,
+}
+
+/// A light in few words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EncodedLight {
+    /// The words, what they decode to and what that is off by.
+    pub encoded: Encoded,
+    /// What it is made of.
+    pub makeup: Makeup,
+    /// The measured light on the grid.
+    pub measured: Vec<f64>,
+    /// What the words decode to.
+    pub decoded: Vec<f64>,
+    /// Of each known lamp its name and its part of the light.
+    pub parts: Vec<(&'static str, Vec<f64>)>,
+}
+
+impl EncodeAsk {
+    /// The light of a document in so many numbers, as many as its range allows.
+    pub fn of(document: &Document, numbers: usize, known_lamps: bool, itself: bool) -> Self {
+        let settings = document.settings;
+        Self {
+            light: ByAddress(document.light.clone()),
+            maker: (settings.band, settings.observer, settings.spike_settings()),
+            numbers: numbers.clamp(NUMBERS[0], most_numbers(settings.band)),
+            known_lamps,
+            itself,
+        }
+    }
+
+    /// The answer, or a sentence that says why there is none; nothing when it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Result<EncodedLight, String>> {
+        let found = self.encoded().map_err(|why| {
+            format!(
+                "{} cannot be encoded on this range: {why}.",
+                self.light.0.name()
+            )
+        });
+        (!progress.is_cancelled()).then_some(found)
+    }
+
+    fn encoded(&self) -> Result<EncodedLight, EncodingError> {
+        let encoder = encoder(self.maker)?;
+        let (band, observer, _) = self.maker;
+        let spectrum = &self.light.0.spectrum;
+        let measured = spectrum.samples.on_band(band, spectrum.kind.outside());
+        let ask = Ask {
+            numbers: self.numbers,
+            count: Count::Words,
+            known_lamps: self.known_lamps,
+            leave_out: if self.itself {
+                LeaveOut::None
+            } else {
+                LeaveOut::Likes
+            },
+        };
+        let namesakes: Vec<u8> = known_lamps()
+            .iter()
+            .filter(|lamp| !self.itself && lamp.name.eq_ignore_ascii_case(&spectrum.name))
+            .map(|lamp| lamp.index)
+            .collect();
+        let chosen = encoder.encode_without(&measured, ask, &namesakes)?;
+        let judge = Panel::judging(band, observer);
+        let encoded = judged(&encoder, &judge, &measured, &chosen.encoding)?;
+        let decoder = encoder.decoder();
+        let decoded = decoder.decode(&encoded.encoding)?;
+        let makeup = Makeup::of(&encoded.encoding);
+        let part = |part: &crate::lamps::Part| {
+            let atom = decoder.atom(part.index)?;
+            Some((part.title, atom.iter().map(|v| part.weight * v).collect()))
+        };
+        Ok(EncodedLight {
+            parts: makeup.parts.iter().filter_map(part).collect(),
+            encoded,
+            makeup,
+            measured,
+            decoded,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::{App, Command};
+
+    fn asked(app: &App, known_lamps: bool, itself: bool) -> EncodedLight {
+        EncodeAsk::of(app.document(), 20, known_lamps, itself)
+            .answer(&Progress::default())
+            .expect("not cancelled")
+            .expect("a light")
+    }
+
+    #[test]
+    fn a_lamp_is_itself_unless_it_is_left_out_and_of_no_lamps_when_portable() {
+        let mut app = App::new();
+        let fl2 = app.entry("cie_fluorescent_1nm/FL2").expect("shipped");
+        app.apply(Command::Show(fl2));
+        let is_fl2 = |found: &EncodedLight| found.parts.iter().any(|(t, _)| t.contains("FL2 "));
+        let named = |found: &EncodedLight| {
+            let parts = found.parts.iter();
+            parts.map(|(title, _)| *title).collect::<Vec<_>>()
+        };
+        let itself = asked(&app, true, true);
+        let others = asked(&app, true, false);
+        let portable = asked(&app, false, false);
+        assert!(named(&itself).iter().any(|t| t.starts_with("FL2")));
+        assert!(!named(&others).iter().any(|t| *t == "FL2") && !is_fl2(&others));
+        assert!(!others.parts.is_empty() && portable.parts.is_empty());
+        for found in [&itself, &others, &portable] {
+            assert_eq!(found.encoded.words.len(), found.encoded.encoding.numbers());
+            assert!(found.encoded.words.len() <= 20);
+        }
+        assert!(itself.encoded.errors.filters < others.encoded.errors.filters);
+    }
+
+    #[test]
+    fn a_range_that_nobody_sees_gets_a_sentence() {
+        let mut app = App::new();
+        let band = Band::new(800.0, 900.0).expect("a range");
+        app.apply(Command::Edit(crate::app::Settings {
+            band,
+            ..app.document().settings
+        }));
+        let found = EncodeAsk::of(app.document(), 20, true, true).answer(&Progress::default());
+        let words = found.expect("not cancelled").expect_err("nothing is seen");
+        assert!(words.ends_with('.') && !words.contains("NaN"), "{words}");
+        let race = RaceAsk::of(
+            app.document(),
+            super::super::Field::One(ByAddress(app.document().light.clone())),
+            vec![1, 2, 20, 101],
+        );
+        let ask = WaysAsk::of(&race, &race.budgets, false).expect("20 is in range");
+        assert_eq!(ask.race.budgets, [20]);
+        assert!(ask.answer(&Progress::default()).is_none());
+        assert!(WaysAsk::of(&race, &[1, 2, 101], false).is_none());
+    }
+}

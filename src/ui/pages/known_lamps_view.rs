@@ -1,0 +1,155 @@
+//! The page "Known lamps": a light in few words, what they decode to, and what it is made of.
+
+use eframe::egui;
+use egui::{Label, RichText, Ui, vec2};
+
+use super::{PageContext, progress, quality_view::headline};
+use crate::{
+    app::{
+        chart::{self, Chart},
+        charts::known_lamps::words_chart,
+        known_lamps::WordsShown,
+        memo::{ByAddress, Memo},
+        pages::WordsMemory,
+        studies::{EncodeAsk, EncodedLight, lamps::most_numbers},
+    },
+    lamps::NUMBERS,
+    ui::kit::{Column, Row, Table, named, scrolled, two_columns},
+};
+
+/// Room below the chart, points.
+const BELOW: f32 = 176.0;
+
+/// The page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct KnownLampsView {
+    shown: Memo<Key, (WordsShown, Chart)>,
+}
+
+/// What decides how a result is shown.
+type Key = (ByAddress<Result<EncodedLight, String>>, chart::Theme);
+
+impl KnownLampsView {
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let WordsMemory {
+            numbers,
+            portable,
+            itself,
+        } = context.memory.words;
+        let ask = EncodeAsk::of(context.app.document(), numbers, !portable, itself);
+        let job = &mut context.studies.encoded;
+        job.ask_by(&ask, context.wake, EncodeAsk::answer);
+        let answer = job
+            .answer()
+            .map(|(ask, found)| (ask.clone(), found.clone()));
+        // What it says of another light would be wrong; of other numbers it stays until the next.
+        let answer = answer.filter(|(of, _)| of.light == ask.light);
+        let Some((of, found)) = answer else {
+            controls(ui, context);
+            progress(ui, &mut context.studies.encoded, "The makeup of the light");
+            return;
+        };
+        let theme = context.chart_theme();
+        match &*found {
+            Err(why) => {
+                headline(ui, why, context);
+                controls(ui, context);
+            }
+            Ok(encoded) => {
+                let name = of.light.0.name();
+                let (words, chart) = &*self.shown.get((ByAddress(found.clone()), theme), |_| {
+                    let shown = WordsShown::of(name, encoded);
+                    (shown, words_chart(name, encoded, theme))
+                });
+                headline(ui, &words.sentence, context);
+                ui.add_space(4.0);
+                controls(ui, context);
+                ui.add_space(4.0);
+                let room = ui.available_size();
+                let below = BELOW * context.theme.scale;
+                let size = vec2(room.x, (room.y - below).max(160.0));
+                context.chart(ui, chart, "known lamps", size);
+                scrolled(ui, "below known lamps", |ui| {
+                    below_chart(ui, context, words)
+                });
+            }
+        }
+    }
+}
+
+/// How many numbers, and which lamps.
+fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let most = most_numbers(context.app.document().settings.band);
+    let memory = &mut context.memory.words;
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Numbers");
+        let slider = ui
+            .add(egui::Slider::new(&mut memory.numbers, NUMBERS[0]..=most))
+            .on_hover_text("The most words of 32 bits that the light may take.");
+        named(&slider, egui::Role::Slider, "Numbers for the light");
+        ui.separator();
+        let mut known = !memory.portable;
+        ui.toggle_value(&mut known, "Known lamps").on_hover_text(
+            "Lets the light be made of lamps of the program's list: the words then need that list. \
+             Off: a short series and lines, which anybody can decode.",
+        );
+        memory.portable = !known;
+        ui.add_enabled_ui(known, |ui| {
+            ui.toggle_value(&mut memory.itself, "Itself too").on_hover_text(
+                "Whether a lamp of the list may be said to be itself. Off: it is made of others, \
+                 as a lamp that the program has never seen would be.",
+            );
+        });
+    });
+}
+
+/// What it is off by, and the words.
+fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
+    ui.add_space(4.0);
+    let theme = context.theme;
+    two_columns(
+        ui,
+        context,
+        |ui, _| {
+            let columns = [
+                Column::words("off by", "Judged by what took no part in the choice.", 1.6),
+                Column::numbers("", "", 1.0),
+            ];
+            let rows: Vec<Row> = words
+                .figures
+                .iter()
+                .map(|figure| Row {
+                    name: format!("{}: {}", figure.title, figure.value),
+                    cells: vec![figure.title.to_owned(), figure.value.clone()],
+                    note: figure.meaning.to_owned(),
+                    ..Row::default()
+                })
+                .collect();
+            let table = Table {
+                enabled: false,
+                dense: true,
+                ..Table::new(&columns, theme)
+            };
+            table.show(ui, &rows, &mut |_, _, _| {});
+        },
+        |ui, _| {
+            ui.horizontal(|ui| {
+                ui.label(RichText::new("The words").strong());
+                let copy = ui.small_button("Copy words");
+                let copy = copy.on_hover_text(
+                    "Copies them; \"spectral-explorer decode\" makes the spectrum of them again.",
+                );
+                if copy.clicked() {
+                    ui.ctx().copy_text(words.words.clone());
+                }
+            });
+            let text = RichText::new(&words.words).monospace().small();
+            ui.add(Label::new(text).wrap());
+            ui.weak(words.needs);
+            for line in &words.lines {
+                ui.small(format!("line at {line}"));
+            }
+        },
+    );
+}

@@ -1,0 +1,162 @@
+//! Known lamps and lines of their own width beside the other representations.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{Label, RichText, Ui};
+
+use super::{scaled, solid_bars};
+use crate::{
+    app::{
+        charts::race::{CELLS_AT, Ways, WaysRow, about_entrant},
+        memo::{ByAddress, Memo},
+        studies::{RaceAsk, WaysAsk},
+    },
+    lamps::Standing,
+    ui::{
+        kit::{Column, Look, Row, Table},
+        pages::{PageContext, progress},
+        theme::section,
+    },
+};
+
+/// Width of the names and of a figure, points.
+const NAMES: f32 = 190.0;
+const CELL: f32 = 130.0;
+
+/// The part of the page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct WaysView {
+    said: Memo<ByAddress<Standing>, Ways>,
+    rows: Memo<(ByAddress<Standing>, Option<String>, usize), Vec<Row>>,
+}
+
+impl WaysView {
+    /// Asks for the race of the new ways; its result when it is of these lights.
+    pub fn ask(context: &mut PageContext<'_>, race: &RaceAsk) -> Option<Arc<Standing>> {
+        let ask = WaysAsk::of(race, &CELLS_AT, context.memory.race_strict)?;
+        let job = &mut context.studies.ways;
+        job.ask_by(&ask, context.wake, WaysAsk::answer);
+        let (of, standing) = job.answer()?;
+        (of.race == ask.race).then(|| standing.clone())
+    }
+
+    /// The result in a sentence.
+    pub fn headline(&mut self, ui: &mut Ui, context: &PageContext<'_>, standing: &Arc<Standing>) {
+        let ways = self
+            .said
+            .get(ByAddress(standing.clone()), |s| Ways::of(&s.0));
+        let text = RichText::new(&ways.sentence).size(16.0 * context.theme.scale);
+        ui.add(Label::new(text).wrap());
+        ui.add_space(4.0);
+    }
+
+    /// The table of the count nearest to the page's.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        standing: Option<&Arc<Standing>>,
+        class: Option<&str>,
+    ) {
+        ui.horizontal_wrapped(|ui| {
+            section(ui, "With known lamps and lines of their own width");
+            ui.checkbox(&mut context.memory.race_strict, "count strictly")
+                .on_hover_text(
+                    "Counts which lamp it is, and how wide a line is, as numbers of their own: a \
+                     line takes three numbers, a known lamp two.",
+                );
+        });
+        progress(ui, &mut context.studies.ways, "The race of known lamps");
+        let Some(standing) = standing else {
+            return;
+        };
+        let numbers = context.memory.race_numbers;
+        let nearest = standing.budgets.iter().enumerate();
+        let Some((budget, at)) = nearest.min_by_key(|(_, n)| n.abs_diff(numbers)) else {
+            return;
+        };
+        let ways = &*self
+            .said
+            .get(ByAddress(standing.clone()), |s| Ways::of(&s.0));
+        ui.weak(format!("At {at} numbers. ★ least error. {}", ways.how));
+        ui.add_space(2.0);
+        let key = (
+            ByAddress(standing.clone()),
+            class.map(str::to_owned),
+            budget,
+        );
+        let rows = &*self.rows.get(key, |_| {
+            let rows = ways.rows(standing, class, budget);
+            rows.iter().map(row).collect()
+        });
+        let theme = context.theme;
+        ui.scope(|ui| {
+            solid_bars(ui);
+            egui::ScrollArea::horizontal()
+                .id_salt("known lamps in the race")
+                .show(ui, |ui| {
+                    ui.set_width(scaled(NAMES + 5.0 * CELL, theme));
+                    let columns = columns();
+                    let table = Table {
+                        enabled: false,
+                        dense: true,
+                        ..Table::new(&columns, theme)
+                    };
+                    table.show(ui, rows, &mut |_, _, _| {});
+                });
+        });
+        ui.add_space(8.0);
+    }
+}
+
+fn columns() -> [Column; 6] {
+    let number = |title: &str, meaning: &str| Column::numbers(title, meaning, CELL);
+    [
+        Column::words("", "", NAMES),
+        number(
+            "surfaces, ΔE00",
+            "Mean of the 99 samples of TM-30, light and reflectances in as many numbers: median / \
+             95th percentile where many lights race.",
+        ),
+        number(
+            "filters, ΔE00",
+            "Mean behind filters 10 nm wide at 425, 435 ... 675 nm.",
+        ),
+        number("spectrum, %", "Root mean square behind a blur of 10 nm."),
+        number(
+            "lamps ahead in",
+            "In how many of the cells known lamps with wide lines have the smaller error.",
+        ),
+        number(
+            "wide lines in",
+            "In how many of the cells wide lines alone have the smaller error.",
+        ),
+    ]
+}
+
+fn row(row: &WaysRow) -> Row {
+    let name = row.entrant.title();
+    let errors = row.errors.iter();
+    let text = |cell: &crate::app::charts::race::RaceCell| match cell.wins {
+        true => format!("★ {}", cell.text),
+        false => cell.text.clone(),
+    };
+    Row {
+        name: name.to_owned(),
+        cells: std::iter::once(name.to_owned())
+            .chain(errors.clone().map(text))
+            .chain(row.won.iter().cloned())
+            .collect(),
+        note: about_entrant(row.entrant),
+        tips: std::iter::once(String::new())
+            .chain(errors.clone().map(|cell| cell.tip.clone()))
+            .collect(),
+        looks: std::iter::once(Look::Plain)
+            .chain(errors.map(|cell| match cell.wins {
+                true => Look::Strong,
+                false => Look::Plain,
+            }))
+            .collect(),
+    }
+}
