@@ -4,7 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::Page;
 use crate::{
-    app::{charts::quality::DiagramShows, picture::ImageMemory, products::ProductsMemory},
+    app::{
+        charts::quality::DiagramShows, dispersion::DispersionMemory, picture::ImageMemory,
+        products::ProductsMemory,
+    },
     study::{Goal, Measure},
 };
 
@@ -42,6 +45,8 @@ pub struct PageMemory {
     pub diagram: DiagramShows,
     /// Image: which one, which pixels, and how it is drawn.
     pub image: ImageMemory,
+    /// Prism, rainbow and gem.
+    pub dispersion: DispersionMemory,
 }
 
 impl Default for PageMemory {
@@ -62,6 +67,7 @@ impl Default for PageMemory {
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
             image: ImageMemory::default(),
+            dispersion: DispersionMemory::default(),
         }
     }
 }
@@ -97,6 +103,7 @@ impl PageMemory {
             },
             products: self.products.clamped(),
             image: self.image.clamped(),
+            dispersion: self.dispersion.clamped(),
             ..self
         }
     }

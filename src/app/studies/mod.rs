@@ -16,6 +16,7 @@ pub use take::take;
 
 use super::{
     charts::products::bounces::Bounced,
+    dispersion::{GemFilm, GemPass, NoiseAsk},
     document::Document,
     memo::ByAddress,
     pages::FieldChoice,
@@ -23,6 +24,7 @@ use super::{
     tables::CURVE_ORDER,
 };
 use crate::{
+    optics::Noise,
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, Progress, Race, Sweep,
@@ -168,6 +170,10 @@ pub struct Studies {
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
     pub region: Job<RegionAsk, RegionSpectrum>,
+    /// The film of a gem.
+    pub gem: Job<GemPass, GemFilm>,
+    /// How noisy its picture is.
+    pub gem_noise: Job<NoiseAsk, Noise>,
 }
 
 impl Studies {
@@ -183,10 +189,13 @@ impl Studies {
             quality,
             raster,
             region,
+            gem,
+            gem_noise,
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
         vec![
             sweep, auction, spend, race, pairs, ranking, timing, bounces, quality, raster, region,
+            gem, gem_noise,
         ]
     }
 

@@ -1,0 +1,297 @@
+//! The pages "Prism" and "Rainbow": a bench and a sky that the light is sent through.
+
+mod bench;
+mod sky;
+mod strips;
+
+use eframe::egui;
+use egui::{RichText, Slider, Ui, vec2};
+
+use super::PageContext;
+use crate::{
+    app::{
+        dispersion::{
+            APEXES_DEG, Beside, INCIDENCES_DEG, PrismMemory, PrismShown, RainbowMemory,
+            RainbowShown, SLITS_MM, STOPS, sky, stuff_title,
+        },
+        memo::Memo,
+    },
+    optics::{Sky, Stuff},
+    ui::kit::{Choice, Column, Row, Table, copy_button, scrolled},
+};
+
+/// What people and tests call the controls.
+pub mod names {
+    pub const GLASS: &str = "Glass";
+    pub const APEX: &str = "Apex angle";
+    pub const MINIMUM: &str = "least deviation";
+    pub const INCIDENCE: &str = "Light meets it at";
+    pub const SLIT: &str = "Slit";
+    pub const EXPOSURE: &str = "Exposure";
+    pub const BESIDE: &str = "Beside it";
+    pub const DISC: &str = "as wide as the sun";
+    pub const COPY: &str = "Copy lines as CSV";
+}
+
+/// The pages and what they keep from frame to frame.
+#[derive(Default)]
+pub struct PrismView {
+    prism: Memo<(u64, PrismMemory), PrismShown>,
+    sky: Memo<(), Sky>,
+    rainbow: Memo<(u64, RainbowMemory), RainbowShown>,
+    picture: sky::Painted,
+}
+
+/// The page's result, in large type.
+pub(super) fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
+    let text = RichText::new(words).size(16.0 * context.theme.scale);
+    ui.add(egui::Label::new(text).wrap());
+}
+
+/// A slider with its name before it.
+pub(super) fn slider(ui: &mut Ui, (name, meaning): (&str, &str), slider: Slider<'_>) {
+    ui.horizontal(|ui| {
+        let label = ui.label(name).on_hover_text(meaning);
+        ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
+    });
+}
+
+/// How bright the picture is.
+pub(super) fn exposure(ui: &mut Ui, stops: &mut f64) {
+    let of = Slider::new(stops, STOPS)
+        .step_by(0.1)
+        .fixed_decimals(1)
+        .suffix(" stops");
+    let meaning = "How bright the picture is shown; each stop doubles it. A double click in the \
+                   number's box lets you type it.";
+    slider(ui, (names::EXPOSURE, meaning), of);
+}
+
+/// The light of the second strip.
+fn beside(ui: &mut Ui, chosen: &mut Beside) {
+    ui.horizontal(|ui| {
+        ui.label(names::BESIDE);
+        let choice = Choice {
+            name: names::BESIDE,
+            meaning: "A second light in the same place: what is missing in this one is seen.",
+            width: 150.0,
+        };
+        choice.show(ui, chosen.title(), |ui| {
+            for one in Beside::ALL {
+                ui.selectable_value(chosen, one, one.title());
+            }
+        });
+    });
+}
+
+/// What must be said beside a picture, in small type.
+pub(super) fn notes<'a>(ui: &mut Ui, notes: impl Iterator<Item = &'a str>) {
+    let words: Vec<&str> = notes.filter(|words| !words.is_empty()).collect();
+    if !words.is_empty() {
+        let text = RichText::new(words.join(" ")).small().weak();
+        ui.add(egui::Label::new(text).wrap());
+    }
+}
+
+/// A table of the lines with the button that copies it.
+fn lines(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    (columns, rows): (&[Column], &[Vec<String>]),
+    copy: impl FnOnce() -> String,
+) {
+    if rows.is_empty() {
+        return;
+    }
+    let rows: Vec<Row> = rows
+        .iter()
+        .map(|cells| Row {
+            name: cells.join(", "),
+            cells: cells.clone(),
+            ..Row::default()
+        })
+        .collect();
+    let table = Table {
+        enabled: false,
+        dense: true,
+        ..Table::new(columns, context.theme)
+    };
+    table.show(ui, &rows, &mut |_, _, _| {});
+    ui.horizontal(|ui| {
+        copy_button(ui, names::COPY, "The lines with every figure.", copy);
+    });
+}
+
+impl PrismView {
+    /// Draws the prism's page.
+    pub fn prism(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let key = (context.app.revision(), context.memory.dispersion.prism);
+        let app = context.app;
+        let shown = &*self
+            .prism
+            .get(key, |(_, memory)| PrismShown::of(app, memory));
+        headline(ui, &shown.sentence, context);
+        ui.add_space(4.0);
+        prism_controls(ui, &mut context.memory.dispersion.prism);
+        ui.add_space(4.0);
+        let room = ui.available_size();
+        let theme = context.theme;
+        scrolled(ui, "prism", |ui| {
+            let size = vec2(ui.available_width(), (0.40 * room.y).max(150.0));
+            let turned = bench::show(ui, shown.drawing.as_ref(), size, theme);
+            if turned != 0.0 {
+                let memory = &mut context.memory.dispersion.prism;
+                memory.incidence_deg = shown.incidence_deg.unwrap_or(memory.incidence_deg);
+                memory.at_minimum = false;
+                let [least, most] = [*INCIDENCES_DEG.start(), *INCIDENCES_DEG.end()];
+                memory.incidence_deg = (memory.incidence_deg + turned).clamp(least, most);
+            }
+            let axis = strips::Axis {
+                ends: shown.ends_mm,
+                label: "mm on the screen, towards more bending \u{2192}",
+            };
+            strips::show(ui, &shown.strips, &axis, theme);
+            let strip_words = shown.strips.first().map(|strip| strip.colours.words());
+            let strip_words = strip_words.filter(|words| !words.is_empty());
+            let strip_words = strip_words.map(|words| format!("Strip: {words}."));
+            let said = shown.notes.iter().map(String::as_str);
+            notes(ui, said.chain(strip_words.as_deref()));
+            ui.add_space(4.0);
+            let columns = [
+                Column::words(
+                    "line",
+                    "What it is named after, by all lines together.",
+                    2.2,
+                ),
+                Column::numbers("nm", "Wavelength in air.", 1.0),
+                Column::numbers("n", "Index of refraction of the glass there.", 1.0),
+                Column::numbers(
+                    "turned \u{b0}",
+                    "Deviation: how far the ray is turned.",
+                    1.0,
+                ),
+                Column::numbers(
+                    "place mm",
+                    "Where it lands on the screen, 500 mm away.",
+                    1.0,
+                ),
+                Column::numbers("width mm", "How wide the image of the slit is.", 1.0),
+                Column::numbers(
+                    "through %",
+                    "Share of its light that both faces let through.",
+                    1.0,
+                ),
+                Column::numbers(
+                    "told apart nm",
+                    "Two lines nearer than this run together, and what limits it: the slit, or \
+                     the length of the glass.",
+                    1.5,
+                ),
+            ];
+            lines(ui, context, (&columns, &shown.rows), || shown.csv.clone());
+        });
+    }
+
+    /// Draws the rainbow's page.
+    pub fn rainbow(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let key = (context.app.revision(), context.memory.dispersion.rainbow);
+        let app = context.app;
+        let sky = &*self.sky.get((), |()| sky());
+        let shown = &*self
+            .rainbow
+            .get(key, |(_, memory)| RainbowShown::of(app, memory, sky));
+        headline(ui, &shown.sentence, context);
+        ui.add_space(4.0);
+        let memory = &mut context.memory.dispersion.rainbow;
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().slider_width = 90.0;
+            ui.checkbox(&mut memory.disc, names::DISC).on_hover_text(
+                "The sun is half a degree wide and blurs every bow by as much; without it each \
+                 line is as sharp as a drop makes it.",
+            );
+            exposure(ui, &mut memory.stops);
+            beside(ui, &mut memory.beside);
+        });
+        ui.add_space(4.0);
+        let room = ui.available_size();
+        let theme = context.theme;
+        let picture = &mut self.picture;
+        scrolled(ui, "rainbow", |ui| {
+            let size = vec2(ui.available_width(), (0.42 * room.y).max(150.0));
+            if let Some(strip) = shown.strips.first() {
+                picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size, theme);
+            }
+            let axis = strips::Axis {
+                ends: shown.ends_deg,
+                label: "\u{b0} from the point opposite the sun",
+            };
+            strips::show(ui, &shown.strips, &axis, theme);
+            let said = shown.notes.iter().map(String::as_str);
+            let always = "By rays alone: no supernumerary bows, as in drops above 0.5 mm.";
+            notes(ui, said.chain([always]));
+            ui.add_space(4.0);
+            let columns = [
+                Column::words(
+                    "line",
+                    "What it is named after, by all lines together.",
+                    2.2,
+                ),
+                Column::numbers("wavelength", "In air.", 1.0),
+                Column::numbers("n", "Index of refraction of water there.", 1.0),
+                Column::numbers("first bow \u{b0}", "After one reflection in the drop.", 1.0),
+                Column::numbers(
+                    "second bow \u{b0}",
+                    "After two reflections in the drop.",
+                    1.0,
+                ),
+                Column::numbers("polarised %", "Of the first bow's light.", 1.0),
+            ];
+            lines(ui, context, (&columns, &shown.rows), || shown.csv());
+        });
+    }
+}
+
+fn prism_controls(ui: &mut Ui, memory: &mut PrismMemory) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().slider_width = 90.0;
+        ui.horizontal(|ui| {
+            ui.label(names::GLASS);
+            let choice = Choice {
+                name: names::GLASS,
+                meaning: "What the prism is made of: flint glass spreads colours twice as far as \
+                          crown glass.",
+                width: 150.0,
+            };
+            choice.show(ui, stuff_title(memory.stuff), |ui| {
+                for stuff in Stuff::ALL {
+                    ui.selectable_value(&mut memory.stuff, stuff, stuff_title(stuff));
+                }
+            });
+        });
+        let of = Slider::new(&mut memory.apex_deg, APEXES_DEG)
+            .step_by(0.5)
+            .suffix("\u{b0}");
+        let meaning = "The angle between the two faces that the light goes through.";
+        slider(ui, (names::APEX, meaning), of);
+        ui.checkbox(&mut memory.at_minimum, names::MINIMUM)
+            .on_hover_text(
+                "The light meets the prism so that green (546.1 nm) is bent least, as one sets a \
+                 spectroscope; else at an angle of your choice. Drag the drawing to turn it.",
+            );
+        if !memory.at_minimum {
+            let of = Slider::new(&mut memory.incidence_deg, INCIDENCES_DEG)
+                .fixed_decimals(1)
+                .suffix("\u{b0}");
+            let meaning = "Angle between the light and the normal of the first face.";
+            slider(ui, (names::INCIDENCE, meaning), of);
+        }
+        let of = Slider::new(&mut memory.slit_mm, SLITS_MM)
+            .logarithmic(true)
+            .fixed_decimals(2)
+            .suffix(" mm");
+        let meaning = "Width of the beam. Wide, lines run together and the middle turns white.";
+        slider(ui, (names::SLIT, meaning), of);
+        exposure(ui, &mut memory.stops);
+        beside(ui, &mut memory.beside);
+    });
+}
