@@ -1,27 +1,20 @@
 //! The bench as a person sees it: what it does in a sentence, its drawing, the screen, the lines.
 
 use super::{
+    drawing::BenchDrawing,
     lights::document_light,
     memory::{PrismMemory, stuff_title},
     strip::Colours,
     words::{Line, lines_of, listed, nm, touching},
 };
 use crate::{
-    app::{chart::Rgb, state::App},
-    color::{Observer, Srgb, Swatch, srgb_from_wavelength},
+    app::state::App,
     io::many::{capitalised, many},
-    optics::{Bench, BenchSettings, Incidence, Landing, Light, RayPath, Screen, prism_csv},
+    optics::{Bench, BenchSettings, Incidence, Landing, Light, Screen, prism_csv},
 };
 
 /// Columns of the screen.
 const COLUMNS: usize = 1000;
-
-/// In the drawing the screen stands this often the chief ray's distance from the apex away, so
-/// that the prism is not lost; angles stay exact.
-const DRAWN_SCREEN: f64 = 4.6;
-
-/// Step of the smooth part's rays in the drawing, nm.
-const DRAWN_STEP_NM: f64 = 4.0;
 
 /// What the page shows.
 #[derive(Clone, Debug)]
@@ -55,34 +48,7 @@ pub struct StripShown {
     pub marks: Vec<(f64, String)>,
 }
 
-/// A ray of the drawing: where it enters, leaves and ends, mm, y upwards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DrawnRay {
-    /// Its colour.
-    pub rgb: Rgb,
-    /// How strong it is, 0-1.
-    pub strength: f64,
-    /// The places.
-    pub at: [[f64; 2]; 3],
-}
-
-/// The bench from above; mm, y upwards.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BenchDrawing {
-    /// Corners of the prism, the apex first.
-    pub prism: [[f64; 2]; 3],
-    /// The light on its way in: from, to.
-    pub incoming: [[f64; 2]; 2],
-    /// Its colour.
-    pub rgb: Rgb,
-    /// Rays of the smooth part, neighbours by wavelength.
-    pub smooth: Vec<DrawnRay>,
-    /// One exact ray for each line.
-    pub lines: Vec<DrawnRay>,
-    /// Ends of the screen.
-    pub screen: [[f64; 2]; 2],
-}
-
+/// The bench that the page asks for.
 fn settings(memory: &PrismMemory) -> BenchSettings {
     let usual = BenchSettings::default();
     BenchSettings {
@@ -170,7 +136,7 @@ impl PrismShown {
         Self {
             sentence: sentence(memory, light, bench, screen, &landings),
             notes,
-            drawing: BenchDrawing::of(memory, light, &lines, observer),
+            drawing: BenchDrawing::of(bench, light, &lines, observer),
             incidence_deg: Some(bench.prism().incidence_deg()),
             ends_mm: screen.ends_mm,
             strips,
@@ -259,102 +225,6 @@ fn row(line: &Line, landing: Option<&Landing>) -> Vec<String> {
         None => cells.extend(std::iter::repeat_n("-".to_owned(), 6)),
     }
     cells
-}
-
-impl BenchDrawing {
-    /// Of the bench with its screen moved near; `None` where no light leaves.
-    fn of(memory: &PrismMemory, light: &Light, lines: &[Line], observer: Observer) -> Option<Self> {
-        let mut near = settings(memory);
-        near.screen_mm = DRAWN_SCREEN * near.entry_mm;
-        let entry_mm = near.entry_mm;
-        let bench = Bench::new(near, memory.stuff.material()).ok()?;
-        let at = |path: RayPath| [path.entry, path.exit, path.screen];
-        let count = (400.0 / DRAWN_STEP_NM) as usize;
-        let places: Vec<f64> = (0..=count)
-            .map(|i| 380.0 + DRAWN_STEP_NM * i as f64)
-            .collect();
-        let most = places
-            .iter()
-            .map(|nm| light.smooth_at(*nm))
-            .fold(0.0, f64::max);
-        let drawn = |at_nm: f64, strength: f64| {
-            let Srgb(rgb) = srgb_from_wavelength(at_nm);
-            Some(DrawnRay {
-                rgb,
-                strength: strength.clamp(0.0, 1.0),
-                at: at(bench.ray(at_nm, 0.0)?),
-            })
-        };
-        let relative = |nm: f64| {
-            let value = light.smooth_at(nm) / most;
-            if value.is_finite() {
-                value.max(0.0).sqrt()
-            } else {
-                0.0
-            }
-        };
-        let smooth: Vec<DrawnRay> = places
-            .iter()
-            .filter_map(|nm| drawn(*nm, relative(*nm)))
-            .collect();
-        let heaviest = lines
-            .iter()
-            .map(|line| line.weight.abs())
-            .fold(0.0, f64::max);
-        let strength = |line: &Line| 0.35 + 0.65 * (line.weight.abs() / heaviest).sqrt();
-        let lines: Vec<DrawnRay> = lines
-            .iter()
-            .filter_map(|line| drawn(line.at_nm, strength(line)))
-            .collect();
-        let path = bench.ray(bench.reference_nm(), 0.0)?;
-        let [sin, cos] = {
-            let half = (0.5 * bench.prism().apex_deg()).to_radians();
-            [half.sin(), half.cos()]
-        };
-        let reach = |ray: &DrawnRay| ray.at[1][0].hypot(ray.at[1][1]);
-        let farthest = smooth
-            .iter()
-            .chain(&lines)
-            .map(reach)
-            .fold(entry_mm, f64::max);
-        // A grazing ray may leave far out: the prism is drawn no longer than the page bears.
-        let side = (1.2 * farthest).clamp(2.0 * entry_mm, 4.0 * entry_mm);
-        let back = |from: [f64; 2], way: f64| {
-            [
-                from[0] - way * path.incoming[0],
-                from[1] - way * path.incoming[1],
-            ]
-        };
-        let ends = smooth.iter().chain(&lines).map(|ray| ray.at[2]);
-        let ahead = [path.screen[0] - path.exit[0], path.screen[1] - path.exit[1]];
-        let length = ahead[0].hypot(ahead[1]);
-        let across = [ahead[1] / length, -ahead[0] / length];
-        let along =
-            |p: [f64; 2]| (p[0] - path.screen[0]) * across[0] + (p[1] - path.screen[1]) * across[1];
-        let (low, high) = ends
-            .map(along)
-            .fold((-4.0, 4.0), |(a, b), v| (f64::min(a, v), f64::max(b, v)));
-        let most = 3.0 * entry_mm;
-        let end = |way: f64| {
-            let way = way.clamp(-most, most);
-            [
-                path.screen[0] + way * across[0],
-                path.screen[1] + way * across[1],
-            ]
-        };
-        Some(Self {
-            prism: [
-                [0.0, 0.0],
-                [-side * sin, -side * cos],
-                [side * sin, -side * cos],
-            ],
-            incoming: [back(path.entry, 3.2 * entry_mm), path.entry],
-            rgb: Swatch::of_light(light.white(observer)).rgb8.0,
-            smooth,
-            lines,
-            screen: [end(low - 3.0), end(high + 3.0)],
-        })
-    }
 }
 
 #[cfg(test)]

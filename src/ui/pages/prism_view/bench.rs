@@ -32,9 +32,8 @@ struct Mapping {
 
 impl Mapping {
     fn new(drawing: &BenchDrawing, area: Rect) -> Self {
-        let rays = drawing.smooth.iter().chain(&drawing.lines);
-        let mut places: Vec<[f64; 2]> = rays.map(|ray| ray.at[2]).collect();
-        places.extend(drawing.prism);
+        // Rays that graze the screen far out are cut.
+        let mut places = drawing.prism.to_vec();
         places.extend(drawing.incoming);
         places.extend(drawing.screen);
         let range = |k: usize| {
