@@ -29,6 +29,8 @@ pub struct PrismShown {
     pub incidence_deg: Option<f64>,
     /// Ends of the screen, mm.
     pub ends_mm: [f64; 2],
+    /// Wavelengths with their places on it, nm and mm, by rising wavelength.
+    pub scale: Vec<[f64; 2]>,
     /// What the light and another one leave there.
     pub strips: Vec<StripShown>,
     /// The lines: name, nm, n, turned by, place, width, through, tells apart.
@@ -82,6 +84,7 @@ impl PrismShown {
                 drawing: None,
                 incidence_deg: None,
                 ends_mm: [0.0, 1.0],
+                scale: Vec::new(),
                 strips: Vec::new(),
                 rows: Vec::new(),
                 csv: String::new(),
@@ -139,6 +142,7 @@ impl PrismShown {
             drawing: BenchDrawing::of(bench, light, &lines, observer),
             incidence_deg: Some(bench.prism().incidence_deg()),
             ends_mm: screen.ends_mm,
+            scale: scale(bench),
             strips,
             rows: landings
                 .iter()
@@ -147,6 +151,14 @@ impl PrismShown {
             csv: prism_csv(bench, light, &[]),
         }
     }
+}
+
+/// Where every tenth wavelength lands.
+fn scale(bench: &Bench) -> Vec<[f64; 2]> {
+    let place = |nm: f64| Some([nm, bench.landing(nm).ok()??.x_mm]);
+    (38..=78)
+        .filter_map(|i| place(10.0 * f64::from(i)))
+        .collect()
 }
 
 /// What the prism does to the light.

@@ -148,7 +148,8 @@ impl PrismView {
             }
             let axis = strips::Axis {
                 ends: shown.ends_mm,
-                label: "mm on the screen, towards more bending \u{2192}",
+                label: "mm on the screen, bent more \u{2192}",
+                nm: &shown.scale,
             };
             strips::show(ui, &shown.strips, &axis, theme);
             let strip_words = shown.strips.first().map(|strip| strip.colours.words());
@@ -224,6 +225,7 @@ impl PrismView {
             let axis = strips::Axis {
                 ends: shown.ends_deg,
                 label: "\u{b0} from the point opposite the sun",
+                nm: &[],
             };
             strips::show(ui, &shown.strips, &axis, theme);
             let said = shown.notes.iter().map(String::as_str);

@@ -24,6 +24,30 @@ pub(super) struct Axis<'a> {
     pub ends: [f64; 2],
     /// What it counts.
     pub label: &'a str,
+    /// Wavelengths with their places, nm and the unit of the axis; empty where there are none.
+    pub nm: &'a [[f64; 2]],
+}
+
+impl Axis<'_> {
+    /// How far a value is from the left end, 0-1 inside.
+    fn share(&self, value: f64) -> f32 {
+        let [from, to] = self.ends;
+        ((value - from) / (to - from)) as f32
+    }
+
+    /// The value under the pointer, with its wavelength where there is one.
+    fn told(&self, share: f32) -> String {
+        let [from, to] = self.ends;
+        let value = from + f64::from(share) * (to - from);
+        let between = self.nm.windows(2).find_map(|pair| {
+            let along = (value - pair[0][1]) / (pair[1][1] - pair[0][1]);
+            (0.0..=1.0)
+                .contains(&along)
+                .then(|| pair[0][0] + along * (pair[1][0] - pair[0][0]))
+        });
+        let nm = between.map_or_else(String::new, |nm| format!("{nm:.0} nm, "));
+        format!("{nm}{value:.2} {}", self.label)
+    }
 }
 
 /// Draws the strips.
@@ -60,14 +84,12 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
         marks(painter, field, strip, axis, (&font, theme.faint, taken));
         let pointed = response.hover_pos().filter(|at| field.contains(*at));
         if let Some(at) = pointed {
-            let share = f64::from((at.x - field.left()) / field.width());
-            let value = axis.ends[0] + share * (axis.ends[1] - axis.ends[0]);
-            let words = format!("{value:.2} {}", axis.label);
-            response.on_hover_text_at_pointer(words);
+            let share = (at.x - field.left()) / field.width();
+            response.on_hover_text_at_pointer(axis.told(share));
         }
     }
     if !strips.is_empty() {
-        ticks(ui, axis, &font, theme);
+        ui.scope(|ui| ticks(ui, axis, &font, theme));
     }
 }
 
@@ -93,9 +115,8 @@ fn marks(
     (font, ink, title): (&FontId, Color32, Rect),
 ) {
     let mut taken = vec![title];
-    let [from, to] = axis.ends;
     for (value, name) in &strip.marks {
-        let share = ((value - from) / (to - from)) as f32;
+        let share = axis.share(*value);
         let x = field.left() + share * field.width();
         if !(0.0..=1.0).contains(&share) {
             continue;
@@ -121,29 +142,52 @@ fn marks(
     }
 }
 
-/// Numbers below the strips.
-fn ticks(ui: &mut Ui, axis: &Axis<'_>, font: &FontId, theme: Theme) {
-    let size = vec2(ui.available_width(), 18.0 * theme.scale);
+/// A row of numbers with ticks and what it counts at the right end.
+fn scale(
+    ui: &mut Ui,
+    label: &str,
+    marks: impl Iterator<Item = (f32, String)>,
+    (font, theme): (&FontId, Theme),
+) {
+    let size = vec2(ui.available_width(), 17.0 * theme.scale);
     let (area, _) = ui.allocate_exact_size(size, Sense::hover());
     let painter = ui.painter();
-    let [from, to] = axis.ends;
-    let label = painter.layout_no_wrap(axis.label.to_owned(), font.clone(), theme.faint);
-    let label_left = area.right() - label.size().x;
-    let step = step_of((to - from) / 10.0);
-    let mut value = (from / step).ceil() * step;
-    while value <= to {
-        let x = area.left() + ((value - from) / (to - from)) as f32 * area.width();
-        painter.vline(x, area.top()..=area.top() + 4.0, (1.0, theme.faint));
-        // Nothing is written over the label, and nothing is cut.
-        if x > area.left() + 10.0 && x < label_left - 24.0 {
-            let words = short((value / step).round() * step);
-            let at = pos2(x, area.top() + 4.0);
-            painter.text(at, Align2::CENTER_TOP, words, font.clone(), theme.faint);
+    let label = painter.layout_no_wrap(label.to_owned(), font.clone(), theme.faint);
+    let end = area.right() - label.size().x;
+    let top = area.top() + 3.0;
+    painter.galley(pos2(end, top), label, theme.faint);
+    let mut free_from = area.left();
+    let mut marks: Vec<(f32, String)> = marks.collect();
+    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (share, words) in marks {
+        let x = area.left() + share * area.width();
+        painter.vline(x, area.top()..=top, (1.0, theme.faint));
+        let galley = painter.layout_no_wrap(words, font.clone(), theme.faint);
+        let left = x - 0.5 * galley.size().x;
+        // Nothing is written over another number, and nothing is cut.
+        if left >= free_from && left + galley.size().x < end - 8.0 {
+            free_from = left + galley.size().x + 8.0;
+            painter.galley(pos2(left, top), galley, theme.faint);
         }
-        value += step;
     }
-    let at = pos2(label_left, area.top() + 4.0);
-    painter.galley(at, label, theme.faint);
+}
+
+/// Numbers below the strips: wavelengths where there are some, and places.
+fn ticks(ui: &mut Ui, axis: &Axis<'_>, font: &FontId, theme: Theme) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    if !axis.nm.is_empty() {
+        let marks = axis.nm.iter().map(|[nm, at]| (axis.share(*at), short(*nm)));
+        let inside = marks.filter(|(share, _)| (0.0..=1.0).contains(share));
+        scale(ui, "nm", inside, (font, theme));
+    }
+    let [from, to] = axis.ends;
+    let step = step_of((to - from) / 10.0);
+    let first = (from / step).ceil() as i64;
+    let values = (0..=10).map(|i| (first + i) as f64 * step);
+    let marks = values
+        .filter(|value| *value <= to)
+        .map(|value| (axis.share(value), short(value)));
+    scale(ui, axis.label, marks, (font, theme));
 }
 
 /// The round step at or above a size: 1, 2 or 5 of its decade.
