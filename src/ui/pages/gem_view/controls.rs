@@ -15,7 +15,10 @@ use crate::{
     optics::{Brilliant, Light, Stuff},
     ui::{
         kit::{Choice, Chooser, lights},
-        pages::{PageContext, prism_view::exposure},
+        pages::{
+            PageContext,
+            prism_view::{exposure, model},
+        },
     },
 };
 
@@ -63,6 +66,7 @@ pub(super) fn show(
     looks(ui, memory);
     ui.separator();
     other_light(ui, context, both.get(1));
+    model::knobs(ui, context);
     ui.separator();
     save(ui, context, film, &both[0]);
 }

@@ -1,6 +1,7 @@
 //! The pages "Prism" and "Rainbow": a bench and a sky that the light is sent through.
 
 mod bench;
+pub mod model;
 mod sky;
 mod strips;
 
@@ -132,7 +133,7 @@ impl PrismView {
             .get(key, |(_, memory)| PrismShown::of(app, memory));
         headline(ui, &shown.sentence, context);
         ui.add_space(4.0);
-        prism_controls(ui, &mut context.memory.dispersion.prism);
+        prism_controls(ui, context);
         ui.add_space(4.0);
         let room = ui.available_size();
         let theme = context.theme;
@@ -203,8 +204,8 @@ impl PrismView {
             .get(key, |(_, memory)| RainbowShown::of(app, memory, sky));
         headline(ui, &shown.sentence, context);
         ui.add_space(4.0);
-        let memory = &mut context.memory.dispersion.rainbow;
         ui.horizontal_wrapped(|ui| {
+            let memory = &mut context.memory.dispersion.rainbow;
             ui.spacing_mut().slider_width = 90.0;
             ui.checkbox(&mut memory.disc, names::DISC).on_hover_text(
                 "The sun is half a degree wide and blurs every bow by as much; without it each \
@@ -212,6 +213,7 @@ impl PrismView {
             );
             exposure(ui, &mut memory.stops);
             beside(ui, &mut memory.beside);
+            model::knobs(ui, context);
         });
         ui.add_space(4.0);
         let room = ui.available_size();
@@ -253,8 +255,9 @@ impl PrismView {
     }
 }
 
-fn prism_controls(ui: &mut Ui, memory: &mut PrismMemory) {
+fn prism_controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
+        let memory = &mut context.memory.dispersion.prism;
         ui.spacing_mut().slider_width = 90.0;
         ui.horizontal(|ui| {
             ui.label(names::GLASS);
@@ -295,5 +298,6 @@ fn prism_controls(ui: &mut Ui, memory: &mut PrismMemory) {
         slider(ui, (names::SLIT, meaning), of);
         exposure(ui, &mut memory.stops);
         beside(ui, &mut memory.beside);
+        model::knobs(ui, context);
     });
 }
