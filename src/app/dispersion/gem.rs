@@ -9,7 +9,7 @@ use super::memory::{GemMemory, stuff_title};
 use crate::{
     app::{answers::Seen, memo::ByAddress},
     color::Observer,
-    optics::{Brilliant, Film, FilmSettings, Light, Noise, Scene, Studio, Stuff, View},
+    optics::{Brilliant, Film, FilmSettings, Light, MOST_LINES, Noise, Scene, Studio, Stuff, View},
     study::Progress,
 };
 
@@ -21,6 +21,9 @@ const FIRST_RAYS: u32 = 2;
 
 /// Places of spikes that only the second light has get one ray in so many of the light's.
 const SHARE_OF_OTHERS: u32 = 8;
+
+/// Most places of spikes that a film keeps: those of two lights with as many as get planes.
+const MOST_PLACES: usize = 2 * MOST_LINES;
 
 /// What the camera looks at.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,6 +129,10 @@ pub fn next_pass(
             all.extend(lines);
             all.sort_by(f64::total_cmp);
             all.dedup();
+            if all.len() > MOST_PLACES {
+                // Places of lights long gone: a fresh film forgets them.
+                return Some(pass(scene.clone(), held.rays));
+            }
             let rays = (2 * held.rays).min(rays).max(held.rays);
             let next = GemPass {
                 lines: all,
@@ -149,7 +156,7 @@ impl GemPass {
         lights: &[Light],
         progress: &Progress,
     ) -> Option<GemFilm> {
-        let from = from.filter(|from| from.pass.scene == self.scene);
+        let from = from.filter(|from| self.goes_on_from(&from.pass));
         let before = from.as_ref().map_or(0, |from| from.pass.rays);
         let mut film = match from {
             Some(from) => from.film.clone(),
@@ -161,30 +168,43 @@ impl GemPass {
                 Film::new(self.scene.studio().ok()?, settings).ok()?
             }
         };
-        let own: Vec<f64> = lights.first().map(places).unwrap_or_default();
-        let others = |nm: &&f64| !own.contains(nm);
-        if let (Some(light), true) = (lights.first(), self.rays > before) {
-            film.trace(light, self.rays - before, None, progress).ok()?;
-            let others: Vec<f64> = self.lines.iter().filter(others).copied().collect();
-            if !others.is_empty() {
-                let rays = (self.rays - before).div_ceil(SHARE_OF_OTHERS);
-                film.trace_lines(&others, rays, None, progress).ok()?;
-            }
+        let (first, others) = lights.split_first()?;
+        let more = self.rays.saturating_sub(before);
+        if more > 0 {
+            film.trace(first, more, None, progress).ok()?;
         }
-        let missing = |nm: &&f64| {
-            lights
+        let own = places(first);
+        let missing = film.missing_lines(first);
+        let apart = others
+            .iter()
+            .flat_map(places)
+            .filter(|nm| !own.contains(nm));
+        let mut apart: Vec<f64> = apart.collect();
+        apart.sort_by(f64::total_cmp);
+        apart.dedup();
+        let (new, old): (Vec<f64>, Vec<f64>) = apart.into_iter().partition(|nm| {
+            others
                 .iter()
                 .any(|light| film.missing_lines(light).contains(nm))
-        };
-        let missing: Vec<f64> = self.lines.iter().filter(missing).copied().collect();
-        if !missing.is_empty() {
-            let rays = self.rays.div_ceil(SHARE_OF_OTHERS);
-            film.trace_lines(&missing, rays, None, progress).ok()?;
+        });
+        // What is new catches up, what is there grows as the rest does.
+        let new = [missing, new].concat();
+        for (lines, rays) in [(new, self.rays), (old, more)] {
+            if !lines.is_empty() && rays > 0 {
+                let rays = rays.div_ceil(SHARE_OF_OTHERS);
+                film.trace_lines(&lines, rays, None, progress).ok()?;
+            }
         }
         Some(GemFilm {
             film,
             pass: self.clone(),
         })
+    }
+
+    /// Whether a film of another pass is a part of this one's.
+    fn goes_on_from(&self, other: &Self) -> bool {
+        let has = |nm: &f64| self.lines.contains(nm);
+        other.scene == self.scene && other.lines.iter().all(has)
     }
 
     /// Whether it is of this scene in whatever size.
@@ -319,6 +339,16 @@ mod tests {
         assert_eq!(next_pass(Some(&next), &scene, 8, &[546.1], true), None);
         // Fewer rays asked for: what is there stays.
         assert_eq!(next_pass(Some(&next), &scene, 4, &[546.1], true), None);
+    }
+
+    #[test]
+    fn a_film_forgets_the_lines_of_lights_long_gone() {
+        let scene = GemScene::of(&small());
+        let mut held = next_pass(None, &scene, 8, &[546.1], true).expect("a film");
+        held.lines = (0..MOST_PLACES).map(|i| 400.0 + i as f64).collect();
+        let next = next_pass(Some(&held), &scene, 8, &[435.8], true).expect("a line");
+        assert_eq!(next.lines, [435.8]);
+        assert!(!next.goes_on_from(&held) && next.goes_on_from(&next));
     }
 
     #[test]

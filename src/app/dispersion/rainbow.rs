@@ -100,7 +100,6 @@ impl RainbowShown {
 }
 
 /// The angle of one of the two bows, degrees.
-
 fn angle(bows: &Bows, secondary: bool) -> Option<f64> {
     let bow = if secondary {
         bows.secondary

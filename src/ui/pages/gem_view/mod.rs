@@ -39,6 +39,9 @@ const CONTROLS: f32 = 250.0;
 /// How dark the wall behind the pictures is.
 const WALL: u8 = 16;
 
+/// A light, or why there is none.
+type Lit = Result<Light, String>;
+
 /// What a texture was made of.
 type DrawnOf = (ByAddress<GemFilm>, Light, Observer, f64);
 
@@ -52,8 +55,8 @@ struct Drawn {
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct GemView {
-    light: Memo<u64, Result<Light, String>>,
-    other: Memo<(u64, Option<String>), Option<Result<Light, String>>>,
+    light: Memo<u64, Lit>,
+    other: Memo<(u64, Option<String>), Option<Lit>>,
     /// Why there is no such gem.
     refused: Memo<Option<GemScene>, Option<String>>,
     asked: Option<GemPass>,
