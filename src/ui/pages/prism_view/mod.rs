@@ -6,7 +6,7 @@ mod sky;
 mod strips;
 
 use eframe::egui;
-use egui::{RichText, Slider, Ui, vec2};
+use egui::{Align, Color32, Layout, RichText, Slider, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
@@ -34,6 +34,9 @@ pub mod names {
     pub const COPY: &str = "Copy lines as CSV";
 }
 
+/// From this width on the table stands beside the drawing, points.
+const WIDE: f32 = 1000.0;
+
 /// The pages and what they keep from frame to frame.
 #[derive(Default)]
 pub struct PrismView {
@@ -49,12 +52,38 @@ pub(super) fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
     ui.add(egui::Label::new(text).wrap());
 }
 
+/// Begins a new row of a wrapped one where there is no room for a name and what is `wide` beside
+/// it: they are not to be parted.
+fn together(ui: &mut Ui, name: &str, wide: f32) {
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let words = ui
+        .painter()
+        .layout_no_wrap(name.to_owned(), font, Color32::WHITE);
+    let wide = words.size().x + wide + 3.0 * ui.spacing().item_spacing.x;
+    if ui.layout().main_wrap() && ui.available_size_before_wrap().x < wide {
+        ui.end_row();
+    }
+}
+
 /// A slider with its name before it.
 pub(super) fn slider(ui: &mut Ui, (name, meaning): (&str, &str), slider: Slider<'_>) {
-    ui.horizontal(|ui| {
+    together(ui, name, ui.spacing().slider_width + 80.0);
+    let add = |ui: &mut Ui| {
         let label = ui.label(name).on_hover_text(meaning);
         ui.add(slider).labelled_by(label.id).on_hover_text(meaning);
-    });
+    };
+    if ui.layout().main_wrap() {
+        add(ui);
+    } else {
+        ui.horizontal(add);
+    }
+}
+
+/// A choice with its name before it, in a wrapped row.
+fn named_choice(ui: &mut Ui, choice: Choice<'_>, chosen: &str, list: impl FnOnce(&mut Ui)) {
+    together(ui, choice.name, choice.width + 40.0);
+    ui.label(choice.name).on_hover_text(choice.meaning);
+    choice.show(ui, chosen, list);
 }
 
 /// How bright the picture is.
@@ -70,18 +99,15 @@ pub(super) fn exposure(ui: &mut Ui, stops: &mut f64) {
 
 /// The light of the second strip.
 fn beside(ui: &mut Ui, chosen: &mut Beside) {
-    ui.horizontal(|ui| {
-        ui.label(names::BESIDE);
-        let choice = Choice {
-            name: names::BESIDE,
-            meaning: "A second light in the same place: what is missing in this one is seen.",
-            width: 150.0,
-        };
-        choice.show(ui, chosen.title(), |ui| {
-            for one in Beside::ALL {
-                ui.selectable_value(chosen, one, one.title());
-            }
-        });
+    let choice = Choice {
+        name: names::BESIDE,
+        meaning: "A second light in the same place: what is missing in this one is seen.",
+        width: 150.0,
+    };
+    named_choice(ui, choice, chosen.title(), |ui| {
+        for one in Beside::ALL {
+            ui.selectable_value(chosen, one, one.title());
+        }
     });
 }
 
@@ -136,61 +162,29 @@ impl PrismView {
         prism_controls(ui, context);
         ui.add_space(4.0);
         let room = ui.available_size();
-        let theme = context.theme;
         scrolled(ui, "prism", |ui| {
-            let size = vec2(ui.available_width(), (0.40 * room.y).max(150.0));
-            let turned = bench::show(ui, shown.drawing.as_ref(), size, theme);
-            if turned != 0.0 {
-                let memory = &mut context.memory.dispersion.prism;
-                memory.incidence_deg = shown.incidence_deg.unwrap_or(memory.incidence_deg);
-                memory.at_minimum = false;
-                let [least, most] = [*INCIDENCES_DEG.start(), *INCIDENCES_DEG.end()];
-                memory.incidence_deg = (memory.incidence_deg + turned).clamp(least, most);
+            let width = ui.available_width();
+            let height = (0.46 * room.y).max(150.0);
+            if width < WIDE * context.theme.scale {
+                drawn(ui, context, shown, vec2(width, height));
+                screen(ui, context, shown);
+                lines(ui, context, (&prism_columns(), &shown.rows), || {
+                    shown.csv.clone()
+                });
+                return;
             }
-            let axis = strips::Axis {
-                ends: shown.ends_mm,
-                label: "mm on the screen, bent more \u{2192}",
-                nm: &shown.scale,
-            };
-            strips::show(ui, &shown.strips, &axis, theme);
-            let strip_words = shown.strips.first().map(|strip| strip.colours.words());
-            let strip_words = strip_words.filter(|words| !words.is_empty());
-            let strip_words = strip_words.map(|words| format!("Strip: {words}."));
-            let said = shown.notes.iter().map(String::as_str);
-            notes(ui, said.chain(strip_words.as_deref()));
-            ui.add_space(4.0);
-            let columns = [
-                Column::words(
-                    "line",
-                    "What it is named after, by all lines together.",
-                    2.2,
-                ),
-                Column::numbers("nm", "Wavelength in air.", 1.0),
-                Column::numbers("n", "Index of refraction of the glass there.", 1.0),
-                Column::numbers(
-                    "turned \u{b0}",
-                    "Deviation: how far the ray is turned.",
-                    1.0,
-                ),
-                Column::numbers(
-                    "place mm",
-                    "Where it lands on the screen, 500 mm away.",
-                    1.0,
-                ),
-                Column::numbers("width mm", "How wide the image of the slit is.", 1.0),
-                Column::numbers(
-                    "through %",
-                    "Share of its light that both faces let through.",
-                    1.0,
-                ),
-                Column::numbers(
-                    "told apart nm",
-                    "Two lines nearer than this run together, and what limits it: the slit, or \
-                     the length of the glass.",
-                    1.5,
-                ),
-            ];
-            lines(ui, context, (&columns, &shown.rows), || shown.csv.clone());
+            ui.horizontal_top(|ui| {
+                drawn(ui, context, shown, vec2(0.5 * width, height));
+                let beside = vec2(ui.available_width(), height);
+                ui.allocate_ui_with_layout(beside, Layout::top_down(Align::Min), |ui| {
+                    scrolled(ui, "lines of the prism", |ui| {
+                        lines(ui, context, (&prism_columns(), &shown.rows), || {
+                            shown.csv.clone()
+                        });
+                    });
+                });
+            });
+            screen(ui, context, shown);
         });
     }
 
@@ -222,7 +216,7 @@ impl PrismView {
         scrolled(ui, "rainbow", |ui| {
             let size = vec2(ui.available_width(), (0.42 * room.y).max(150.0));
             if let Some(strip) = shown.strips.first() {
-                picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size, theme);
+                picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size);
             }
             let axis = strips::Axis {
                 ends: shown.ends_deg,
@@ -231,7 +225,8 @@ impl PrismView {
             };
             strips::show(ui, &shown.strips, &axis, theme);
             let said = shown.notes.iter().map(String::as_str);
-            let always = "By rays alone: no supernumerary bows, as in drops above 0.5 mm.";
+            let always = "The sky from 35\u{b0} to 60\u{b0} from the point opposite the sun, by rays \
+                          alone: no supernumerary bows, as in drops above 0.5 mm.";
             notes(ui, said.chain([always]));
             ui.add_space(4.0);
             let columns = [
@@ -255,29 +250,55 @@ impl PrismView {
     }
 }
 
+/// The bench; a hand turns the prism.
+fn drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &PrismShown, size: Vec2) {
+    let turned = bench::show(ui, shown.drawing.as_ref(), size, context.theme);
+    if turned != 0.0 {
+        let memory = &mut context.memory.dispersion.prism;
+        let from = shown.incidence_deg.unwrap_or(memory.incidence_deg);
+        let [least, most] = [*INCIDENCES_DEG.start(), *INCIDENCES_DEG.end()];
+        memory.incidence_deg = (from + turned).clamp(least, most);
+        memory.at_minimum = false;
+    }
+}
+
+/// What lands on the screen, and what must be said of it.
+fn screen(ui: &mut Ui, context: &PageContext<'_>, shown: &PrismShown) {
+    let axis = strips::Axis {
+        ends: shown.ends_mm,
+        label: "mm on the screen, bent more \u{2192}",
+        nm: &shown.scale,
+    };
+    strips::show(ui, &shown.strips, &axis, context.theme);
+    let words = shown.strips.first().map(|strip| strip.colours.words());
+    let words = words.filter(|words| !words.is_empty());
+    let words = words.map(|words| format!("Strip: {words}."));
+    let said = shown.notes.iter().map(String::as_str);
+    notes(ui, said.chain(words.as_deref()));
+    ui.add_space(4.0);
+}
+
 fn prism_controls(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         let memory = &mut context.memory.dispersion.prism;
         ui.spacing_mut().slider_width = 90.0;
-        ui.horizontal(|ui| {
-            ui.label(names::GLASS);
-            let choice = Choice {
-                name: names::GLASS,
-                meaning: "What the prism is made of: flint glass spreads colours twice as far as \
-                          crown glass.",
-                width: 150.0,
-            };
-            choice.show(ui, stuff_title(memory.stuff), |ui| {
-                for stuff in Stuff::ALL {
-                    ui.selectable_value(&mut memory.stuff, stuff, stuff_title(stuff));
-                }
-            });
+        let choice = Choice {
+            name: names::GLASS,
+            meaning: "What the prism is made of: flint glass spreads colours twice as far as \
+                      crown glass.",
+            width: 150.0,
+        };
+        named_choice(ui, choice, stuff_title(memory.stuff), |ui| {
+            for stuff in Stuff::ALL {
+                ui.selectable_value(&mut memory.stuff, stuff, stuff_title(stuff));
+            }
         });
         let of = Slider::new(&mut memory.apex_deg, APEXES_DEG)
             .step_by(0.5)
             .suffix("\u{b0}");
         let meaning = "The angle between the two faces that the light goes through.";
         slider(ui, (names::APEX, meaning), of);
+        together(ui, names::MINIMUM, 30.0);
         ui.checkbox(&mut memory.at_minimum, names::MINIMUM)
             .on_hover_text(
                 "The light meets the prism so that green (546.1 nm) is bent least, as one sets a \
@@ -300,4 +321,38 @@ fn prism_controls(ui: &mut Ui, context: &mut PageContext<'_>) {
         beside(ui, &mut memory.beside);
         model::knobs(ui, context);
     });
+}
+
+fn prism_columns() -> [Column; 8] {
+    [
+        Column::words(
+            "line",
+            "What it is named after, by all lines together.",
+            1.7,
+        ),
+        Column::numbers("nm", "Wavelength in air.", 1.0),
+        Column::numbers("n", "Index of refraction of the glass there.", 1.0),
+        Column::numbers(
+            "turned \u{b0}",
+            "Deviation: how far the ray is turned.",
+            1.0,
+        ),
+        Column::numbers(
+            "place mm",
+            "Where it lands on the screen, 500 mm away.",
+            1.0,
+        ),
+        Column::numbers("width mm", "How wide the image of the slit is.", 1.0),
+        Column::numbers(
+            "through %",
+            "Share of its light that both faces let through.",
+            1.0,
+        ),
+        Column::numbers(
+            "apart nm",
+            "Two lines nearer than this run together, and what limits it: the slit, or the \
+             length of the glass.",
+            1.4,
+        ),
+    ]
 }

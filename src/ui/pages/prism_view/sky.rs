@@ -1,14 +1,11 @@
 //! The sky with both bows as arches over the point opposite the sun.
 
 use eframe::egui;
-use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
+use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2};
 
 use crate::{
     app::chart::Rgb,
-    ui::{
-        kit::named,
-        theme::{Theme, grey},
-    },
+    ui::{kit::named, theme::grey},
 };
 
 /// What is seen of the arches to either side, degrees of the sky.
@@ -29,13 +26,7 @@ pub(super) struct Painted {
 
 impl Painted {
     /// Draws the sky: a colour for each angle between two ends.
-    pub(super) fn show(
-        &mut self,
-        ui: &mut Ui,
-        (rgb, ends): (&[Rgb], [f64; 2]),
-        size: Vec2,
-        theme: Theme,
-    ) {
+    pub(super) fn show(&mut self, ui: &mut Ui, (rgb, ends): (&[Rgb], [f64; 2]), size: Vec2) {
         let (area, response) = ui.allocate_exact_size(size, Sense::hover());
         named(&response, egui::Role::Image, "The sky with both rainbows");
         let pixels = [size.x as usize, size.y as usize];
@@ -52,14 +43,6 @@ impl Painted {
             let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
             painter.image(texture.id(), area, uv, Color32::WHITE);
         }
-        let font = egui::TextStyle::Small.resolve(ui.style());
-        let words = format!(
-            "The sky between {:.0}\u{b0} and {:.0}\u{b0} from the point opposite the sun; darker \
-             beside it is not computed.",
-            ends[0], ends[1]
-        );
-        let at = area.left_bottom() + vec2(8.0, -6.0 * theme.scale);
-        painter.text(at, egui::Align2::LEFT_BOTTOM, words, font, grey(150));
     }
 }
 

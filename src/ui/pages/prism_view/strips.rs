@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// Height of a strip, points.
-const STRIP: f32 = 44.0;
+const STRIP: f32 = 60.0;
 
 /// Height of a row of names, points, and how many there are.
 const NAME_ROW: f32 = 15.0;
@@ -81,7 +81,15 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
             font.clone(),
             ink,
         );
-        marks(painter, field, strip, axis, (&font, theme.faint, taken));
+        let ground = ui.visuals().panel_fill;
+        marks(
+            painter,
+            field,
+            strip,
+            axis,
+            (&font, theme.faint, ground),
+            taken,
+        );
         let pointed = response.hover_pos().filter(|at| field.contains(*at));
         if let Some(at) = pointed {
             let share = (at.x - field.left()) / field.width();
@@ -112,9 +120,10 @@ fn marks(
     field: Rect,
     strip: &StripShown,
     axis: &Axis<'_>,
-    (font, ink, title): (&FontId, Color32, Rect),
+    (font, ink, ground): (&FontId, Color32, Color32),
+    title: Rect,
 ) {
-    let mut taken = vec![title];
+    let (mut taken, mut named) = (vec![title], Vec::new());
     for (value, name) in &strip.marks {
         let share = axis.share(*value);
         let x = field.left() + share * field.width();
@@ -136,9 +145,14 @@ fn marks(
         };
         if let Some(place) = place.into_iter().find(free) {
             painter.vline(x, place.bottom() - 2.0..=field.top(), (1.0, ink));
-            painter.galley(place.min, galley, ink);
             taken.push(place);
+            named.push((place, galley));
         }
+    }
+    // No stroke runs through another name.
+    for (place, galley) in named {
+        painter.rect_filled(place, 0.0, ground);
+        painter.galley(place.min, galley, ink);
     }
 }
 
