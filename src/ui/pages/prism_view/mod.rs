@@ -344,7 +344,7 @@ fn prism_columns() -> [Column; 8] {
         ),
         Column::numbers("width mm", "How wide the image of the slit is.", 1.0),
         Column::numbers(
-            "through %",
+            "passed %",
             "Share of its light that both faces let through.",
             1.0,
         ),

@@ -26,8 +26,8 @@ pub fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
     let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);
     let meaning = "Order of the model's smooth part: 2N + 1 numbers.";
     slider(ui, (names::ORDER, meaning), of);
-    let is_on = settings.spikes && settings.detector == Detector::Energy;
-    ui.add_enabled_ui(is_on, |ui| {
+    // Otherwise it decides nothing.
+    if settings.spikes && settings.detector == Detector::Energy {
         let [least, most] = LINE_THRESHOLDS;
         let of = Slider::new(&mut settings.threshold_percent, least..=most)
             .logarithmic(true)
@@ -37,7 +37,7 @@ pub fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
         let meaning = "Share of the power above which a peak is a line of its own, one exact ray; \
                        below it melts into the smooth part and is smeared.";
         slider(ui, (names::LINES, meaning), of);
-    });
+    }
     if settings != before {
         context.commands.push(Command::Edit(settings));
     }
