@@ -37,6 +37,9 @@ pub mod names {
 /// From this width on the table stands beside the drawing, points.
 const WIDE: f32 = 1000.0;
 
+/// Least height of a drawing, points.
+const LEAST: f32 = 190.0;
+
 /// The pages and what they keep from frame to frame.
 #[derive(Default)]
 pub struct PrismView {
@@ -164,7 +167,9 @@ impl PrismView {
         let room = ui.available_size();
         scrolled(ui, "prism", |ui| {
             let width = ui.available_width();
-            let height = (0.46 * room.y).max(150.0);
+            // What the strips leave, and no less than a drawing needs.
+            let left = room.y - strips::height(&shown.strips, &axis_of(shown), context.theme);
+            let height = left.min(0.7 * width).max(LEAST);
             if width < WIDE * context.theme.scale {
                 drawn(ui, context, shown, vec2(width, height));
                 screen(ui, context, shown);
@@ -214,15 +219,22 @@ impl PrismView {
         let theme = context.theme;
         let picture = &mut self.picture;
         scrolled(ui, "rainbow", |ui| {
-            let size = vec2(ui.available_width(), (0.42 * room.y).max(150.0));
-            if let Some(strip) = shown.strips.first() {
-                picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size);
-            }
             let axis = strips::Axis {
                 ends: shown.ends_deg,
                 label: "\u{b0} from the point opposite the sun",
                 nm: &[],
             };
+            let width = ui.available_width();
+            let table = if shown.rows.is_empty() {
+                0.0
+            } else {
+                (shown.rows.len() as f32 + 2.5) * 20.0 * theme.scale
+            };
+            let left = room.y - table - strips::height(&shown.strips, &axis, theme);
+            if let Some(strip) = shown.strips.first() {
+                let size = vec2(width, left.min(0.45 * width).max(LEAST));
+                picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size);
+            }
             strips::show(ui, &shown.strips, &axis, theme);
             let said = shown.notes.iter().map(String::as_str);
             let always = "The sky from 35\u{b0} to 60\u{b0} from the point opposite the sun, by rays \
@@ -262,14 +274,17 @@ fn drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &PrismShown, size: V
     }
 }
 
-/// What lands on the screen, and what must be said of it.
-fn screen(ui: &mut Ui, context: &PageContext<'_>, shown: &PrismShown) {
-    let axis = strips::Axis {
+fn axis_of(shown: &PrismShown) -> strips::Axis<'_> {
+    strips::Axis {
         ends: shown.ends_mm,
         label: "mm on the screen, bent more \u{2192}",
         nm: &shown.scale,
-    };
-    strips::show(ui, &shown.strips, &axis, context.theme);
+    }
+}
+
+/// What lands on the screen, and what must be said of it.
+fn screen(ui: &mut Ui, context: &PageContext<'_>, shown: &PrismShown) {
+    strips::show(ui, &shown.strips, &axis_of(shown), context.theme);
     let words = shown.strips.first().map(|strip| strip.colours.words());
     let words = words.filter(|words| !words.is_empty());
     let words = words.map(|words| format!("Strip: {words}."));

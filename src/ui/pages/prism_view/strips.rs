@@ -18,6 +18,9 @@ const STRIP: f32 = 60.0;
 const NAME_ROW: f32 = 15.0;
 const NAME_ROWS: usize = 2;
 
+/// Height of a row of numbers below them, points.
+const SCALE: f32 = 17.0;
+
 /// What is below the strips.
 pub(super) struct Axis<'a> {
     /// Values at both ends.
@@ -48,6 +51,18 @@ impl Axis<'_> {
         let nm = between.map_or_else(String::new, |nm| format!("{nm:.0} nm, "));
         format!("{nm}{value:.2} {}", self.label)
     }
+}
+
+/// Height of all that [`show`] draws, with two lines of words below it, points.
+pub(super) fn height(strips: &[StripShown], axis: &Axis<'_>, theme: Theme) -> f32 {
+    let names = |strip: &StripShown| match strip.marks.is_empty() {
+        true => 1.0,
+        false => NAME_ROWS as f32,
+    };
+    let one = |strip: &StripShown| NAME_ROW * names(strip) + STRIP + 12.0;
+    let scales = if axis.nm.is_empty() { 1.0 } else { 2.0 };
+    let words = 40.0;
+    (strips.iter().map(one).sum::<f32>() + scales * SCALE + words) * theme.scale
 }
 
 /// Draws the strips.
@@ -163,7 +178,7 @@ fn scale(
     marks: impl Iterator<Item = (f32, String)>,
     (font, theme): (&FontId, Theme),
 ) {
-    let size = vec2(ui.available_width(), 17.0 * theme.scale);
+    let size = vec2(ui.available_width(), SCALE * theme.scale);
     let (area, _) = ui.allocate_exact_size(size, Sense::hover());
     let painter = ui.painter();
     let label = painter.layout_no_wrap(label.to_owned(), font.clone(), theme.faint);
