@@ -14,8 +14,8 @@ const HALF_WIDTH_DEG: f32 = 62.0;
 /// Least height above the horizon that is seen, degrees: the middle of the arches is below.
 const FROM_DEG: f32 = 20.0;
 
-/// Most columns and rows of the picture.
-const MOST: [usize; 2] = [1400, 600];
+/// Most columns of the picture.
+const MOST: f32 = 1400.0;
 
 /// The picture on the graphics card and what it was made of.
 #[derive(Default)]
@@ -29,8 +29,8 @@ impl Painted {
     pub(super) fn show(&mut self, ui: &mut Ui, (rgb, ends): (&[Rgb], [f64; 2]), size: Vec2) {
         let (area, response) = ui.allocate_exact_size(size, Sense::hover());
         named(&response, egui::Role::Image, "The sky with both rainbows");
-        let pixels = [size.x as usize, size.y as usize];
-        let pixels = [pixels[0].clamp(1, MOST[0]), pixels[1].clamp(1, MOST[1])];
+        let shrink = (size.x / MOST).max(1.0);
+        let pixels = [size.x, size.y].map(|side| ((side / shrink) as usize).max(1));
         let is_fresh = |of: &(Vec<Rgb>, [usize; 2])| of.0 == rgb && of.1 == pixels;
         if !self.of.as_ref().is_some_and(is_fresh) {
             let image = sky(rgb, ends, pixels);
