@@ -5,10 +5,13 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::solid::{HalfSpace, Solid, SolidError};
 
 /// Parameters of a round brilliant; lengths are shares of the girdle's radius or diameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Brilliant {
     /// Width of the table from corner to corner, of the diameter.
     pub table: f64,

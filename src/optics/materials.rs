@@ -3,10 +3,13 @@
 //! Coefficients as in the database of refractiveindex.info (M. N. Polyanskiy, CC0 1.0), each from
 //! the source named. Form L is written with resonances c in um and squared here.
 
+use serde::{Deserialize, Serialize};
+
 use super::index::{Material, Term};
 
 /// A material of the program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Stuff {
     /// Diamond.
     #[default]

@@ -6,6 +6,7 @@ use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, View,
         charts::quality::DiagramShows,
+        dispersion::{Beside, DispersionMemory, GemMemory, PrismMemory, RainbowMemory},
         document::FIRST_LIGHT,
         document::Height,
         pages::{FieldChoice, Page, PageMemory, WaysShown, WordsMemory},
@@ -22,6 +23,7 @@ use spectral_explorer::{
         workspace::Preferences,
     },
     color::Observer,
+    optics::{Brilliant, Stuff},
     spectrum::{Band, Basis, Kind, NamedSpectrum, Rect, Sampled, Sampling},
     study::{Goal, Measure},
 };
@@ -224,6 +226,35 @@ pub fn full_preferences() -> Preferences {
                 one_nm: 611.0,
                 stops: -1.5,
                 spread: Spread::Extremes,
+            },
+            dispersion: DispersionMemory {
+                prism: PrismMemory {
+                    stuff: Stuff::NBk7,
+                    apex_deg: 45.5,
+                    at_minimum: false,
+                    incidence_deg: 33.3,
+                    slit_mm: 1.25,
+                    stops: 0.5,
+                    beside: Beside::Overlaid,
+                },
+                rainbow: RainbowMemory {
+                    disc: false,
+                    stops: -0.5,
+                    beside: Beside::Nothing,
+                },
+                gem: GemMemory {
+                    stuff: Stuff::Zirconia,
+                    cut: Brilliant {
+                        table: 0.61,
+                        ..Brilliant::default()
+                    },
+                    turn_deg: 20.0,
+                    height_deg: 70.0,
+                    size: 240,
+                    rays: 16,
+                    stops: 1.0,
+                    under: None,
+                },
             },
         },
     }

@@ -4,7 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::Page;
 use crate::{
-    app::{charts::quality::DiagramShows, picture::ImageMemory, products::ProductsMemory},
+    app::{
+        charts::quality::DiagramShows, dispersion::DispersionMemory, picture::ImageMemory,
+        products::ProductsMemory,
+    },
     lamps::NUMBERS,
     study::{Goal, Measure},
 };
@@ -47,6 +50,8 @@ pub struct PageMemory {
     pub diagram: DiagramShows,
     /// Image: which one, which pixels, and how it is drawn.
     pub image: ImageMemory,
+    /// Prism, rainbow and gem.
+    pub dispersion: DispersionMemory,
 }
 
 impl Default for PageMemory {
@@ -69,6 +74,7 @@ impl Default for PageMemory {
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
             image: ImageMemory::default(),
+            dispersion: DispersionMemory::default(),
         }
     }
 }
@@ -108,6 +114,7 @@ impl PageMemory {
             },
             products: self.products.clamped(),
             image: self.image.clamped(),
+            dispersion: self.dispersion.clamped(),
             ..self
         }
     }

@@ -112,6 +112,12 @@ pub enum Page {
     Bounces,
     /// A spectral image: a pixel or a region becomes a spectrum.
     Image,
+    /// Light through a prism.
+    Prism,
+    /// Light through drops of water.
+    Rainbow,
+    /// Light through a cut gem.
+    Gem,
     /// Words explained.
     Glossary,
     /// The paper's claims, measured on this spectrum.
@@ -290,6 +296,27 @@ const ROWS: &[Row] = &[
         ("Spectral image", "image"),
         &[],
         "A spectral image: a pixel or a region's mean becomes a spectrum.",
+    ),
+    row(
+        Page::Prism,
+        (Place::Picture, Page::Prism),
+        ("Prism and rainbow", "prism"),
+        &[],
+        "The light through a prism: every line one exact ray, the rest a smooth band.",
+    ),
+    row(
+        Page::Rainbow,
+        (Place::Picture, Page::Prism),
+        ("Rainbow", "rainbow"),
+        &[],
+        "The light in drops of water: both bows, every line a stripe of its own.",
+    ),
+    row(
+        Page::Gem,
+        (Place::Picture, Page::Gem),
+        ("Gem", "gem"),
+        &[],
+        "A cut gem under the light, traced ray by ray; under another light at once.",
     ),
 ];
 

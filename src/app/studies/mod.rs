@@ -18,6 +18,7 @@ pub use take::take;
 
 use super::{
     charts::products::bounces::Bounced,
+    dispersion::{GemFilm, GemPass, NoiseAsk},
     document::Document,
     memo::ByAddress,
     pages::FieldChoice,
@@ -26,6 +27,7 @@ use super::{
 };
 use crate::{
     lamps::Standing,
+    optics::Noise,
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, Progress, Race, Sweep,
@@ -175,6 +177,10 @@ pub struct Studies {
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
     pub region: Job<RegionAsk, RegionSpectrum>,
+    /// The film of a gem.
+    pub gem: Job<GemPass, GemFilm>,
+    /// How noisy its picture is.
+    pub gem_noise: Job<NoiseAsk, Noise>,
 }
 
 impl Studies {
@@ -192,11 +198,13 @@ impl Studies {
             quality,
             raster,
             region,
+            gem,
+            gem_noise,
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
         vec![
             sweep, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces, quality,
-            raster, region,
+            raster, region, gem, gem_noise,
         ]
     }
 

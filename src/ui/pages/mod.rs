@@ -2,9 +2,11 @@
 
 pub mod auction_view;
 pub mod coefficients_view;
+pub mod gem_view;
 pub mod glossary_view;
 pub mod image_view;
 pub mod known_lamps_view;
+pub mod prism_view;
 pub mod products_view;
 pub mod quality_view;
 pub mod race_view;
@@ -22,6 +24,7 @@ use super::{
 use crate::app::{
     App, Command,
     chart::{self, Chart},
+    dispersion::GemFile,
     pages::{Page, PageMemory},
     studies::{Job, Stage, Studies},
 };
@@ -42,6 +45,8 @@ pub struct PageContext<'a> {
     pub commands: &'a mut Vec<Command>,
     /// Charts to copy or save.
     pub wishes: &'a mut Vec<ChartWish>,
+    /// Pictures of gems to save.
+    pub gems: &'a mut Vec<GemFile>,
     /// Whether what changes from run to run (times) is left out, for pictures.
     pub quiet: bool,
 }
@@ -77,6 +82,8 @@ pub struct Pages {
     products: products_view::ProductsView,
     quality: quality_view::QualityView,
     image: image_view::ImageView,
+    prism: prism_view::PrismView,
+    gem: gem_view::GemView,
     glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
 }
@@ -109,6 +116,9 @@ impl Pages {
             Page::Resampling => products.resampling.show(ui, context),
             Page::Bounces => products.bounces.show(ui, context),
             Page::Image => self.image.show(ui, context),
+            Page::Prism => self.prism.prism(ui, context),
+            Page::Rainbow => self.prism.rainbow(ui, context),
+            Page::Gem => self.gem.show(ui, context),
             Page::Glossary => self.glossary.show(ui),
             Page::Truth => self.truth.show(ui, context),
         }
@@ -155,6 +165,7 @@ fn first_mode(page: Page) -> &'static str {
     match page {
         Page::Tradeoff => "Curve",
         Page::Resampling => "Ways",
+        Page::Prism => "Prism",
         page => page.title(),
     }
 }

@@ -22,6 +22,7 @@ use crate::{
         Command,
         already_open::{Known, known},
         charts::spectrum::spectrum_chart,
+        dispersion::GemFile,
         export::{self, Export},
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
@@ -41,6 +42,7 @@ pub(super) enum Saving {
     SheetPdf,
     WindowPng,
     Chart(ChartWish),
+    Gem(Box<GemFile>),
 }
 
 /// A file dialog that is open on another thread.
@@ -344,6 +346,7 @@ impl Window {
             Saving::PlotPng | Saving::WindowPng => "png",
             Saving::SheetPdf => "pdf",
             Saving::Chart(wish) => wish.form.extension(),
+            Saving::Gem(gem) => gem.extension(),
         };
         self.ask(
             Ask::Save {
@@ -376,6 +379,7 @@ impl Window {
             Saving::SheetPdf => format!("{}-sheet.pdf", export::file_stem(&self.app)),
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
             Saving::Chart(wish) => wish.file_name(),
+            Saving::Gem(gem) => gem.file_name(),
         }
     }
 
@@ -420,12 +424,15 @@ impl Window {
                     [size.x as u32, size.y as u32],
                 )),
                 Saving::Chart(wish) => Ok(chart_bytes(wish)),
+                Saving::Gem(gem) => gem.bytes(),
             };
             let written =
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
             let message = match (written, saving) {
-                // Its axes name their own units.
-                (Ok(()), Saving::Chart(_)) => (Tone::Info, format!("Saved {}.", path.display())),
+                // The axes of a chart name their own units, a picture has none.
+                (Ok(()), Saving::Chart(_) | Saving::Gem(_)) => {
+                    (Tone::Info, format!("Saved {}.", path.display()))
+                }
                 (Ok(()), saving) => {
                     let scale = app.document().scale.words();
                     let mut words = format!("Saved {} ({scale}).", path.display());

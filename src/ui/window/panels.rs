@@ -15,6 +15,7 @@ use super::{
         verdict_view::{self, Side},
     },
     Window,
+    filing::Saving,
 };
 use crate::app::{Command, pages::Page, workspace::Preferences};
 
@@ -293,7 +294,7 @@ impl Window {
     /// A page beside the spectrum.
     fn page(&mut self, ui: &mut Ui, theme: Theme) {
         let context = ui.ctx().clone();
-        let (mut commands, mut wishes) = (Vec::new(), Vec::new());
+        let (mut commands, mut wishes, mut gems) = (Vec::new(), Vec::new(), Vec::new());
         // Every page keeps its own place in its scroll area.
         let salt = self.preferences.pages.page.word();
         let (pages, page_ui) = (
@@ -310,11 +311,15 @@ impl Window {
                 wake: &theme::waker(&context),
                 commands: &mut commands,
                 wishes: &mut wishes,
+                gems: &mut gems,
                 quiet: self.quiet,
             },
         );
         for wish in wishes {
             self.save_chart(wish, &context);
+        }
+        for gem in gems {
+            self.save(Saving::Gem(Box::new(gem)), &context);
         }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.

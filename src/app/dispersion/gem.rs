@@ -1,0 +1,395 @@
+//! The gem: which film is to be traced next, and what is said of it.
+//!
+//! A film holds transport and no light. A light that changes is summed anew over the film that is
+//! there; only places of spikes that it has no rays for yet are traced.
+
+use std::sync::Arc;
+
+use super::memory::{GemMemory, stuff_title};
+use crate::{
+    app::{answers::Seen, memo::ByAddress},
+    color::Observer,
+    optics::{Brilliant, Film, FilmSettings, Light, MOST_LINES, Noise, Scene, Studio, Stuff, View},
+    study::Progress,
+};
+
+/// Side of the first, quick picture, pixels, and its rays a pixel.
+const QUICK: (usize, u32) = (96, 4);
+
+/// Rays a pixel of the first picture of the size asked for.
+const FIRST_RAYS: u32 = 2;
+
+/// Places of spikes that only the second light has get one ray in so many of the light's.
+const SHARE_OF_OTHERS: u32 = 8;
+
+/// Most places of spikes that a film keeps: those of two lights with as many as get planes.
+const MOST_PLACES: usize = 2 * MOST_LINES;
+
+/// What the camera looks at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GemScene {
+    stuff: Stuff,
+    cut: Brilliant,
+    turn_deg: f64,
+    height_deg: f64,
+    size: usize,
+}
+
+/// A film so far: what it shows, the rays a pixel it has, and the places of spikes it has rays
+/// for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GemPass {
+    /// What is seen.
+    pub scene: GemScene,
+    /// Rays a pixel.
+    pub rays: u32,
+    /// Places of spikes, nm, rising.
+    pub lines: Vec<f64>,
+}
+
+/// A film that was traced.
+#[derive(Clone, Debug)]
+pub struct GemFilm {
+    /// The film.
+    pub film: Film,
+    /// What it answers.
+    pub pass: GemPass,
+}
+
+impl GemScene {
+    /// As the page remembers it.
+    pub fn of(memory: &GemMemory) -> Self {
+        Self {
+            stuff: memory.stuff,
+            cut: memory.cut,
+            turn_deg: memory.turn_deg,
+            height_deg: memory.height_deg,
+            size: memory.size,
+        }
+    }
+
+    /// The gem before the camera.
+    ///
+    /// # Errors
+    /// Why there is no such gem, a sentence.
+    pub fn studio(&self) -> Result<Studio, String> {
+        let said = |why: &dyn std::fmt::Display| {
+            crate::io::many::capitalised(&format!("{why}; the last gem stays."))
+        };
+        let solid = self.cut.solid().map_err(|why| said(&why))?;
+        let usual = View::A;
+        let off = |k: usize| usual.from[k] - usual.towards[k];
+        let distance = off(0).hypot(off(1)).hypot(off(2));
+        let (turn, height) = (self.turn_deg.to_radians(), self.height_deg.to_radians());
+        let level = distance * height.cos();
+        let from = [
+            usual.towards[0] + level * turn.sin(),
+            usual.towards[1] - level * turn.cos(),
+            usual.towards[2] + distance * height.sin(),
+        ];
+        let scene = Scene {
+            view: View { from, ..usual },
+            ..Scene::default()
+        };
+        let absorption = crate::optics::Absorption::None;
+        Studio::new(solid, self.stuff.material(), absorption, scene).map_err(|why| said(&why))
+    }
+
+    /// The same in a picture of another size.
+    fn sized(&self, size: usize) -> Self {
+        Self {
+            size,
+            ..self.clone()
+        }
+    }
+
+    /// Whether two scenes differ in the size of the picture alone.
+    fn is_like(&self, other: &Self) -> bool {
+        self.sized(other.size) == *other
+    }
+}
+
+/// The film to trace next, so that the picture grows finer: a small one at once, then the whole
+/// size with twice the rays each time; `None` where all is there. At once all rays where `whole`.
+pub fn next_pass(
+    held: Option<&GemPass>,
+    scene: &GemScene,
+    rays: u32,
+    lines: &[f64],
+    whole: bool,
+) -> Option<GemPass> {
+    let pass = |scene: GemScene, rays: u32| GemPass {
+        scene,
+        rays,
+        lines: lines.to_vec(),
+    };
+    match held {
+        Some(held) if held.scene == *scene => {
+            let mut all = held.lines.clone();
+            all.extend(lines);
+            all.sort_by(f64::total_cmp);
+            all.dedup();
+            if all.len() > MOST_PLACES {
+                // Places of lights long gone: a fresh film forgets them.
+                return Some(pass(scene.clone(), held.rays));
+            }
+            let rays = (2 * held.rays).min(rays).max(held.rays);
+            let next = GemPass {
+                lines: all,
+                rays,
+                ..held.clone()
+            };
+            (next != *held).then_some(next)
+        }
+        _ if whole => Some(pass(scene.clone(), rays)),
+        Some(held) if held.scene.is_like(scene) => Some(pass(scene.clone(), FIRST_RAYS.min(rays))),
+        _ => Some(pass(scene.sized(QUICK.0), QUICK.1)),
+    }
+}
+
+impl GemPass {
+    /// Traces what is missing of it, rays shared for the first light; `None` when it was cancelled
+    /// or there is no such gem.
+    pub fn trace(
+        &self,
+        from: Option<Arc<GemFilm>>,
+        lights: &[Light],
+        progress: &Progress,
+    ) -> Option<GemFilm> {
+        let from = from.filter(|from| self.goes_on_from(&from.pass));
+        let before = from.as_ref().map_or(0, |from| from.pass.rays);
+        let mut film = match from {
+            Some(from) => from.film.clone(),
+            None => {
+                let settings = FilmSettings {
+                    size: self.scene.size,
+                    ..FilmSettings::default()
+                };
+                Film::new(self.scene.studio().ok()?, settings).ok()?
+            }
+        };
+        let (first, others) = lights.split_first()?;
+        let more = self.rays.saturating_sub(before);
+        if more > 0 {
+            film.trace(first, more, None, progress).ok()?;
+        }
+        let own = places(first);
+        let missing = film.missing_lines(first);
+        let apart = others
+            .iter()
+            .flat_map(places)
+            .filter(|nm| !own.contains(nm));
+        let mut apart: Vec<f64> = apart.collect();
+        apart.sort_by(f64::total_cmp);
+        apart.dedup();
+        let (new, old): (Vec<f64>, Vec<f64>) = apart.into_iter().partition(|nm| {
+            others
+                .iter()
+                .any(|light| film.missing_lines(light).contains(nm))
+        });
+        // What is new catches up, what is there grows as the rest does.
+        let new = [missing, new].concat();
+        for (lines, rays) in [(new, self.rays), (old, more)] {
+            if !lines.is_empty() && rays > 0 {
+                let rays = rays.div_ceil(SHARE_OF_OTHERS);
+                film.trace_lines(&lines, rays, None, progress).ok()?;
+            }
+        }
+        Some(GemFilm {
+            film,
+            pass: self.clone(),
+        })
+    }
+
+    /// Whether a film of another pass is a part of this one's.
+    fn goes_on_from(&self, other: &Self) -> bool {
+        let has = |nm: &f64| self.lines.contains(nm);
+        other.scene == self.scene && other.lines.iter().all(has)
+    }
+
+    /// Whether it is of this scene in whatever size.
+    pub fn is_of(&self, scene: &GemScene) -> bool {
+        self.scene.is_like(scene)
+    }
+
+    /// Whether it is the first, quick picture.
+    pub fn is_quick(&self) -> bool {
+        self.scene.size == QUICK.0
+    }
+}
+
+/// Places of the spikes of a light that get rays of their own, nm.
+pub fn places(light: &Light) -> Vec<f64> {
+    Film::lines_of(light)
+        .iter()
+        .map(|spike| spike.at_nm)
+        .collect()
+}
+
+/// What the noise of a picture depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoiseAsk {
+    /// The film.
+    pub film: ByAddress<GemFilm>,
+    /// The light.
+    pub light: Light,
+    /// Who looks.
+    pub observer: Observer,
+}
+
+impl NoiseAsk {
+    /// The answer; `None` before two rays a pixel.
+    pub fn answer(&self, _: &Progress) -> Option<Noise> {
+        self.film.0.film.noise(&self.light, self.observer)
+    }
+}
+
+/// The noise of a picture in words.
+pub fn noise_words(noise: &Noise) -> String {
+    let delta = noise.delta_e_on_gem.unwrap_or(noise.delta_e_median);
+    let seen = match Seen::of(delta) {
+        Seen::Not => "cannot be seen",
+        Seen::SideBySide => "is seen only side by side",
+        Seen::Visible => "is visible",
+        Seen::Wrong => "is coarse still",
+    };
+    format!("noise of \u{394}E\u{2080}\u{2080} {delta:.1} in blocks of 8 x 8 pixels {seen}")
+}
+
+/// What the page shows, a sentence.
+pub fn sentence(memory: &GemMemory, light: &str, noise: Option<&Noise>) -> String {
+    let gem = stuff_title(memory.stuff);
+    let gem = gem.split(',').next().unwrap_or(gem);
+    let facets = memory.cut.facets();
+    let material = memory.stuff.material();
+    let fire = material.abbe().map_or_else(String::new, |figures| {
+        format!(
+            " bends red and violet apart by {:.3} in its index (its \"fire\")",
+            figures.fire
+        )
+    });
+    let noise = noise.map_or_else(String::new, |noise| format!("; {}", noise_words(noise)));
+    format!("Under {light}, a brilliant of {gem} with {facets} facets{fire}{noise}.")
+}
+
+/// What of a light is not in the picture as it is, sentences.
+pub fn facts_of(film: &GemFilm, light: &Light) -> Vec<String> {
+    let mut facts = Vec::new();
+    let unseen = light.share_unseen();
+    if unseen >= 0.0005 {
+        facts.push(format!(
+            "{:.1} % of the power of {} lies outside 380 to 780 nm and is not traced.",
+            100.0 * unseen,
+            light.name
+        ));
+    }
+    let missing = film.film.missing_lines(light).len();
+    if missing > 0 {
+        facts.push(format!(
+            "{} of {} stand in coarse wavelengths until their rays are traced.",
+            crate::io::many::many(missing, "line", "lines"),
+            light.name
+        ));
+    }
+    let material = film.film.studio().material();
+    if (380..=780).any(|nm| material.is_extrapolated(f64::from(nm)))
+        && let Some([from, to]) = material.published_nm
+    {
+        facts.push(format!(
+            "The index of {} was published for {from:.0} to {to:.0} nm; beyond them it is \
+             extrapolated.",
+            material.name
+        ));
+    }
+    facts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::{App, Command, Settings, dispersion::document_light};
+
+    fn small() -> GemMemory {
+        GemMemory {
+            size: 240,
+            rays: 8,
+            ..GemMemory::default()
+        }
+    }
+
+    #[test]
+    fn the_picture_grows_finer_and_then_rests() {
+        let scene = GemScene::of(&small());
+        let (mut held, mut steps) = (None, Vec::new());
+        while let Some(next) = next_pass(held.as_ref(), &scene, 8, &[546.1], false) {
+            steps.push((next.scene.size, next.rays));
+            held = Some(next);
+        }
+        assert_eq!(steps, [(96, 4), (240, 2), (240, 4), (240, 8)]);
+        let whole = next_pass(None, &scene, 8, &[], true).expect("nothing is there yet");
+        assert_eq!((whole.scene.size, whole.rays), (240, 8));
+    }
+
+    #[test]
+    fn another_light_asks_for_its_new_lines_alone() {
+        let scene = GemScene::of(&small());
+        let held = next_pass(None, &scene, 8, &[546.1], true).expect("a film");
+        let next = next_pass(Some(&held), &scene, 8, &[435.8, 546.1], true).expect("a line");
+        assert_eq!((next.rays, next.lines.as_slice()), (8, &[435.8, 546.1][..]));
+        assert_eq!(next_pass(Some(&next), &scene, 8, &[546.1], true), None);
+        // Fewer rays asked for: what is there stays.
+        assert_eq!(next_pass(Some(&next), &scene, 4, &[546.1], true), None);
+    }
+
+    #[test]
+    fn a_film_forgets_the_lines_of_lights_long_gone() {
+        let scene = GemScene::of(&small());
+        let mut held = next_pass(None, &scene, 8, &[546.1], true).expect("a film");
+        held.lines = (0..MOST_PLACES).map(|i| 400.0 + i as f64).collect();
+        let next = next_pass(Some(&held), &scene, 8, &[435.8], true).expect("a line");
+        assert_eq!(next.lines, [435.8]);
+        assert!(!next.goes_on_from(&held) && next.goes_on_from(&next));
+    }
+
+    #[test]
+    fn a_light_that_changes_is_summed_anew_over_the_same_film() {
+        let mut app = App::new();
+        let scene = GemScene::of(&small()).sized(16);
+        let light = document_light(&app).expect("it shines");
+        let pass = next_pass(None, &scene, 2, &places(&light), true).expect("a film");
+        let film = pass
+            .trace(None, &[light.clone()], &Progress::default())
+            .expect("traced");
+        assert!(film.film.missing_lines(&light).is_empty());
+        app.apply(Command::Edit(Settings {
+            order: 3,
+            ..app.document().settings
+        }));
+        let other = document_light(&app).expect("it shines");
+        assert!(film.film.missing_lines(&other).is_empty());
+        assert_eq!(
+            next_pass(Some(&film.pass), &scene, 2, &places(&other), true),
+            None
+        );
+        let observer = Observer::default();
+        let pictures = [&light, &other].map(|light| film.film.picture(light, observer));
+        assert!(pictures[0] != pictures[1]);
+    }
+
+    #[test]
+    fn a_cut_that_is_none_says_which_facets_vanish() {
+        let mut memory = small();
+        memory.cut.table = 0.85;
+        memory.cut.crown_deg = 50.0;
+        memory.cut.star = 0.8;
+        memory.cut.lower = 0.4;
+        memory.cut.pavilion_deg = 30.0;
+        match GemScene::of(&memory).studio() {
+            Ok(_) => {}
+            Err(why) => assert!(why.ends_with("the last gem stays."), "{why}"),
+        }
+        memory.cut.crown_deg = f64::NAN;
+        let why = GemScene::of(&memory).studio().expect_err("no angle");
+        assert!(why.ends_with("the last gem stays."), "{why}");
+    }
+}

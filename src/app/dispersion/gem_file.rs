@@ -1,0 +1,78 @@
+//! The gem's picture as a file.
+
+use crate::{
+    app::memo::ByAddress,
+    color::Observer,
+    optics::{Light, png, spectral_exr},
+};
+
+use super::gem::GemFilm;
+
+/// As what a picture is saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GemForm {
+    /// As the screen shows it.
+    Png,
+    /// Every plane of wavelengths and every line, as numbers.
+    Exr,
+}
+
+/// A picture of a gem to be saved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GemFile {
+    /// The film.
+    pub film: ByAddress<GemFilm>,
+    /// The light on it.
+    pub light: Light,
+    /// Who looks.
+    pub observer: Observer,
+    /// Exposure, stops.
+    pub stops: f64,
+    /// As what.
+    pub form: GemForm,
+}
+
+impl GemFile {
+    /// Its extension.
+    pub fn extension(&self) -> &'static str {
+        match self.form {
+            GemForm::Png => "png",
+            GemForm::Exr => "exr",
+        }
+    }
+
+    /// A name made of gem and light.
+    pub fn file_name(&self) -> String {
+        let material = &self.film.0.film.studio().material().name;
+        let words = format!("{material} under {}", self.light.name);
+        let letters = words.chars();
+        let stem: String = letters
+            .map(|c| if c.is_alphanumeric() { c } else { '-' })
+            .collect();
+        format!("{stem}.{}", self.extension())
+    }
+
+    /// The file.
+    ///
+    /// # Errors
+    /// Why it cannot be made, in words.
+    pub fn bytes(&self) -> Result<Vec<u8>, String> {
+        let GemFilm { film, pass } = &*self.film.0;
+        match self.form {
+            GemForm::Png => {
+                let picture = film.picture(&self.light, self.observer);
+                let pixels = picture.shown(self.stops).pixels;
+                png(picture.size, &pixels).ok_or_else(|| "There is no picture.".to_owned())
+            }
+            GemForm::Exr => {
+                let facts = [
+                    ("light", self.light.name.clone()),
+                    ("gem", film.studio().material().name.clone()),
+                    ("view", format!("{:?}", film.studio().scene().view)),
+                    ("rays", pass.rays.to_string()),
+                ];
+                spectral_exr(film, &self.light, &facts).map_err(|why| format!("{why}."))
+            }
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! The rainbow of a light: two bows, in which every line is a stripe of its own.
+
+use super::{
+    lights::document_light,
+    memory::RainbowMemory,
+    prism::StripShown,
+    strip::Colours,
+    words::{Line, lines_of, nm, touching},
+};
+use crate::{
+    app::state::App,
+    io::many::many,
+    optics::{Bows, Light, SKY_DEG, SUN_DEG, Sky, Stuff},
+};
+
+/// Columns of the strip of sky.
+const COLUMNS: usize = 1000;
+
+/// The sky over drops of water: made once, then every light is a sum.
+pub fn sky() -> Sky {
+    Sky::new(Stuff::Water.material(), COLUMNS)
+}
+
+/// What the page shows.
+#[derive(Clone, Debug)]
+pub struct RainbowShown {
+    /// The result, or why there is none.
+    pub sentence: String,
+    /// What must be said beside it, sentences.
+    pub notes: Vec<String>,
+    /// Ends of the strips, degrees from the point opposite the sun.
+    pub ends_deg: [f64; 2],
+    /// The sky under the light and under another one.
+    pub strips: Vec<StripShown>,
+    /// The lines: name, nm, n, primary, secondary, its polarisation.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl RainbowShown {
+    /// Of the state, with what drops send to the sky.
+    pub fn of(app: &App, memory: &RainbowMemory, sky: &Sky) -> Self {
+        let mut shown = Self {
+            sentence: String::new(),
+            notes: Vec::new(),
+            ends_deg: SKY_DEG,
+            strips: Vec::new(),
+            rows: Vec::new(),
+        };
+        let light = match document_light(app) {
+            Ok(light) => light,
+            Err(why) => {
+                return Self {
+                    sentence: why,
+                    ..shown
+                };
+            }
+        };
+        let observer = app.document().settings.observer;
+        let lines = lines_of(app, &light);
+        let bows: Vec<(Line, Bows)> = lines
+            .into_iter()
+            .filter_map(|line| {
+                let bows = Bows::new(sky.material(), line.at_nm).ok()?;
+                Some((line, bows))
+            })
+            .collect();
+        let strip = |light: &Light, marks: Vec<(f64, String)>| {
+            let strip = sky.strip(light, observer, memory.disc);
+            StripShown {
+                name: light.name.clone(),
+                colours: Colours::of(&strip.xyz, memory.stops),
+                marks,
+            }
+        };
+        let mut marks = Vec::new();
+        for (line, bows) in &bows {
+            let angles = [bows.primary, bows.secondary].into_iter().flatten();
+            marks.extend(angles.map(|bow| (bow.from_antisolar_deg, line.name.clone())));
+        }
+        shown.sentence = sentence(&light, &bows, sky, memory.disc);
+        shown.strips.push(strip(&light, marks));
+        match memory.beside.light(app) {
+            None => {}
+            Some(Err(why)) => shown.notes.push(why),
+            Some(Ok(other)) => shown.strips.push(strip(&other, Vec::new())),
+        }
+        shown.rows = bows.iter().map(row).collect();
+        shown
+    }
+
+    /// The lines as a table.
+    pub fn csv(&self) -> String {
+        let mut text =
+            "line,wavelength,n,first_bow_deg,second_bow_deg,polarised_percent\n".to_owned();
+        for row in &self.rows {
+            text += &format!("\"{}\",{}\n", row[0], row[1..].join(","));
+        }
+        text
+    }
+}
+
+/// The angle of one of the two bows, degrees.
+fn angle(bows: &Bows, secondary: bool) -> Option<f64> {
+    let bow = if secondary {
+        bows.secondary
+    } else {
+        bows.primary
+    };
+    bow.map(|bow| bow.from_antisolar_deg)
+}
+
+fn sentence(light: &Light, bows: &[(Line, Bows)], sky: &Sky, disc: bool) -> String {
+    let name = &light.name;
+    let at = |nm: f64, secondary: bool| {
+        let bows = Bows::new(sky.material(), nm).ok();
+        bows.and_then(|bows| angle(&bows, secondary))
+            .unwrap_or(f64::NAN)
+    };
+    if bows.is_empty() {
+        // Violet and red where the eye still sees them well.
+        return format!(
+            "{name} makes a smooth rainbow: from violet at {:.1}\u{b0} (420 nm) to red at \
+             {:.1}\u{b0} (680 nm), and the second bow the other way round, {:.1}\u{b0} to \
+             {:.1}\u{b0}.",
+            at(420.0, false),
+            at(680.0, false),
+            at(680.0, true),
+            at(420.0, true),
+        );
+    }
+    let width = if disc { SUN_DEG } else { 0.0 };
+    let stripes = |secondary: bool| {
+        let places: Vec<[f64; 2]> = bows
+            .iter()
+            .filter_map(|(_, bows)| Some([angle(bows, secondary)?, width]))
+            .collect();
+        places.len() - touching(&places).len()
+    };
+    let range = |secondary: bool| {
+        let places = bows.iter().filter_map(|(_, bows)| angle(bows, secondary));
+        places.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+            [a.min(v), b.max(v)]
+        })
+    };
+    let ([a, b], [c, d]) = (range(false), range(true));
+    format!(
+        "{name}: each of its {} makes a bow of its own, seen as {} in the first rainbow \
+         ({a:.1}\u{b0} to {b:.1}\u{b0}) and {} in the second ({c:.1}\u{b0} to {d:.1}\u{b0}).",
+        many(bows.len(), "line", "lines"),
+        many(stripes(false), "stripe", "stripes"),
+        stripes(true),
+    )
+}
+
+fn row((line, bows): &(Line, Bows)) -> Vec<String> {
+    let degrees = |bow: Option<crate::optics::Bow>| {
+        bow.map_or("-".to_owned(), |bow| {
+            format!("{:.3}", bow.from_antisolar_deg)
+        })
+    };
+    let polarised = bows.primary.map_or("-".to_owned(), |bow| {
+        format!("{:.1}", 100.0 * bow.polarisation())
+    });
+    vec![
+        line.name.clone(),
+        nm(line.at_nm),
+        format!("{:.5}", bows.n),
+        degrees(bows.primary),
+        degrees(bows.secondary),
+        polarised,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::Command;
+
+    #[test]
+    fn every_line_has_a_stripe_in_both_bows() {
+        let app = App::new();
+        let sky = sky();
+        let shown = RainbowShown::of(&app, &RainbowMemory::default(), &sky);
+        let count = app.derived().model.spikes.len();
+        assert_eq!(shown.rows.len(), count);
+        assert_eq!(shown.strips[0].marks.len(), 2 * count);
+        assert!(shown.sentence.contains(&many(count, "line", "lines")));
+        assert_eq!(shown.strips.len(), 2);
+        // Where a line's bow stands, a point of a sun leaves its brightest column.
+        let point = RainbowMemory {
+            disc: false,
+            ..RainbowMemory::default()
+        };
+        let sharp = RainbowShown::of(&app, &point, &sky);
+        assert!(sharp.strips[0].colours != shown.strips[0].colours);
+    }
+
+    #[test]
+    fn a_smooth_light_has_a_smooth_rainbow() {
+        let mut app = App::new();
+        let d65 = app.entry("cie_illuminants/CIE D65").expect("shipped");
+        app.apply(Command::Show(d65));
+        let shown = RainbowShown::of(&app, &RainbowMemory::default(), &sky());
+        assert!(
+            shown.sentence.contains("smooth rainbow"),
+            "{}",
+            shown.sentence
+        );
+        assert!(!shown.sentence.contains("NaN"), "{}", shown.sentence);
+    }
+}

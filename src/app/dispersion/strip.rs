@@ -1,0 +1,112 @@
+//! From the light in columns to the colours of a screen.
+
+use crate::{
+    app::chart::Rgb,
+    color::{Srgb, Xyz},
+    optics::into_gamut,
+};
+
+/// Columns of light as a screen shows them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Colours {
+    /// A colour a column.
+    pub rgb: Vec<Rgb>,
+    /// Share of the lit columns that are mixed with white, for no screen shows such colours.
+    pub mixed: f64,
+    /// Share of the lit columns that are brighter than the screen: shown as bright as it can.
+    pub too_bright: f64,
+    /// Whether some column has light below zero, which is drawn black.
+    pub below_zero: bool,
+}
+
+/// Where among the lit columns the one is that exposure 0 shows at [`LEVEL`]: above it are the
+/// lines, which would leave the smooth part black.
+const SHARE: f64 = 0.9;
+
+/// How bright that column is shown, of the screen's largest channel.
+const LEVEL: f64 = 0.45;
+
+/// A column below this share of the brightest is dark.
+const DARK: f64 = 1e-6;
+
+impl Colours {
+    /// Of X, Y, Z, `stops` brighter than usual. What is too bright keeps its hue.
+    pub fn of(xyz: &[Xyz], stops: f64) -> Self {
+        let mixed: Vec<([f64; 3], bool)> = xyz.iter().map(|xyz| into_gamut(*xyz)).collect();
+        let peak = |linear: &[f64; 3]| linear.iter().copied().fold(0.0, f64::max);
+        let most = mixed.iter().map(|(linear, _)| peak(linear));
+        let least = DARK * most.fold(0.0, f64::max);
+        let lit = |linear: &[f64; 3]| peak(linear) > least;
+        let mut levels: Vec<f64> = mixed.iter().map(|(linear, _)| peak(linear)).collect();
+        levels.retain(|level| *level > least);
+        levels.sort_by(f64::total_cmp);
+        let place = (SHARE * levels.len() as f64) as usize;
+        let usual = levels.get(place.min(levels.len().saturating_sub(1)));
+        let gain = usual.map_or(0.0, |level| LEVEL / level) * stops.exp2();
+        let share = |count: usize| count as f64 / levels.len().max(1) as f64;
+        let colour = |(linear, _): &([f64; 3], bool)| {
+            let scale = gain / (gain * peak(linear)).max(1.0);
+            Srgb::from_linear(linear.map(|v| v * scale)).0
+        };
+        Self {
+            rgb: mixed.iter().map(colour).collect(),
+            mixed: share(mixed.iter().filter(|(l, out)| *out && lit(l)).count()),
+            too_bright: share(levels.iter().filter(|level| gain * **level > 1.0).count()),
+            below_zero: xyz.iter().any(|xyz| xyz.y < 0.0),
+        }
+    }
+
+    /// What is not shown as it is, in words; empty where all is.
+    pub fn words(&self) -> String {
+        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+        let mut said = Vec::new();
+        if self.mixed > 0.0 {
+            said.push(format!(
+                "{} of it is purer than any screen: mixed with white of the same brightness",
+                percent(self.mixed)
+            ));
+        }
+        if self.too_bright > 0.0 {
+            said.push(format!(
+                "{} is brighter than the screen at this exposure",
+                percent(self.too_bright)
+            ));
+        }
+        if self.below_zero {
+            said.push("the model is below zero in places, drawn black".to_owned());
+        }
+        said.join("; ")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::srgb::WHITE;
+
+    #[test]
+    fn what_is_too_bright_keeps_its_hue_and_darkness_is_black() {
+        let mut columns = vec![WHITE * 0.001; 99];
+        columns.push(Xyz::new(0.3, 0.6, 0.1) * 1000.0);
+        columns.push(Xyz::ZERO);
+        let shown = Colours::of(&columns, 0.0);
+        let [r, g, b] = shown.rgb[99];
+        assert!(g == 255 && r < g && b < g, "{:?}", shown.rgb[99]);
+        assert_eq!(shown.rgb[100], [0; 3]);
+        assert_eq!(
+            (shown.rgb[0][0], shown.rgb[0][1]),
+            (shown.rgb[0][1], shown.rgb[0][2])
+        );
+        assert!(shown.too_bright > 0.0 && !shown.below_zero);
+        let brighter = Colours::of(&columns, 1.0);
+        assert!(brighter.rgb[0][0] > shown.rgb[0][0]);
+    }
+
+    #[test]
+    fn no_light_is_black_without_a_word_missing() {
+        let shown = Colours::of(&[Xyz::ZERO, Xyz::new(-1.0, -1.0, -1.0)], 3.0);
+        assert_eq!(shown.rgb, [[0; 3]; 2]);
+        assert!(shown.words().contains("below zero"));
+        assert!(Colours::of(&[], 0.0).rgb.is_empty());
+    }
+}

@@ -1,0 +1,59 @@
+//! Words that the three pages share.
+
+use super::super::products::ModelledLight;
+use crate::{app::state::App, optics::Light};
+
+/// A spike of a light with what it is called.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Where, nm.
+    pub at_nm: f64,
+    /// Weight, value x nm.
+    pub weight: f64,
+    /// Its element and place, or the place alone.
+    pub name: String,
+}
+
+/// The lines of the document's light that are seen, by rising wavelength.
+pub fn lines_of(app: &App, light: &Light) -> Vec<Line> {
+    let modelled = ModelledLight::of(app);
+    let names = modelled.spike_names(app);
+    let spikes = &modelled.derived.model.spikes;
+    let line = |spike: crate::spectrum::Spike| {
+        let index = spikes.iter().position(|own| own.at_nm == spike.at_nm);
+        let label = index.and_then(|i| names.get(i)?.label.clone());
+        Line {
+            at_nm: spike.at_nm,
+            weight: spike.weight,
+            name: label.unwrap_or_else(|| nm(spike.at_nm)),
+        }
+    };
+    light.seen_spikes().map(line).collect()
+}
+
+/// A wavelength with its unit.
+pub fn nm(at_nm: f64) -> String {
+    format!("{at_nm:.1} nm")
+}
+
+/// "a, b and c".
+pub fn listed(all: &[String]) -> String {
+    match all {
+        [] => String::new(),
+        [one] => one.clone(),
+        [before @ .., last] => format!("{} and {last}", before.join(", ")),
+    }
+}
+
+/// Neighbours (by place) that touch: each a place and a width.
+pub fn touching(images: &[[f64; 2]]) -> Vec<usize> {
+    let touch = |pair: &[[f64; 2]]| {
+        let [a, b] = [pair[0], pair[1]];
+        (a[0] - b[0]).abs() < 0.5 * (a[1] + b[1])
+    };
+    let pairs = images.windows(2).enumerate();
+    pairs
+        .filter(|(_, pair)| touch(pair))
+        .map(|(i, _)| i)
+        .collect()
+}

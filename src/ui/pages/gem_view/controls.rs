@@ -1,0 +1,215 @@
+//! What the gem is, how it is cut, how it is looked at, and its file.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{CollapsingHeader, Slider, Ui};
+
+use crate::{
+    app::{
+        dispersion::{
+            CutSlider, GemFile, GemFilm, GemForm, GemMemory, RAYS_SHOWN, SIZES_SHOWN, stuff_title,
+        },
+        memo::ByAddress,
+    },
+    optics::{Brilliant, Light, Stuff},
+    ui::{
+        kit::{Choice, Chooser, lights},
+        pages::{
+            PageContext,
+            prism_view::{exposure, model},
+        },
+    },
+};
+
+/// What people and tests call the controls.
+pub mod names {
+    pub const MATERIAL: &str = "Made of";
+    pub const SIZE: &str = "Picture";
+    pub const RAYS: &str = "Rays a pixel";
+    pub const UNDER: &str = "Also under";
+    pub const NO_OTHER: &str = "one light";
+    pub const USUAL_CUT: &str = "usual cut";
+    pub const FRONT: &str = "from the front";
+    pub const PNG: &str = "Save PNG\u{2026}";
+    pub const EXR: &str = "Save OpenEXR\u{2026}";
+}
+
+/// How many sliders of the cut are always there.
+const ALWAYS: usize = 3;
+
+/// Draws the controls.
+pub(super) fn show(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    film: Option<&Arc<GemFilm>>,
+    both: &[Light],
+) {
+    ui.spacing_mut().slider_width = 84.0 * context.theme.scale;
+    let memory = &mut context.memory.dispersion.gem;
+    ui.horizontal(|ui| {
+        ui.label(names::MATERIAL);
+        let choice = Choice {
+            name: names::MATERIAL,
+            meaning: "Diamond bends light most and spreads its colours; zirconia spreads them \
+                      further, glass much less.",
+            width: 130.0,
+        };
+        choice.show(ui, stuff_title(memory.stuff), |ui| {
+            for stuff in Stuff::ALL {
+                ui.selectable_value(&mut memory.stuff, stuff, stuff_title(stuff));
+            }
+        });
+    });
+    cut(ui, &mut memory.cut);
+    ui.separator();
+    looks(ui, memory);
+    ui.separator();
+    other_light(ui, context, both.get(1));
+    model::knobs(ui, context);
+    ui.separator();
+    save(ui, context, film, &both[0]);
+}
+
+fn cut(ui: &mut Ui, cut: &mut Brilliant) {
+    egui::Grid::new("cut").num_columns(2).show(ui, |ui| {
+        CutSlider::ALL[..ALWAYS]
+            .iter()
+            .for_each(|of| slider(ui, cut, of));
+    });
+    CollapsingHeader::new("More of the cut").show(ui, |ui| {
+        egui::Grid::new("more of the cut")
+            .num_columns(2)
+            .show(ui, |ui| {
+                CutSlider::ALL[ALWAYS..]
+                    .iter()
+                    .for_each(|of| slider(ui, cut, of));
+            });
+        let usual = Brilliant::default();
+        if ui
+            .add_enabled(*cut != usual, egui::Button::new(names::USUAL_CUT).small())
+            .on_hover_text("The round brilliant that most diamonds are cut to.")
+            .clicked()
+        {
+            *cut = usual;
+        }
+    });
+}
+
+fn slider(ui: &mut Ui, cut: &mut Brilliant, of: &CutSlider) {
+    let label = ui.label(of.title).on_hover_text(of.meaning);
+    let [least, most] = of.range;
+    let slider = Slider::new((of.of)(cut), least..=most);
+    let slider = if of.is_angle {
+        slider.step_by(0.05).fixed_decimals(2).suffix("\u{b0}")
+    } else {
+        slider
+            .custom_formatter(|value, _| format!("{:.1} %", 100.0 * value))
+            .custom_parser(|text| {
+                Some(
+                    text.trim()
+                        .trim_end_matches('%')
+                        .trim()
+                        .parse::<f64>()
+                        .ok()?
+                        / 100.0,
+                )
+            })
+    };
+    ui.add(slider)
+        .labelled_by(label.id)
+        .on_hover_text(of.meaning);
+    ui.end_row();
+}
+
+fn looks(ui: &mut Ui, memory: &mut GemMemory) {
+    exposure(ui, &mut memory.stops);
+    ui.horizontal(|ui| {
+        ui.label(names::SIZE);
+        let choice = Choice {
+            name: names::SIZE,
+            meaning: "Columns and rows of the picture.",
+            width: 60.0,
+        };
+        choice.show(ui, format!("{} px", memory.size), |ui| {
+            for size in SIZES_SHOWN {
+                ui.selectable_value(&mut memory.size, size, format!("{size} px"));
+            }
+        });
+        ui.label("rays");
+        let choice = Choice {
+            name: names::RAYS,
+            meaning: "Rays a pixel: twice as many take twice the time and leave 0.7 of the noise.",
+            width: 50.0,
+        };
+        choice.show(ui, memory.rays.to_string(), |ui| {
+            for rays in RAYS_SHOWN {
+                ui.selectable_value(&mut memory.rays, rays, rays.to_string());
+            }
+        });
+    });
+    if ui
+        .small_button(names::FRONT)
+        .on_hover_text("Looks at the gem as at first: down on the crown.")
+        .clicked()
+    {
+        memory.look_from_front();
+    }
+}
+
+/// The light of the second picture.
+fn other_light(ui: &mut Ui, context: &mut PageContext<'_>, other: Option<&Light>) {
+    ui.horizontal(|ui| {
+        ui.label(names::UNDER);
+        let chooser = Chooser {
+            name: names::UNDER,
+            meaning: "A second light on the same gem: its picture is summed from the same rays, \
+                      only its lines are traced.",
+            says: other.map_or("choose a light", |light| light.name.as_str()),
+            offers: lights,
+            width: 110.0,
+        };
+        if let Some(entry) = chooser.show(ui, context.app) {
+            context.memory.dispersion.gem.under = Some(entry.key.clone());
+        }
+        if ui
+            .add_enabled(other.is_some(), egui::Button::new(names::NO_OTHER).small())
+            .on_hover_text("One large picture under the document's light alone.")
+            .clicked()
+        {
+            context.memory.dispersion.gem.under = None;
+        }
+    });
+}
+
+/// The buttons that save the first picture.
+fn save(ui: &mut Ui, context: &mut PageContext<'_>, film: Option<&Arc<GemFilm>>, light: &Light) {
+    let forms = [
+        (
+            GemForm::Png,
+            names::PNG,
+            "The picture under the document's light as it is shown.",
+        ),
+        (
+            GemForm::Exr,
+            names::EXR,
+            "The spectral picture under the document's light: every plane of wavelengths and \
+             every line.",
+        ),
+    ];
+    ui.horizontal_wrapped(|ui| {
+        for (form, words, meaning) in forms {
+            let button = ui.add_enabled(film.is_some(), egui::Button::new(words).small());
+            if let Some(film) = film.filter(|_| button.clicked()) {
+                context.gems.push(GemFile {
+                    film: ByAddress(film.clone()),
+                    light: light.clone(),
+                    observer: context.app.document().settings.observer,
+                    stops: context.memory.dispersion.gem.stops,
+                    form,
+                });
+            }
+            button.on_hover_text(meaning);
+        }
+    });
+}

@@ -1,0 +1,287 @@
+//! The page "Gem": a film traced in the background, summed anew for every light.
+
+mod controls;
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{
+    Color32, ColorImage, Layout, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, Vec2,
+    pos2, vec2,
+};
+
+use super::{
+    PageContext,
+    prism_view::{headline, notes},
+    progress,
+};
+use crate::{
+    app::{
+        dispersion::{
+            GemFilm, GemPass, GemScene, NoiseAsk, document_light, facts_of, modelled, next_pass,
+            places, sentence,
+        },
+        memo::{ByAddress, Memo},
+        studies::Stage,
+    },
+    color::Observer,
+    optics::{Light, Noise},
+    study::Progress,
+    ui::{
+        kit::{named, scrolled, warning},
+        theme::grey,
+    },
+};
+
+/// Width of the controls, points.
+const CONTROLS: f32 = 250.0;
+
+/// How dark the wall behind the pictures is.
+const WALL: u8 = 16;
+
+/// A light, or why there is none.
+type Lit = Result<Light, String>;
+
+/// What a texture was made of.
+type DrawnOf = (ByAddress<GemFilm>, Light, Observer, f64);
+
+/// A picture on the graphics card.
+struct Drawn {
+    of: DrawnOf,
+    texture: TextureHandle,
+    words: String,
+}
+
+/// The page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct GemView {
+    light: Memo<u64, Lit>,
+    other: Memo<(u64, Option<String>), Option<Lit>>,
+    /// Why there is no such gem.
+    refused: Memo<Option<GemScene>, Option<String>>,
+    asked: Option<GemPass>,
+    drawn: [Option<Drawn>; 2],
+}
+
+impl GemView {
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let (app, revision) = (context.app, context.app.revision());
+        let light = match &*self.light.get(revision, |_| document_light(app)) {
+            Ok(light) => light.clone(),
+            Err(why) => return headline(ui, why, context),
+        };
+        let under = context.memory.dispersion.gem.under.clone();
+        let other = self.other.get((revision, under), |(_, key)| {
+            let entry = app.entry(key.as_ref()?)?;
+            Some(modelled(app, &entry))
+        });
+        let (other, trouble) = match &*other {
+            Some(Ok(light)) => (Some(light.clone()), None),
+            Some(Err(why)) => (None, Some(why.clone())),
+            None => (None, None),
+        };
+        let lights: Vec<Light> = std::iter::once(light).chain(other).collect();
+        let scene = GemScene::of(&context.memory.dispersion.gem);
+        let refused = self
+            .refused
+            .get(Some(scene.clone()), |_| scene.studio().err());
+        let refused = refused.clone();
+        let film = self.film(context, &scene, &lights, refused.is_none());
+        let noise = film
+            .as_ref()
+            .and_then(|film| noise(context, film, &lights[0]));
+
+        let memory = &context.memory.dispersion.gem;
+        headline(
+            ui,
+            &sentence(memory, &lights[0].name, noise.as_ref()),
+            context,
+        );
+        for words in refused.iter().chain(&trouble) {
+            warning(ui, context.theme, words.as_str());
+        }
+        ui.add_space(4.0);
+        let room = ui.available_size();
+        let wide = CONTROLS * context.theme.scale;
+        ui.horizontal_top(|ui| {
+            let down = Layout::top_down(egui::Align::Min);
+            ui.allocate_ui_with_layout(vec2(wide, room.y), down, |ui| {
+                scrolled(ui, "gem controls", |ui| {
+                    controls::show(ui, context, film.as_ref(), &lights);
+                });
+            });
+            ui.allocate_ui_with_layout(ui.available_size(), down, |ui| {
+                self.pictures(ui, context, film.as_ref(), &lights);
+            });
+        });
+    }
+
+    /// The finest film that there is, whatever it shows; what is missing of it is asked for.
+    fn film(
+        &mut self,
+        context: &mut PageContext<'_>,
+        scene: &GemScene,
+        lights: &[Light],
+        is_sound: bool,
+    ) -> Option<Arc<GemFilm>> {
+        let rays = context.memory.dispersion.gem.rays;
+        let job = &mut context.studies.gem;
+        let held = job.result().cloned();
+        let mut lines: Vec<f64> = lights.iter().flat_map(places).collect();
+        lines.sort_by(f64::total_cmp);
+        lines.dedup();
+        let before = held.as_ref().map(|held| &held.pass);
+        let next = next_pass(before, scene, rays, &lines, context.quiet);
+        // What is under way for this gem, or is done in a moment, is let be: otherwise a hand that
+        // moves would never see a picture.
+        let is_running = matches!(job.stage(), Stage::Running(_));
+        let under_way = self
+            .asked
+            .clone()
+            .filter(|asked| is_running && (asked.is_of(scene) || asked.is_quick()));
+        if let Some(ask) = under_way.or(next).filter(|_| is_sound) {
+            let from = held.clone();
+            job.ask(&ask, context.wake, || {
+                let (ask, lights) = (ask.clone(), lights.to_vec());
+                move |progress: &Progress| ask.trace(from, &lights, progress)
+            });
+            self.asked = Some(ask);
+        }
+        held
+    }
+
+    /// One picture for each light, beside each other.
+    fn pictures(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        film: Option<&Arc<GemFilm>>,
+        lights: &[Light],
+    ) {
+        let room = ui.available_size();
+        let text = ui.text_style_height(&egui::TextStyle::Small);
+        // Below the pictures: two lines of words each, progress, and notes.
+        let below = 4.0 * text + ui.spacing().interact_size.y + 30.0;
+        let gap = 8.0;
+        let count = lights.len() as f32;
+        let side = ((room.x - gap * (count - 1.0)) / count).min(room.y - below);
+        let side = side.max(80.0);
+        let observer = context.app.document().settings.observer;
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            for (light, place) in lights.iter().zip(0..) {
+                let down = Layout::top_down(egui::Align::Min);
+                let size = vec2(side, side + 2.0 * text + 12.0);
+                ui.allocate_ui_with_layout(size, down, |ui| {
+                    self.draw(ui, context, film, (light, observer), place);
+                    self.picture(ui, context, light, place, side);
+                });
+            }
+        });
+        progress(ui, &mut context.studies.gem, "The picture");
+        let mut said = Vec::new();
+        if let Some(film) = film {
+            said.extend(lights.iter().flat_map(|light| facts_of(film, light)));
+            said.dedup();
+            let traced = film.film.traced();
+            said.push(format!(
+                "{} x {} pixels, {} rays a pixel, {:.1} faces a ray, {} MB. Light at each face \
+                 as if unpolarised.",
+                film.film.settings().size,
+                film.film.settings().size,
+                film.pass.rays,
+                traced.segments_per_ray(),
+                film.film.bytes().div_ceil(1 << 20),
+            ));
+        }
+        notes(ui, said.iter().map(String::as_str));
+    }
+
+    /// The texture of a light, made anew when film, light or exposure changed.
+    fn draw(
+        &mut self,
+        ui: &Ui,
+        context: &PageContext<'_>,
+        film: Option<&Arc<GemFilm>>,
+        (light, observer): (&Light, Observer),
+        place: usize,
+    ) {
+        let Some(film) = film else {
+            return;
+        };
+        let stops = context.memory.dispersion.gem.stops;
+        let of: DrawnOf = (ByAddress(film.clone()), light.clone(), observer, stops);
+        if self.drawn[place]
+            .as_ref()
+            .is_some_and(|drawn| drawn.of == of)
+        {
+            return;
+        }
+        let picture = film.film.picture(light, observer);
+        let shown = picture.shown(stops);
+        let colours = shown.pixels.iter();
+        let pixels = colours.map(|[r, g, b]| Color32::from_rgb(*r, *g, *b));
+        let image = ColorImage::new([picture.size; 2], pixels.collect());
+        let name = format!("gem {place}");
+        let texture = ui.ctx().load_texture(name, image, TextureOptions::LINEAR);
+        let words = format!(
+            "{:.1} % brighter than the screen, {:.1} % purer than it shows",
+            100.0 * shown.share_too_bright,
+            100.0 * shown.share_outside
+        );
+        self.drawn[place] = Some(Drawn { of, texture, words });
+    }
+
+    /// A picture with the name of its light; a hand turns the gem.
+    fn picture(
+        &self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        light: &Light,
+        place: usize,
+        side: f32,
+    ) {
+        let (area, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::drag());
+        named(
+            &response,
+            egui::Role::Image,
+            &format!("The gem under {}", light.name),
+        );
+        let painter = ui.painter();
+        painter.rect_filled(area, 2.0, grey(WALL));
+        let drawn = self.drawn[place].as_ref();
+        if let Some(drawn) = drawn {
+            let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.image(drawn.texture.id(), area, uv, Color32::WHITE);
+        }
+        let moved = response.drag_delta();
+        if moved != Vec2::ZERO {
+            context
+                .memory
+                .dispersion
+                .gem
+                .turn_by([moved.x, moved.y].map(f64::from));
+        }
+        response.on_hover_text_at_pointer("Drag to look from another side.");
+        let name = RichText::new(&light.name).strong();
+        ui.add(egui::Label::new(name).truncate());
+        let words = drawn.map_or("", |drawn| drawn.words.as_str());
+        ui.add(egui::Label::new(RichText::new(words).small().weak()).truncate());
+    }
+}
+
+/// The noise of the first picture, once nothing is traced any more.
+fn noise(context: &mut PageContext<'_>, film: &Arc<GemFilm>, light: &Light) -> Option<Noise> {
+    let is_running = matches!(context.studies.gem.stage(), Stage::Running(_));
+    let ask = NoiseAsk {
+        film: ByAddress(film.clone()),
+        light: light.clone(),
+        observer: context.app.document().settings.observer,
+    };
+    let job = &mut context.studies.gem_noise;
+    if !is_running && !film.pass.is_quick() {
+        job.ask_by(&ask, context.wake, NoiseAsk::answer);
+    }
+    job.result_for(&ask).map(|noise| **noise)
+}

@@ -1,0 +1,130 @@
+//! The bench drawn: a dark room, a prism, the light on its way.
+
+use eframe::egui;
+use egui::{Color32, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
+
+use crate::{
+    app::{
+        chart::Rgb,
+        dispersion::{BenchDrawing, DrawnRay},
+    },
+    ui::{
+        kit::named,
+        theme::{Theme, grey},
+    },
+};
+
+/// Degrees that the prism turns by for each point that a hand moves.
+const DEGREES_A_POINT: f32 = 0.08;
+
+/// Free space around the drawing, points.
+const MARGIN: f32 = 14.0;
+
+/// How dark the room is: colours of light are seen against it in both themes.
+pub(super) const ROOM: u8 = 16;
+
+/// From millimetres to the screen.
+struct Mapping {
+    corner: Pos2,
+    low: [f64; 2],
+    scale: f64,
+}
+
+impl Mapping {
+    fn new(drawing: &BenchDrawing, area: Rect) -> Self {
+        // Rays that graze the screen far out are cut.
+        let mut places = drawing.prism.to_vec();
+        places.extend(drawing.incoming);
+        places.extend(drawing.screen);
+        let range = |k: usize| {
+            let values = places.iter().map(|place| place[k]);
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+                [a.min(v), b.max(v)]
+            })
+        };
+        let ranges = [range(0), range(1)];
+        let size = ranges.map(|[a, b]| (b - a).max(1e-9));
+        let room = area.size() - Vec2::splat(2.0 * MARGIN);
+        let scale = (f64::from(room.x) / size[0]).min(f64::from(room.y) / size[1]);
+        let drawn = vec2((size[0] * scale) as f32, (size[1] * scale) as f32);
+        Self {
+            corner: area.center() - 0.5 * drawn + vec2(0.0, drawn.y),
+            low: [ranges[0][0], ranges[1][0]],
+            scale,
+        }
+    }
+
+    fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+        let [across, up] = [x - self.low[0], y - self.low[1]].map(|v| (v * self.scale) as f32);
+        pos2(self.corner.x + across, self.corner.y - up)
+    }
+}
+
+/// Draws the bench; how far a hand turned the prism in this frame, degrees.
+pub(super) fn show(ui: &mut Ui, drawing: Option<&BenchDrawing>, size: Vec2, theme: Theme) -> f64 {
+    let (area, response) = ui.allocate_exact_size(size, Sense::drag());
+    named(
+        &response,
+        egui::Role::Image,
+        "Drawing of the prism and the light",
+    );
+    let painter = ui.painter().with_clip_rect(area);
+    painter.rect_filled(area, 3.0, grey(ROOM));
+    let Some(drawing) = drawing else {
+        return 0.0;
+    };
+    let mapping = Mapping::new(drawing, area);
+    light(&painter, drawing, &mapping, theme);
+    let hint = "Angles are exact; the screen is drawn nearer than it is.";
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let at = area.left_bottom() + vec2(8.0, -6.0);
+    painter.text(at, egui::Align2::LEFT_BOTTOM, hint, font, grey(140));
+    let turned = response.drag_delta().x * DEGREES_A_POINT;
+    if response.hovered() {
+        ui.set_cursor_icon(egui::CursorIcon::ResizeHorizontal);
+    }
+    response.on_hover_text_at_pointer("Drag to turn the prism.");
+    f64::from(turned)
+}
+
+fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Theme) {
+    let corners = drawing.prism.map(|corner| mapping.at(corner)).to_vec();
+    let glass = Color32::from_rgb(38, 42, 46);
+    painter.add(Shape::convex_polygon(corners.clone(), glass, Stroke::NONE));
+    let [from, to] = drawing.incoming.map(|place| mapping.at(place));
+    painter.line_segment([from, to], (2.5 * theme.scale, colour(drawing.rgb, 1.0)));
+    let mut mesh = Mesh::default();
+    for pair in drawing.smooth.windows(2) {
+        for part in 0..2 {
+            band(&mut mesh, mapping, &pair[0], &pair[1], part);
+        }
+    }
+    painter.add(mesh);
+    for ray in &drawing.lines {
+        let stroke = Stroke::new(1.6 * theme.scale, colour(ray.rgb, ray.strength));
+        let points = ray.at.map(|place| mapping.at(place)).to_vec();
+        painter.add(Shape::line(points, stroke));
+    }
+    let edge = Stroke::new(1.2 * theme.scale, grey(150));
+    painter.add(Shape::closed_line(corners, edge));
+    let screen = drawing.screen.map(|place| mapping.at(place));
+    painter.line_segment(screen, (2.0 * theme.scale, grey(190)));
+}
+
+/// What lies between two neighbouring rays of the smooth part, in the glass (0) or behind it (1).
+fn band(mesh: &mut Mesh, mapping: &Mapping, a: &DrawnRay, b: &DrawnRay, part: usize) {
+    let first = mesh.vertices.len() as u32;
+    for (ray, end) in [(a, part), (a, part + 1), (b, part + 1), (b, part)] {
+        // A glow behind the lines, not beside them.
+        mesh.colored_vertex(
+            mapping.at(ray.at[end]),
+            colour(ray.rgb, 0.55 * ray.strength),
+        );
+    }
+    mesh.add_triangle(first, first + 1, first + 2);
+    mesh.add_triangle(first, first + 2, first + 3);
+}
+
+fn colour([r, g, b]: Rgb, strength: f64) -> Color32 {
+    Color32::from_rgb(r, g, b).gamma_multiply(strength as f32)
+}

@@ -1,0 +1,230 @@
+//! Strips of colour below each other over one axis, with the names of lines.
+
+use eframe::egui;
+use egui::{Align2, Color32, FontId, Mesh, Painter, Rect, Sense, TextStyle, Ui, pos2, vec2};
+
+use crate::{
+    app::{dispersion::StripShown, ticks::short},
+    ui::{
+        kit::named,
+        theme::{Theme, grey},
+    },
+};
+
+/// Height of a strip, points.
+const STRIP: f32 = 60.0;
+
+/// Height of a row of names, points, and how many there are.
+const NAME_ROW: f32 = 15.0;
+const NAME_ROWS: usize = 2;
+
+/// Height of a row of numbers below them, points.
+const SCALE: f32 = 17.0;
+
+/// What is below the strips.
+pub(super) struct Axis<'a> {
+    /// Values at both ends.
+    pub ends: [f64; 2],
+    /// What it counts.
+    pub label: &'a str,
+    /// Wavelengths with their places, nm and the unit of the axis; empty where there are none.
+    pub nm: &'a [[f64; 2]],
+}
+
+impl Axis<'_> {
+    /// How far a value is from the left end, 0-1 inside.
+    fn share(&self, value: f64) -> f32 {
+        let [from, to] = self.ends;
+        ((value - from) / (to - from)) as f32
+    }
+
+    /// The value under the pointer, with its wavelength where there is one.
+    fn told(&self, share: f32) -> String {
+        let [from, to] = self.ends;
+        let value = from + f64::from(share) * (to - from);
+        let between = self.nm.windows(2).find_map(|pair| {
+            let along = (value - pair[0][1]) / (pair[1][1] - pair[0][1]);
+            (0.0..=1.0)
+                .contains(&along)
+                .then(|| pair[0][0] + along * (pair[1][0] - pair[0][0]))
+        });
+        let nm = between.map_or_else(String::new, |nm| format!("{nm:.0} nm, "));
+        format!("{nm}{value:.2} {}", self.label)
+    }
+}
+
+/// Height of all that [`show`] draws, with two lines of words below it, points.
+pub(super) fn height(strips: &[StripShown], axis: &Axis<'_>, theme: Theme) -> f32 {
+    let names = |strip: &StripShown| match strip.marks.is_empty() {
+        true => 1.0,
+        false => NAME_ROWS as f32,
+    };
+    let one = |strip: &StripShown| NAME_ROW * names(strip) + STRIP + 12.0;
+    let scales = if axis.nm.is_empty() { 1.0 } else { 2.0 };
+    let words = 40.0;
+    (strips.iter().map(one).sum::<f32>() + scales * SCALE + words) * theme.scale
+}
+
+/// Draws the strips.
+pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: Theme) {
+    let scale = theme.scale;
+    let font = TextStyle::Small.resolve(ui.style());
+    let ink = ui.visuals().text_color();
+    for strip in strips {
+        ui.add_space(4.0);
+        let names = if strip.marks.is_empty() {
+            1.0
+        } else {
+            NAME_ROWS as f32
+        };
+        let above = names * NAME_ROW * scale;
+        let size = vec2(ui.available_width(), above + STRIP * scale);
+        let (area, response) = ui.allocate_exact_size(size, Sense::hover());
+        named(
+            &response,
+            egui::Role::Image,
+            &format!("Strip of {}", strip.name),
+        );
+        let field = area.with_min_y(area.top() + above);
+        let painter = ui.painter();
+        painter.rect_filled(field, 0.0, grey(super::bench::ROOM));
+        columns(painter, field, &strip.colours.rgb);
+        let taken = painter.text(
+            area.left_top(),
+            Align2::LEFT_TOP,
+            &strip.name,
+            font.clone(),
+            ink,
+        );
+        let ground = ui.visuals().panel_fill;
+        marks(
+            painter,
+            field,
+            strip,
+            axis,
+            (&font, theme.faint, ground),
+            taken,
+        );
+        let pointed = response.hover_pos().filter(|at| field.contains(*at));
+        if let Some(at) = pointed {
+            let share = (at.x - field.left()) / field.width();
+            response.on_hover_text_at_pointer(axis.told(share));
+        }
+    }
+    if !strips.is_empty() {
+        ui.scope(|ui| ticks(ui, axis, &font, theme));
+    }
+}
+
+/// A box for each column.
+fn columns(painter: &Painter, field: Rect, rgb: &[[u8; 3]]) {
+    let mut mesh = Mesh::default();
+    let width = field.width() / rgb.len().max(1) as f32;
+    for (index, [r, g, b]) in rgb.iter().enumerate() {
+        let left = field.left() + width * index as f32;
+        let column = Rect::from_x_y_ranges(left..=left + width, field.y_range());
+        mesh.add_colored_rect(column, Color32::from_rgb(*r, *g, *b));
+    }
+    painter.add(mesh);
+}
+
+/// Names of lines above the strip, each with a stroke to its place; those without room are left
+/// out, for the table has them.
+fn marks(
+    painter: &Painter,
+    field: Rect,
+    strip: &StripShown,
+    axis: &Axis<'_>,
+    (font, ink, ground): (&FontId, Color32, Color32),
+    title: Rect,
+) {
+    let (mut taken, mut named) = (vec![title], Vec::new());
+    for (value, name) in &strip.marks {
+        let share = axis.share(*value);
+        let x = field.left() + share * field.width();
+        if !(0.0..=1.0).contains(&share) {
+            continue;
+        }
+        let galley = painter.layout_no_wrap(name.clone(), font.clone(), ink);
+        let size = galley.size();
+        let left =
+            (x - 0.5 * size.x).clamp(field.left(), (field.right() - size.x).max(field.left()));
+        let place = (0..NAME_ROWS).rev().map(|row| {
+            let top = field.top() - (NAME_ROWS - row) as f32 * size.y - 1.0;
+            Rect::from_min_size(pos2(left, top), size)
+        });
+        let free = |place: &Rect| {
+            taken
+                .iter()
+                .all(|other| !other.intersects(place.expand2(vec2(4.0, -1.0))))
+        };
+        if let Some(place) = place.into_iter().find(free) {
+            painter.vline(x, place.bottom() - 2.0..=field.top(), (1.0, ink));
+            taken.push(place);
+            named.push((place, galley));
+        }
+    }
+    // No stroke runs through another name.
+    for (place, galley) in named {
+        painter.rect_filled(place, 0.0, ground);
+        painter.galley(place.min, galley, ink);
+    }
+}
+
+/// A row of numbers with ticks and what it counts at the right end.
+fn scale(
+    ui: &mut Ui,
+    label: &str,
+    marks: impl Iterator<Item = (f32, String)>,
+    (font, theme): (&FontId, Theme),
+) {
+    let size = vec2(ui.available_width(), SCALE * theme.scale);
+    let (area, _) = ui.allocate_exact_size(size, Sense::hover());
+    let painter = ui.painter();
+    let label = painter.layout_no_wrap(label.to_owned(), font.clone(), theme.faint);
+    let end = area.right() - label.size().x;
+    let top = area.top() + 3.0;
+    painter.galley(pos2(end, top), label, theme.faint);
+    let mut free_from = area.left();
+    let mut marks: Vec<(f32, String)> = marks.collect();
+    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (share, words) in marks {
+        let x = area.left() + share * area.width();
+        painter.vline(x, area.top()..=top, (1.0, theme.faint));
+        let galley = painter.layout_no_wrap(words, font.clone(), theme.faint);
+        let left = x - 0.5 * galley.size().x;
+        // Nothing is written over another number, and nothing is cut.
+        if left >= free_from && left + galley.size().x < end - 8.0 {
+            free_from = left + galley.size().x + 8.0;
+            painter.galley(pos2(left, top), galley, theme.faint);
+        }
+    }
+}
+
+/// Numbers below the strips: wavelengths where there are some, and places.
+fn ticks(ui: &mut Ui, axis: &Axis<'_>, font: &FontId, theme: Theme) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    if !axis.nm.is_empty() {
+        let marks = axis.nm.iter().map(|[nm, at]| (axis.share(*at), short(*nm)));
+        let inside = marks.filter(|(share, _)| (0.0..=1.0).contains(share));
+        scale(ui, "nm", inside, (font, theme));
+    }
+    let [from, to] = axis.ends;
+    let step = step_of((to - from) / 10.0);
+    let first = (from / step).ceil() as i64;
+    let values = (0..=10).map(|i| (first + i) as f64 * step);
+    let marks = values
+        .filter(|value| *value <= to)
+        .map(|value| (axis.share(value), short(value)));
+    scale(ui, axis.label, marks, (font, theme));
+}
+
+/// The round step at or above a size: 1, 2 or 5 of its decade.
+fn step_of(size: f64) -> f64 {
+    let decade = 10.0_f64.powf(size.max(1e-9).log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * decade);
+    steps
+        .into_iter()
+        .find(|step| *step >= size)
+        .unwrap_or(steps[3])
+}
