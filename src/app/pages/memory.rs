@@ -4,7 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::Page;
 use crate::{
-    app::{charts::quality::DiagramShows, picture::ImageMemory, products::ProductsMemory},
+    app::{
+        charts::quality::DiagramShows, picture::ImageMemory, products::ProductsMemory,
+        relit::RelitMemory,
+    },
     study::{Goal, Measure},
 };
 
@@ -42,6 +45,8 @@ pub struct PageMemory {
     pub diagram: DiagramShows,
     /// Image: which one, which pixels, and how it is drawn.
     pub image: ImageMemory,
+    /// In few numbers, relit: which picture, how many numbers, which lights.
+    pub relit: RelitMemory,
 }
 
 impl Default for PageMemory {
@@ -62,6 +67,7 @@ impl Default for PageMemory {
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
             image: ImageMemory::default(),
+            relit: RelitMemory::default(),
         }
     }
 }
@@ -97,6 +103,7 @@ impl PageMemory {
             },
             products: self.products.clamped(),
             image: self.image.clamped(),
+            relit: self.relit.clamped(),
             ..self
         }
     }

@@ -110,6 +110,8 @@ pub enum Page {
     Bounces,
     /// A spectral image: a pixel or a region becomes a spectrum.
     Image,
+    /// A spectral image in few numbers a pixel, under any light.
+    Relit,
     /// Words explained.
     Glossary,
     /// The paper's claims, measured on this spectrum.
@@ -281,6 +283,13 @@ const ROWS: &[Row] = &[
         ("Spectral image", "image"),
         &[],
         "A spectral image: a pixel or a region's mean becomes a spectrum.",
+    ),
+    row(
+        Page::Relit,
+        (Place::Picture, Page::Relit),
+        ("In few numbers, relit", "relit"),
+        &[],
+        "A spectral image in few numbers a pixel, and how it looks under any light.",
     ),
 ];
 

@@ -5,12 +5,14 @@ pub mod about;
 pub mod field;
 pub mod job;
 pub mod paper;
+pub mod relit;
 pub mod surfaces;
 pub mod take;
 
 pub use about::About;
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake, Work};
+pub use relit::{RelitJobs, RelitShown};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
@@ -168,6 +170,8 @@ pub struct Studies {
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
     pub region: Job<RegionAsk, RegionSpectrum>,
+    /// A picture in few numbers, under a light.
+    pub relit: RelitJobs,
 }
 
 impl Studies {
@@ -183,10 +187,19 @@ impl Studies {
             quality,
             raster,
             region,
+            relit,
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
+        let RelitJobs {
+            look,
+            fit,
+            turn,
+            store,
+            peers,
+        } = relit;
         vec![
             sweep, auction, spend, race, pairs, ranking, timing, bounces, quality, raster, region,
+            look, fit, turn, store, peers,
         ]
     }
 

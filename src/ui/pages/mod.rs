@@ -7,6 +7,7 @@ pub mod image_view;
 pub mod products_view;
 pub mod quality_view;
 pub mod race_view;
+pub mod relit_view;
 pub mod tradeoff_view;
 pub mod truth_view;
 
@@ -22,6 +23,7 @@ use crate::app::{
     App, Command,
     chart::{self, Chart},
     pages::{Page, PageMemory},
+    relit::PictureWish,
     studies::{Job, Stage, Studies},
 };
 
@@ -75,6 +77,7 @@ pub struct Pages {
     products: products_view::ProductsView,
     quality: quality_view::QualityView,
     image: image_view::ImageView,
+    relit: relit_view::RelitView,
     glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
 }
@@ -83,6 +86,11 @@ impl Pages {
     /// The key of an image whose reading is to be looked at, once.
     pub fn wants_reading(&mut self) -> Option<String> {
         self.image.wants_reading.take()
+    }
+
+    /// A picture in few numbers that is to be saved, once.
+    pub fn wants_save(&mut self) -> Option<PictureWish> {
+        self.relit.wants_save.take()
     }
 
     /// Draws the page in force; nothing for the spectrum, which the window draws itself.
@@ -106,6 +114,7 @@ impl Pages {
             Page::Resampling => products.resampling.show(ui, context),
             Page::Bounces => products.bounces.show(ui, context),
             Page::Image => self.image.show(ui, context),
+            Page::Relit => self.relit.show(ui, context),
             Page::Glossary => self.glossary.show(ui),
             Page::Truth => self.truth.show(ui, context),
         }

@@ -26,6 +26,7 @@ use crate::{
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
         pages::Page,
+        relit::PictureWish,
         state::Tone,
     },
     io::atomic::save_atomically,
@@ -38,6 +39,7 @@ pub(super) enum Saving {
     PlotPng,
     WindowPng,
     Chart(ChartWish),
+    Picture(PictureWish),
 }
 
 /// A file dialog that is open on another thread.
@@ -340,6 +342,7 @@ impl Window {
             Saving::Text(export) => export.extension(),
             Saving::PlotPng | Saving::WindowPng => "png",
             Saving::Chart(wish) => wish.form.extension(),
+            Saving::Picture(wish) => wish.form.ending(),
         };
         self.ask(
             Ask::Save {
@@ -371,6 +374,7 @@ impl Window {
             Saving::PlotPng => format!("{}.png", export::file_stem(&self.app)),
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
             Saving::Chart(wish) => wish.file_name(),
+            Saving::Picture(wish) => wish.file_name(),
         }
     }
 
@@ -414,6 +418,15 @@ impl Window {
                     [size.x as u32, size.y as u32],
                 )),
                 Saving::Chart(wish) => Ok(chart_bytes(wish)),
+                Saving::Picture(wish) => {
+                    // It streams into its place: a large one is never whole in memory.
+                    let message = match wish.save(&path) {
+                        Ok(words) => (Tone::Info, words),
+                        Err(why) => (Tone::Problem, why),
+                    };
+                    let _ = said.send(message);
+                    return wake();
+                }
             };
             let written =
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));

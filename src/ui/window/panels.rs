@@ -15,6 +15,7 @@ use super::{
         verdict_view::{self, Side},
     },
     Window,
+    filing::Saving,
 };
 use crate::app::{Command, pages::Page, workspace::Preferences};
 
@@ -315,6 +316,9 @@ impl Window {
         );
         for wish in wishes {
             self.save_chart(wish, &context);
+        }
+        if let Some(wish) = self.pages.wants_save() {
+            self.save(Saving::Picture(wish), &context);
         }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.
