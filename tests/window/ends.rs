@@ -206,7 +206,6 @@ fn page_of(place: &Place) -> Page {
             Page::of_word(step(3)).unwrap_or(Page::Chain)
         }
         "image" => Page::Image,
-        "relit" => Page::Relit,
         _ => Page::Spectrum,
     }
 }

@@ -101,3 +101,23 @@ impl RelitMemory {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_remembered_is_always_something_that_can_be_shown() {
+        let nonsense = RelitMemory {
+            numbers: Some(usize::MAX),
+            second_percent: 400,
+            split: f32::NAN,
+            ..RelitMemory::default()
+        };
+        let sound = nonsense.clamped();
+        assert_eq!(sound.numbers, Some(MOST_NUMBERS));
+        assert_eq!((sound.second_percent, sound.split), (100, 0.5));
+        let usual = RelitMemory::default();
+        assert_eq!(usual.clone().clamped(), usual);
+    }
+}
