@@ -287,14 +287,14 @@ impl Fit {
     pub fn how(&self) -> String {
         let plan = self.operator.plan();
         let series = match plan.reference.kind {
-            ReferenceKind::One => "a cosine series".to_owned(),
-            ReferenceKind::Light => format!("a cosine series times {}", plan.reference.name),
-            ReferenceKind::Mean => "a cosine series times the picture's mean".to_owned(),
+            ReferenceKind::One => "cosine series".to_owned(),
+            ReferenceKind::Light => format!("cosine series × {}", plan.reference.name),
+            ReferenceKind::Mean => "cosine series × the mean".to_owned(),
         };
         match plan.lines.len() {
             0 => series,
-            1 => format!("{series} and 1 line"),
-            lines => format!("{series} and {lines} lines"),
+            1 => format!("{series}, 1 line"),
+            lines => format!("{series}, {lines} lines"),
         }
     }
 }

@@ -13,10 +13,10 @@ pub type Rows = Vec<Vec<String>>;
 /// How a difference that 95 % of the pixels keep is seen.
 fn seen(p95: f64) -> &'static str {
     match Seen::of(p95) {
-        Seen::Not => "nobody sees it",
-        Seen::SideBySide => "it is seen only side by side",
-        Seen::Visible => "it is visible",
-        Seen::Wrong => "they are other colours",
+        Seen::Not => "nobody sees that",
+        Seen::SideBySide => "seen only side by side",
+        Seen::Visible => "visible",
+        Seen::Wrong => "other colours",
     }
 }
 
@@ -38,14 +38,14 @@ pub fn headline(fit: &Fit, turned: &Turned, stored: Option<&Stored>) -> String {
     });
     format!(
         "{} in {} numbers a pixel instead of {}. {under} off by ΔE00 {:.2} on average, at most \
-         {:.2} in 95 % of the pixels, {:.1} in the worst: {}.{}",
+         {:.2} in 95 % of the pixels ({}), {:.1} in the worst.{}",
         capitalised(&looked.name),
         fit.operator.numbers(),
         looked.bands().len(),
         spread.mean,
         spread.p95,
-        spread.max,
         seen(spread.p95),
+        spread.max,
         bytes.unwrap_or_default()
     )
 }

@@ -41,7 +41,7 @@ const AT_HAND: [(&str, &str); 5] = [
 ];
 
 /// Width of lists, points.
-const LIST: f32 = 150.0;
+const LIST: f32 = 120.0;
 
 fn name_of(app: &App, key: Option<&str>, otherwise: &str) -> String {
     let entry = key.and_then(|key| app.entry(key));

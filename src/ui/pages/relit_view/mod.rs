@@ -82,10 +82,16 @@ impl RelitView {
         if room.x < WIDE * scale {
             return self.picture(ui, context, (&fit.0, &turned.0), room);
         }
-        let beside = (0.34 * room.x).clamp(250.0 * scale, 430.0 * scale);
+        let gap = 2.0 * ui.spacing().item_spacing.x;
+        let [width, height] = looked.0.size().map(|side| side as f32);
+        // The picture as high as there is room; the charts have the rest.
+        let high = (room.y - self.below(ui, context)) * width / height;
+        let least = (0.3 * room.x).max(250.0 * scale);
+        let left = high.min(room.x - gap - least).max(0.3 * room.x);
+        let beside = room.x - gap - left;
         ui.horizontal_top(|ui| {
-            let gap = ui.spacing().item_spacing.x;
-            let left = vec2(room.x - beside - gap, room.y);
+            ui.spacing_mut().item_spacing.x = gap;
+            let left = vec2(left, room.y);
             ui.allocate_ui(left, |ui| {
                 ui.vertical(|ui| self.picture(ui, context, (&fit.0, &turned.0), left));
             });
@@ -144,6 +150,16 @@ impl RelitView {
         });
     }
 
+    /// Height of what stands below the picture, points.
+    fn below(&self, ui: &Ui, context: &PageContext<'_>) -> f32 {
+        let gap = ui.spacing().item_spacing.y;
+        let lines = 2.0 * (ui.spacing().interact_size.y + gap);
+        match context.memory.relit.look {
+            Look::Difference => lines + canvas::SCALE_HEIGHT * context.theme.scale + gap,
+            Look::Picture | Look::Others => lines,
+        }
+    }
+
     /// The picture or the map, and two lines about it.
     fn picture(
         &mut self,
@@ -159,13 +175,8 @@ impl RelitView {
         let is_map = context.memory.relit.look == Look::Difference;
         let (both, one) = ([exact, few], [map]);
         let looked = &fit.looked.0;
-        let line = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
         let theme = context.theme;
-        let mut below = 2.0 * line;
-        if is_map {
-            below += canvas::SCALE_HEIGHT * theme.scale + ui.spacing().item_spacing.y;
-        }
-        let size = vec2(room.x, (room.y - below).max(60.0));
+        let size = vec2(room.x, (room.y - self.below(ui, context)).max(60.0));
         let [bands, numbers] = [looked.bands().len(), fit.operator.numbers()]
             .map(|count| crate::io::many::numbers(count));
         let name = format!(

@@ -39,8 +39,6 @@ impl RelitView {
         let size = vec2(room.x, height.max(70.0));
         let pixel = self.chosen(context, &fit.0.looked.0, &turned.0);
         crate::ui::kit::line(ui, |ui| {
-            ui.label(RichText::new(fit.0.how()).weak())
-                .on_hover_text("What is kept of every pixel.");
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let memory = &mut context.memory.relit;
                 let worst = ui.add_enabled(
@@ -54,6 +52,11 @@ impl RelitView {
                 {
                     memory.pixel = None;
                 }
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let how = RichText::new(format!("Kept: {}", fit.0.how())).weak();
+                    ui.add(egui::Label::new(how).truncate())
+                        .on_hover_text("What stands for every pixel.");
+                });
             });
         });
         let key = (fit.clone(), pixel, theme);
