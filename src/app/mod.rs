@@ -40,6 +40,7 @@ pub mod quality;
 pub mod quality_report;
 pub mod read_report;
 pub mod recipe;
+pub mod relit;
 pub mod report;
 pub mod scale;
 pub mod search;

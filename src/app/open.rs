@@ -1,6 +1,7 @@
 //! From a path, a dropped file or a word on the command line to spectra.
 
 pub mod batch;
+mod few_numbers;
 pub mod folders;
 pub mod named;
 pub mod summary;
@@ -48,8 +49,11 @@ pub fn load_path(path: &Path) -> Loaded {
 
 /// Reads a file with decisions about it.
 pub fn load_path_as(path: &Path, choices: &Choices) -> Loaded {
-    let reading = io::read_path_as(path, choices);
-    from_reading(reading, kept_path(path), None, choices)
+    let as_file = || {
+        let reading = io::read_path_as(path, choices);
+        from_reading(reading, kept_path(path), None, choices)
+    };
+    few_numbers::at(path, choices).unwrap_or_else(as_file)
 }
 
 /// Reads a project, or any other file with decisions about it; what is said of it tells its path.
@@ -58,7 +62,8 @@ pub fn load_named(path: &Path, choices: &Choices) -> Loaded {
         let reading = io::read_path_as(path, choices).map_err(|why| why.at(path));
         from_reading(reading, kept_path(path), None, choices)
     };
-    project_at(path).unwrap_or_else(as_file)
+    let of_pixels = || few_numbers::at(path, choices);
+    project_at(path).or_else(of_pixels).unwrap_or_else(as_file)
 }
 
 /// Where a file is found again from any folder that the program is started in.
@@ -68,8 +73,11 @@ fn kept_path(path: &Path) -> Option<PathBuf> {
 
 /// Reads a file that is in memory with decisions about it.
 pub fn load_bytes_as(name: &str, bytes: &Arc<[u8]>, choices: &Choices) -> Loaded {
-    let reading = io::read_bytes_as(name, bytes, choices);
-    from_reading(reading, None, Some(bytes.clone()), choices)
+    let as_file = || {
+        let reading = io::read_bytes_as(name, bytes, choices);
+        from_reading(reading, None, Some(bytes.clone()), choices)
+    };
+    few_numbers::within(name, bytes, choices).unwrap_or_else(as_file)
 }
 
 /// Reads a file that is in memory.

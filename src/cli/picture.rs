@@ -287,7 +287,11 @@ fn trust(operator: &Operator, survey: &Survey, light: Option<&Light>) -> Option<
         .relit(&new, known, crate::pictures::Between::Bands)
         .ok()?;
     let old = known.and_then(|light| light.on_bands(operator.bands()).ok());
-    Some(operator.trust(&relit, &new, old.as_deref(), &survey.noise))
+    let noise = match &old {
+        Some(old) => survey.noise_under(old),
+        None => survey.noise.clone(),
+    };
+    Some(operator.trust(&relit, &new, old.as_deref(), &noise))
 }
 
 fn words(operator: &Operator, kept: &Kept, trust: Option<&Trust>) -> String {

@@ -62,7 +62,7 @@ pub fn run(
         selection: pick.pixels(),
         ..ImageMemory::default()
     };
-    if let (Page::Image, Some(input)) = (page, input) {
+    if let (Page::Image | Page::Relit, Some(input)) = (page, input) {
         open_images(&mut app, input, inputs);
         let images = app.document().images.iter();
         let files = images.filter_map(|image| image.path());

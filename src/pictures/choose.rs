@@ -74,6 +74,29 @@ pub struct Choice {
     pub bound_rms: f64,
 }
 
+impl Choice {
+    /// The best of all that was tried with so many numbers.
+    pub fn with_numbers(&self, numbers: usize) -> Option<&Candidate> {
+        let over = |c: &Candidate| c.over(BOUND_P95, self.bound_rms);
+        let tried = self.tried.iter().filter(|c| c.numbers == numbers);
+        tried.min_by(|a, b| over(a).total_cmp(&over(b)))
+    }
+}
+
+/// The plan of what an earlier choice tried, on the same picture.
+///
+/// # Errors
+/// As [`choose`].
+pub fn plan_of(
+    bands: &Bands,
+    survey: &Survey,
+    known: Option<&Light>,
+    base: &Plan,
+    tried: &Candidate,
+) -> Result<Plan, PictureError> {
+    Ok(Ways::new(bands, survey, known, base)?.plan(tried))
+}
+
 /// What candidates are formed from.
 struct Ways<'a> {
     bands: &'a Bands,

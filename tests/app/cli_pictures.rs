@@ -162,3 +162,30 @@ fn a_table_becomes_a_row_of_numbers_for_each_spectrum() {
     assert_eq!(code, 2);
     assert!(err.contains("found no --out"), "{err}");
 }
+
+#[test]
+fn of_a_folder_every_spectrum_of_its_files_is_a_row() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamps = folder.path().join("lamps");
+    fs::create_dir(&lamps).expect("a folder");
+    for (name, head) in [("a.csv", "nm,one,two"), ("b.csv", "nm,three,four")] {
+        let rows: String = (380..=780)
+            .map(|nm| {
+                let x = f64::from(nm) / 100.0;
+                format!("{nm},{},{}\n", 1.0 + x.sin(), 2.0 + x.cos())
+            })
+            .collect();
+        fs::write(lamps.join(name), format!("{head}\n{rows}")).expect("a table");
+    }
+    fs::write(lamps.join("notes.md"), "no spectrum at all").expect("a file");
+    let out = folder.path().join("numbers.csv");
+    let args = ["fit", word(&lamps), "--numbers", "9", "--out", word(&out)];
+    let (code, told, err) = tell(&args);
+    assert_eq!(code, 0, "{err}");
+    assert!(told.contains("4 spectra in 9 numbers each"), "{told}");
+    assert!(err.contains("skipped") && err.contains("notes.md"), "{err}");
+    let text = fs::read_to_string(&out).expect("numbers");
+    for name in ["one", "two", "three", "four"] {
+        assert!(text.contains(name), "{text}");
+    }
+}

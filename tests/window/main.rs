@@ -23,5 +23,6 @@ mod products_chain_page;
 mod products_forming;
 mod products_surfaces;
 mod readme;
+mod relit_page;
 mod ui;
 mod ui_race;

@@ -9,6 +9,7 @@ pub mod order;
 pub mod products;
 pub mod quality;
 pub mod race;
+pub mod relit;
 pub mod spectrum;
 pub mod tradeoff;
 pub mod truth;

@@ -6,7 +6,7 @@ use super::Page;
 use crate::{
     app::{
         charts::quality::DiagramShows, dispersion::DispersionMemory, picture::ImageMemory,
-        products::ProductsMemory,
+        products::ProductsMemory, relit::RelitMemory,
     },
     lamps::NUMBERS,
     study::{Goal, Measure},
@@ -52,6 +52,8 @@ pub struct PageMemory {
     pub image: ImageMemory,
     /// Prism, rainbow and gem.
     pub dispersion: DispersionMemory,
+    /// In few numbers, relit: which picture, how many numbers, which lights.
+    pub relit: RelitMemory,
 }
 
 impl Default for PageMemory {
@@ -75,6 +77,7 @@ impl Default for PageMemory {
             diagram: DiagramShows::default(),
             image: ImageMemory::default(),
             dispersion: DispersionMemory::default(),
+            relit: RelitMemory::default(),
         }
     }
 }
@@ -115,6 +118,7 @@ impl PageMemory {
             products: self.products.clamped(),
             image: self.image.clamped(),
             dispersion: self.dispersion.clamped(),
+            relit: self.relit.clamped(),
             ..self
         }
     }

@@ -118,6 +118,8 @@ pub enum Page {
     Rainbow,
     /// Light through a cut gem.
     Gem,
+    /// A spectral image in few numbers a pixel, under any light.
+    Relit,
     /// Words explained.
     Glossary,
     /// The paper's claims, measured on this spectrum.
@@ -317,6 +319,13 @@ const ROWS: &[Row] = &[
         ("Gem", "gem"),
         &[],
         "A cut gem under the light, traced ray by ray; under another light at once.",
+    ),
+    row(
+        Page::Relit,
+        (Place::Picture, Page::Relit),
+        ("In few numbers, relit", "relit"),
+        &[],
+        "A spectral image in few numbers a pixel, and how it looks under any light.",
     ),
 ];
 

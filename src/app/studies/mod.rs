@@ -6,6 +6,7 @@ pub mod field;
 pub mod job;
 pub mod lamps;
 pub mod paper;
+pub mod relit;
 pub mod surfaces;
 pub mod take;
 
@@ -13,6 +14,7 @@ pub use about::About;
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake, Work};
 pub use lamps::{EncodeAsk, EncodedLight, WaysAsk};
+pub use relit::{RelitJobs, RelitShown};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
@@ -181,6 +183,8 @@ pub struct Studies {
     pub gem: Job<GemPass, GemFilm>,
     /// How noisy its picture is.
     pub gem_noise: Job<NoiseAsk, Noise>,
+    /// A picture in few numbers, under a light.
+    pub relit: RelitJobs,
 }
 
 impl Studies {
@@ -200,11 +204,19 @@ impl Studies {
             region,
             gem,
             gem_noise,
+            relit,
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
+        let RelitJobs {
+            look,
+            fit,
+            turn,
+            store,
+            peers,
+        } = relit;
         vec![
             sweep, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces, quality,
-            raster, region, gem, gem_noise,
+            raster, region, gem, gem_noise, look, fit, turn, store, peers,
         ]
     }
 

@@ -10,6 +10,7 @@ pub mod prism_view;
 pub mod products_view;
 pub mod quality_view;
 pub mod race_view;
+pub mod relit_view;
 pub mod tradeoff_view;
 pub mod truth_view;
 
@@ -26,6 +27,7 @@ use crate::app::{
     chart::{self, Chart},
     dispersion::GemFile,
     pages::{Page, PageMemory},
+    relit::PictureWish,
     studies::{Job, Stage, Studies},
 };
 
@@ -84,6 +86,7 @@ pub struct Pages {
     image: image_view::ImageView,
     prism: prism_view::PrismView,
     gem: gem_view::GemView,
+    relit: relit_view::RelitView,
     glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
 }
@@ -92,6 +95,11 @@ impl Pages {
     /// The key of an image whose reading is to be looked at, once.
     pub fn wants_reading(&mut self) -> Option<String> {
         self.image.wants_reading.take()
+    }
+
+    /// A picture in few numbers that is to be saved, once.
+    pub fn wants_save(&mut self) -> Option<PictureWish> {
+        self.relit.wants_save.take()
     }
 
     /// Draws the page in force; nothing for the spectrum, which the window draws itself.
@@ -119,6 +127,7 @@ impl Pages {
             Page::Prism => self.prism.prism(ui, context),
             Page::Rainbow => self.prism.rainbow(ui, context),
             Page::Gem => self.gem.show(ui, context),
+            Page::Relit => self.relit.show(ui, context),
             Page::Glossary => self.glossary.show(ui),
             Page::Truth => self.truth.show(ui, context),
         }

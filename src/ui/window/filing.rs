@@ -27,6 +27,7 @@ use crate::{
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
         pages::Page,
+        relit::PictureWish,
         sheet,
         state::Tone,
     },
@@ -43,6 +44,7 @@ pub(super) enum Saving {
     WindowPng,
     Chart(ChartWish),
     Gem(Box<GemFile>),
+    Picture(PictureWish),
 }
 
 /// A file dialog that is open on another thread.
@@ -347,6 +349,7 @@ impl Window {
             Saving::SheetPdf => "pdf",
             Saving::Chart(wish) => wish.form.extension(),
             Saving::Gem(gem) => gem.extension(),
+            Saving::Picture(wish) => wish.form.ending(),
         };
         self.ask(
             Ask::Save {
@@ -380,6 +383,7 @@ impl Window {
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
             Saving::Chart(wish) => wish.file_name(),
             Saving::Gem(gem) => gem.file_name(),
+            Saving::Picture(wish) => wish.file_name(),
         }
     }
 
@@ -425,6 +429,15 @@ impl Window {
                 )),
                 Saving::Chart(wish) => Ok(chart_bytes(wish)),
                 Saving::Gem(gem) => gem.bytes(),
+                Saving::Picture(wish) => {
+                    // It streams into its place: a large one is never whole in memory.
+                    let message = match wish.save(&path) {
+                        Ok(words) => (Tone::Info, words),
+                        Err(why) => (Tone::Problem, why),
+                    };
+                    let _ = said.send(message);
+                    return wake();
+                }
             };
             let written =
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));

@@ -321,6 +321,9 @@ impl Window {
         for gem in gems {
             self.save(Saving::Gem(Box::new(gem)), &context);
         }
+        if let Some(wish) = self.pages.wants_save() {
+            self.save(Saving::Picture(wish), &context);
+        }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.
             context.request_repaint();

@@ -1,0 +1,161 @@
+//! The charts of a picture in few numbers: error against numbers, and one pixel's spectrum.
+
+use crate::{
+    app::{
+        chart::{Chart, Dash, Inks, Marks, Palette, Scale, Series, Shape, Theme},
+        relit::{Fit, Looked},
+    },
+    pictures::{BOUND_P95, Candidate, ReferenceKind},
+};
+
+/// The least error that is drawn.
+const LEAST: f64 = 1e-3;
+
+/// The error of every way that was tried against its numbers, `now` marked: of colours under six
+/// lights, or of the spectra where nobody knows what lit the picture.
+pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
+    let inks = Inks::of(theme);
+    let choice = &looked.choice;
+    let is_of_colour = looked.bands().is_factor() || looked.known.is_some();
+    let of = |c: &Candidate| {
+        if is_of_colour { c.p95 } else { 100.0 * c.rms }
+    };
+    let bound = if is_of_colour {
+        BOUND_P95
+    } else {
+        100.0 * choice.bound_rms
+    };
+    let most = looked.most_numbers() as f64;
+    let reference = looked.known.as_ref().map_or("light", |light| light.name());
+    let ways = [
+        (ReferenceKind::One, false, "series".to_owned(), inks.smooth),
+        (
+            ReferenceKind::One,
+            true,
+            "series, lines".to_owned(),
+            inks.residual,
+        ),
+        (
+            ReferenceKind::Light,
+            false,
+            format!("series × {reference}"),
+            inks.smooth,
+        ),
+        (
+            ReferenceKind::Mean,
+            false,
+            "series × mean".to_owned(),
+            inks.product,
+        ),
+        (
+            ReferenceKind::Mean,
+            true,
+            "series × mean, lines".to_owned(),
+            inks.spikes,
+        ),
+    ];
+    let mut series: Vec<Series> = vec![
+        Series::line(
+            "",
+            Palette::of(theme).axis,
+            vec![[3.0, bound], [most, bound]],
+        )
+        .dashed(Dash::Dashed),
+    ];
+    for (kind, has_lines, name, ink) in ways {
+        let points: Vec<[f64; 2]> = (3..=looked.most_numbers())
+            .filter_map(|numbers| {
+                let tried = choice.tried.iter().filter(|c| {
+                    c.numbers == numbers && c.reference == kind && (c.lines > 0) == has_lines
+                });
+                let least = tried.map(of).min_by(f64::total_cmp)?;
+                Some([numbers as f64, least.max(LEAST)])
+            })
+            .collect();
+        if !points.is_empty() {
+            series.push(Series::line(name, ink, points));
+        }
+    }
+    let marked = choice.with_numbers(now);
+    let marked = marked.map(|c| [c.numbers as f64, of(c).max(LEAST)]);
+    let dot = Marks::Points {
+        points: marked.into_iter().collect(),
+        radius: 5.0,
+        shape: Shape::Dot,
+    };
+    series.push(Series::new("", inks.spikes, dot));
+    Chart {
+        title: if is_of_colour {
+            "95 % of ΔE00 under six lights".to_owned()
+        } else {
+            "Spectra: relative rms, %".to_owned()
+        },
+        x_label: "Numbers a pixel".to_owned(),
+        x_range: [2.0, most + 1.0],
+        y_scale: Scale::Log10,
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// A drawn pixel by every band and by few numbers, with the lines that all pixels share.
+pub fn pixel_chart(fit: &Fit, [x, y]: [usize; 2], theme: Theme) -> Chart {
+    let inks = Inks::of(theme);
+    let bands = fit.operator.bands();
+    let nm = bands.nm();
+    let [exact, few] = fit.pixel(x, y);
+    let points = |values: &[f64]| -> Vec<[f64; 2]> {
+        let all = nm.iter().zip(values);
+        all.filter(|(_, v)| v.is_finite())
+            .map(|(nm, v)| [*nm, *v])
+            .collect()
+    };
+    let step = fit.looked.0.step;
+    let mut series = vec![
+        Series::line("every band", inks.measured, points(&exact)),
+        Series::line("few numbers", inks.spikes, points(&few)).dashed(Dash::Dashed),
+    ];
+    let stems = stems(fit, &exact, &few);
+    if !stems.is_empty() {
+        series.push(Series::new(
+            "lines",
+            inks.spikes,
+            Marks::Stems {
+                points: stems.iter().map(|stem| stem.1).collect(),
+                base: stems.iter().map(|stem| stem.0).collect(),
+                labels: Vec::new(),
+            },
+        ));
+    }
+    Chart {
+        title: format!("Pixel in column {}, row {}", x * step, y * step),
+        x_label: "Wavelength (nm)".to_owned(),
+        y_label: bands.kind().word().to_owned(),
+        x_range: [nm[0], nm[nm.len() - 1]],
+        blank: if series[0].marks.points().is_empty() {
+            "not measured".to_owned()
+        } else {
+            String::new()
+        },
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// Foot and head of each line in a pixel: what it adds at its highest band.
+fn stems(fit: &Fit, exact: &[f64], few: &[f64]) -> Vec<(f64, [f64; 2])> {
+    let plan = fit.operator.plan();
+    let numbers = fit.operator.numbers_of(exact);
+    let lines = plan.lines.iter().zip(&numbers[plan.series..]);
+    lines
+        .filter_map(|(line, weight)| {
+            let shape = line.shape.iter().enumerate();
+            let (band, height) = shape.max_by(|a, b| a.1.total_cmp(b.1))?;
+            let head = few[band];
+            let foot = head - weight * height;
+            (head.is_finite() && foot.is_finite()).then_some((foot, [line.at_nm, head]))
+        })
+        .collect()
+}

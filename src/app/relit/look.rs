@@ -1,0 +1,236 @@
+//! A picture before anything is kept of it: which one, what falls on it, what was tried on it.
+
+use super::{Told, told};
+use crate::{
+    app::{document::Document, entry::Entry, memo::ByAddress, picture::ImageMemory, state::App},
+    color::Observer,
+    pictures::{
+        Asked, BOUND_P95, BOUND_RMS, Bands, Choice, InMemory, Light, OfImage, PictureError, Pixels,
+        Plan, Scene, Survey, choose, usual_weighting,
+    },
+    spectrum::SpectralImage,
+    study::Progress,
+};
+
+use super::memory::RelitMemory;
+
+/// Columns and rows of the wall of paints.
+const WALL: [usize; 2] = [256, 192];
+/// Most pixels that are drawn, and most values that are kept of them.
+const MOST_DRAWN: usize = 1 << 18;
+const MOST_VALUES: usize = 1 << 24;
+
+/// Which picture.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Subject {
+    /// The wall of paints, formed when it is asked for.
+    Wall,
+    /// An image that was opened.
+    Image(ByAddress<SpectralImage>),
+}
+
+/// What is looked at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LookAsk {
+    /// The picture.
+    pub subject: Subject,
+    /// The light that fell on it when it was taken; `None` for reflectances, and where nobody
+    /// knows.
+    pub taken_under: Option<ByAddress<Entry>>,
+    /// The observer.
+    pub observer: Observer,
+}
+
+/// A picture with all that was found out about it.
+#[derive(Debug)]
+pub struct Looked {
+    /// What was asked.
+    pub ask: LookAsk,
+    /// What lists call it.
+    pub name: String,
+    /// Unit of its values.
+    pub unit: String,
+    /// What was merged or left out of its bands, a sentence each.
+    pub said: Vec<String>,
+    /// Mean, noise, a sample.
+    pub survey: Survey,
+    /// What was tried, and what is enough.
+    pub choice: Choice,
+    /// The pixels that are drawn: every `step`-th across and down.
+    pub drawn: InMemory,
+    /// See `drawn`.
+    pub step: usize,
+    /// Own light, observer and weighting.
+    pub base: Plan,
+    /// The light that fell on it.
+    pub known: Option<Light>,
+}
+
+/// A light of the library as pictures take it.
+pub(super) fn light_of(entry: &Entry) -> Light {
+    Light::new(entry.name(), &entry.spectrum.samples)
+}
+
+impl LookAsk {
+    /// What the page is about: the image that the page Spectral image shows, or the wall.
+    pub fn of(app: &App, memory: &RelitMemory, image: &ImageMemory) -> Self {
+        let document: &Document = app.document();
+        let shown = crate::app::picture::shown(document, image).filter(|_| !memory.wall);
+        let subject = match shown {
+            Some(entry) => Subject::Image(ByAddress(entry.image.clone())),
+            None => Subject::Wall,
+        };
+        let taken_under = memory.taken_under.as_deref().and_then(|key| app.entry(key));
+        let ask = Self {
+            subject,
+            taken_under: None,
+            observer: document.settings.observer,
+        };
+        Self {
+            taken_under: taken_under.filter(|_| ask.asks_for_light()).map(ByAddress),
+            ..ask
+        }
+    }
+
+    /// Whether it matters what fell on it: a picture of reflectances was divided already.
+    pub fn asks_for_light(&self) -> bool {
+        match &self.subject {
+            Subject::Wall => true,
+            Subject::Image(image) => !image.0.kind.is_factor(),
+        }
+    }
+
+    /// The answer; `None` when it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Told<Looked> {
+        told(self.looked(progress))
+    }
+
+    fn looked(&self, progress: &Progress) -> Result<Looked, PictureError> {
+        let known = self.taken_under.as_ref().map(|entry| light_of(&entry.0));
+        match &self.subject {
+            Subject::Wall => {
+                let nm = (0..81).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
+                let [width, height] = WALL;
+                let wall = match &known {
+                    Some(light) => Scene::lit(width, height, nm, std::slice::from_ref(light))?,
+                    None => Scene::reflectance(width, height, nm)?,
+                };
+                let pixels = InMemory::of(&wall)?;
+                let named = (wall.name().to_owned(), String::new());
+                self.found(&pixels, named, Vec::new(), known, progress)
+            }
+            Subject::Image(image) => {
+                let image = &image.0;
+                let pixels = OfImage::new(image, false)?;
+                let named = (image.name.clone(), image.unit.clone());
+                self.found(&pixels, named, pixels.said().to_vec(), known, progress)
+            }
+        }
+    }
+
+    fn found(
+        &self,
+        pixels: &dyn Pixels,
+        (name, unit): (String, String),
+        said: Vec<String>,
+        known: Option<Light>,
+        progress: &Progress,
+    ) -> Result<Looked, PictureError> {
+        let bands = pixels.bands();
+        let survey = Survey::of(pixels, progress)?;
+        let base = base(bands, self.observer);
+        let asked = Asked::Bound {
+            p95: BOUND_P95,
+            rms: BOUND_RMS,
+        };
+        let choice = choose(bands, &survey, known.as_ref(), &base, asked, progress)?;
+        let step = step(pixels);
+        Ok(Looked {
+            ask: self.clone(),
+            name,
+            unit,
+            said,
+            drawn: drawn(pixels, step)?,
+            survey,
+            choice,
+            step,
+            base,
+            known,
+        })
+    }
+}
+
+fn base(bands: &Bands, observer: Observer) -> Plan {
+    Plan {
+        observer,
+        weighting: usual_weighting(bands, observer),
+        ..Plan::new(bands, 3)
+    }
+}
+
+/// By how many pixels one goes on for the next drawn one.
+fn step(pixels: &dyn Pixels) -> usize {
+    let (width, height) = pixels.size();
+    let most = MOST_DRAWN.min(MOST_VALUES / pixels.bands().len());
+    let mut step = 1;
+    while width.div_ceil(step) * height.div_ceil(step) > most {
+        step += 1;
+    }
+    step
+}
+
+/// Every `step`-th pixel across and down: pixels as they are, with their noise, so that what is
+/// measured on them is true of pixels.
+fn drawn(pixels: &dyn Pixels, step: usize) -> Result<InMemory, PictureError> {
+    if step == 1 {
+        return InMemory::of(pixels);
+    }
+    let (width, height) = pixels.size();
+    let bands = pixels.bands().len();
+    let (across, down) = (width.div_ceil(step), height.div_ceil(step));
+    let mut values = vec![0.0; across * down * bands];
+    let mut row = vec![0.0; width * bands];
+    for y in 0..down {
+        pixels.rows(y * step, 1, &mut row)?;
+        for (j, band) in row.chunks_exact(width).enumerate() {
+            let into = &mut values[(j * down + y) * across..][..across];
+            into.iter_mut()
+                .zip(band.iter().step_by(step))
+                .for_each(|(into, value)| *into = *value);
+        }
+    }
+    InMemory::new(across, down, pixels.bands().clone(), values)
+}
+
+impl Looked {
+    /// Work on every pixel.
+    ///
+    /// # Errors
+    /// Those of the work, and of bands that are none.
+    pub fn with_pixels<T>(
+        &self,
+        work: impl FnOnce(&dyn Pixels) -> Result<T, PictureError>,
+    ) -> Result<T, PictureError> {
+        match &self.ask.subject {
+            Subject::Image(image) if self.step > 1 => work(&OfImage::new(&image.0, false)?),
+            _ => work(&self.drawn),
+        }
+    }
+
+    /// The bands.
+    pub fn bands(&self) -> &Bands {
+        self.drawn.bands()
+    }
+
+    /// Columns and rows that are drawn.
+    pub fn size(&self) -> [usize; 2] {
+        let (width, height) = self.drawn.size();
+        [width, height]
+    }
+
+    /// Most numbers a pixel that can be asked for.
+    pub fn most_numbers(&self) -> usize {
+        let tried = self.choice.tried.iter().map(|tried| tried.numbers);
+        tried.max().unwrap_or(3)
+    }
+}

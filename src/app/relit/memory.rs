@@ -1,0 +1,123 @@
+//! What the page "In few numbers, relit" remembers beside the document; not part of undo.
+
+use serde::{Deserialize, Serialize};
+
+use crate::pictures::MOST_NUMBERS;
+
+/// What stands large on the page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Look {
+    /// The picture, exact beside few numbers.
+    #[default]
+    Picture,
+    /// The difference of every pixel.
+    Difference,
+    /// Other ways of keeping it in as many numbers.
+    Others,
+}
+
+impl Look {
+    /// Every choice, in the order of the page.
+    pub const ALL: [Self; 3] = [Self::Picture, Self::Difference, Self::Others];
+
+    /// In words for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Picture => "Picture",
+            Self::Difference => "Difference",
+            Self::Others => "Other ways",
+        }
+    }
+
+    /// What it means, a sentence.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Picture => {
+                "Every band left of the line, few numbers right of it. Drag the line; click a \
+                 pixel to see its spectrum."
+            }
+            Self::Difference => {
+                "How far each pixel's colour in few numbers is from that of every band (ΔE00)."
+            }
+            Self::Others => {
+                "The same picture in as many numbers kept in other ways, measured here and now."
+            }
+        }
+    }
+}
+
+/// Picture, numbers, lights and looks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RelitMemory {
+    /// The wall of paints although an image is open.
+    pub wall: bool,
+    /// Key of the light that fell on the picture when it was taken; `None` where it holds
+    /// reflectances, or nobody knows.
+    pub taken_under: Option<String>,
+    /// Numbers a pixel; `None` for the fewest that are enough.
+    pub numbers: Option<usize>,
+    /// Key of a second light that shines beside the document's.
+    pub second: Option<String>,
+    /// How much of the brightness is the second light's, percent.
+    pub second_percent: u32,
+    /// What stands large.
+    pub look: Look,
+    /// Where the line between both halves is, 0-1.
+    pub split: f32,
+    /// The pixel whose spectrum is shown, among the drawn ones; `None` for the worst.
+    pub pixel: Option<[usize; 2]>,
+}
+
+impl Default for RelitMemory {
+    fn default() -> Self {
+        Self {
+            wall: false,
+            taken_under: None,
+            numbers: None,
+            second: None,
+            second_percent: 50,
+            look: Look::Picture,
+            split: 0.5,
+            pixel: None,
+        }
+    }
+}
+
+impl RelitMemory {
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        Self {
+            numbers: self.numbers.map(|n| n.clamp(3, MOST_NUMBERS)),
+            second_percent: self.second_percent.min(100),
+            split: if self.split.is_finite() {
+                self.split.clamp(0.0, 1.0)
+            } else {
+                0.5
+            },
+            ..self
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_remembered_is_always_something_that_can_be_shown() {
+        let nonsense = RelitMemory {
+            numbers: Some(usize::MAX),
+            second_percent: 400,
+            split: f32::NAN,
+            ..RelitMemory::default()
+        };
+        let sound = nonsense.clamped();
+        assert_eq!(sound.numbers, Some(MOST_NUMBERS));
+        assert_eq!((sound.second_percent, sound.split), (100, 0.5));
+        let usual = RelitMemory::default();
+        assert_eq!(usual.clone().clamped(), usual);
+    }
+}

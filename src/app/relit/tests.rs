@@ -1,0 +1,213 @@
+//! Pictures in few numbers, from a look at them to their files.
+
+use std::sync::Arc;
+
+use super::*;
+use crate::{
+    app::{
+        App, Command,
+        open::{Loaded, load_path},
+        picture::ImageMemory,
+    },
+    color::Observer,
+    pictures::{InMemory, Light, Pixels, Scene, Verdict},
+    spectrum::{
+        Cube, Kind, SpectralImage,
+        cube::{Interleave, Layout, Number},
+    },
+    study::Progress,
+};
+
+const SIZE: [usize; 2] = [24, 16];
+
+/// The wall as if it had been opened, under a light or as reflectances.
+fn image(lit: Option<&str>) -> Subject {
+    let [width, height] = SIZE;
+    let nm: Vec<f64> = (0..31).map(|i| 400.0 + 10.0 * f64::from(i)).collect();
+    let lights: Vec<Light> = lit.and_then(Light::named).into_iter().collect();
+    let scene = match lit {
+        Some(_) => Scene::lit(width, height, nm.clone(), &lights),
+        None => Scene::reflectance(width, height, nm.clone()),
+    };
+    let scene = scene.expect("bands");
+    let pixels = InMemory::of(&scene).expect("pixels");
+    let bytes = pixels.values().iter().flat_map(|v| v.to_le_bytes());
+    let layout = Layout {
+        first_byte: 0,
+        number: Number::F32,
+        big_endian: false,
+        interleave: Interleave::Bands,
+        stored_bands: nm.len(),
+        missing: None,
+    };
+    let bands: Vec<(f64, usize)> = nm.into_iter().zip(0..).collect();
+    let cube = Cube::new(width, height, &bands, layout, Arc::new(bytes.collect()));
+    Subject::Image(ByAddress(Arc::new(SpectralImage {
+        name: "wall".to_owned(),
+        kind: scene.bands().kind(),
+        unit: String::new(),
+        scale: 1.0,
+        cube: cube.expect("a sound cube"),
+        notes: Vec::new(),
+        source: "wall.img".to_owned(),
+    })))
+}
+
+fn fit(subject: Subject, taken_under: Option<&str>, numbers: Option<usize>) -> ByAddress<Fit> {
+    let entry = taken_under.map(|key| App::new().entry(key).expect("shipped"));
+    let ask = LookAsk {
+        subject,
+        taken_under: entry.map(ByAddress),
+        observer: Observer::Cie1931,
+    };
+    let looked = ask.answer(&Progress::default()).expect("not cancelled");
+    let looked = looked.expect("a sound picture");
+    let ask = FitAsk { looked, numbers };
+    let fit = ask.answer(&Progress::default()).expect("not cancelled");
+    fit.expect("enough bands")
+}
+
+fn turned(fit: &ByAddress<Fit>, key: &str, second: Option<(&str, u32)>) -> ByAddress<Turned> {
+    let app = App::new();
+    let entry = |key: &str| ByAddress(app.entry(key).expect("shipped"));
+    let ask = TurnAsk {
+        fit: fit.clone(),
+        light: entry(key),
+        second: second.map(|(key, percent)| (entry(key), percent)),
+        to_light: true,
+    };
+    let turned = ask.answer(&Progress::default()).expect("not cancelled");
+    turned.expect("a light")
+}
+
+const A: &str = "cie_illuminants/CIE A";
+const D65: &str = "cie_illuminants/CIE D65";
+const FL11: &str = "cie_fluorescent_1nm/FL11";
+
+#[test]
+fn without_an_image_the_page_is_about_the_wall() {
+    let app = App::new();
+    let memory = RelitMemory {
+        taken_under: Some(FL11.to_owned()),
+        ..RelitMemory::default()
+    };
+    let ask = LookAsk::of(&app, &memory, &ImageMemory::default());
+    assert_eq!(ask.subject, Subject::Wall);
+    assert!(ask.taken_under.is_some() && ask.asks_for_light());
+    let of_surfaces = LookAsk {
+        subject: image(None),
+        ..ask
+    };
+    assert!(!of_surfaces.asks_for_light(), "it was divided already");
+}
+
+#[test]
+fn more_numbers_are_nearer_and_own_colour_is_exact() {
+    let subject = image(None);
+    let off = |numbers: usize, key: &str| {
+        let fit = fit(subject.clone(), None, Some(numbers));
+        assert_eq!(fit.0.operator.numbers(), numbers);
+        turned(&fit, key, None).0.spread
+    };
+    let (few, many) = (off(6, FL11), off(18, FL11));
+    assert!(few.p95 > 2.0 * many.p95, "{few:?} {many:?}");
+    assert!(off(6, D65).max < 0.01, "the own light");
+}
+
+#[test]
+fn the_sentence_says_what_was_measured() {
+    let fit = fit(image(None), None, Some(8));
+    let under_a = turned(&fit, A, None);
+    let words = headline(&fit.0, &under_a.0, None);
+    let spread = under_a.0.spread;
+    for part in [
+        "Wall in 8 numbers a pixel instead of 31.".to_owned(),
+        format!("ΔE00 {:.2} on average", spread.mean),
+        format!("{:.1} in the worst", spread.max),
+    ] {
+        assert!(words.contains(&part), "{words}");
+    }
+    let worst = f64::from(under_a.0.off[under_a.0.worst]);
+    assert!((worst - spread.max).abs() < 1e-5);
+}
+
+#[test]
+fn a_mixture_lies_between_its_lights() {
+    let fit = fit(image(None), None, Some(10));
+    let both = turned(&fit, A, Some((D65, 50)));
+    assert_eq!(both.0.light, "CIE A and CIE D65");
+    let all = turned(&fit, A, Some((D65, 0)));
+    assert_eq!(
+        all.0.sides[0].pixels,
+        turned(&fit, A, None).0.sides[0].pixels
+    );
+    assert_ne!(all.0.sides[0].pixels, both.0.sides[0].pixels);
+}
+
+#[test]
+fn light_of_an_unknown_lamp_is_relit_only_when_the_lamp_is_told() {
+    let subject = image(Some("FL11"));
+    let unknown = fit(subject.clone(), None, Some(11));
+    let own = turned(&unknown, A, None);
+    assert!(own.0.trust.is_none() && !own.0.refused.is_empty());
+    assert!(trust_line(&own.0).contains("Choose the light"));
+    let known = fit(subject, Some(FL11), Some(11));
+    let relit = turned(&known, A, None);
+    let trust = relit.0.trust.as_ref().expect("it can be relit");
+    assert_eq!(trust.verdict, Verdict::Good);
+    assert!(relit.0.refused.is_empty() && relit.0.spread.mean < 2.0);
+}
+
+#[test]
+fn both_files_are_as_large_as_told_and_open_again() {
+    let fit = fit(image(None), None, Some(8));
+    let stored = StoreAsk(fit.clone()).answer(&Progress::default());
+    let stored = stored.expect("not cancelled").expect("written");
+    assert_eq!(byte_rows(&fit.0, &stored.0).len(), 3);
+    let folder = tempfile::tempdir().expect("a folder");
+    for form in Form::ALL {
+        let wish = PictureWish {
+            fit: fit.clone(),
+            stored: stored.clone(),
+            form,
+        };
+        let path = folder.path().join(wish.file_name());
+        let words = wish.save(&path).expect("saved");
+        assert!(words.contains("8 numbers a pixel"), "{words}");
+        let length = std::fs::metadata(&path).expect("written").len();
+        let told = match form {
+            Form::Full => stored.0.bytes.full,
+            Form::Compact => stored.0.bytes.compact,
+        };
+        assert_eq!(Some(length), told);
+        let Loaded::File(opened) = load_path(&path) else {
+            panic!("it opens again");
+        };
+        let image = &opened.images[0];
+        assert_eq!([image.cube.width(), image.cube.height()], SIZE);
+        assert_eq!((image.kind, image.cube.nm().len()), (Kind::Reflectance, 31));
+        let mut app = App::new();
+        app.apply(Command::Open(vec![*opened]));
+        let ask = LookAsk::of(&app, &RelitMemory::default(), &ImageMemory::default());
+        assert!(matches!(ask.subject, Subject::Image(_)));
+    }
+}
+
+#[test]
+fn the_table_of_others_names_the_nearest_whoever_it_is() {
+    let fit = fit(image(None), None, Some(6));
+    let peers = PeersAsk(fit).answer(&Progress::default());
+    let peers = peers.expect("not cancelled").expect("measured");
+    let (rows, words) = peer_rows(&peers.0);
+    assert_eq!(rows.len(), peers.0.len());
+    let measured = peers
+        .0
+        .iter()
+        .filter_map(|p| Some((p.name, p.lights()?.mean)));
+    let nearest = measured.min_by(|a, b| a.1.total_cmp(&b.1)).expect("some");
+    assert!(words.contains(nearest.0), "{words}");
+    assert!(
+        rows.iter()
+            .any(|row| row.contains(&"not run here".to_owned()))
+    );
+}

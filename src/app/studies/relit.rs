@@ -1,0 +1,178 @@
+//! A picture in few numbers under a light, as a chain of jobs: look, fit, turn, and beside it what
+//! it takes on disk and what others make of it.
+
+use super::{Job, Wake};
+use crate::{
+    app::{
+        memo::ByAddress,
+        picture::ImageMemory,
+        relit::{
+            Fit, FitAsk, Look, LookAsk, Looked, Outcome, PeersAsk, RelitMemory, StoreAsk, Stored,
+            TurnAsk, Turned,
+        },
+        state::App,
+    },
+    pictures::Peer,
+};
+
+/// The jobs. A light that moves asks for a turn alone, a count of numbers for a fit and a turn.
+#[derive(Default)]
+pub struct RelitJobs {
+    /// What was found out about the picture.
+    pub look: Job<LookAsk, Outcome<Looked>>,
+    /// The picture in few numbers.
+    pub fit: Job<FitAsk, Outcome<Fit>>,
+    /// Under the light.
+    pub turn: Job<TurnAsk, Outcome<Turned>>,
+    /// What it takes on disk.
+    pub store: Job<StoreAsk, Outcome<Stored>>,
+    /// Other ways, when they are looked at.
+    pub peers: Job<PeersAsk, Outcome<Vec<Peer>>>,
+}
+
+/// What there is of it now; each part waits for the one before.
+#[derive(Clone, Debug, Default)]
+pub struct RelitShown {
+    /// The picture.
+    pub looked: Option<ByAddress<Looked>>,
+    /// The last one in few numbers that was turned, and how it looks.
+    pub turned: Option<(ByAddress<Fit>, ByAddress<Turned>)>,
+    /// What that takes on disk.
+    pub stored: Option<ByAddress<Stored>>,
+    /// Other ways than that.
+    pub peers: Option<ByAddress<Vec<Peer>>>,
+    /// Why there is nothing, a sentence.
+    pub trouble: Option<String>,
+}
+
+impl RelitShown {
+    /// What was found; what was not is told.
+    fn found<T>(&mut self, outcome: &Outcome<T>) -> Option<ByAddress<T>> {
+        match outcome {
+            Ok(found) => Some(found.clone()),
+            Err(why) => {
+                self.trouble = Some(why.clone());
+                None
+            }
+        }
+    }
+}
+
+impl RelitJobs {
+    /// Asks for what the page shows, and tells what is there of it.
+    pub fn shown(
+        &mut self,
+        app: &App,
+        (memory, image): (&RelitMemory, &ImageMemory),
+        wake: &Wake,
+    ) -> RelitShown {
+        let mut shown = RelitShown::default();
+        let ask = LookAsk::of(app, memory, image);
+        self.look.ask_by(&ask, wake, LookAsk::answer);
+        // The last look stays, but not that at another picture.
+        let Some((_, looked)) = self.look.answer().filter(|(k, _)| k.subject == ask.subject) else {
+            return shown;
+        };
+        let Some(looked) = shown.found(looked) else {
+            return shown;
+        };
+        shown.looked = Some(looked.clone());
+        let ask = FitAsk {
+            looked: looked.clone(),
+            numbers: memory.numbers,
+        };
+        self.fit.ask_by(&ask, wake, FitAsk::answer);
+        let Some((_, fit)) = self.fit.answer().filter(|(k, _)| k.looked == looked) else {
+            return shown;
+        };
+        let Some(fit) = shown.found(fit) else {
+            return shown;
+        };
+        let second = memory.second.as_deref().and_then(|key| app.entry(key));
+        let ask = TurnAsk {
+            fit: fit.clone(),
+            light: ByAddress(app.document().light.clone()),
+            second: second.map(|entry| (ByAddress(entry), memory.second_percent)),
+            to_light: app.document().view.adapt_patches,
+        };
+        self.turn.ask_by(&ask, wake, TurnAsk::answer);
+        let turned = self.turn.answer().filter(|(k, _)| k.fit.0.looked == looked);
+        if let Some((key, turned)) = turned
+            && let Some(turned) = shown.found(turned)
+        {
+            shown.turned = Some((key.fit.clone(), turned));
+        }
+        self.beside(&fit, memory.look, wake, &mut shown);
+        shown
+    }
+
+    /// What is told beside the picture.
+    fn beside(&mut self, fit: &ByAddress<Fit>, look: Look, wake: &Wake, shown: &mut RelitShown) {
+        self.store
+            .ask_by(&StoreAsk(fit.clone()), wake, StoreAsk::answer);
+        let of = shown.turned.as_ref().map(|(fit, _)| fit.clone());
+        let stored = self
+            .store
+            .answer()
+            .filter(|(k, _)| Some(&k.0) == of.as_ref());
+        shown.stored = stored.and_then(|(_, stored)| shown.found(stored));
+        if look == Look::Others {
+            self.peers
+                .ask_by(&PeersAsk(fit.clone()), wake, PeersAsk::answer);
+            let peers = self
+                .peers
+                .answer()
+                .filter(|(k, _)| Some(&k.0) == of.as_ref());
+            shown.peers = peers.and_then(|(_, peers)| shown.found(peers));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::app::{Command, studies::Work};
+
+    fn all(jobs: &mut RelitJobs, app: &App, memory: &RelitMemory) -> RelitShown {
+        let wake: Wake = Arc::new(|| {});
+        let image = ImageMemory::default();
+        let mut shown = RelitShown::default();
+        for _ in 0..4 {
+            shown = jobs.shown(app, (memory, &image), &wake);
+            let parts: [&mut dyn Work; 4] = [
+                &mut jobs.look,
+                &mut jobs.fit,
+                &mut jobs.turn,
+                &mut jobs.store,
+            ];
+            parts.into_iter().for_each(|job| job.finish());
+        }
+        shown
+    }
+
+    #[test]
+    fn another_light_turns_the_picture_without_another_fit() {
+        let (mut app, mut jobs) = (App::new(), RelitJobs::default());
+        let memory = RelitMemory {
+            numbers: Some(8),
+            ..RelitMemory::default()
+        };
+        let first = all(&mut jobs, &app, &memory);
+        let (fit, turned) = first.turned.expect("the wall is there");
+        assert_eq!(fit.0.operator.numbers(), 8);
+        assert!(turned.0.spread.p95 > 0.1 && turned.0.spread.max >= turned.0.spread.p95);
+        let stored = first.stored.expect("it was written");
+        let bytes = stored.0.bytes;
+        assert!(bytes.compact < bytes.full && bytes.full < bytes.exact);
+        app.apply(Command::Show(
+            app.entry("cie_illuminants/CIE A").expect("shipped"),
+        ));
+        let second = all(&mut jobs, &app, &memory);
+        let (same, other) = second.turned.expect("it was there before");
+        assert!(same == fit && other != turned);
+        assert_ne!(other.0.sides[1].pixels, turned.0.sides[1].pixels);
+        assert_eq!(other.0.light, app.document().light.name());
+    }
+}

@@ -1,0 +1,240 @@
+//! Which picture, what lit it, what shines on it now, how many numbers, and saving.
+
+use eframe::egui;
+use egui::{RichText, Ui};
+
+use crate::{
+    app::{
+        App, Command,
+        document::View,
+        memo::ByAddress,
+        picture::shown,
+        relit::{Fit, Form, Look, LookAsk, Looked, PictureWish, fewer},
+        studies::RelitShown,
+    },
+    ui::{
+        kit::{Choice, Chooser, lights},
+        pages::PageContext,
+    },
+};
+
+/// What people and tests call the controls.
+pub mod names {
+    pub const PICTURE: &str = "Picture in few numbers";
+    pub const TAKEN: &str = "Photographed under";
+    pub const LIGHT: &str = "Shown under";
+    pub const SECOND: &str = "Second light";
+    pub const SHARE: &str = "Share of the second light";
+    pub const NUMBERS: &str = "Numbers a pixel";
+    pub const ENOUGH: &str = "As few as needed";
+    pub const SAVE: &str = "Save…";
+    pub const WORST: &str = "Worst pixel";
+}
+
+/// Lights at hand: title and key.
+const AT_HAND: [(&str, &str); 5] = [
+    ("Daylight", "cie_illuminants/CIE D65"),
+    ("Bulb", "cie_illuminants/CIE A"),
+    ("Tube", "cie_fluorescent_1nm/FL11"),
+    ("Mercury", "lamps_nist_traditional/Mercury"),
+    ("Sodium", "lamps_nist_traditional/LPS"),
+];
+
+/// Width of lists, points.
+const LIST: f32 = 120.0;
+
+fn name_of(app: &App, key: Option<&str>, otherwise: &str) -> String {
+    let entry = key.and_then(|key| app.entry(key));
+    entry.map_or_else(|| otherwise.to_owned(), |entry| entry.name().to_owned())
+}
+
+/// A chosen light with a button that takes it away; whether it was clicked.
+fn cleared(ui: &mut Ui, is_chosen: bool, meaning: &str) -> bool {
+    is_chosen && ui.small_button("×").on_hover_text(meaning).clicked()
+}
+
+/// Which picture, and what fell on it.
+pub fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let app = context.app;
+    let open = shown(app.document(), &context.memory.image).cloned();
+    if let Some(open) = open {
+        let memory = &mut context.memory.relit;
+        let choice = Choice {
+            name: names::PICTURE,
+            meaning: "The image that is open (another one is chosen on the page Spectral image), \
+                      or a wall of measured paints that this program makes.",
+            width: LIST,
+        };
+        let (image, wall) = (open.image.name.clone(), "a wall of paints".to_owned());
+        let now = if memory.wall { &wall } else { &image };
+        let before = memory.wall;
+        choice.cut(ui, now.clone(), |ui| {
+            ui.selectable_value(&mut memory.wall, false, image.clone());
+            ui.selectable_value(&mut memory.wall, true, wall.clone());
+        });
+        if memory.wall != before {
+            memory.pixel = None;
+            ui.ctx().request_repaint();
+        }
+    }
+    let ask = LookAsk::of(app, &context.memory.relit, &context.memory.image);
+    if !ask.asks_for_light() {
+        return;
+    }
+    let memory = &mut context.memory.relit;
+    ui.label("Taken under");
+    let is_wall = ask.subject == crate::app::relit::Subject::Wall;
+    let otherwise = if is_wall { "an even light" } else { "unknown" };
+    let says = name_of(app, memory.taken_under.as_deref(), otherwise);
+    let chooser = Chooser {
+        name: names::TAKEN,
+        meaning: "The light that fell on the picture when it was taken. It is divided out again, \
+                  so that the picture can be shown under other lights.",
+        says: &says,
+        offers: lights,
+        width: LIST,
+    };
+    if let Some(entry) = chooser.show(ui, app) {
+        memory.taken_under = Some(entry.key.clone());
+    }
+    let meaning = if is_wall {
+        "Photographs it in even light."
+    } else {
+        "Nobody knows what lit it."
+    };
+    if cleared(ui, memory.taken_under.is_some(), meaning) {
+        memory.taken_under = None;
+    }
+}
+
+/// What shines on it now.
+pub fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let document = context.app.document();
+    ui.label("Shown under");
+    let chooser = Chooser {
+        name: names::LIGHT,
+        meaning: "The light that shines on the picture: the window's light. The picture turns at \
+                  once; only three weights a number are new.",
+        says: document.light.name(),
+        offers: lights,
+        width: LIST,
+    };
+    let mut chosen = chooser.show(ui, context.app);
+    for (title, key) in AT_HAND {
+        let Some(entry) = context.app.entry(key) else {
+            continue;
+        };
+        let is_now = document.light.key == key;
+        let button = ui.selectable_label(is_now, title);
+        if button.on_hover_text(entry.name()).clicked() && !is_now {
+            chosen = Some(entry);
+        }
+    }
+    if let Some(entry) = chosen {
+        context.commands.push(Command::Show(entry));
+    }
+    let mut adapt = document.view.adapt_patches;
+    let adapts = ui.checkbox(&mut adapt, "adapt").on_hover_text(
+        "As the eye sees it after a minute: the light's own colour becomes the screen's white.",
+    );
+    if adapts.changed() {
+        context.commands.push(Command::View(View {
+            adapt_patches: adapt,
+            ..document.view
+        }));
+    }
+    let memory = &mut context.memory.relit;
+    ui.separator();
+    let says = name_of(context.app, memory.second.as_deref(), "+ second light");
+    let chooser = Chooser {
+        name: names::SECOND,
+        meaning: "A second light beside the first, to mix them.",
+        says: &says,
+        offers: lights,
+        width: 0.8 * LIST,
+    };
+    if let Some(entry) = chooser.show(ui, context.app) {
+        memory.second = Some(entry.key.clone());
+    }
+    if memory.second.is_some() {
+        ui.spacing_mut().slider_width = 90.0 * context.theme.scale;
+        let slider = egui::Slider::new(&mut memory.second_percent, 0..=100).suffix(" %");
+        let slider = ui.add(slider);
+        crate::ui::kit::named(&slider, egui::Role::Slider, names::SHARE);
+        slider.on_hover_text("How much of the brightness is the second light's.");
+        if cleared(ui, true, "One light alone.") {
+            memory.second = None;
+        }
+    }
+}
+
+/// How many numbers, and what stands large.
+pub fn numbers(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    looked: &Looked,
+    fit: Option<&ByAddress<Fit>>,
+) {
+    let now = fit.map_or(looked.choice.chosen.numbers, |fit| fit.0.operator.numbers());
+    let memory = &mut context.memory.relit;
+    let most = looked.most_numbers();
+    let mut count = memory.numbers.unwrap_or(now).clamp(3, most);
+    ui.label("Numbers a pixel");
+    ui.spacing_mut().slider_width = 150.0 * context.theme.scale;
+    let slider = ui.add(egui::Slider::new(&mut count, 3..=most));
+    let slider = slider.on_hover_text(
+        "How many numbers stand for each pixel. What multiplies the series, and which lines are \
+         kept, is chosen for each count.",
+    );
+    if slider.changed() {
+        memory.numbers = Some(count);
+    }
+    let mut by_itself = memory.numbers.is_none();
+    let enough = ui.selectable_label(by_itself, names::ENOUGH);
+    if enough.on_hover_text(fewer(looked)).clicked() {
+        by_itself = !by_itself;
+        memory.numbers = (!by_itself).then_some(count);
+    }
+    ui.separator();
+    for look in Look::ALL {
+        ui.selectable_value(&mut memory.look, look, look.title())
+            .on_hover_text(look.meaning());
+    }
+}
+
+/// Saving in either form; what is to be saved.
+pub fn save(ui: &mut Ui, shown: &RelitShown) -> Option<PictureWish> {
+    let ready = shown.turned.as_ref().zip(shown.stored.as_ref());
+    let mut wish = None;
+    ui.add_enabled_ui(ready.is_some(), |ui| {
+        let menu = ui.menu_button(names::SAVE, |ui| {
+            let Some(((fit, _), stored)) = ready else {
+                return;
+            };
+            for form in Form::ALL {
+                let bytes = match form {
+                    Form::Full => stored.0.bytes.full,
+                    Form::Compact => stored.0.bytes.compact,
+                };
+                let words = format!(
+                    "As .{} ({})",
+                    form.ending(),
+                    crate::app::relit::bytes_words(bytes.unwrap_or(0))
+                );
+                let button = ui.button(RichText::new(words));
+                if button.on_hover_text(form.meaning()).clicked() {
+                    wish = Some(PictureWish {
+                        fit: fit.clone(),
+                        stored: stored.clone(),
+                        form,
+                    });
+                    ui.close();
+                }
+            }
+        });
+        menu.response
+            .on_hover_text("Saves the picture in few numbers.")
+            .on_disabled_hover_text("Its bytes are being measured.");
+    });
+    wish
+}

@@ -1,0 +1,325 @@
+//! The page "In few numbers, relit": a spectral picture by every band beside the same picture in
+//! few numbers a pixel, under any light.
+
+mod canvas;
+mod controls;
+mod side;
+
+use eframe::egui;
+use egui::{ColorImage, RichText, TextureHandle, TextureOptions, Ui, vec2};
+
+use super::{PageContext, progress};
+use crate::{
+    app::{
+        chart::{self, Chart, Rgb},
+        memo::{ByAddress, Memo},
+        relit::{
+            Fit, Look, Looked, PictureWish, Turned, difference_colours, headline, peer_rows,
+            trust_line,
+        },
+        studies::{RelitShown, Stage},
+    },
+    pictures::{Peer, Verdict},
+    ui::kit,
+};
+
+pub use controls::names;
+
+/// From this width on the charts stand beside the picture, points.
+const WIDE: f32 = 700.0;
+
+/// Pictures on the graphics card: every band, few numbers, the map.
+struct Textures {
+    of: ByAddress<Turned>,
+    handles: [TextureHandle; 3],
+}
+
+/// The page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct RelitView {
+    textures: Option<Textures>,
+    pointed: Option<[usize; 2]>,
+    pixel: Memo<(ByAddress<Fit>, [usize; 2], chart::Theme), Chart>,
+    error: Memo<(ByAddress<Looked>, usize, chart::Theme), Chart>,
+    /// A picture that is to be saved.
+    pub wants_save: Option<PictureWish>,
+}
+
+impl RelitView {
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let memory = (&context.memory.relit, &context.memory.image);
+        let shown = context
+            .studies
+            .relit
+            .shown(context.app, memory, context.wake);
+        self.head(ui, context, &shown);
+        ui.horizontal_wrapped(|ui| {
+            controls::subject(ui, context);
+            controls::light(ui, context);
+        });
+        let Some(looked) = shown.looked.clone() else {
+            return waiting(ui, context);
+        };
+        ui.horizontal_wrapped(|ui| {
+            let fit = shown.turned.as_ref().map(|(fit, _)| fit);
+            controls::numbers(ui, context, &looked.0, fit);
+            if let Some(wish) = controls::save(ui, &shown) {
+                self.wants_save = Some(wish);
+                ui.ctx().request_repaint();
+            }
+        });
+        ui.add_space(2.0);
+        if context.memory.relit.look == Look::Others {
+            return others(ui, context, &shown);
+        }
+        let Some((fit, turned)) = shown.turned.clone() else {
+            return waiting(ui, context);
+        };
+        self.upload(ui, &turned);
+        let room = ui.available_size();
+        let scale = context.theme.scale;
+        if room.x < WIDE * scale {
+            return self.picture(ui, context, (&fit.0, &turned.0), room);
+        }
+        let gap = 2.0 * ui.spacing().item_spacing.x;
+        let [width, height] = looked.0.size().map(|side| side as f32);
+        // The picture as high as there is room; the charts have the rest.
+        let high = (room.y - self.below(ui, context)) * width / height;
+        let least = (0.3 * room.x).max(250.0 * scale);
+        let left = high.min(room.x - gap - least).max(0.3 * room.x);
+        let beside = room.x - gap - left;
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            let left = vec2(left, room.y);
+            ui.allocate_ui(left, |ui| {
+                ui.vertical(|ui| self.picture(ui, context, (&fit.0, &turned.0), left));
+            });
+            let right = vec2(beside, room.y);
+            ui.allocate_ui(right, |ui| {
+                ui.vertical(|ui| self.side(ui, context, &shown, right));
+            });
+        });
+    }
+
+    /// The result in a sentence, or why there is none.
+    fn head(&self, ui: &mut Ui, context: &PageContext<'_>, shown: &RelitShown) {
+        let words = match (&shown.trouble, &shown.turned) {
+            (Some(why), _) => why.clone(),
+            (None, Some((fit, turned))) => {
+                let stored = shown.stored.as_ref().map(|stored| &*stored.0);
+                headline(&fit.0, &turned.0, stored)
+            }
+            (None, None) => {
+                "A spectral picture in few numbers a pixel, under any light.".to_owned()
+            }
+        };
+        let text = RichText::new(words).size(16.0 * context.theme.scale);
+        ui.add(egui::Label::new(text).wrap());
+    }
+
+    /// The textures, made anew when the picture was turned.
+    fn upload(&mut self, ui: &Ui, turned: &ByAddress<Turned>) {
+        if self
+            .textures
+            .as_ref()
+            .is_some_and(|held| held.of == *turned)
+        {
+            return;
+        }
+        let [exact, few] = &turned.0.sides;
+        let load = |name: &str, pixels: &[Rgb]| {
+            let colours = pixels
+                .iter()
+                .map(|[r, g, b]| egui::Color32::from_rgb(*r, *g, *b));
+            let image = ColorImage::new([exact.width, exact.height], colours.collect());
+            let options = TextureOptions {
+                magnification: egui::TextureFilter::Nearest,
+                minification: egui::TextureFilter::Linear,
+                ..TextureOptions::default()
+            };
+            ui.ctx().load_texture(name, image, options)
+        };
+        self.textures = Some(Textures {
+            of: turned.clone(),
+            handles: [
+                load("every band", &exact.pixels),
+                load("few numbers", &few.pixels),
+                load("difference", &difference_colours(&turned.0)),
+            ],
+        });
+    }
+
+    /// Height of what stands below the picture, points.
+    fn below(&self, ui: &Ui, context: &PageContext<'_>) -> f32 {
+        let gap = ui.spacing().item_spacing.y;
+        let lines = 2.0 * (ui.spacing().interact_size.y + gap);
+        match context.memory.relit.look {
+            Look::Difference => lines + canvas::SCALE_HEIGHT * context.theme.scale + gap,
+            Look::Picture | Look::Others => lines,
+        }
+    }
+
+    /// The picture or the map, and two lines about it.
+    fn picture(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        (fit, turned): (&Fit, &Turned),
+        room: egui::Vec2,
+    ) {
+        let Some(textures) = &self.textures else {
+            return;
+        };
+        let [exact, few, map] = textures.handles.each_ref().map(|handle| handle.id());
+        let is_map = context.memory.relit.look == Look::Difference;
+        let (both, one) = ([exact, few], [map]);
+        let looked = &fit.looked.0;
+        let theme = context.theme;
+        let size = vec2(room.x, (room.y - self.below(ui, context)).max(60.0));
+        let [bands, numbers] = [looked.bands().len(), fit.operator.numbers()]
+            .map(|count| crate::io::many::numbers(count));
+        let name = format!(
+            "{} under {}, {bands} a pixel left, {numbers} right",
+            looked.name, turned.light
+        );
+        let pixel = self.chosen(context, looked, turned);
+        let drawn = canvas::Drawn {
+            name: &name,
+            pixels: looked.size(),
+            textures: if is_map { &one } else { &both },
+            labels: [
+                &format!("every band: {bands}"),
+                &format!("{numbers} a pixel"),
+            ],
+            marked: Some(pixel),
+        };
+        let memory = &mut context.memory.relit;
+        let touched = canvas::show(ui, size, &drawn, &mut memory.split, theme);
+        if touched.clicked.is_some() {
+            memory.pixel = touched.clicked;
+            ui.ctx().request_repaint();
+        }
+        self.pointed = touched.pointed;
+        if is_map {
+            let [width, height] = looked.size().map(|side| side as f32);
+            let drawn = width * (size.x / width).min(size.y / height);
+            canvas::scale(ui, drawn, theme);
+        }
+        kit::line(ui, |ui| self.pointed_words(ui, looked, turned, pixel));
+        kit::line(ui, |ui| {
+            let words = trust_line(turned);
+            let is_good = turned
+                .trust
+                .as_ref()
+                .is_some_and(|trust| trust.verdict == Verdict::Good);
+            if !is_good {
+                ui.colored_label(theme.warning, "▲");
+            }
+            let label = ui.add(egui::Label::new(RichText::new(&words).weak()).truncate());
+            label.on_hover_text(format!("{words} {}", turned.sides[0].words()));
+        });
+    }
+
+    /// The pixel whose spectrum is shown: the chosen one, or the worst.
+    fn chosen(&self, context: &PageContext<'_>, looked: &Looked, turned: &Turned) -> [usize; 2] {
+        let [width, height] = looked.size();
+        let worst = [turned.worst % width, turned.worst / width];
+        let chosen = context.memory.relit.pixel;
+        chosen
+            .filter(|[x, y]| *x < width && *y < height)
+            .unwrap_or(worst)
+    }
+
+    /// What is under the pointer, or else the marked pixel.
+    fn pointed_words(&self, ui: &mut Ui, looked: &Looked, turned: &Turned, marked: [usize; 2]) {
+        let [width, height] = looked.size();
+        let pointed = self.pointed.filter(|[x, y]| *x < width && *y < height);
+        let [x, y] = pointed.unwrap_or(marked);
+        let off = turned.off[y * width + x];
+        let which = if pointed.is_some() {
+            "Here"
+        } else {
+            "In the ring"
+        };
+        let step = looked.step;
+        let off = if off.is_finite() {
+            format!("ΔE00 {off:.2}")
+        } else {
+            "not measured".to_owned()
+        };
+        let mut words = format!("{which} (column {}, row {}): {off}.", x * step, y * step);
+        if step > 1 {
+            words += &format!(" Drawn and measured: one pixel in {step}, across and down.");
+        }
+        for said in &looked.said {
+            words += &format!(" {said}");
+        }
+        ui.add(egui::Label::new(RichText::new(&words).weak()).truncate())
+            .on_hover_text(&words);
+    }
+}
+
+/// How far the picture is.
+fn waiting(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let jobs = &mut context.studies.relit;
+    progress(ui, &mut jobs.look, "The picture");
+    progress(ui, &mut jobs.fit, "The fit");
+    progress(ui, &mut jobs.turn, "The light");
+}
+
+/// Other ways of keeping the same picture in as many numbers.
+fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
+    let job = &mut context.studies.relit.peers;
+    let Some(peers) = &shown.peers else {
+        return progress(ui, job, "The comparison");
+    };
+    if job.stage() != Stage::Done {
+        progress(ui, job, "The comparison");
+    }
+    peers_table(ui, context, &peers.0);
+}
+
+fn peers_table(ui: &mut Ui, context: &PageContext<'_>, peers: &[Peer]) {
+    let (rows, words) = peer_rows(peers);
+    ui.add(egui::Label::new(words).wrap());
+    ui.add_space(4.0);
+    let columns = [
+        kit::Column::words("way", "How the picture is kept.", 3.0),
+        kit::Column::numbers("numbers", "Numbers a pixel.", 1.0),
+        kit::Column::numbers(
+            "bytes",
+            "Of the file, or of half numbers before packing.",
+            1.2,
+        ),
+        kit::Column::numbers(
+            "own ΔE00",
+            "Own colour: 95 % of the pixels are within.",
+            1.1,
+        ),
+        kit::Column::numbers("lights ΔE00", "Mean under six lights.", 1.2),
+        kit::Column::numbers(
+            "95 %",
+            "Under six lights: 95 % of the pixels are within.",
+            0.9,
+        ),
+        kit::Column::numbers("rms %", "Of the spectra, relative.", 0.9),
+        kit::Column::words("remark", "", 3.0),
+    ];
+    let rows: Vec<kit::Row> = rows
+        .into_iter()
+        .map(|cells| kit::Row {
+            name: cells.join(", "),
+            note: cells.last().cloned().unwrap_or_default(),
+            cells,
+            ..kit::Row::default()
+        })
+        .collect();
+    let table = kit::Table {
+        enabled: false,
+        ..kit::Table::new(&columns, context.theme)
+    };
+    kit::scrolled(ui, "other ways", |ui| {
+        table.show(ui, &rows, &mut |_, _, _| {});
+    });
+}

@@ -1,0 +1,112 @@
+//! Beside the picture: one pixel's spectrum, the error against numbers, the bytes.
+
+use eframe::egui;
+use egui::{RichText, Ui, Vec2, vec2};
+
+use super::{RelitView, names};
+use crate::{
+    app::{
+        charts::relit::{error_chart, pixel_chart},
+        relit::byte_rows,
+        studies::{RelitShown, Stage},
+    },
+    ui::{
+        kit::{Column, Row, Table},
+        pages::{PageContext, progress},
+    },
+};
+
+/// Rows of the table of bytes with its titles.
+const ROWS: f32 = 4.0;
+
+impl RelitView {
+    /// Charts and bytes in the room there is.
+    pub(super) fn side(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        shown: &RelitShown,
+        room: Vec2,
+    ) {
+        let (Some(looked), Some((fit, turned))) = (&shown.looked, &shown.turned) else {
+            return;
+        };
+        let theme = context.chart_theme();
+        let row = ui.text_style_height(&egui::TextStyle::Body) + 5.0;
+        let line = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+        let gaps = 3.0 * ui.spacing().item_spacing.y;
+        let height = (room.y - ROWS * row - 2.0 * line - gaps) / 2.0;
+        let size = vec2(room.x, height.max(70.0));
+        let pixel = self.chosen(context, &fit.0.looked.0, &turned.0);
+        crate::ui::kit::line(ui, |ui| {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let memory = &mut context.memory.relit;
+                let worst = ui.add_enabled(
+                    memory.pixel.is_some(),
+                    egui::Button::new(names::WORST).small(),
+                );
+                let worst = worst.on_hover_text("Shows the pixel that is most off.");
+                if worst
+                    .on_disabled_hover_text("The pixel that is most off is shown; click another.")
+                    .clicked()
+                {
+                    memory.pixel = None;
+                }
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let how = RichText::new(format!("Kept: {}", fit.0.how())).weak();
+                    ui.add(egui::Label::new(how).truncate())
+                        .on_hover_text("What stands for every pixel.");
+                });
+            });
+        });
+        let key = (fit.clone(), pixel, theme);
+        let chart = self.pixel.get(key, |(fit, pixel, theme)| {
+            pixel_chart(&fit.0, *pixel, *theme)
+        });
+        context.chart(ui, chart, "pixel in few numbers", size);
+        let now = fit.0.operator.numbers();
+        let key = (looked.clone(), now, theme);
+        let chart = self.error.get(key, |(looked, now, theme)| {
+            error_chart(&looked.0, *now, *theme)
+        });
+        let touched = context.chart(ui, chart, "error against numbers a pixel", size);
+        if let Some(hit) = touched.clicked {
+            context.memory.relit.numbers = Some(hit.at[0].round() as usize);
+        }
+        bytes(ui, context, shown);
+    }
+}
+
+/// What each form takes on disk.
+fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
+    let job = &mut context.studies.relit.store;
+    let (Some(stored), Some((fit, _))) = (&shown.stored, &shown.turned) else {
+        return match job.stage() {
+            Stage::Done => {}
+            _ => progress(ui, job, "The size of its files"),
+        };
+    };
+    let columns = [
+        Column::words("file", "How the picture is kept.", 2.4),
+        Column::numbers("size", "Written and counted here.", 1.2),
+        Column::numbers("B/pixel", "Bytes a pixel.", 1.0),
+        Column::numbers(
+            "ΔE00",
+            "Own colour, read back: 95 % of all pixels are within.",
+            0.8,
+        ),
+    ];
+    let rows: Vec<Row> = byte_rows(&fit.0, &stored.0)
+        .into_iter()
+        .map(|cells| Row {
+            name: cells.join(", "),
+            cells,
+            ..Row::default()
+        })
+        .collect();
+    let table = Table {
+        enabled: false,
+        ..Table::new(&columns, context.theme)
+    };
+    table.show(ui, &rows, &mut |_, _, _| {});
+}

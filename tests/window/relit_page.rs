@@ -1,0 +1,84 @@
+//! The page "In few numbers, relit" in the real window, driven without a display.
+
+use std::sync::{Arc, Mutex};
+
+use crate::driver::{Ui, app, at_rest, words};
+use egui_kittest::kittest::Queryable as _;
+use spectral_explorer::{
+    app::{App, pages::Page, relit::Look, workspace::Preferences},
+    ui::{
+        Window,
+        files::{Ask, Picked},
+        pages::relit_view::names,
+    },
+};
+
+/// The page on the wall of paints in few numbers, saving into `path`.
+fn page(path: Option<std::path::PathBuf>) -> Ui {
+    let mut preferences = Preferences {
+        greeted: true,
+        ..Preferences::default()
+    };
+    preferences.pages.page = Page::Relit;
+    preferences.pages.relit.numbers = Some(8);
+    let path = Mutex::new(path);
+    let picker = Arc::new(move |_: &Ask| {
+        let path = path.lock().expect("one dialog at a time").take();
+        path.map_or(Picked::Cancelled, |path| Picked::Paths(vec![path]))
+    });
+    let mut ui = at_rest(Window::new(App::new(), preferences, picker, None));
+    settle(&mut ui);
+    ui
+}
+
+fn settle(ui: &mut Ui) {
+    for _ in 0..5 {
+        ui.step();
+        ui.state_mut().0.studies.finish();
+    }
+    ui.step();
+}
+
+fn click(ui: &mut Ui, name: &str) {
+    ui.get_by_label(name).click();
+    settle(ui);
+}
+
+#[test]
+fn the_wall_is_relit_mapped_compared_and_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("wall.cspx.png");
+    let mut ui = page(Some(path.clone()));
+    let told = |ui: &Ui, part: &str| {
+        let all = words(ui).join("\n");
+        assert!(all.contains(part), "{part}: {all}");
+    };
+    told(
+        &ui,
+        "A wall of paints in 8 numbers a pixel instead of 81. Under FL2",
+    );
+    told(&ui, " compact, ");
+    click(&mut ui, "Bulb");
+    assert_eq!(app(&ui).document().light.name(), "CIE A");
+    told(&ui, "Under CIE A its colours are off by ΔE00");
+    click(&mut ui, "Difference");
+    assert_eq!(ui.state().0.preferences.pages.relit.look, Look::Difference);
+    click(&mut ui, "Other ways");
+    told(&ui, "components of the picture");
+    click(&mut ui, names::SAVE);
+    let form = "As .cspx.png";
+    let button = words(&ui)
+        .into_iter()
+        .find(|words| words.starts_with(form))
+        .expect("a way to save");
+    click(&mut ui, &button);
+    for _ in 0..100 {
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        ui.step();
+        if path.exists() {
+            break;
+        }
+    }
+    ui.state_mut().0.finish_writing();
+    assert!(path.metadata().expect("saved").len() > 10_000);
+}
