@@ -17,6 +17,7 @@ pub mod figures;
 pub mod glossary;
 pub mod history;
 pub mod import;
+pub mod lessons;
 pub mod library;
 pub mod licences;
 pub mod line_names;

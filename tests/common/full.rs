@@ -218,6 +218,8 @@ pub fn full_preferences() -> Preferences {
                 stops: -1.5,
                 spread: Spread::Extremes,
             },
+            lessons_finished: vec!["prism".to_owned()],
+            lesson_asked: None,
         },
     }
 }

@@ -42,6 +42,20 @@ pub struct PageMemory {
     pub diagram: DiagramShows,
     /// Image: which one, which pixels, and how it is drawn.
     pub image: ImageMemory,
+    /// Lessons: names of those that were gone through.
+    pub lessons_finished: Vec<String>,
+    /// A lesson that is to be begun, once.
+    #[serde(skip)]
+    pub lesson_asked: Option<AskedLesson>,
+}
+
+/// A lesson that is to be begun.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AskedLesson {
+    /// Its name.
+    pub name: String,
+    /// The step that it is to begin with, from 0.
+    pub step: usize,
 }
 
 impl Default for PageMemory {
@@ -62,6 +76,8 @@ impl Default for PageMemory {
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
             image: ImageMemory::default(),
+            lessons_finished: Vec::new(),
+            lesson_asked: None,
         }
     }
 }

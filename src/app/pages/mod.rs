@@ -4,7 +4,7 @@ mod memory;
 
 use serde::{Deserialize, Serialize};
 
-pub use memory::{FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown};
+pub use memory::{AskedLesson, FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown};
 
 /// A place of the window: what a person asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,6 +110,10 @@ pub enum Page {
     Bounces,
     /// A spectral image: a pixel or a region becomes a spectrum.
     Image,
+    /// Short walks through the program.
+    Lessons,
+    /// What the lessons teach, and how to write one.
+    Teachers,
     /// Words explained.
     Glossary,
     /// The paper's claims, measured on this spectrum.
@@ -150,6 +154,13 @@ const fn row(
 /// The pages, place by place.
 const ROWS: &[Row] = &[
     row(
+        Page::Lessons,
+        (Place::Learn, Page::Lessons),
+        ("Lessons", "lessons"),
+        &[],
+        "Short walks through the program: predict, do, see why.",
+    ),
+    row(
         Page::Glossary,
         (Place::Learn, Page::Glossary),
         ("Glossary", "glossary"),
@@ -162,6 +173,13 @@ const ROWS: &[Row] = &[
         ("The paper checked", "truth"),
         &[],
         "The paper's claims, measured on this spectrum and range.",
+    ),
+    row(
+        Page::Teachers,
+        (Place::Learn, Page::Teachers),
+        ("For teachers", "teachers"),
+        &[],
+        "What each lesson teaches, what to prepare, handouts, and how to write one.",
     ),
     row(
         Page::Spectrum,

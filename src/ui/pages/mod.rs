@@ -4,6 +4,7 @@ pub mod auction_view;
 pub mod coefficients_view;
 pub mod glossary_view;
 pub mod image_view;
+pub mod lessons_view;
 pub mod products_view;
 pub mod quality_view;
 pub mod race_view;
@@ -75,6 +76,8 @@ pub struct Pages {
     products: products_view::ProductsView,
     quality: quality_view::QualityView,
     image: image_view::ImageView,
+    /// The lessons, also those of a person's own files.
+    pub lessons: lessons_view::LessonsView,
     glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
 }
@@ -106,6 +109,8 @@ impl Pages {
             Page::Resampling => products.resampling.show(ui, context),
             Page::Bounces => products.bounces.show(ui, context),
             Page::Image => self.image.show(ui, context),
+            Page::Lessons => self.lessons.list(ui, context),
+            Page::Teachers => self.lessons.teachers(ui, context),
             Page::Glossary => self.glossary.show(ui),
             Page::Truth => self.truth.show(ui, context),
         }

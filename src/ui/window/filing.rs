@@ -49,6 +49,7 @@ pub(super) struct Waiting {
 impl Window {
     /// Opens files as if they had been chosen in the dialog.
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
+        let paths = self.without_lessons(paths);
         if !paths.is_empty() {
             self.images.tell_needs(&paths, wake.clone());
             self.loader.open(paths, wake);

@@ -55,9 +55,15 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    pub fn of(ui: &Ui, preferences: &Preferences, theme: Theme, alone: bool) -> Self {
+    /// `alone`: the plot alone is wanted; `taken`: the width that a lesson takes.
+    pub fn of(
+        ui: &Ui,
+        preferences: &Preferences,
+        theme: Theme,
+        (alone, taken): (bool, f32),
+    ) -> Self {
         let size = ui.available_size();
-        let width = size.x / theme.scale.min(1.0);
+        let width = (size.x - taken) / theme.scale.min(1.0);
         let on_look = preferences.pages.page == Page::Spectrum;
         let present = preferences.presents();
         Self {
