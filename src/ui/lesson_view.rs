@@ -58,7 +58,7 @@ impl LessonView {
             ui.style_mut().text_styles.insert(style, font);
         }
         head(ui, run, &mut wishes);
-        let foot = 2.0 * (size + 16.0);
+        let foot = size + 26.0;
         ScrollArea::vertical()
             .id_salt(("lesson", run.index()))
             .auto_shrink(false)
@@ -139,6 +139,9 @@ fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wi
             let sign = if run.is_done() { "✔" } else { "▶" };
             ui.add(Label::new(RichText::new(format!("{sign} {task}")).color(strong)).wrap());
             if !run.is_done() {
+                if !shown.now.is_empty() {
+                    ui.weak(format!("Now: {}", shown.now));
+                }
                 let show = Button::new(if run.is_showing() { "Watch" } else { "Show me" });
                 let show = ui
                     .add_enabled(!run.is_showing(), show)

@@ -31,9 +31,17 @@ fn twelve_lessons_are_listed_with_minutes_audience_and_steps() {
     let list: Vec<Value> = serde_json::from_str(&json).expect("JSON");
     for (lesson, line) in list.iter().zip(words.lines()) {
         assert!(line.starts_with(lesson["name"].as_str().expect("a name")));
-        assert!(lesson["minutes"].as_u64().is_some_and(|minutes| minutes > 0));
+        assert!(
+            lesson["minutes"]
+                .as_u64()
+                .is_some_and(|minutes| minutes > 0)
+        );
         assert!(lesson["steps"].as_u64().is_some_and(|steps| steps > 1));
-        assert!(lesson["audience"].as_array().is_some_and(|whom| !whom.is_empty()));
+        assert!(
+            lesson["audience"]
+                .as_array()
+                .is_some_and(|whom| !whom.is_empty())
+        );
     }
 }
 
@@ -41,26 +49,64 @@ fn twelve_lessons_are_listed_with_minutes_audience_and_steps() {
 fn a_check_says_file_step_and_reason() {
     let (code, words, err) = tell(&["check", "samples"]);
     assert_eq!(code, 0, "{err}");
-    assert!(words.contains("played through, also with 3 other lights"), "{words}");
+    assert!(
+        words.contains("played through, also with 3 other lights"),
+        "{words}"
+    );
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("mine.json");
     let file = path.to_str().expect("UTF-8");
     let text = shelf::text_of("samples").expect("shipped");
     for (from, to, reason) in [
-        ("\"say\"", "\"sya\"", "step 1: found the field `sya`, expected one of `say`"),
-        ("\"light\": \"FL2\"", "\"light\": \"FL99\"", "step 1: found "),
-        ("{numbers}", "{nombers}", "step 1: found the figure nombers, expected one of"),
-        ("\"above\": 5", "\"above\": 0.0", "step 1: found a task that is done before it begins"),
-        ("\"above\": 5", "\"above\": 5000", "step 1: found a task that its own show does not meet"),
-        ("spectral-explorer-lesson", "a-lesson", "found format \"a-lesson\", expected"),
+        (
+            "\"say\"",
+            "\"sya\"",
+            "step 1: found the field `sya`, expected one of `say`",
+        ),
+        (
+            "\"light\": \"FL2\"",
+            "\"light\": \"FL99\"",
+            "step 1: found ",
+        ),
+        (
+            "{numbers}",
+            "{nombers}",
+            "step 1: found the figure nombers, expected one of",
+        ),
+        (
+            "\"above\": 5",
+            "\"above\": 0.0",
+            "step 1: found a task that is done before it begins",
+        ),
+        (
+            "\"above\": 5",
+            "\"above\": 5000",
+            "step 1: found a task that its own show does not meet",
+        ),
+        (
+            "spectral-explorer-lesson",
+            "a-lesson",
+            "found format \"a-lesson\", expected",
+        ),
     ] {
         assert!(text.contains(from), "{from}");
         fs::write(&path, text.replacen(from, to, 1)).expect("a file");
         let (code, out, err) = tell(&["check", file]);
-        assert_eq!((code, out.as_str(), err.lines().count()), (1, "", 1), "{err}");
-        assert!(err.contains("mine") && err.contains(reason), "{reason}: {err}");
+        assert_eq!(
+            (code, out.as_str(), err.lines().count()),
+            (1, "", 1),
+            "{err}"
+        );
+        assert!(
+            err.contains("mine") && err.contains(reason),
+            "{reason}: {err}"
+        );
     }
-    for (args, code) in [(&["check", "no such"][..], 1), (&["check"], 2), (&["handout", "waves"], 2)] {
+    for (args, code) in [
+        (&["check", "no such"][..], 1),
+        (&["check"], 2),
+        (&["handout", "waves"], 2),
+    ] {
         let (found, _, err) = tell(args);
         assert_eq!(found, code, "{args:?}");
         assert!(err.contains("expected"), "{err}");

@@ -50,7 +50,10 @@ fn a_lesson_is_taken_with_the_keyboard_alone_and_leaves_everything_as_it_was() {
     assert!(app(&ui).document().is_same_as(&before));
     assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
     press(&mut ui, Key::ArrowRight);
-    assert_eq!(app(&ui).document().settings.order, before.settings.order + 1);
+    assert_eq!(
+        app(&ui).document().settings.order,
+        before.settings.order + 1
+    );
 }
 
 #[test]
@@ -76,7 +79,10 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
         std::fs::write(&path, text).expect("a file");
         path
     };
-    let mine = put("mine.json", text.replace("Where samples", "Mine: where samples"));
+    let mine = put(
+        "mine.json",
+        text.replace("Where samples", "Mine: where samples"),
+    );
     let wrong = put("wrong.json", text.replacen("\"say\"", "\"sya\"", 1));
     let mut ui = at(Page::Spectrum);
     let wake: spectral_explorer::ui::theme::Wake = std::sync::Arc::new(|| {});
@@ -84,6 +90,13 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
     ui.run();
     assert_eq!(ui.state().preferences.pages.page, Page::Lessons);
     let said: Vec<String> = app(&ui).messages().iter().map(|m| m.text.clone()).collect();
-    assert!(said.iter().any(|words| words.contains("step 1: found the field `sya`")), "{said:?}");
-    assert!(ui.query_by_label("Lesson: Mine: where samples go wrong").is_some());
+    assert!(
+        said.iter()
+            .any(|words| words.contains("step 1: found the field `sya`")),
+        "{said:?}"
+    );
+    assert!(
+        ui.query_by_label("Lesson: Mine: where samples go wrong")
+            .is_some()
+    );
 }

@@ -69,6 +69,12 @@ impl Condition {
         page == Some(scene.memory.page)
     }
 
+    /// Its figure as it is now, in words; `None` where it is about none.
+    pub fn now(&self, scene: &Scene<'_>) -> Option<String> {
+        let told = figure(scene, self.figure.as_ref()?, self.of.as_deref());
+        told.ok().map(|told| told.words)
+    }
+
     fn is_within(&self, value: f64) -> bool {
         self.above.is_none_or(|least| value > least)
             && self.below.is_none_or(|most| value < most)

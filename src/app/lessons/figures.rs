@@ -8,7 +8,7 @@ use crate::{
         charts::products::narrow::{Behind, Filter},
         document::first_light,
         entry::bundled_entries,
-        figures::{Unit, three_digits},
+        figures::{Unit, brief, three_digits},
         pages::PageMemory,
         products::ModelledLight,
         quality::QualityShown,
@@ -328,6 +328,7 @@ fn told(value: Option<f64>, unit: Unit) -> Told {
     let words = match value {
         None => "–".to_owned(),
         Some(value) if value.fract() == 0.0 && unit == PLAIN => format!("{value}"),
+        Some(value) if unit == Unit::DELTA_E => brief(value, unit),
         Some(value) => format!("{}{}", three_digits(value * unit.factor), unit.tail),
     };
     Told { value, words }

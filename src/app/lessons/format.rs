@@ -234,6 +234,7 @@ impl Lesson {
             .iter()
             .find_map(|s| s.stage.as_ref()?.light.clone());
         let Some(first) = first else { return lesson };
+        lesson.name = format!("{} with {other}", self.name);
         for step in &mut lesson.steps {
             let show = step.task.iter_mut().flat_map(|task| &mut task.show);
             for stage in step.stage.iter_mut().chain(show) {

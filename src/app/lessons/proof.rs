@@ -138,8 +138,7 @@ fn unmet(step: &Step, scene: &Scene<'_>) -> String {
         .filter(|condition| !condition.holds(scene))
         .filter_map(|condition| {
             let key = condition.figure.as_ref()?;
-            let told = super::figures::figure(scene, key, condition.of.as_deref()).ok()?;
-            Some(format!("{key} is {}", told.words))
+            Some(format!("{key} is {}", condition.now(scene)?))
         })
         .collect();
     if unmet.is_empty() {

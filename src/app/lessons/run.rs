@@ -51,6 +51,8 @@ pub struct Shown {
     pub answers: Vec<(String, bool, String)>,
     /// What is to be done.
     pub task: Option<String>,
+    /// The figures that the task is about as they are now; empty where it is about none.
+    pub now: String,
     /// What is said at the end.
     pub explain: String,
 }
@@ -134,6 +136,8 @@ impl Run {
         };
         let step = self.step();
         let answers = step.ask.iter().flat_map(|ask| &ask.answers);
+        let until = step.task.iter().flat_map(|task| &task.until);
+        let now: Vec<String> = until.filter_map(|one| one.now(&scene)).collect();
         Shown {
             say: in_it(&step.say),
             question: step.ask.as_ref().map(|ask| in_it(&ask.question)),
@@ -141,6 +145,7 @@ impl Run {
                 .map(|a| (in_it(&a.text), a.right, told(&a.because)))
                 .collect(),
             task: step.task.as_ref().map(|task| in_it(&task.words)),
+            now: now.join(", "),
             explain: told(&step.explain),
         }
     }

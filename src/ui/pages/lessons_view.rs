@@ -3,16 +3,12 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Label, RichText, Sense, Ui, vec2};
+use egui::{Align, Label, Layout, RichText, Sense, Ui, vec2};
 
 use super::PageContext;
 use crate::{
     app::{
-        lessons::{
-            Lesson,
-            handout::{Form, handout},
-            shelf,
-        },
+        lessons::{Lesson, shelf},
         pages::AskedLesson,
     },
     ui::kit::{framed, scrolled},
@@ -25,6 +21,8 @@ pub struct LessonsView {
     own: Vec<Arc<Lesson>>,
     /// The lesson that teachers look at.
     chosen: usize,
+    /// The lesson whose sheet is to be saved, once.
+    pub wants_handout: Option<Arc<Lesson>>,
 }
 
 /// Width of a page from which lessons stand two in a row.
@@ -92,7 +90,7 @@ impl LessonsView {
                 });
             }
             ui.add_space(6.0);
-            ui.weak("A lesson of your own: drop its file on the window, or open it as a spectrum.");
+            ui.weak("A lesson of your own: drop its file on the window, or choose it with Open.");
         });
         if let Some(name) = asked {
             context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
@@ -105,28 +103,33 @@ impl LessonsView {
         let all = self.all();
         let minutes: u32 = all.iter().map(|lesson| lesson.minutes).sum();
         let words = format!(
-            "{} lessons, {minutes} minutes in all; nothing to install for a class but this program.",
+            "{} lessons, {minutes} minutes in all. Choose one to see what it teaches and needs.",
             all.len()
         );
         headline(ui, &words, context);
         ui.add_space(6.0);
         self.chosen = self.chosen.min(all.len() - 1);
-        let chosen = &mut self.chosen;
+        let (chosen, wants) = (&mut self.chosen, &mut self.wants_handout);
         scrolled(ui, "teachers", |ui| {
             ui.horizontal_top(|ui| {
                 let width = (0.36 * ui.available_width()).min(320.0 * context.theme.scale);
                 ui.vertical(|ui| {
                     ui.set_width(width);
+                    ui.spacing_mut().button_padding.y = 4.0;
                     for (index, lesson) in all.iter().enumerate() {
                         let words = format!("{}. {}", index + 1, lesson.title);
                         let row = egui::Button::selectable(*chosen == index, words).truncate();
-                        if ui.add_sized(vec2(width, 24.0), row).clicked() {
+                        let whole = Layout::top_down_justified(Align::Min);
+                        let clicked = ui.with_layout(whole, |ui| ui.add(row).clicked()).inner;
+                        if clicked {
                             *chosen = index;
                         }
                     }
                 });
                 ui.vertical(|ui| {
-                    of_teachers(ui, &all[*chosen], context);
+                    if of_teachers(ui, &all[*chosen], context) {
+                        *wants = Some(all[*chosen].clone());
+                    }
                 });
             });
         });
@@ -138,8 +141,9 @@ fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
     ui.add(Label::new(text).wrap());
 }
 
-/// One lesson, for who teaches it.
-fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) {
+/// One lesson, for who teaches it; whether its sheet is to be saved.
+fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) -> bool {
+    let mut saves = false;
     let strong = ui.visuals().strong_text_color();
     let said = |ui: &mut Ui, head: &str, words: &str| {
         if !words.is_empty() {
@@ -174,16 +178,11 @@ fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) {
                 context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
                 ui.ctx().request_repaint();
             }
-            let copy = ui.button("Copy the handout").on_hover_text(
-                "Copies a sheet for the class as one page of HTML with its pictures: paste it \
-                 into a file. The command \"lessons handout\" writes it at once.",
+            let save = ui.button("Save a handout").on_hover_text(
+                "A sheet for the class, one page of HTML: words, questions and pictures, the \
+                 answers on a page of their own.",
             );
-            if copy.clicked() {
-                match handout(lesson, Form::Html, &lesson.name) {
-                    Ok(sheet) => ui.ctx().copy_text(sheet.text),
-                    Err(why) => ui.ctx().copy_text(why.to_string()),
-                }
-            }
+            saves = save.clicked();
             if let Some(text) = shelf::text_of(&lesson.name) {
                 let copy = ui.button("Copy as a start").on_hover_text(
                     "Copies the lesson's own file: paste it into a file that ends in .json and \
@@ -204,6 +203,7 @@ fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) {
          check FILE\" plays it and says what is wrong, with the step; then drop the file on \
          this window.",
     );
+    saves
 }
 
 /// A lesson of the list, laid out.

@@ -23,6 +23,10 @@ use crate::{
         already_open::{Known, known},
         charts::spectrum::spectrum_chart,
         export::{self, Export},
+        lessons::{
+            Lesson,
+            handout::{Form, handout},
+        },
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
         pages::Page,
@@ -38,6 +42,7 @@ pub(super) enum Saving {
     PlotPng,
     WindowPng,
     Chart(ChartWish),
+    Handout(Arc<Lesson>),
 }
 
 /// A file dialog that is open on another thread.
@@ -341,6 +346,7 @@ impl Window {
             Saving::Text(export) => export.extension(),
             Saving::PlotPng | Saving::WindowPng => "png",
             Saving::Chart(wish) => wish.form.extension(),
+            Saving::Handout(_) => "html",
         };
         self.ask(
             Ask::Save {
@@ -372,6 +378,7 @@ impl Window {
             Saving::PlotPng => format!("{}.png", export::file_stem(&self.app)),
             Saving::WindowPng => format!("{}-window.png", export::file_stem(&self.app)),
             Saving::Chart(wish) => wish.file_name(),
+            Saving::Handout(lesson) => format!("{}.html", lesson.name),
         }
     }
 
@@ -415,12 +422,17 @@ impl Window {
                     [size.x as u32, size.y as u32],
                 )),
                 Saving::Chart(wish) => Ok(chart_bytes(wish)),
+                Saving::Handout(lesson) => handout(lesson, Form::Html, &lesson.name)
+                    .map(|sheet| sheet.text.into_bytes())
+                    .map_err(|why| why.to_string()),
             };
             let written =
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
             let message = match (written, saving) {
                 // Its axes name their own units.
-                (Ok(()), Saving::Chart(_)) => (Tone::Info, format!("Saved {}.", path.display())),
+                (Ok(()), Saving::Chart(_) | Saving::Handout(_)) => {
+                    (Tone::Info, format!("Saved {}.", path.display()))
+                }
                 (Ok(()), saving) => {
                     let scale = app.document().scale.words();
                     let mut words = format!("Saved {} ({scale}).", path.display());

@@ -15,6 +15,7 @@ use super::{
         verdict_view::{self, Side},
     },
     Window,
+    filing::Saving,
 };
 use crate::app::{Command, pages::Page, workspace::Preferences};
 
@@ -321,6 +322,9 @@ impl Window {
         );
         for wish in wishes {
             self.save_chart(wish, &context);
+        }
+        if let Some(lesson) = self.pages.lessons.wants_handout.take() {
+            self.save(Saving::Handout(lesson), &context);
         }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.
