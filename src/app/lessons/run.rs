@@ -236,3 +236,84 @@ impl Run {
         };
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::{lessons::shelf, pages::Page};
+
+    fn start(name: &str) -> (Run, App, PageMemory) {
+        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let lesson = shelf::named(name).expect("shipped");
+        let run = Run::start(lesson, &mut app, &mut memory);
+        (run, app, memory)
+    }
+
+    #[test]
+    fn a_prediction_is_kept_until_the_answer_is_told_and_not_changed_after() {
+        let (mut run, app, memory) = start("light");
+        run.choose(0);
+        run.choose(7);
+        assert_eq!((run.chosen(), run.is_told()), (Some(0), false));
+        let shown = run.shown(&app, &memory);
+        assert!(shown.explain.is_empty() && shown.answers.iter().all(|a| a.2.is_empty()));
+        run.tell();
+        run.choose(1);
+        assert_eq!((run.chosen(), run.is_told()), (Some(0), true));
+        let shown = run.shown(&app, &memory);
+        assert!(!shown.explain.is_empty() && shown.answers.iter().all(|a| !a.2.is_empty()));
+    }
+
+    #[test]
+    fn a_task_is_ticked_by_what_a_person_does_and_stays_so() {
+        let (mut run, mut app, memory) = start("waves");
+        run.look(&app, &memory);
+        assert!(!run.is_done() && !run.is_told());
+        let settings = |order| crate::app::Settings {
+            order,
+            ..app.document().settings
+        };
+        let (far, back) = (settings(40), settings(1));
+        app.apply(Command::Edit(far));
+        run.look(&app, &memory);
+        assert!(run.is_done() && run.is_told());
+        app.apply(Command::Edit(back));
+        run.look(&app, &memory);
+        assert!(run.is_done());
+    }
+
+    #[test]
+    fn who_goes_back_finds_the_step_as_it_began() {
+        let (mut run, mut app, mut memory) = start("filters");
+        let before = app.document().clone();
+        app.apply(Command::Undo);
+        memory.page = Page::Glossary;
+        run.set_stage(&mut app, &mut memory);
+        assert!(app.document().is_same_as(&before) && memory.page == Page::Chain);
+        run.go(1, &mut app, &mut memory);
+        assert_eq!(app.document().products.chain.len(), 1);
+        run.go(0, &mut app, &mut memory);
+        assert!(app.document().is_same_as(&before) && run.trouble().is_none());
+    }
+
+    #[test]
+    fn leaving_is_one_step_of_undo_and_only_an_end_that_was_reached_counts_as_finished() {
+        for to_the_end in [false, true] {
+            let first = App::new().document().clone();
+            let (mut run, mut app, mut memory) = start("recover");
+            let last = run.lesson().steps.len() - 1;
+            if to_the_end {
+                run.go(last, &mut app, &mut memory);
+                run.tell();
+            }
+            let taken = app.document().clone();
+            run.leave(&mut app, &mut memory);
+            assert!(app.document().settings == first.settings && app.document().own.is_empty());
+            assert_eq!(app.document().light.key, first.light.key);
+            assert_eq!(memory.page, Page::Spectrum);
+            assert_eq!(memory.lessons_finished.len(), usize::from(to_the_end));
+            app.apply(Command::Undo);
+            assert!(app.document().is_same_as(&taken));
+        }
+    }
+}

@@ -116,6 +116,12 @@ impl Stage {
             .cloned()
             .collect();
         fresh.images = now.images.clone();
+        // The very ones of the library: to set them again is no step.
+        for held in fresh.products.entries_mut() {
+            if let Some(same) = app.entry(&held.key) {
+                *held = same;
+            }
+        }
         fresh.next_own = now.next_own;
         let kept = PageMemory {
             image: memory.image.clone(),
@@ -244,7 +250,7 @@ mod tests {
         let before = app.document().clone();
         let stage = stage(
             json!({"light": "CIE D65", "settings": {"order": 2, "spikes": false},
-            "view": {"residual": true}, "page": "chain", "chain": [{"name": "red", "times": 2}],
+            "view": {"residual": true}, "page": "chain", "chain": [{"name": "colorchecker_ohta/red", "times": 2}],
             "remember": {"products": {"narrow": {"centre_nm": 500.0}}}}),
         );
         stage
