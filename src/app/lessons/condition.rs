@@ -72,7 +72,8 @@ impl Condition {
     /// Its figure as it is now, in words; `None` where it is about none.
     pub fn now(&self, scene: &Scene<'_>) -> Option<String> {
         let told = figure(scene, self.figure.as_ref()?, self.of.as_deref());
-        told.ok().map(|told| told.words)
+        let told = told.ok()?;
+        Some(format!("{} {}", told.title, told.words))
     }
 
     fn is_within(&self, value: f64) -> bool {

@@ -38,6 +38,8 @@ pub struct Scene<'a> {
 /// A figure with its words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
+    /// What it is called.
+    pub title: &'static str,
     /// The value as files have it; `None` where it does not exist.
     pub value: Option<f64>,
     /// The value with its unit and digits, a dash where there is none.
@@ -291,11 +293,12 @@ pub fn is_known(key: &str) -> Result<(), String> {
 pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, String> {
     let app = scene.app;
     if let Some(one) = OF_DOCUMENT.iter().find(|one| one.key == key) {
-        return Ok(told((one.of)(scene), one.unit));
+        return Ok(told(one.meaning, (one.of)(scene), one.unit));
     }
     if let Some(measure) = Measure::ALL.into_iter().find(|m| m.figure().key == key) {
         let value = app.derived().figures[measure];
         return Ok(Told {
+            title: measure.figure().title,
             value,
             words: measure.figure().brief(value),
         });
@@ -315,23 +318,29 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
     let row = rows.iter().find(|row| row.key == key);
     // Absolute figures are counted in the light's own unit.
     let none = Told {
+        title: "",
         value: None,
         words: "–".to_owned(),
     };
     Ok(row.map_or(none, |row| Told {
+        title: row.title,
         value: row.value.clone().ok(),
         words: Row::shown(row),
     }))
 }
 
-fn told(value: Option<f64>, unit: Unit) -> Told {
+fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
     let words = match value {
         None => "–".to_owned(),
         Some(value) if value.fract() == 0.0 && unit == PLAIN => format!("{value}"),
         Some(value) if unit == Unit::DELTA_E => brief(value, unit),
         Some(value) => format!("{}{}", three_digits(value * unit.factor), unit.tail),
     };
-    Told { value, words }
+    Told {
+        title,
+        value,
+        words,
+    }
 }
 
 #[cfg(test)]

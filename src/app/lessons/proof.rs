@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    figures::Scene,
+    figures::{Scene, figure},
     format::{Fault, Lesson, Step},
     names::find,
     run::Run,
@@ -138,7 +138,8 @@ fn unmet(step: &Step, scene: &Scene<'_>) -> String {
         .filter(|condition| !condition.holds(scene))
         .filter_map(|condition| {
             let key = condition.figure.as_ref()?;
-            Some(format!("{key} is {}", condition.now(scene)?))
+            let told = figure(scene, key, condition.of.as_deref()).ok()?;
+            Some(format!("{key} is {}", told.words))
         })
         .collect();
     if unmet.is_empty() {
