@@ -7,7 +7,7 @@ use spectral_explorer::{
     ui::Window,
 };
 
-use crate::window::{Ui, app, assert_written, at_rest, click, no_files};
+use crate::driver::{Ui, app, assert_written, at_rest, click, no_files};
 
 fn at(page: Page) -> Ui {
     let mut preferences = Preferences::default();
