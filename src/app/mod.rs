@@ -19,6 +19,7 @@ pub mod glossary;
 pub mod history;
 pub mod import;
 pub mod known_lamps;
+pub mod lessons;
 pub mod library;
 pub mod licences;
 pub mod line_names;

@@ -2,6 +2,7 @@
 
 mod design;
 mod encoding;
+mod lessons;
 mod optics;
 mod pictures;
 
@@ -21,6 +22,7 @@ use crate::{
 
 pub use design::{Mix, Recover};
 pub use encoding::{Decode, Encode};
+pub use lessons::{LessonAct, Lessons};
 pub use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
 pub use pictures::{Fit, Picture};
 
@@ -86,6 +88,8 @@ pub enum Command {
     Read(Read),
     /// List the shipped spectra.
     List(List),
+    /// List the lessons, check one, or write a sheet for a class.
+    Lessons(Lessons),
     /// Save a picture of the window; needs no display.
     Render(Render),
     /// Save the plot of a spectrum and its model as SVG or PNG.
@@ -299,10 +303,14 @@ pub struct Render {
     /// dark or light.
     #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
     pub theme: Theme,
-    /// The page: look, dark-lines, chain, filter, two-lights, same-surface, why, tradeoff, auction,
-    /// race, resampling, bounces, image, glossary or truth; names of earlier versions are known.
+    /// The page: lessons, teachers, look, dark-lines, chain, filter, two-lights, same-surface, why,
+    /// tradeoff, auction, race, resampling, bounces, image, glossary or truth; names of earlier
+    /// versions are known.
     #[arg(long, value_name = "PAGE", default_value = "look", value_parser = words::page)]
     pub page: Page,
+    /// A lesson that is being taken: its name, or name:step (waves:2).
+    #[arg(long, value_name = "NAME[:STEP]")]
+    pub lesson: Option<String>,
 }
 
 /// Options of `plot`.

@@ -19,6 +19,7 @@ mod factor;
 mod fit;
 mod gem;
 mod inputs;
+mod lessons;
 mod light;
 mod list;
 mod material;
@@ -161,6 +162,7 @@ fn carry_out(
             Command::Fit(options) => fit::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,
             Command::List(options) => list::run(options, out)?,
+            Command::Lessons(options) => lessons::run(&options, out)?,
             Command::Render(options) => render::run(&options, pictures, out, inputs)?,
             Command::Plot(options) => plot::run(&options, pictures, out, inputs)?,
             Command::Convert(options) => convert::run(&options, out, inputs)?,

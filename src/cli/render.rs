@@ -15,9 +15,10 @@ use crate::{
     app::{
         App, Command,
         chart::Theme,
+        lessons::shelf,
         open::Loaded,
         opened::Opened,
-        pages::{Page, PageMemory},
+        pages::{AskedLesson, Page, PageMemory},
         picture::{ImageMemory, reload},
         workspace::Preferences,
     },
@@ -43,6 +44,7 @@ pub fn run(
         size,
         theme,
         page,
+        lesson,
     } = options;
     let pictures = painter(pictures, "render")?;
     let target = Target {
@@ -73,6 +75,7 @@ pub fn run(
         pages: PageMemory {
             page: *page,
             image: memory,
+            lesson_asked: lesson.as_deref().map(asked_lesson).transpose()?,
             ..PageMemory::default()
         },
         ..Preferences::default()
@@ -84,6 +87,25 @@ pub fn run(
         out,
         &format!("Wrote {}, {width} x {height} px.\n", shown(path)),
     )
+}
+
+/// A lesson and its step: `waves:2`.
+fn asked_lesson(words: &str) -> Result<AskedLesson, Refusal> {
+    let (name, step) = words.split_once(':').unwrap_or((words, "1"));
+    let lesson = shelf::shipped().iter().find(|lesson| lesson.name == name);
+    let step = step
+        .parse::<usize>()
+        .ok()
+        .and_then(|step| step.checked_sub(1));
+    match (lesson, step) {
+        (Some(lesson), Some(step)) if step < lesson.steps.len() => Ok(AskedLesson {
+            name: name.to_owned(),
+            step,
+        }),
+        _ => Err(Refusal::Usage(format!(
+            "--lesson: found {words}, expected a name that lessons lists, and a step of it (waves:2)"
+        ))),
+    }
 }
 
 /// The images of a file or a project, for the page that shows them.

@@ -270,6 +270,11 @@ pub fn plot_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["svg", "png", "pdf"]))
 }
 
+/// `--out` of a sheet for a class.
+pub fn sheet_path() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| with_extension(path, &["md", "html"]))
+}
+
 /// A path that ends in one of some ways.
 pub fn with_extension(path: OsString, known: &[&str]) -> Result<PathBuf, String> {
     let path = PathBuf::from(path);

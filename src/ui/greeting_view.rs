@@ -10,8 +10,8 @@ use crate::app::pages::Page;
 const TILES: [(&str, &str, Page); 3] = [
     (
         "Show a class",
-        "Look at a lamp: lines on a glow. Pull the two sliders and watch curve and colours.",
-        Page::Spectrum,
+        "Twelve short lessons on live data: predict, do it, see why. Or take one by yourself.",
+        Page::Lessons,
     ),
     (
         "See what light does",

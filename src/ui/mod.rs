@@ -14,6 +14,7 @@ pub mod greeting_view;
 pub mod import_view;
 pub mod keys;
 pub mod kit;
+pub mod lesson_view;
 pub mod library_view;
 pub mod look_view;
 pub mod makers_view;

@@ -480,3 +480,8 @@ fn the_keys_of_a_list_are_told() {
         &[&["list", "--json"], &["list", "--search", "FL2", "--json"]],
     );
 }
+
+#[test]
+fn the_keys_of_the_lessons_are_told() {
+    holds("lessons --json", &[&["lessons", "--json"]]);
+}

@@ -15,6 +15,7 @@ mod cli;
 mod cli_design;
 mod cli_files;
 mod cli_lamps;
+mod cli_lessons;
 mod cli_light;
 mod cli_names;
 mod cli_optics;

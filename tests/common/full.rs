@@ -267,6 +267,8 @@ pub fn full_preferences() -> Preferences {
                 split: 0.25,
                 pixel: Some([4, 7]),
             },
+            lessons_finished: vec!["prism".to_owned()],
+            lesson_asked: None,
         },
     }
 }

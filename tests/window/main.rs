@@ -16,6 +16,7 @@ mod chart_view;
 mod ends;
 mod image_page;
 mod import;
+mod lessons;
 mod narrow;
 mod pages_paper;
 mod pages_tradeoff;

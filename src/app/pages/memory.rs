@@ -54,6 +54,20 @@ pub struct PageMemory {
     pub dispersion: DispersionMemory,
     /// In few numbers, relit: which picture, how many numbers, which lights.
     pub relit: RelitMemory,
+    /// Lessons: names of those that were gone through.
+    pub lessons_finished: Vec<String>,
+    /// A lesson that is to be begun, once.
+    #[serde(skip)]
+    pub lesson_asked: Option<AskedLesson>,
+}
+
+/// A lesson that is to be begun.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AskedLesson {
+    /// Its name.
+    pub name: String,
+    /// The step that it is to begin with, from 0.
+    pub step: usize,
 }
 
 impl Default for PageMemory {
@@ -78,6 +92,8 @@ impl Default for PageMemory {
             image: ImageMemory::default(),
             dispersion: DispersionMemory::default(),
             relit: RelitMemory::default(),
+            lessons_finished: Vec::new(),
+            lesson_asked: None,
         }
     }
 }

@@ -4,7 +4,9 @@ mod memory;
 
 use serde::{Deserialize, Serialize};
 
-pub use memory::{FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown, WordsMemory};
+pub use memory::{
+    AskedLesson, FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown, WordsMemory,
+};
 
 /// A place of the window: what a person asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,6 +122,10 @@ pub enum Page {
     Gem,
     /// A spectral image in few numbers a pixel, under any light.
     Relit,
+    /// Short walks through the program.
+    Lessons,
+    /// What the lessons teach, and how to write one.
+    Teachers,
     /// Words explained.
     Glossary,
     /// The paper's claims, measured on this spectrum.
@@ -160,6 +166,13 @@ const fn row(
 /// The pages, place by place.
 const ROWS: &[Row] = &[
     row(
+        Page::Lessons,
+        (Place::Learn, Page::Lessons),
+        ("Lessons", "lessons"),
+        &[],
+        "Short walks through the program: predict, do, see why.",
+    ),
+    row(
         Page::Glossary,
         (Place::Learn, Page::Glossary),
         ("Glossary", "glossary"),
@@ -172,6 +185,13 @@ const ROWS: &[Row] = &[
         ("The paper checked", "truth"),
         &[],
         "The paper's claims, measured on this spectrum and range.",
+    ),
+    row(
+        Page::Teachers,
+        (Place::Learn, Page::Teachers),
+        ("For teachers", "teachers"),
+        &[],
+        "What each lesson teaches, what to prepare, handouts, and how to write one.",
     ),
     row(
         Page::Spectrum,

@@ -6,6 +6,7 @@ pub mod gem_view;
 pub mod glossary_view;
 pub mod image_view;
 pub mod known_lamps_view;
+pub mod lessons_view;
 pub mod prism_view;
 pub mod products_view;
 pub mod quality_view;
@@ -87,6 +88,8 @@ pub struct Pages {
     prism: prism_view::PrismView,
     gem: gem_view::GemView,
     relit: relit_view::RelitView,
+    /// The lessons, also those of a person's own files.
+    pub lessons: lessons_view::LessonsView,
     glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
 }
@@ -128,6 +131,8 @@ impl Pages {
             Page::Rainbow => self.prism.rainbow(ui, context),
             Page::Gem => self.gem.show(ui, context),
             Page::Relit => self.relit.show(ui, context),
+            Page::Lessons => self.lessons.list(ui, context),
+            Page::Teachers => self.lessons.teachers(ui, context),
             Page::Glossary => self.glossary.show(ui),
             Page::Truth => self.truth.show(ui, context),
         }

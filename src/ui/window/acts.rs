@@ -35,6 +35,7 @@ impl Window {
         if is_bare && !others && context.input(|i| i.key_pressed(egui::Key::Escape)) {
             self.leave();
         }
+        self.lesson_keys(context);
         for act in keys::pressed(context) {
             self.act(act, context);
         }

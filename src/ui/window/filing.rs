@@ -24,6 +24,10 @@ use crate::{
         charts::spectrum::spectrum_chart,
         dispersion::GemFile,
         export::{self, Export},
+        lessons::{
+            Lesson,
+            handout::{Form, handout},
+        },
         open::{Came, FileRow, Finished, Loaded, OpenBefore, Summary, load_bytes},
         opened::Opened,
         pages::Page,
@@ -45,6 +49,7 @@ pub(super) enum Saving {
     Chart(ChartWish),
     Gem(Box<GemFile>),
     Picture(PictureWish),
+    Handout(Arc<Lesson>),
 }
 
 /// A file dialog that is open on another thread.
@@ -56,6 +61,7 @@ pub(super) struct Waiting {
 impl Window {
     /// Opens files as if they had been chosen in the dialog.
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
+        let paths = self.without_lessons(paths);
         if !paths.is_empty() {
             self.images.tell_needs(&paths, wake.clone());
             self.loader.open(paths, wake);
@@ -350,6 +356,7 @@ impl Window {
             Saving::Chart(wish) => wish.form.extension(),
             Saving::Gem(gem) => gem.extension(),
             Saving::Picture(wish) => wish.form.ending(),
+            Saving::Handout(_) => "html",
         };
         self.ask(
             Ask::Save {
@@ -384,6 +391,7 @@ impl Window {
             Saving::Chart(wish) => wish.file_name(),
             Saving::Gem(gem) => gem.file_name(),
             Saving::Picture(wish) => wish.file_name(),
+            Saving::Handout(lesson) => format!("{}.html", lesson.name),
         }
     }
 
@@ -438,12 +446,15 @@ impl Window {
                     let _ = said.send(message);
                     return wake();
                 }
+                Saving::Handout(lesson) => handout(lesson, Form::Html, &lesson.name)
+                    .map(|sheet| sheet.text.into_bytes())
+                    .map_err(|why| why.to_string()),
             };
             let written =
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
             let message = match (written, saving) {
-                // The axes of a chart name their own units, a picture has none.
-                (Ok(()), Saving::Chart(_) | Saving::Gem(_)) => {
+                // The axes of a chart name their own units, the others have none.
+                (Ok(()), Saving::Chart(_) | Saving::Gem(_) | Saving::Handout(_)) => {
                     (Tone::Info, format!("Saved {}.", path.display()))
                 }
                 (Ok(()), saving) => {

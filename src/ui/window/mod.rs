@@ -5,6 +5,7 @@ mod column;
 mod filing;
 mod images;
 mod importing;
+mod lesson;
 mod panels;
 mod status;
 
@@ -18,6 +19,7 @@ use super::{
     dialogs::Dialog,
     files::{Picked, Picker},
     import_view::ImportView,
+    lesson_view::LessonView,
     library_view::LibraryView,
     look_view::LookView,
     makers_view::MakersView,
@@ -31,6 +33,7 @@ use super::{
 };
 use crate::app::{
     App, Command, chart,
+    lessons::Run,
     open::Loader,
     picture::reload::ReloadJob,
     state::Tone,
@@ -38,7 +41,6 @@ use crate::app::{
     workspace::{Preferences, Restored, StoredImage},
 };
 use filing::{Saving, Waiting};
-use panels::Shape;
 
 /// Both ends of a queue that other threads write to.
 type Channel<T> = (Sender<T>, Receiver<T>);
@@ -100,6 +102,10 @@ pub struct Window {
     /// How a file was read, while it is looked at.
     import: ImportView,
     makers: MakersView,
+    /// The lesson that is being taken, and when it shows the next thing.
+    lesson: Option<Run>,
+    lesson_view: LessonView,
+    shows_next_at: f64,
 }
 
 impl Window {
@@ -142,6 +148,9 @@ impl Window {
             pages: Pages::default(),
             import: ImportView::default(),
             makers: MakersView::default(),
+            lesson: None,
+            lesson_view: LessonView::default(),
+            shows_next_at: 0.0,
         }
     }
 
@@ -178,15 +187,17 @@ impl Window {
         let theme = Theme::of(&self.preferences);
         self.menu_open = egui::Popup::is_any_open(&context);
         self.take_in(ui);
+        self.lesson_goes_on(&context);
         self.keys(&context);
 
-        let shape = Shape::of(ui, &self.preferences, theme, self.plot_alone);
+        let shape = self.shape(ui, theme);
         let mut centre = ui.available_rect_before_wrap();
         if !shape.bare {
             self.bar(ui, shape, &context);
             self.foot(ui, shape, theme);
             self.rail(ui, shape, theme);
         }
+        self.lesson_panel(ui, theme);
         self.drawer(ui, shape, theme);
         self.side_panel(ui, shape, theme);
         self.studies.take_in();

@@ -56,9 +56,15 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    pub fn of(ui: &Ui, preferences: &Preferences, theme: Theme, alone: bool) -> Self {
+    /// `alone`: the plot alone is wanted; `taken`: the width that a lesson takes.
+    pub fn of(
+        ui: &Ui,
+        preferences: &Preferences,
+        theme: Theme,
+        (alone, taken): (bool, f32),
+    ) -> Self {
         let size = ui.available_size();
-        let width = size.x / theme.scale.min(1.0);
+        let width = (size.x - taken) / theme.scale.min(1.0);
         let on_look = preferences.pages.page == Page::Spectrum;
         let present = preferences.presents();
         Self {
@@ -323,6 +329,9 @@ impl Window {
         }
         if let Some(wish) = self.pages.wants_save() {
             self.save(Saving::Picture(wish), &context);
+        }
+        if let Some(lesson) = self.pages.lessons.wants_handout.take() {
+            self.save(Saving::Handout(lesson), &context);
         }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.

@@ -1,0 +1,129 @@
+//! When a task is done: figures within bounds, or what is shown.
+
+use serde::Deserialize;
+
+use super::{
+    figures::{Scene, figure, is_known},
+    names::{entry, find},
+};
+use crate::app::pages::Page;
+
+/// One thing that must hold. Exactly one of `figure`, `light`, `surface`, `overlay`, `chain`
+/// and `page` says what it is about.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Condition {
+    /// A figure, by its key.
+    pub figure: Option<String>,
+    /// What the figure is of: `model`, or a light; without it what is shown.
+    pub of: Option<String>,
+    /// More than this.
+    pub above: Option<f64>,
+    /// Less than this.
+    pub below: Option<f64>,
+    /// Exactly this.
+    pub equals: Option<f64>,
+    /// From the first to the second, both allowed.
+    pub between: Option<[f64; 2]>,
+    /// This light is shown.
+    pub light: Option<String>,
+    /// This surface or filter is shown.
+    pub surface: Option<String>,
+    /// This spectrum is laid over it.
+    pub overlay: Option<String>,
+    /// The light meets these, in this order.
+    pub chain: Option<Vec<String>>,
+    /// This page is shown.
+    pub page: Option<String>,
+}
+
+impl Condition {
+    /// Whether it holds.
+    pub fn holds(&self, scene: &Scene<'_>) -> bool {
+        let document = scene.app.document();
+        let is = |shown: &crate::app::Entry, name: &str| {
+            entry(scene.app, name).is_ok_and(|wanted| wanted.key == shown.key)
+        };
+        if let Some(key) = &self.figure {
+            let told = figure(scene, key, self.of.as_deref());
+            return told
+                .ok()
+                .and_then(|told| told.value)
+                .is_some_and(|v| self.is_within(v));
+        }
+        if let Some(name) = &self.light {
+            return is(&document.light, name);
+        }
+        if let Some(name) = &self.surface {
+            return !document.is_about_light() && is(document.subject_entry(), name);
+        }
+        if let Some(name) = &self.overlay {
+            return document.overlays.iter().any(|overlay| is(overlay, name));
+        }
+        if let Some(names) = &self.chain {
+            let chain = &document.products.chain;
+            let mut pairs = chain.iter().zip(names);
+            return chain.len() == names.len() && pairs.all(|(link, name)| is(&link.entry, name));
+        }
+        let page = self.page.as_deref().and_then(Page::of_word);
+        page == Some(scene.memory.page)
+    }
+
+    /// Its figure as it is now, in words; `None` where it is about none.
+    pub fn now(&self, scene: &Scene<'_>) -> Option<String> {
+        let told = figure(scene, self.figure.as_ref()?, self.of.as_deref());
+        let told = told.ok()?;
+        Some(format!("{} {}", told.title, told.words))
+    }
+
+    fn is_within(&self, value: f64) -> bool {
+        self.above.is_none_or(|least| value > least)
+            && self.below.is_none_or(|most| value < most)
+            && self.equals.is_none_or(|wanted| value == wanted)
+            && self
+                .between
+                .is_none_or(|[least, most]| (least..=most).contains(&value))
+    }
+
+    /// What is wrong with it; `made` are the names of spectra that the lesson makes.
+    ///
+    /// # Errors
+    /// What was found and what was expected.
+    pub fn fault(&self, made: &[&str]) -> Result<(), String> {
+        let names = [&self.light, &self.surface, &self.overlay];
+        let count = names.into_iter().flatten().count()
+            + usize::from(self.figure.is_some())
+            + usize::from(self.chain.is_some())
+            + usize::from(self.page.is_some());
+        if count != 1 {
+            return Err(format!(
+                "found {count} of figure, light, surface, overlay, chain and page in until, expected one"
+            ));
+        }
+        let has_bounds = self.above.is_some()
+            || self.below.is_some()
+            || self.equals.is_some()
+            || self.between.is_some();
+        if has_bounds != self.figure.is_some() {
+            return Err(
+                "found until without bounds of its figure, expected above, below, equals \
+                        or between beside a figure alone"
+                    .to_owned(),
+            );
+        }
+        if let Some(key) = &self.figure {
+            is_known(key)?;
+            if let Some(of) = self.of.as_ref().filter(|of| *of != "model") {
+                find(of, made)?;
+            }
+        }
+        let chain = self.chain.iter().flatten();
+        for name in names.into_iter().flatten().chain(chain) {
+            find(name, made)?;
+        }
+        match self.page.as_deref().map(|word| (word, Page::of_word(word))) {
+            Some((word, None)) => Err(format!("found the page {word}, expected a page's word")),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,399 @@
+//! Every figure that a lesson may name, by its key: the figures of models and of light quality,
+//! and a few of the document.
+
+use crate::{
+    app::{
+        App, Document,
+        answers::not_seen_from,
+        charts::products::narrow::{Behind, Filter},
+        document::first_light,
+        entry::bundled_entries,
+        figures::{Unit, brief, three_digits},
+        pages::PageMemory,
+        products::ModelledLight,
+        quality::QualityShown,
+        quality_report::{Row, light_of, rows},
+    },
+    color::{
+        Observer, Xyz,
+        ciede2000::delta_e_of_xyz,
+        quality::Figures,
+        xyz::{xyz_from_light, xyz_from_reflectance},
+    },
+    spectrum::Kind,
+    study::Measure,
+};
+
+use super::names::entry;
+
+/// What figures are taken of: the program's state and what its pages remember.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a> {
+    /// The program.
+    pub app: &'a App,
+    /// What the pages remember.
+    pub memory: &'a PageMemory,
+}
+
+/// A figure with its words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Told {
+    /// What it is called.
+    pub title: &'static str,
+    /// The value as files have it; `None` where it does not exist.
+    pub value: Option<f64>,
+    /// The value with its unit and digits, a dash where there is none.
+    pub words: String,
+}
+
+/// A figure of the document.
+struct OfDocument {
+    key: &'static str,
+    meaning: &'static str,
+    unit: Unit,
+    of: fn(&Scene<'_>) -> Option<f64>,
+}
+
+const fn row(
+    key: &'static str,
+    meaning: &'static str,
+    unit: Unit,
+    of: fn(&Scene<'_>) -> Option<f64>,
+) -> OfDocument {
+    OfDocument {
+        key,
+        meaning,
+        unit,
+        of,
+    }
+}
+
+/// A count.
+const PLAIN: Unit = Unit {
+    sign: "",
+    tail: "",
+    factor: 1.0,
+};
+
+/// The figures that only a document has.
+const OF_DOCUMENT: [OfDocument; 17] = [
+    row("order", "order N of the smooth part", PLAIN, |s| {
+        Some(s.app.document().settings.effective_order() as f64)
+    }),
+    row("numbers", "numbers that the model takes", PLAIN, |s| {
+        Some(s.app.derived().numbers() as f64)
+    }),
+    row("points", "points of the table, 1 nm apart", PLAIN, |s| {
+        Some(s.app.derived().band.points() as f64)
+    }),
+    row(
+        "spike_count",
+        "bright lines that the model keeps",
+        PLAIN,
+        |s| Some(spikes(s.app, 1.0)),
+    ),
+    row("dip_count", "dark lines that the model keeps", PLAIN, |s| {
+        Some(spikes(s.app, -1.0))
+    }),
+    row(
+        "spike_share",
+        "the lines' share of the power",
+        Unit::PERCENT,
+        |s| {
+            let derived = s.app.derived();
+            let shares = derived.model.spikes.iter();
+            Some(
+                shares
+                    .filter_map(|spike| derived.parts.share(spike.weight))
+                    .sum(),
+            )
+        },
+    ),
+    row(
+        "threshold_percent",
+        "least share of a line, per cent",
+        PLAIN,
+        |s| Some(s.app.document().settings.threshold_percent),
+    ),
+    row(
+        "order_unseen",
+        "least order from which on nobody sees a difference",
+        PLAIN,
+        |s| not_seen_from(s.app).map(|order| order as f64),
+    ),
+    row("overlay_count", "spectra laid over it", PLAIN, |s| {
+        Some(s.app.document().overlays.len() as f64)
+    }),
+    row(
+        "delta_e_overlay",
+        "colour difference to the first spectrum laid over it",
+        Unit::DELTA_E,
+        |s| beside_overlay(s.app.document()),
+    ),
+    row("chain_count", "things that the light meets", PLAIN, |s| {
+        Some(s.app.document().products.chain.len() as f64)
+    }),
+    row(
+        "chain_thickness",
+        "thickness of the first of them",
+        PLAIN,
+        |s| Some(s.app.document().products.chain.first()?.thickness),
+    ),
+    row(
+        "chain_luminance",
+        "share of the luminance that the chain leaves",
+        Unit::PERCENT,
+        |s| chain_luminance(s.app),
+    ),
+    row(
+        "chain_delta_e",
+        "colour difference of the model behind the chain",
+        Unit::DELTA_E,
+        |s| chain_delta_e(s.app),
+    ),
+    row(
+        "filter_delta_e_model",
+        "error of the model behind the narrow filter",
+        Unit::DELTA_E,
+        |s| behind_filter(s, 0),
+    ),
+    row(
+        "filter_delta_e_series",
+        "error of the series alone behind it",
+        Unit::DELTA_E,
+        |s| behind_filter(s, 1),
+    ),
+    row(
+        "filter_delta_e_samples",
+        "error of plain samples behind it",
+        Unit::DELTA_E,
+        |s| behind_filter(s, 2),
+    ),
+];
+
+fn spikes(app: &App, sign: f64) -> f64 {
+    let spikes = app.derived().model.spikes.iter();
+    spikes.filter(|spike| sign * spike.weight > 0.0).count() as f64
+}
+
+/// Lights equally bright, or surfaces under the light.
+fn beside_overlay(document: &Document) -> Option<f64> {
+    let overlay = document.overlays.first()?;
+    let own = match overlay.kind() {
+        Kind::Light => &document.light,
+        _ => document.factor.as_ref()?,
+    };
+    let observer = document.settings.observer;
+    let light = &document.light.spectrum.samples;
+    let seen = |entry: &crate::app::Entry| -> Option<Xyz> {
+        let samples = &entry.spectrum.samples;
+        match entry.kind() {
+            Kind::Light => xyz_from_light(samples, Kind::Light.outside(), observer),
+            kind if kind.is_factor() => xyz_from_reflectance(samples, light, observer),
+            _ => None,
+        }
+    };
+    let white = xyz_from_light(light, Kind::Light.outside(), observer)?;
+    delta_e_of_xyz(seen(own)?, seen(overlay)?, white)
+}
+
+fn chain_luminance(app: &App) -> Option<f64> {
+    let document = app.document();
+    let band = document.settings.band;
+    let light = document.light.on_band(band);
+    let bright = &Observer::Cie1931.table().on_band(band)[1];
+    let mut behind = light.clone();
+    for link in &document.products.chain {
+        let shares = link.on_band(band);
+        behind
+            .iter_mut()
+            .zip(shares)
+            .for_each(|(v, share)| *v *= share);
+    }
+    let whole = band.inner(&light, bright);
+    (whole > 0.0).then(|| band.inner(&behind, bright) / whole)
+}
+
+fn chain_delta_e(app: &App) -> Option<f64> {
+    let document = app.document();
+    let lit = ModelledLight::of(app);
+    let band = lit.band();
+    let mut exact = lit.derived.measured.clone();
+    let mut model = lit.derived.model_values();
+    for link in &document.products.chain {
+        for (i, share) in link.on_band(band).into_iter().enumerate() {
+            exact[i] *= share;
+            model[i] *= share;
+        }
+    }
+    let seen = |values: &[f64]| {
+        let weights = &lit.tables.viewing.weights;
+        Xyz::from_array(weights.each_ref().map(|w| band.inner(values, w)))
+    };
+    delta_e_of_xyz(seen(&exact), seen(&model), seen(&lit.derived.measured))
+}
+
+fn behind_filter(scene: &Scene<'_>, way: usize) -> Option<f64> {
+    let narrow = &scene.memory.products.narrow;
+    let behind = Behind::of(scene.app);
+    let filter = Filter::Gaussian {
+        centre_nm: narrow
+            .centre_nm
+            .clamp(behind.band.min_nm(), behind.band.max_nm()),
+        width_nm: narrow.width_nm,
+    };
+    behind.figures(&filter).ways[way].delta_e_2000
+}
+
+/// The keys of light quality.
+fn quality_keys() -> Vec<&'static str> {
+    let light = first_light(&bundled_entries());
+    let (light, measured) = light_of(&light.spectrum);
+    let rows = rows(&Figures::of(&light, measured));
+    rows.iter().map(|row| row.key).collect()
+}
+
+/// Every key, with what it counts where that is not told elsewhere.
+pub fn keys() -> Vec<(&'static str, String)> {
+    let mut keys: Vec<(&'static str, String)> = Vec::new();
+    keys.extend(
+        OF_DOCUMENT
+            .iter()
+            .map(|one| (one.key, one.meaning.to_owned())),
+    );
+    keys.extend(Measure::ALL.map(|m| (m.figure().key, m.figure().title.to_owned())));
+    keys.extend(
+        quality_keys()
+            .into_iter()
+            .map(|key| (key, "of light quality".to_owned())),
+    );
+    keys
+}
+
+/// Whether a key is one of a figure.
+///
+/// # Errors
+/// What was found and what was expected.
+pub fn is_known(key: &str) -> Result<(), String> {
+    static KEYS: std::sync::LazyLock<Vec<&'static str>> =
+        std::sync::LazyLock::new(|| keys().into_iter().map(|(key, _)| key).collect());
+    if KEYS.contains(&key) {
+        return Ok(());
+    }
+    Err(format!(
+        "found the figure {key}, expected one of {}",
+        KEYS.join(", ")
+    ))
+}
+
+/// A figure of what is shown, of its `model`, or of a light by its name.
+///
+/// # Errors
+/// What was found and what was expected: an unknown key or light.
+pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, String> {
+    let app = scene.app;
+    if let Some(one) = OF_DOCUMENT.iter().find(|one| one.key == key) {
+        return Ok(told(one.meaning, (one.of)(scene), one.unit));
+    }
+    if let Some(measure) = Measure::ALL.into_iter().find(|m| m.figure().key == key) {
+        let value = app.derived().figures[measure];
+        return Ok(Told {
+            title: measure.figure().title,
+            value,
+            words: measure.figure().brief(value),
+        });
+    }
+    is_known(key)?;
+    let rows = match of {
+        Some("model") => rows(&QualityShown::of(app).sheet.model),
+        of => {
+            let light = match of {
+                Some(name) => entry(app, name)?,
+                None => app.document().light.clone(),
+            };
+            let (light, measured) = light_of(&light.spectrum);
+            rows(&Figures::of(&light, measured))
+        }
+    };
+    let row = rows.iter().find(|row| row.key == key);
+    // Absolute figures are counted in the light's own unit.
+    let none = Told {
+        title: "",
+        value: None,
+        words: "–".to_owned(),
+    };
+    Ok(row.map_or(none, |row| Told {
+        title: row.title,
+        value: row.value.clone().ok(),
+        words: Row::shown(row),
+    }))
+}
+
+fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
+    let words = match value {
+        None => "–".to_owned(),
+        Some(value) if value.fract() == 0.0 && unit == PLAIN => format!("{value}"),
+        Some(value) if unit == Unit::DELTA_E => brief(value, unit),
+        Some(value) => format!("{}{}", three_digits(value * unit.factor), unit.tail),
+    };
+    Told {
+        title,
+        value,
+        words,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::Command;
+
+    #[test]
+    fn every_key_is_there_once_and_is_a_number_on_the_first_light() {
+        let (app, memory) = (App::new(), PageMemory::default());
+        let scene = Scene {
+            app: &app,
+            memory: &memory,
+        };
+        let keys = keys();
+        let mut sorted: Vec<&str> = keys.iter().map(|(key, _)| *key).collect();
+        sorted.sort_unstable();
+        sorted.dedup();
+        assert_eq!(sorted.len(), keys.len());
+        let without = [
+            "delta_e_overlay",
+            "delta_e_filters",
+            "tlci",
+            "lux",
+            "melanopic_edi",
+            "ppfd",
+        ];
+        for (key, _) in keys {
+            let told = figure(&scene, key, None).expect("known");
+            let is_there = told.value.is_some_and(f64::is_finite);
+            assert_eq!(is_there, !without.contains(&key), "{key}");
+        }
+        assert!(figure(&scene, "colour", None).is_err());
+        assert!(figure(&scene, "ra", Some("no such light")).is_err());
+    }
+
+    #[test]
+    fn a_spectrum_laid_over_itself_has_its_colour_and_another_light_has_not() {
+        let mut app = App::new();
+        let memory = PageMemory::default();
+        let value = |app: &App, key: &str, of: Option<&str>| {
+            let scene = Scene {
+                app,
+                memory: &memory,
+            };
+            figure(&scene, key, of).expect("known").value
+        };
+        let light = app.document().light.clone();
+        app.apply(Command::ToggleOverlay(light.clone()));
+        assert!(value(&app, "delta_e_overlay", None).is_some_and(|e| e < 1e-9));
+        app.apply(Command::Show(entry(&app, "CIE A").expect("shipped")));
+        assert!(value(&app, "delta_e_overlay", None).is_some_and(|e| e > 10.0));
+        let ra = value(&app, "ra", Some("FL2")).expect("a white");
+        assert!(value(&app, "ra", None).is_some_and(|of_a| of_a > ra + 20.0));
+    }
+}

@@ -1,0 +1,330 @@
+//! The file of a lesson, and how it is read.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::{condition::Condition, parsed::parsed, stage::Stage};
+
+/// The word that marks a file of a lesson.
+pub const FORMAT: &str = "spectral-explorer-lesson";
+/// The version read.
+pub const VERSION: u64 = 1;
+
+/// Whom a lesson is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Audience {
+    /// From about fourteen years on.
+    School,
+    /// Students of physics, engineering or vision.
+    University,
+    /// Who plans or builds lighting.
+    Lighting,
+    /// Who renders pictures.
+    Graphics,
+}
+
+impl Audience {
+    /// In words.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::School => "school",
+            Self::University => "university",
+            Self::Lighting => "lighting",
+            Self::Graphics => "graphics",
+        }
+    }
+}
+
+/// A lesson without its steps, as a file has it.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Head {
+    title: String,
+    sentence: String,
+    minutes: u32,
+    audience: Vec<Audience>,
+    language: String,
+    teaches: String,
+    remember: String,
+    next: String,
+    notes_for_teachers: String,
+    #[serde(default)]
+    also: Vec<String>,
+    #[serde(default)]
+    sources: Vec<String>,
+}
+
+/// A lesson.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lesson {
+    /// Its name: that of its file without the ending.
+    pub name: String,
+    /// Over it.
+    pub title: String,
+    /// What it is about, a sentence.
+    pub sentence: String,
+    /// How long it takes.
+    pub minutes: u32,
+    /// Whom it is for.
+    pub audience: Vec<Audience>,
+    /// Its language, a code such as `en`.
+    pub language: String,
+    /// What one can do or say afterwards.
+    pub teaches: String,
+    /// The one sentence worth remembering.
+    pub remember: String,
+    /// What to try next.
+    pub next: String,
+    /// What a teacher prepares, and watches for.
+    pub notes_for_teachers: String,
+    /// Other lights that its first one may be exchanged for.
+    pub also: Vec<String>,
+    /// Where its claims come from.
+    pub sources: Vec<String>,
+    /// The walk.
+    pub steps: Vec<Step>,
+}
+
+/// A step of a lesson.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Step {
+    /// What is said, at most 60 words.
+    pub say: String,
+    /// What is set before.
+    #[serde(default)]
+    pub stage: Option<Stage>,
+    /// What is asked.
+    #[serde(default)]
+    pub ask: Option<Ask>,
+    /// What is to be done.
+    #[serde(default)]
+    pub task: Option<Task>,
+    /// What is said once it was answered or done.
+    #[serde(default)]
+    pub explain: String,
+}
+
+/// A question that wants a prediction.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ask {
+    /// What is asked.
+    pub question: String,
+    /// Two to four answers.
+    pub answers: Vec<Answer>,
+    /// No answer is right: it is about what one thinks.
+    #[serde(default)]
+    pub open: bool,
+}
+
+/// One answer.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Answer {
+    /// Its words.
+    pub text: String,
+    /// Whether it is right.
+    #[serde(default)]
+    pub right: bool,
+    /// Why it is, or is not.
+    pub because: String,
+}
+
+/// Something to do.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Task {
+    /// What.
+    pub words: String,
+    /// It is done when all of these hold.
+    pub until: Vec<Condition>,
+    /// How the program does it, one change after the other.
+    pub show: Vec<Stage>,
+}
+
+/// Why a lesson is refused.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// The lesson's file or name.
+    pub file: String,
+    /// The step, from 1; `None` for the lesson as a whole.
+    pub step: Option<usize>,
+    /// What was found and what was expected.
+    pub what: String,
+}
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { file, step, what } = self;
+        match step {
+            Some(step) => write!(f, "{file}: step {step}: {what}"),
+            None => write!(f, "{file}: {what}"),
+        }
+    }
+}
+
+impl Lesson {
+    /// Reads a lesson; `file` is what it is called in refusals, its name without the ending.
+    ///
+    /// # Errors
+    /// [`Fault`]: file, step, what was found and what was expected.
+    pub fn read(file: &str, text: &str) -> Result<Self, Fault> {
+        let fault = |step: Option<usize>, what: String| Fault {
+            file: file.to_owned(),
+            step,
+            what,
+        };
+        let text = text.trim_start_matches('\u{feff}');
+        let value: Value = serde_json::from_str(text)
+            .map_err(|why| fault(None, format!("found no JSON ({why}), expected a lesson")))?;
+        let Value::Object(mut object) = value else {
+            let what = format!("found {}, expected an object", short(&value));
+            return Err(fault(None, what));
+        };
+        marks(&mut object).map_err(|what| fault(None, what))?;
+        let steps = match object.remove("steps") {
+            Some(Value::Array(steps)) if !steps.is_empty() => steps,
+            Some(other) => {
+                let what = format!("found steps {}, expected a list of steps", short(&other));
+                return Err(fault(None, what));
+            }
+            None => return Err(fault(None, "found no steps, expected a list".to_owned())),
+        };
+        let head: Head = parsed(Value::Object(object)).map_err(|what| fault(None, what))?;
+        let steps = steps.into_iter().enumerate();
+        let steps = steps
+            .map(|(index, step)| parsed::<Step>(step).map_err(|what| fault(Some(index + 1), what)));
+        let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+        Ok(Self {
+            name: name.strip_suffix(".json").unwrap_or(name).to_owned(),
+            title: head.title,
+            sentence: head.sentence,
+            minutes: head.minutes,
+            audience: head.audience,
+            language: head.language,
+            teaches: head.teaches,
+            remember: head.remember,
+            next: head.next,
+            notes_for_teachers: head.notes_for_teachers,
+            also: head.also,
+            sources: head.sources,
+            steps: steps.collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Whether a text claims to be a lesson.
+    pub fn is_one(text: &str) -> bool {
+        text.contains(&format!("\"{FORMAT}\""))
+    }
+
+    /// Whom it is for, in words.
+    pub fn audience_words(&self) -> String {
+        let words: Vec<&str> = self.audience.iter().map(|a| a.word()).collect();
+        words.join(", ")
+    }
+
+    /// The same with its first light exchanged for another one, wherever it stands.
+    #[must_use]
+    pub fn about(&self, other: &str) -> Self {
+        let mut lesson = self.clone();
+        let first = self
+            .steps
+            .iter()
+            .find_map(|s| s.stage.as_ref()?.light.clone());
+        let Some(first) = first else { return lesson };
+        lesson.name = format!("{} with {other}", self.name);
+        for step in &mut lesson.steps {
+            let show = step.task.iter_mut().flat_map(|task| &mut task.show);
+            for stage in step.stage.iter_mut().chain(show) {
+                if stage.light.as_ref() == Some(&first) {
+                    stage.light = Some(other.to_owned());
+                }
+            }
+        }
+        lesson
+    }
+}
+
+/// Takes the marks of the format out of a file.
+fn marks(object: &mut Map<String, Value>) -> Result<(), String> {
+    match object.remove("format") {
+        Some(Value::String(word)) if word == FORMAT => {}
+        Some(other) => {
+            return Err(format!(
+                "found format {}, expected \"{FORMAT}\"",
+                short(&other)
+            ));
+        }
+        None => return Err(format!("found no format, expected \"{FORMAT}\"")),
+    }
+    match object.remove("version") {
+        Some(version) if version.as_u64() == Some(VERSION) => Ok(()),
+        Some(other) => Err(format!(
+            "found version {}, expected {VERSION}",
+            short(&other)
+        )),
+        None => Err(format!("found no version, expected {VERSION}")),
+    }
+}
+
+/// A value as a refusal quotes it.
+fn short(value: &Value) -> String {
+    const MOST: usize = 40;
+    let words = value.to_string();
+    if words.chars().count() <= MOST {
+        return words;
+    }
+    let start: String = words.chars().take(MOST).collect();
+    format!("{start}...")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SMALL: &str = r#"{"format":"spectral-explorer-lesson","version":1,"title":"T",
+        "sentence":"S.","minutes":5,"audience":["school"],"language":"en","teaches":"A.",
+        "remember":"R.","next":"N.","notes_for_teachers":"P.",
+        "steps":[{"say":"One."},{"say":"Two."}]}"#;
+
+    fn refusal(from: &str, to: &str) -> String {
+        assert!(SMALL.contains(from), "{from}");
+        let text = SMALL.replace(from, to);
+        Lesson::read("a.json", &text)
+            .expect_err("not a lesson")
+            .to_string()
+    }
+
+    #[test]
+    fn a_small_file_is_read_and_takes_its_name_from_its_path() {
+        let lesson = Lesson::read("lessons/my first.json", SMALL).expect("a lesson");
+        assert_eq!((lesson.name.as_str(), lesson.steps.len()), ("my first", 2));
+        assert!(Lesson::is_one(SMALL) && !Lesson::is_one("{}"));
+    }
+
+    #[test]
+    fn a_refusal_says_file_step_what_was_found_and_what_was_expected() {
+        let words = refusal(r#"{"say":"Two."}"#, r#"{"sya":"Two."}"#);
+        assert!(
+            words.starts_with("a.json: step 2: found the field `sya`, expected"),
+            "{words}"
+        );
+        let words = refusal(r#"{"say":"Two."}"#, r#"{"say":2}"#);
+        assert_eq!(
+            words,
+            "a.json: step 2: found integer `2`, expected a string"
+        );
+        let words = refusal(r#""version":1"#, r#""version":7"#);
+        assert_eq!(words, "a.json: found version 7, expected 1");
+        let words = refusal(r#""title":"T","#, "");
+        assert_eq!(words, "a.json: found no `title`, expected it");
+        let words = refusal(r#"["school"]"#, r#"["scool"]"#);
+        assert!(
+            words.contains("found the word `scool`, expected one of"),
+            "{words}"
+        );
+        assert!(refusal("\"steps\":[", "\"steps\":[}").contains("found no JSON"));
+    }
+}

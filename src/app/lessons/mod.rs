@@ -1,0 +1,32 @@
+//! Lessons: short walks through the program on live data, read from files that anybody can write.
+//!
+//! ```text
+//! format    the file: what a lesson and its steps are made of, read with refusals of one line
+//! stage     what a step sets: light, surfaces, settings, view, page
+//! making    spectra that a stage makes: mixtures, recovered surfaces, metamers
+//! figures   every figure that a lesson may name, by its key
+//! names     spectra by their names
+//! parsed    parts of a file, or what is wrong with them
+//! words     sentences with figures in them
+//! condition when a task is done
+//! run       a lesson that is being taken: its step, predictions, tasks
+//! proof     a lesson checked and played through without a window
+//! handout   a sheet for a class
+//! shelf     the shipped ones, and a person's own files
+//! ```
+
+pub mod condition;
+pub mod figures;
+pub mod format;
+pub mod handout;
+mod making;
+mod names;
+mod parsed;
+pub mod proof;
+pub mod run;
+pub mod shelf;
+pub mod stage;
+pub mod words;
+
+pub use format::{Lesson, Step};
+pub use run::Run;

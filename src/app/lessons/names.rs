@@ -1,0 +1,38 @@
+//! Spectra by the names that a lesson calls them.
+
+use std::sync::Arc;
+
+use crate::app::{App, Entry, library::Library};
+
+/// The spectrum of a name: one of the person's own first, then of the library.
+///
+/// # Errors
+/// What was found and what was expected.
+pub fn entry(app: &App, name: &str) -> Result<Arc<Entry>, String> {
+    let own = app.document().own.iter().rev();
+    if let Some(own) = own.into_iter().find(|own| own.name() == name) {
+        return Ok(own.clone());
+    }
+    let preset = Library::bundled().find_or_make(name);
+    let preset = preset.map_err(|why| format!("found {why}"))?;
+    if let Some(shipped) = app.bundled().iter().find(|e| e.key == preset.id()) {
+        return Ok(shipped.clone());
+    }
+    let made = Entry::of_preset(&preset).map(Arc::new);
+    made.ok_or_else(|| format!("found a list of lines, {name}, expected a spectrum"))
+}
+
+/// Whether a name is in the library or among those that a lesson makes.
+///
+/// # Errors
+/// What was found and what was expected.
+pub fn find(name: &str, made: &[&str]) -> Result<(), String> {
+    if made.contains(&name) || Library::bundled().knows(name) {
+        return Ok(());
+    }
+    let why = Library::bundled().find(name).err();
+    Err(why.map_or_else(
+        || format!("found {name}, expected a spectrum of the library"),
+        |why| format!("found {why}"),
+    ))
+}

@@ -1,0 +1,314 @@
+//! A lesson checked and played through without a window.
+
+use std::sync::Arc;
+
+use super::{
+    figures::{Scene, figure},
+    format::{Fault, Lesson, Step},
+    names::find,
+    run::Run,
+    words::{self, filled},
+};
+use crate::app::{
+    App,
+    pages::{Page, PageMemory},
+};
+
+/// Most words that a step says.
+pub const MOST_WORDS: usize = 60;
+
+/// A step as it was played: its words with their figures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Played<T> {
+    /// The page that it is on.
+    pub page: Page,
+    /// What is said.
+    pub say: String,
+    /// The question and its answers, each with why.
+    pub ask: Option<(String, Vec<PlayedAnswer>)>,
+    /// The task.
+    pub task: Option<String>,
+    /// What is said at the end of the step.
+    pub explain: String,
+    /// What was seen at the start of the step.
+    pub seen: T,
+}
+
+/// An answer as it was played.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlayedAnswer {
+    /// Its words.
+    pub text: String,
+    /// Whether it is right.
+    pub right: bool,
+    /// Why.
+    pub because: String,
+}
+
+/// Checks a lesson and plays it through; `see` looks at the state at the start of each step.
+///
+/// # Errors
+/// [`Fault`]: the step, what was found and what was expected.
+pub fn play<T>(
+    lesson: &Lesson,
+    mut see: impl FnMut(&App, &PageMemory) -> T,
+) -> Result<Vec<Played<T>>, Fault> {
+    let fault = |step: Option<usize>, what: String| Fault {
+        file: lesson.name.clone(),
+        step: step.map(|index| index + 1),
+        what,
+    };
+    of_lesson(lesson).map_err(|what| fault(None, what))?;
+    let made = names_made(lesson);
+    for (index, step) in lesson.steps.iter().enumerate() {
+        of_step(step, &made).map_err(|what| fault(Some(index), what))?;
+    }
+    let (mut app, mut memory) = (App::new(), PageMemory::default());
+    let mut run = Run::start(Arc::new(lesson.clone()), &mut app, &mut memory);
+    let mut played = Vec::new();
+    for (index, step) in lesson.steps.iter().enumerate() {
+        if index > 0 {
+            run.go(index, &mut app, &mut memory);
+        }
+        let one = play_step(step, &mut run, (&mut app, &mut memory), &mut see);
+        played.push(one.map_err(|what| fault(Some(index), what))?);
+    }
+    Ok(played)
+}
+
+fn play_step<T>(
+    step: &Step,
+    run: &mut Run,
+    (app, memory): (&mut App, &mut PageMemory),
+    see: &mut impl FnMut(&App, &PageMemory) -> T,
+) -> Result<Played<T>, String> {
+    let trouble = |run: &Run| run.trouble().map(str::to_owned).map_or(Ok(()), Err);
+    trouble(run)?;
+    let in_it = |text: &str, app: &App, memory: &PageMemory| filled(text, &Scene { app, memory });
+    let say = in_it(&step.say, app, memory)?;
+    let seen = see(app, memory);
+    let page = memory.page;
+    let task = step.task.as_ref();
+    let task = task
+        .map(|task| in_it(&task.words, app, memory))
+        .transpose()?;
+    run.look(app, memory);
+    if run.is_done() {
+        return Err("found a task that is done before it begins, expected one to do".to_owned());
+    }
+    let question = step.ask.as_ref();
+    let question = question
+        .map(|ask| in_it(&ask.question, app, memory))
+        .transpose()?;
+    if step.task.is_some() {
+        run.show_me();
+        while run.show_next(app, memory) {}
+        trouble(run)?;
+        run.look(app, memory);
+        if !run.is_done() {
+            return Err(format!(
+                "found a task that its own show does not meet{}, expected one that it meets",
+                unmet(step, &Scene { app, memory })
+            ));
+        }
+    }
+    run.tell();
+    let mut answers = Vec::new();
+    for answer in step.ask.iter().flat_map(|ask| &ask.answers) {
+        answers.push(PlayedAnswer {
+            text: in_it(&answer.text, app, memory)?,
+            right: answer.right,
+            because: in_it(&answer.because, app, memory)?,
+        });
+    }
+    Ok(Played {
+        page,
+        say,
+        ask: question.map(|question| (question, answers)),
+        task,
+        explain: in_it(&step.explain, app, memory)?,
+        seen,
+    })
+}
+
+/// The figures of a task that are not where they were to be.
+fn unmet(step: &Step, scene: &Scene<'_>) -> String {
+    let until = step.task.iter().flat_map(|task| &task.until);
+    let unmet: Vec<String> = until
+        .filter(|condition| !condition.holds(scene))
+        .filter_map(|condition| {
+            let key = condition.figure.as_ref()?;
+            let told = figure(scene, key, condition.of.as_deref()).ok()?;
+            Some(format!("{key} is {}", told.words))
+        })
+        .collect();
+    if unmet.is_empty() {
+        return String::new();
+    }
+    format!(" ({})", unmet.join(", "))
+}
+
+/// Names of the spectra that a lesson makes.
+fn names_made(lesson: &Lesson) -> Vec<&str> {
+    let stages = lesson.steps.iter().flat_map(|step| {
+        let show = step.task.iter().flat_map(|task| &task.show);
+        step.stage.iter().chain(show)
+    });
+    let made = stages.flat_map(|stage| &stage.make);
+    made.map(|making| making.name()).collect()
+}
+
+fn of_lesson(lesson: &Lesson) -> Result<(), String> {
+    let texts = [
+        ("title", &lesson.title),
+        ("sentence", &lesson.sentence),
+        ("language", &lesson.language),
+        ("teaches", &lesson.teaches),
+        ("remember", &lesson.remember),
+        ("next", &lesson.next),
+    ];
+    if let Some((what, _)) = texts.iter().find(|(_, text)| text.trim().is_empty()) {
+        return Err(format!("found an empty {what}, expected words"));
+    }
+    if !(1..=90).contains(&lesson.minutes) {
+        return Err(format!(
+            "found {} minutes, expected 1 to 90",
+            lesson.minutes
+        ));
+    }
+    if lesson.audience.is_empty() {
+        return Err(
+            "found no audience, expected school, university, lighting or graphics".to_owned(),
+        );
+    }
+    if lesson.steps[0].stage.is_none() {
+        return Err("found a first step without a stage, expected one to begin with".to_owned());
+    }
+    lesson.also.iter().try_for_each(|light| find(light, &[]))
+}
+
+fn of_step(step: &Step, made: &[&str]) -> Result<(), String> {
+    let count = step.say.split_whitespace().count();
+    if !(1..=MOST_WORDS).contains(&count) {
+        return Err(format!(
+            "found {count} words in say, expected 1 to {MOST_WORDS}"
+        ));
+    }
+    for text in [&step.say, &step.explain] {
+        words::fault(text, made)?;
+    }
+    if let Some(ask) = &step.ask {
+        let (count, right) = (
+            ask.answers.len(),
+            ask.answers.iter().filter(|a| a.right).count(),
+        );
+        if !(2..=4).contains(&count) {
+            return Err(format!("found {count} answers, expected two to four"));
+        }
+        if right != usize::from(!ask.open) {
+            return Err(format!(
+                "found {right} right answers, expected one, or open and none"
+            ));
+        }
+        if ask
+            .answers
+            .iter()
+            .any(|answer| answer.because.trim().is_empty())
+        {
+            return Err(
+                "found an answer without because, expected why it is right or not".to_owned(),
+            );
+        }
+    }
+    let Some(task) = &step.task else {
+        return Ok(());
+    };
+    if task.until.is_empty() || task.show.is_empty() {
+        return Err("found a task without until or without show, expected both".to_owned());
+    }
+    task.until
+        .iter()
+        .try_for_each(|condition| condition.fault(made))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::lessons::shelf;
+
+    fn small(steps: &str) -> Result<Vec<Played<()>>, String> {
+        let text = format!(
+            r#"{{"format":"spectral-explorer-lesson","version":1,"title":"T","sentence":"S.",
+            "minutes":5,"audience":["school"],"language":"en","teaches":"A.","remember":"R.",
+            "next":"N.","notes_for_teachers":"","steps":[{steps}]}}"#
+        );
+        let lesson = Lesson::read("small", &text).map_err(|why| why.to_string())?;
+        play(&lesson, |_, _| ()).map_err(|why| why.to_string())
+    }
+
+    #[test]
+    fn every_shipped_lesson_plays_through_also_with_other_lights() {
+        assert_eq!(shelf::shipped().len(), 12);
+        for lesson in shelf::shipped() {
+            let others = lesson.also.iter().map(|light| lesson.about(light));
+            for lesson in std::iter::once(Lesson::clone(lesson)).chain(others) {
+                let played = play(&lesson, |_, _| ()).unwrap_or_else(|why| panic!("{why}"));
+                assert_eq!(played.len(), lesson.steps.len());
+                assert!(
+                    played.iter().any(|step| step.ask.is_some()),
+                    "{}",
+                    lesson.name
+                );
+                assert!(
+                    played.iter().any(|step| step.task.is_some()),
+                    "{}",
+                    lesson.name
+                );
+                for step in &played {
+                    let words = [&step.say, &step.explain].map(String::as_str).join(" ");
+                    assert!(!words.contains(['!', '{', '–']), "{}: {words}", lesson.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_played_is_told_with_its_step() {
+        let start = r#"{"say":"A.","stage":{"light":"FL2"}}"#;
+        let task = |until: &str, show: &str| {
+            format!(
+                r#"{start},{{"say":"B.","task":{{"words":"Do.","until":[{until}],"show":[{show}]}}}}"#
+            )
+        };
+        let order = r#"{"settings":{"order":20}}"#;
+        assert!(small(&task(r#"{"figure":"order","equals":20}"#, order)).is_ok());
+        for (until, words) in [
+            (r#"{"figure":"order","equals":7}"#, "done before it begins"),
+            (
+                r#"{"figure":"order","above":30}"#,
+                "its own show does not meet (order is 20)",
+            ),
+            (
+                r#"{"figure":"ordr","above":30}"#,
+                "found the figure ordr, expected one of order",
+            ),
+            (r#"{"figure":"order"}"#, "without bounds"),
+            (r#"{"light":"FL99"}"#, "FL99"),
+            ("", "without until"),
+        ] {
+            let why = small(&task(until, order)).expect_err(until);
+            assert!(
+                why.starts_with("small: step 2: ") && why.contains(words),
+                "{why}"
+            );
+        }
+        let ask = r#"{"say":"A.","stage":{},"ask":{"question":"Q?","answers":[
+            {"text":"x","because":"y"},{"text":"z","because":"y"}]}}"#;
+        assert!(
+            small(ask)
+                .expect_err("no right one")
+                .contains("found 0 right answers")
+        );
+        assert!(small(&ask.replace("\"Q?\",", "\"Q?\",\"open\":true,")).is_ok());
+    }
+}

@@ -1,0 +1,319 @@
+//! A lesson that is being taken: its step, what was predicted, which tasks are done. No widgets.
+
+use std::sync::Arc;
+
+use super::{
+    figures::Scene,
+    format::{Lesson, Step},
+    stage::Stage,
+    words::filled,
+};
+use crate::app::{App, Command, Document, pages::PageMemory};
+
+/// What happened at a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Taken {
+    /// The answer that was chosen.
+    chosen: Option<usize>,
+    /// Whether the right answer and the explanation are told.
+    told: bool,
+    /// Whether the task is done.
+    done: bool,
+}
+
+/// A lesson that is being taken.
+#[derive(Clone, Debug)]
+pub struct Run {
+    lesson: Arc<Lesson>,
+    step: usize,
+    taken: Vec<Taken>,
+    /// What was there before the lesson.
+    before: Document,
+    before_pages: PageMemory,
+    /// Keys of the spectra that its stages made.
+    made: Vec<String>,
+    /// How many of the task's changes were shown, while they are being shown.
+    showing: Option<usize>,
+    /// The state that the task was last looked for in.
+    looked_at: Option<(u64, PageMemory)>,
+    /// What could not be set, a sentence.
+    trouble: Option<String>,
+}
+
+/// The words of a step with their figures.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// What is said.
+    pub say: String,
+    /// What is asked.
+    pub question: Option<String>,
+    /// The answers, whether each is right, and why.
+    pub answers: Vec<(String, bool, String)>,
+    /// What is to be done.
+    pub task: Option<String>,
+    /// The figures that the task is about as they are now; empty where it is about none.
+    pub now: String,
+    /// What is said at the end.
+    pub explain: String,
+}
+
+impl Run {
+    /// Begins a lesson.
+    pub fn start(lesson: Arc<Lesson>, app: &mut App, memory: &mut PageMemory) -> Self {
+        let mut run = Self {
+            taken: vec![Taken::default(); lesson.steps.len()],
+            lesson,
+            step: 0,
+            before: app.document().clone(),
+            before_pages: memory.clone(),
+            made: Vec::new(),
+            showing: None,
+            looked_at: None,
+            trouble: None,
+        };
+        run.set_stage(app, memory);
+        run
+    }
+
+    /// The lesson.
+    pub fn lesson(&self) -> &Arc<Lesson> {
+        &self.lesson
+    }
+
+    /// The step's number, from 0.
+    pub fn index(&self) -> usize {
+        self.step
+    }
+
+    /// The step.
+    pub fn step(&self) -> &Step {
+        &self.lesson.steps[self.step]
+    }
+
+    /// Whether it is the last one.
+    pub fn is_last(&self) -> bool {
+        self.step + 1 == self.lesson.steps.len()
+    }
+
+    /// The answer that was chosen.
+    pub fn chosen(&self) -> Option<usize> {
+        self.taken[self.step].chosen
+    }
+
+    /// Whether answer and explanation are told.
+    pub fn is_told(&self) -> bool {
+        let step = self.step();
+        let taken = self.taken[self.step];
+        match (&step.ask, &step.task) {
+            (None, None) => true,
+            (_, Some(_)) => taken.done,
+            (Some(_), None) => taken.told,
+        }
+    }
+
+    /// Whether the task is done.
+    pub fn is_done(&self) -> bool {
+        self.taken[self.step].done
+    }
+
+    /// Whether the program is doing the task.
+    pub fn is_showing(&self) -> bool {
+        self.showing.is_some()
+    }
+
+    /// What could not be set.
+    pub fn trouble(&self) -> Option<&str> {
+        self.trouble.as_deref()
+    }
+
+    /// The step's words with their figures; what is not told yet is empty.
+    pub fn shown(&self, app: &App, memory: &PageMemory) -> Shown {
+        let scene = Scene { app, memory };
+        let in_it = |text: &str| filled(text, &scene).unwrap_or_else(|_| text.to_owned());
+        let told = |text: &str| match self.is_told() {
+            true => in_it(text),
+            false => String::new(),
+        };
+        let step = self.step();
+        let answers = step.ask.iter().flat_map(|ask| &ask.answers);
+        let until = step.task.iter().flat_map(|task| &task.until);
+        let now: Vec<String> = until.filter_map(|one| one.now(&scene)).collect();
+        Shown {
+            say: in_it(&step.say),
+            question: step.ask.as_ref().map(|ask| in_it(&ask.question)),
+            answers: answers
+                .map(|a| (in_it(&a.text), a.right, told(&a.because)))
+                .collect(),
+            task: step.task.as_ref().map(|task| in_it(&task.words)),
+            now: now.join(", "),
+            explain: told(&step.explain),
+        }
+    }
+
+    /// To another step, whose stage is set. A step without one has that of a step before it.
+    pub fn go(&mut self, step: usize, app: &mut App, memory: &mut PageMemory) {
+        let forward = step == self.step + 1;
+        self.step = step.min(self.lesson.steps.len() - 1);
+        self.showing = None;
+        self.looked_at = None;
+        // What was reached is gone on with; whoever goes back begins where the step began.
+        if !forward || self.step().stage.is_some() {
+            self.set_stage(app, memory);
+        }
+    }
+
+    /// Sets the stage of the step again.
+    pub fn set_stage(&mut self, app: &mut App, memory: &mut PageMemory) {
+        let steps = &self.lesson.steps[..=self.step];
+        self.trouble = None;
+        self.showing = None;
+        if let Some(stage) = steps.iter().rev().find_map(|step| step.stage.as_ref()) {
+            self.trouble = stage.set(app, memory, &mut self.made).err();
+        }
+    }
+
+    /// Chooses an answer; one that is told is not changed any more.
+    pub fn choose(&mut self, answer: usize) {
+        let count = self.step().ask.as_ref().map_or(0, |ask| ask.answers.len());
+        if answer < count && !self.is_told() {
+            self.taken[self.step].chosen = Some(answer);
+        }
+    }
+
+    /// Tells which answer is right: whoever predicted, and a class that raised its hands.
+    pub fn tell(&mut self) {
+        self.taken[self.step].told = true;
+    }
+
+    /// Looks whether the task is done; a task stays done.
+    pub fn look(&mut self, app: &App, memory: &PageMemory) {
+        let Some(task) = &self.lesson.steps[self.step].task else {
+            return;
+        };
+        let state = (app.revision(), memory.clone());
+        if self.taken[self.step].done || self.looked_at.as_ref() == Some(&state) {
+            return;
+        }
+        let scene = Scene { app, memory };
+        self.taken[self.step].done = task.until.iter().all(|c| c.holds(&scene));
+        self.looked_at = Some(state);
+    }
+
+    /// Begins to do the task for the person.
+    pub fn show_me(&mut self) {
+        if self.step().task.is_some() && self.showing.is_none() {
+            self.showing = Some(0);
+        }
+    }
+
+    /// Does the next thing of the task; whether there is more to come.
+    pub fn show_next(&mut self, app: &mut App, memory: &mut PageMemory) -> bool {
+        let (Some(shown), Some(task)) = (self.showing, &self.lesson.steps[self.step].task) else {
+            return false;
+        };
+        let change: Option<&Stage> = task.show.get(shown);
+        if let Some(change) = change {
+            self.trouble = change.change(app, memory, &mut self.made).err();
+        }
+        let more = shown + 1 < task.show.len() && self.trouble.is_none();
+        self.showing = more.then_some(shown + 1);
+        more
+    }
+
+    /// Ends the lesson: everything is as it was before, in one step of undo; a lesson that was
+    /// gone through to its end is remembered.
+    pub fn leave(self, app: &mut App, memory: &mut PageMemory) {
+        let mut finished = memory.lessons_finished.clone();
+        let is_done = self.is_last() && self.is_told();
+        if is_done && !finished.contains(&self.lesson.name) {
+            finished.push(self.lesson.name.clone());
+        }
+        app.apply(Command::Replace(Box::new(self.before)));
+        app.end_gesture();
+        *memory = PageMemory {
+            lessons_finished: finished,
+            ..self.before_pages
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::{lessons::shelf, pages::Page};
+
+    fn start(name: &str) -> (Run, App, PageMemory) {
+        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let lesson = shelf::named(name).expect("shipped");
+        let run = Run::start(lesson, &mut app, &mut memory);
+        (run, app, memory)
+    }
+
+    #[test]
+    fn a_prediction_is_kept_until_the_answer_is_told_and_not_changed_after() {
+        let (mut run, app, memory) = start("light");
+        run.choose(0);
+        run.choose(7);
+        assert_eq!((run.chosen(), run.is_told()), (Some(0), false));
+        let shown = run.shown(&app, &memory);
+        assert!(shown.explain.is_empty() && shown.answers.iter().all(|a| a.2.is_empty()));
+        run.tell();
+        run.choose(1);
+        assert_eq!((run.chosen(), run.is_told()), (Some(0), true));
+        let shown = run.shown(&app, &memory);
+        assert!(!shown.explain.is_empty() && shown.answers.iter().all(|a| !a.2.is_empty()));
+    }
+
+    #[test]
+    fn a_task_is_ticked_by_what_a_person_does_and_stays_so() {
+        let (mut run, mut app, memory) = start("waves");
+        run.look(&app, &memory);
+        assert!(!run.is_done() && !run.is_told());
+        let settings = |order| crate::app::Settings {
+            order,
+            ..app.document().settings
+        };
+        let (far, back) = (settings(40), settings(1));
+        app.apply(Command::Edit(far));
+        run.look(&app, &memory);
+        assert!(run.is_done() && run.is_told());
+        app.apply(Command::Edit(back));
+        run.look(&app, &memory);
+        assert!(run.is_done());
+    }
+
+    #[test]
+    fn who_goes_back_finds_the_step_as_it_began() {
+        let (mut run, mut app, mut memory) = start("filters");
+        let before = app.document().clone();
+        app.apply(Command::Undo);
+        memory.page = Page::Glossary;
+        run.set_stage(&mut app, &mut memory);
+        assert!(app.document().is_same_as(&before) && memory.page == Page::Chain);
+        run.go(1, &mut app, &mut memory);
+        assert_eq!(app.document().products.chain.len(), 1);
+        run.go(0, &mut app, &mut memory);
+        assert!(app.document().is_same_as(&before) && run.trouble().is_none());
+    }
+
+    #[test]
+    fn leaving_is_one_step_of_undo_and_only_an_end_that_was_reached_counts_as_finished() {
+        for to_the_end in [false, true] {
+            let first = App::new().document().clone();
+            let (mut run, mut app, mut memory) = start("recover");
+            let last = run.lesson().steps.len() - 1;
+            if to_the_end {
+                run.go(last, &mut app, &mut memory);
+                run.tell();
+            }
+            let taken = app.document().clone();
+            run.leave(&mut app, &mut memory);
+            assert!(app.document().settings == first.settings && app.document().own.is_empty());
+            assert_eq!(app.document().light.key, first.light.key);
+            assert_eq!(memory.page, Page::Spectrum);
+            assert_eq!(memory.lessons_finished.len(), usize::from(to_the_end));
+            app.apply(Command::Undo);
+            assert!(app.document().is_same_as(&taken));
+        }
+    }
+}

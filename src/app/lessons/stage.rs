@@ -1,0 +1,318 @@
+//! What a step sets: light, surfaces, settings, view, what the light meets, page. A stage begins
+//! with a fresh document; what a task shows goes on with what is there.
+
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use serde_json::{Map, Value};
+
+use super::{making::Making, names::entry, parsed::parsed};
+use crate::app::{
+    App, Command,
+    document::{Document, Subject},
+    library::Library,
+    pages::{Page, PageMemory},
+    products::{Link, Products},
+    recipe::Times,
+};
+
+/// What is set.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Stage {
+    /// Spectra that are made first, and found by their names.
+    pub make: Vec<Making>,
+    /// The light, by its name.
+    pub light: Option<String>,
+    /// The surface or filter that is looked at under the light.
+    pub surface: Option<String>,
+    /// What is laid over it; an empty list takes all away.
+    pub overlays: Option<Vec<String>>,
+    /// Knobs of the model, by their names in projects.
+    pub settings: Map<String, Value>,
+    /// What the plot shows, by the names in projects.
+    pub view: Map<String, Value>,
+    /// The set of surfaces.
+    pub patches: Option<String>,
+    /// The surface whose product is drawn, by its number from 1; 0 for none.
+    pub patch: Option<usize>,
+    /// What the light meets, in its order.
+    pub chain: Option<Vec<Met>>,
+    /// The light that the own one is compared with.
+    pub other_light: Option<String>,
+    /// The page, by its word.
+    pub page: Option<String>,
+    /// What the pages remember, by the names in a workspace.
+    pub remember: Map<String, Value>,
+}
+
+/// Something that the light meets.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Met {
+    /// Its name.
+    pub name: String,
+    /// How thick it is, as a multiple of what was measured.
+    #[serde(default = "one")]
+    pub thickness: f64,
+    /// How often it is met in a row.
+    #[serde(default = "once")]
+    pub times: u32,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn once() -> u32 {
+    1
+}
+
+/// A value with some of its fields changed, by their names in files, at any depth.
+fn changed<T: Serialize + DeserializeOwned>(
+    value: &T,
+    changes: &Map<String, Value>,
+    what: &str,
+) -> Result<T, String> {
+    let mut whole = serde_json::to_value(value).map_err(|why| why.to_string())?;
+    merge(&mut whole, changes, what)?;
+    parsed(whole).map_err(|why| format!("{what}: {why}"))
+}
+
+fn merge(whole: &mut Value, changes: &Map<String, Value>, what: &str) -> Result<(), String> {
+    let Value::Object(fields) = whole else {
+        return Err(format!("found fields of {what}, expected a value"));
+    };
+    for (key, change) in changes {
+        let known: Vec<&str> = fields.keys().map(String::as_str).collect();
+        let known = known.join(", ");
+        let Some(field) = fields.get_mut(key) else {
+            return Err(format!("found {key} in {what}, expected one of {known}"));
+        };
+        match change {
+            Value::Object(inner) if field.is_object() => merge(field, inner, key)?,
+            other => field.clone_from(other),
+        }
+    }
+    Ok(())
+}
+
+impl Stage {
+    /// Sets everything anew: what is not named is as at the first start. One step of undo; the
+    /// person's own spectra stay, but those that the lesson `made` before.
+    ///
+    /// # Errors
+    /// What was found and what was expected.
+    pub fn set(
+        &self,
+        app: &mut App,
+        memory: &mut PageMemory,
+        made: &mut Vec<String>,
+    ) -> Result<(), String> {
+        let now = app.document();
+        let mut fresh = Document::about(crate::app::document::first_light(app.bundled()));
+        fresh.own = now
+            .own
+            .iter()
+            .filter(|own| !made.contains(&own.key))
+            .cloned()
+            .collect();
+        fresh.images = now.images.clone();
+        // The very ones of the library: to set them again is no step.
+        for held in fresh.products.entries_mut() {
+            if let Some(same) = app.entry(&held.key) {
+                *held = same;
+            }
+        }
+        fresh.next_own = now.next_own;
+        let kept = PageMemory {
+            image: memory.image.clone(),
+            lessons_finished: memory.lessons_finished.clone(),
+            ..PageMemory::default()
+        };
+        let mut kept = PageMemory {
+            page: memory.page,
+            ..kept
+        };
+        let mut scratch = app.clone();
+        scratch.apply(Command::Replace(Box::new(fresh)));
+        made.clear();
+        self.change_in(&mut scratch, &mut kept, made)?;
+        app.apply(Command::Replace(Box::new(scratch.document().clone())));
+        app.end_gesture();
+        *memory = kept.clamped();
+        Ok(())
+    }
+
+    /// Changes what is named and leaves the rest. One step of undo.
+    ///
+    /// # Errors
+    /// What was found and what was expected.
+    pub fn change(
+        &self,
+        app: &mut App,
+        memory: &mut PageMemory,
+        made: &mut Vec<String>,
+    ) -> Result<(), String> {
+        let (mut scratch, mut pages) = (app.clone(), memory.clone());
+        self.change_in(&mut scratch, &mut pages, made)?;
+        app.apply(Command::Replace(Box::new(scratch.document().clone())));
+        app.end_gesture();
+        *memory = pages.clamped();
+        Ok(())
+    }
+
+    fn change_in(
+        &self,
+        app: &mut App,
+        memory: &mut PageMemory,
+        made: &mut Vec<String>,
+    ) -> Result<(), String> {
+        for making in &self.make {
+            made.push(making.make(app)?);
+        }
+        if let Some(name) = &self.light {
+            let light = entry(app, name)?;
+            app.apply(Command::Show(light));
+        }
+        if let Some(name) = &self.surface {
+            let surface = entry(app, name)?;
+            if !surface.kind().is_factor() {
+                return Err(format!(
+                    "found {name} ({}), expected a surface",
+                    surface.kind()
+                ));
+            }
+            app.apply(Command::Show(surface));
+        } else if self.light.is_some() {
+            app.apply(Command::About(Subject::Light));
+        }
+        if let Some(names) = &self.overlays {
+            app.apply(Command::ClearOverlays);
+            for name in names {
+                let overlay = entry(app, name)?;
+                app.apply(Command::ToggleOverlay(overlay));
+            }
+        }
+        let document = app.document();
+        let settings = changed(&document.settings, &self.settings, "settings")?;
+        let view = changed(&document.view, &self.view, "view")?;
+        app.apply(Command::Edit(settings));
+        app.apply(Command::View(view));
+        if let Some(group) = &self.patches {
+            if Library::bundled().group(group).is_none() {
+                return Err(format!("found no group {group}, expected one of surfaces"));
+            }
+            app.apply(Command::PatchSet(group.clone()));
+        }
+        if let Some(number) = self.patch {
+            app.apply(Command::Patch(number.checked_sub(1)));
+        }
+        self.products(app)?;
+        *memory = changed(memory, &self.remember, "remember")?;
+        if let Some(word) = &self.page {
+            memory.page = Page::of_word(word)
+                .ok_or_else(|| format!("found the page {word}, expected a page's word"))?;
+        }
+        Ok(())
+    }
+
+    fn products(&self, app: &mut App) -> Result<(), String> {
+        let mut products: Products = app.document().products.clone();
+        if let Some(met) = &self.chain {
+            let link = |met: &Met| {
+                let times = Times {
+                    thickness: met.thickness,
+                    bounces: met.times,
+                };
+                entry(app, &met.name).map(|entry| Link::new(entry, times))
+            };
+            products.chain = met.iter().map(link).collect::<Result<_, _>>()?;
+        }
+        if let Some(name) = &self.other_light {
+            products.other_light = Some(entry(app, name)?);
+        }
+        app.apply(Command::Products(products));
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn stage(json: Value) -> Stage {
+        parsed(json).expect("a stage")
+    }
+
+    #[test]
+    fn a_stage_is_one_step_of_undo_and_begins_afresh() {
+        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let before = app.document().clone();
+        let stage = stage(
+            json!({"light": "CIE D65", "settings": {"order": 2, "spikes": false},
+            "view": {"residual": true}, "page": "chain", "chain": [{"name": "colorchecker_ohta/red", "times": 2}],
+            "remember": {"products": {"narrow": {"centre_nm": 500.0}}}}),
+        );
+        stage
+            .set(&mut app, &mut memory, &mut Vec::new())
+            .expect("it is right");
+        let document = app.document();
+        assert_eq!(
+            (document.light.name(), document.settings.order),
+            ("CIE D65", 2)
+        );
+        assert!(document.view.residual && document.products.chain[0].bounces == 2);
+        assert_eq!(
+            (memory.page, memory.products.narrow.centre_nm),
+            (Page::Chain, 500.0)
+        );
+        app.apply(Command::Undo);
+        assert!(app.document().is_same_as(&before));
+    }
+
+    #[test]
+    fn what_is_wrong_in_a_stage_is_said_and_nothing_is_changed() {
+        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let revision = app.revision();
+        for (json, words) in [
+            (json!({"light": "FL99"}), "FL99"),
+            (
+                json!({"settings": {"ordr": 3}}),
+                "found ordr in settings, expected one of",
+            ),
+            (json!({"settings": {"order": "x"}}), "found string"),
+            (json!({"page": "nowhere"}), "found the page nowhere"),
+            (json!({"surface": "FL2"}), "expected a surface"),
+            (
+                json!({"remember": {"products": {"narow": 1}}}),
+                "found narow in products",
+            ),
+        ] {
+            let why = stage(json).set(&mut app, &mut memory, &mut Vec::new());
+            let why = why.expect_err("it is wrong");
+            assert!(why.contains(words), "{why}");
+        }
+        assert_eq!(app.revision(), revision);
+    }
+
+    #[test]
+    fn what_a_lesson_made_goes_with_the_next_stage_and_the_own_spectra_stay() {
+        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let mix = json!({"make": [{"mix": {"name": "Three lines", "like": "CIE D65",
+            "channels": ["line:450", "line:540", "line:610"]}}], "light": "Three lines",
+            "overlays": ["CIE D65"]});
+        let mut made = Vec::new();
+        for _ in 0..2 {
+            stage(mix.clone())
+                .set(&mut app, &mut memory, &mut made)
+                .expect("it is right");
+            assert_eq!((app.document().own.len(), made.len()), (1, 1));
+        }
+        let scene = super::super::figures::Scene {
+            app: &app,
+            memory: &memory,
+        };
+        let told = super::super::figures::figure(&scene, "delta_e_overlay", None);
+        assert!(told.expect("known").value.is_some_and(|e| e < 0.1));
+    }
+}

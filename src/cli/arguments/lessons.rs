@@ -1,0 +1,35 @@
+//! Options of `lessons`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+/// What is done with a lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LessonAct {
+    /// Reads it and plays it through.
+    Check,
+    /// Writes a sheet for a class.
+    Handout,
+}
+
+/// Options of `lessons`.
+#[derive(Args, Debug)]
+pub struct Lessons {
+    /// Nothing to list all; check: reads a lesson, plays it through without a window and says
+    /// what is wrong, with the step; handout: writes a sheet for a class.
+    #[arg(value_name = "ACT", requires = "lesson")]
+    pub act: Option<LessonAct>,
+    /// The lesson: a name of the list or a file.
+    #[arg(value_name = "NAME|FILE")]
+    pub lesson: Option<String>,
+    /// Print JSON, a list with one object a lesson; its keys are stable.
+    #[arg(long, conflicts_with = "act")]
+    pub json: bool,
+    /// The sheet to write, .md (its pictures are put beside it) or .html.
+    #[arg(long, value_name = "FILE", value_parser = crate::cli::words::sheet_path())]
+    pub out: Option<PathBuf>,
+    /// Let it replace files that exist.
+    #[arg(long, requires = "out")]
+    pub force: bool,
+}

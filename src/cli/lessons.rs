@@ -1,0 +1,143 @@
+//! `lessons`: the list, one lesson checked, or a sheet for a class.
+
+use std::{fmt::Write as _, io::Write, path::Path};
+
+use serde_json::{Value, json};
+
+use super::{
+    arguments::{LessonAct, Lessons},
+    print,
+    refusal::Refusal,
+    target::{Replaces, Target},
+    words,
+};
+use crate::{
+    app::lessons::{
+        Lesson,
+        format::Fault,
+        handout::{Form, handout},
+        proof::play,
+        shelf,
+    },
+    io::{atomic::save_atomically, error::shown},
+};
+
+/// Carries the command out.
+///
+/// # Errors
+/// [`Refusal`] for a lesson that cannot be read or played, and a sheet that cannot be written.
+pub fn run(options: &Lessons, out: &mut dyn Write) -> Result<(), Refusal> {
+    let Lessons {
+        act,
+        lesson,
+        json,
+        out: path,
+        force,
+    } = options;
+    match (act, lesson, path) {
+        (None, None, None) => list(*json, out),
+        (Some(LessonAct::Check), Some(word), None) => check(word, out),
+        (Some(LessonAct::Handout), Some(word), Some(path)) => sheet(word, path, *force, out),
+        (Some(LessonAct::Handout), _, None) => Err(Refusal::Usage(
+            "lessons handout: found no --out, expected a file that ends in .md or .html".to_owned(),
+        )),
+        _ => Err(Refusal::Usage(
+            "lessons: found --out without handout, expected lessons handout NAME --out FILE"
+                .to_owned(),
+        )),
+    }
+}
+
+fn refused(why: Fault) -> Refusal {
+    Refusal::File(why.to_string())
+}
+
+fn list(as_json: bool, out: &mut dyn Write) -> Result<(), Refusal> {
+    let all = shelf::shipped();
+    if as_json {
+        let all: Vec<Value> = all.iter().map(|lesson| of_lesson(lesson)).collect();
+        return print(out, &format!("{:#}\n", Value::Array(all)));
+    }
+    let widest = all.iter().map(|lesson| lesson.name.len()).max();
+    let width = widest.unwrap_or(0);
+    let mut text = String::new();
+    for lesson in all {
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{:<width$}  {:>2} min  {} ({})",
+            lesson.name,
+            lesson.minutes,
+            lesson.title,
+            lesson.audience_words()
+        );
+    }
+    print(out, &text)
+}
+
+fn of_lesson(lesson: &Lesson) -> Value {
+    json!({
+        "name": lesson.name,
+        "title": lesson.title,
+        "sentence": lesson.sentence,
+        "minutes": lesson.minutes,
+        "audience": lesson.audience,
+        "steps": lesson.steps.len(),
+    })
+}
+
+fn check(word: &str, out: &mut dyn Write) -> Result<(), Refusal> {
+    let lesson = shelf::named(word).map_err(refused)?;
+    let lights = lesson.also.iter().map(|light| lesson.about(light));
+    let all = std::iter::once(Lesson::clone(&lesson)).chain(lights);
+    let mut count = 0;
+    for lesson in all {
+        play(&lesson, |_, _| ()).map_err(refused)?;
+        count += 1;
+    }
+    let (title, steps) = (&lesson.title, lesson.steps.len());
+    let with = match count {
+        1 => String::new(),
+        count => format!(", also with {} other lights", count - 1),
+    };
+    print(
+        out,
+        &format!("{title}: {steps} steps, played through{with}.\n"),
+    )
+}
+
+fn sheet(word: &str, path: &Path, force: bool, out: &mut dyn Write) -> Result<(), Refusal> {
+    let lesson = shelf::named(word).map_err(refused)?;
+    let form = match words::extension(path).as_str() {
+        "html" => Form::Html,
+        _ => Form::Markdown,
+    };
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let sheet = handout(&lesson, form, &stem).map_err(refused)?;
+    let beside = sheet.pictures.iter();
+    let beside = beside.map(|(end, svg)| {
+        let file = path.with_file_name(format!("{stem}{end}"));
+        (file, svg.as_bytes(), Replaces::Pictures)
+    });
+    let first = (path.to_owned(), sheet.text.as_bytes(), Replaces::Nothing);
+    let files: Vec<_> = std::iter::once(first).chain(beside).collect();
+    let target = |path, replaces| Target {
+        what: "--out",
+        path,
+        replaces,
+        force,
+        read: vec![word.into()],
+    };
+    // Nothing is written where one of them may not be.
+    for (file, _, replaces) in &files {
+        target(file, *replaces).path()?;
+    }
+    for (file, bytes, _) in &files {
+        save_atomically(file, bytes).map_err(|why| Refusal::File(why.to_string()))?;
+    }
+    let pictures = match files.len() - 1 {
+        0 => String::new(),
+        count => format!(" and {count} pictures beside it"),
+    };
+    print(out, &format!("Wrote {}{pictures}.\n", shown(path)))
+}

@@ -1,0 +1,229 @@
+//! A lesson that is being taken, as a column that leads over the ordinary pages.
+
+use eframe::egui;
+use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
+
+use super::{
+    kit::{framed, named, warning},
+    theme::Theme,
+};
+use crate::app::{
+    App,
+    lessons::{Run, run::Shown},
+    memo::Memo,
+    pages::PageMemory,
+};
+
+/// What the column asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// To another step.
+    Go(usize),
+    /// This answer is the prediction.
+    Choose(usize),
+    /// Which answer is right.
+    Tell,
+    /// The program does the task.
+    ShowMe,
+    /// The stage again.
+    Again,
+    /// Out of the lesson.
+    Leave,
+}
+
+/// Size of what is read, points: on a desk and at a projector.
+const TYPE: [f32; 2] = [18.0, 28.0];
+
+/// What the column keeps from frame to frame.
+#[derive(Default)]
+pub struct LessonView {
+    shown: Memo<(u64, PageMemory, usize, bool), Shown>,
+}
+
+impl LessonView {
+    /// Draws the column.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        run: &Run,
+        (app, memory): (&App, &PageMemory),
+        theme: Theme,
+    ) -> Vec<Wish> {
+        let key = (app.revision(), memory.clone(), run.index(), run.is_told());
+        let shown = &*self.shown.get(key, |_| run.shown(app, memory));
+        let mut wishes = Vec::new();
+        let size = TYPE[usize::from(theme.scale > 1.0)];
+        for style in [egui::TextStyle::Body, egui::TextStyle::Button] {
+            let font = egui::FontId::proportional(size);
+            ui.style_mut().text_styles.insert(style, font);
+        }
+        head(ui, run, &mut wishes);
+        let foot = size + 26.0;
+        ScrollArea::vertical()
+            .id_salt(("lesson", run.index()))
+            .auto_shrink(false)
+            .max_height((ui.available_height() - foot).max(80.0))
+            .show(ui, |ui| {
+                ui.set_max_width(ui.available_width() - 10.0);
+                body(ui, run, shown, theme, &mut wishes);
+            });
+        ui.add_space(6.0);
+        foot_line(ui, run, &mut wishes);
+        wishes
+    }
+}
+
+fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
+    let lesson = run.lesson();
+    let strong = ui.visuals().strong_text_color();
+    let title = RichText::new(&lesson.title).color(strong);
+    ui.add(Label::new(title).wrap());
+    ui.horizontal(|ui| {
+        ui.weak(format!(
+            "Step {} of {}",
+            run.index() + 1,
+            lesson.steps.len()
+        ));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let leave = ui.small_button("Leave").on_hover_text(
+                "Ends the lesson; everything is as it was before. Undo brings its last state back.",
+            );
+            named(&leave, egui::Role::Button, "Leave the lesson");
+            if leave.clicked() {
+                wishes.push(Wish::Leave);
+            }
+            let again = ui
+                .small_button("Reset step")
+                .on_hover_text("Sets light, settings and page as the step began.");
+            named(&again, egui::Role::Button, "Back to the step");
+            if again.clicked() {
+                wishes.push(Wish::Again);
+            }
+        });
+    });
+    ui.separator();
+}
+
+fn body(ui: &mut Ui, run: &Run, shown: &Shown, theme: Theme, wishes: &mut Vec<Wish>) {
+    let strong = ui.visuals().strong_text_color();
+    ui.add(Label::new(&shown.say).wrap());
+    if let Some(trouble) = run.trouble() {
+        warning(ui, theme, format!("This step could not be set: {trouble}."));
+    }
+    if let Some(question) = &shown.question {
+        ui.add_space(8.0);
+        framed(ui, |ui| {
+            ui.add(Label::new(RichText::new(question).color(strong)).wrap());
+            ui.add_space(4.0);
+            for (index, answer) in shown.answers.iter().enumerate() {
+                self::answer(ui, run, (index, answer), theme, wishes);
+            }
+            if !run.is_told() && shown.task.is_none() {
+                ui.add_space(4.0);
+                let words = match run.chosen() {
+                    Some(_) => "Check",
+                    None => "Tell me",
+                };
+                let tell = ui.button(words).on_hover_text(
+                    "Says which answer is right, and why (Space). A class can vote by hands.",
+                );
+                if tell.clicked() {
+                    wishes.push(Wish::Tell);
+                }
+            }
+        });
+    }
+    if let Some(task) = &shown.task {
+        ui.add_space(8.0);
+        framed(ui, |ui| {
+            let sign = if run.is_done() { "✔" } else { "▶" };
+            ui.add(Label::new(RichText::new(format!("{sign} {task}")).color(strong)).wrap());
+            if !run.is_done() {
+                if !shown.now.is_empty() {
+                    ui.weak(format!("Now: {}", shown.now));
+                }
+                let show = Button::new(if run.is_showing() { "Watch" } else { "Show me" });
+                let show = ui
+                    .add_enabled(!run.is_showing(), show)
+                    .on_hover_text("The program does it, step by step (Space).");
+                if show.clicked() {
+                    wishes.push(Wish::ShowMe);
+                }
+            }
+        });
+    }
+    if !shown.explain.is_empty() {
+        ui.add_space(8.0);
+        ui.add(Label::new(&shown.explain).wrap());
+    }
+    if run.is_last() && run.is_told() {
+        let lesson = run.lesson();
+        ui.add_space(8.0);
+        framed(ui, |ui| {
+            ui.add(Label::new(RichText::new(&lesson.remember).color(strong)).wrap());
+            ui.add_space(4.0);
+            ui.add(Label::new(format!("Try next: {}", lesson.next)).wrap());
+        });
+    }
+}
+
+/// One answer: to be chosen, and once told with a sign, never by colour alone.
+fn answer(
+    ui: &mut Ui,
+    run: &Run,
+    (index, (text, right, because)): (usize, &(String, bool, String)),
+    theme: Theme,
+    wishes: &mut Vec<Wish>,
+) {
+    let is_chosen = run.chosen() == Some(index);
+    let is_open = run.step().ask.as_ref().is_some_and(|ask| ask.open);
+    let sign = match (run.is_told() && !is_open, right) {
+        (true, true) => "✔ ",
+        (true, false) if is_chosen => "✘ ",
+        _ => "",
+    };
+    let words = format!("{}  {sign}{text}", index + 1);
+    let button = Button::new(RichText::new(words)).wrap().selected(is_chosen);
+    let width = ui.available_width();
+    let button = button.min_size(vec2(width, 0.0));
+    let response = ui
+        .add(button)
+        .on_hover_text("Your prediction; a digit chooses it, too.");
+    if response.clicked() {
+        wishes.push(Wish::Choose(index));
+    }
+    if !because.is_empty() && (is_chosen || *right || is_open) {
+        let faint = RichText::new(because).color(theme.faint);
+        ui.add(Label::new(faint).wrap());
+    }
+    ui.add_space(2.0);
+}
+
+fn foot_line(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
+    ui.horizontal(|ui| {
+        let back = ui
+            .add_enabled(run.index() > 0, Button::new("Back"))
+            .on_hover_text("The step before (arrow to the left, Page Up).");
+        if back.clicked() {
+            wishes.push(Wish::Go(run.index() - 1));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if run.is_last() {
+                let finish = ui
+                    .button("Finish")
+                    .on_hover_text("Ends the lesson; everything is as it was before.");
+                if finish.clicked() {
+                    wishes.push(Wish::Leave);
+                }
+                return;
+            }
+            let next = Button::new("Next").selected(run.is_told());
+            let next = ui
+                .add(next)
+                .on_hover_text("The next step (arrow to the right, Page Down).");
+            if next.clicked() {
+                wishes.push(Wish::Go(run.index() + 1));
+            }
+        });
+    });
+}

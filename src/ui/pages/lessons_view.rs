@@ -1,0 +1,282 @@
+//! The pages "Lessons" and "For teachers".
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{Align, Label, Layout, RichText, Sense, Ui, vec2};
+
+use super::PageContext;
+use crate::{
+    app::{
+        lessons::{Lesson, shelf},
+        pages::AskedLesson,
+    },
+    ui::kit::{framed, scrolled},
+};
+
+/// What the pages keep from frame to frame.
+#[derive(Default)]
+pub struct LessonsView {
+    /// Lessons of a person's own files, until the program ends.
+    own: Vec<Arc<Lesson>>,
+    /// The lesson that teachers look at.
+    chosen: usize,
+    /// The lesson whose sheet is to be saved, once.
+    pub wants_handout: Option<Arc<Lesson>>,
+}
+
+/// Width of a page from which lessons stand two in a row.
+const TWO: f32 = 720.0;
+
+impl LessonsView {
+    /// Every lesson: the shipped ones, then the own ones.
+    fn all(&self) -> Vec<Arc<Lesson>> {
+        let all = shelf::shipped().iter().chain(&self.own);
+        all.cloned().collect()
+    }
+
+    /// A lesson by its name; own ones go first.
+    pub fn find(&self, name: &str) -> Option<Arc<Lesson>> {
+        let mut all = self.own.iter().rev().chain(shelf::shipped());
+        all.find(|lesson| lesson.name == name).cloned()
+    }
+
+    /// Takes a lesson of a file in; one of the same name gives way.
+    pub fn take(&mut self, lesson: Arc<Lesson>) {
+        self.own.retain(|one| one.name != lesson.name);
+        self.own.push(lesson);
+    }
+
+    /// The list, to begin one.
+    pub fn list(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let all = self.all();
+        let done = &context.memory.lessons_finished;
+        let finished = all.iter().filter(|l| done.contains(&l.name)).count();
+        let words = match finished {
+            0 => format!(
+                "{} short lessons on live data: predict, do it, see why. Click one to begin.",
+                all.len()
+            ),
+            count => format!(
+                "{count} of {} lessons finished. Click one to begin.",
+                all.len()
+            ),
+        };
+        headline(ui, &words, context);
+        ui.add_space(6.0);
+        let scale = context.theme.scale;
+        let mut asked = None;
+        scrolled(ui, "lessons", |ui| {
+            let columns = if ui.available_width() >= TWO * scale {
+                2
+            } else {
+                1
+            };
+            let gap = ui.spacing().item_spacing.x;
+            let width = (ui.available_width() - gap * (columns - 1) as f32) / columns as f32;
+            for (row, lessons) in all.chunks(columns).enumerate() {
+                ui.horizontal_top(|ui| {
+                    for (column, lesson) in lessons.iter().enumerate() {
+                        let number = row * columns + column + 1;
+                        let tick = context.memory.lessons_finished.contains(&lesson.name);
+                        let height = lessons
+                            .iter()
+                            .map(|lesson| Card::of(ui, lesson, 0, false, width).height())
+                            .fold(0.0, f32::max);
+                        if Card::of(ui, lesson, number, tick, width).show(ui, height) {
+                            asked = Some(lesson.name.clone());
+                        }
+                    }
+                });
+            }
+            ui.add_space(6.0);
+            ui.weak("A lesson of your own: drop its file on the window, or choose it with Open.");
+        });
+        if let Some(name) = asked {
+            context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
+            ui.ctx().request_repaint();
+        }
+    }
+
+    /// What each teaches, what to prepare, handouts, how to write one.
+    pub fn teachers(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let all = self.all();
+        let minutes: u32 = all.iter().map(|lesson| lesson.minutes).sum();
+        let words = format!(
+            "{} lessons, {minutes} minutes in all. Choose one to see what it teaches and needs.",
+            all.len()
+        );
+        headline(ui, &words, context);
+        ui.add_space(6.0);
+        self.chosen = self.chosen.min(all.len() - 1);
+        let (chosen, wants) = (&mut self.chosen, &mut self.wants_handout);
+        scrolled(ui, "teachers", |ui| {
+            ui.horizontal_top(|ui| {
+                let width = (0.36 * ui.available_width()).min(320.0 * context.theme.scale);
+                ui.vertical(|ui| {
+                    ui.set_width(width);
+                    ui.spacing_mut().button_padding.y = 4.0;
+                    for (index, lesson) in all.iter().enumerate() {
+                        let words = format!("{}. {}", index + 1, lesson.title);
+                        let row = egui::Button::selectable(*chosen == index, words).truncate();
+                        let whole = Layout::top_down_justified(Align::Min);
+                        let clicked = ui.with_layout(whole, |ui| ui.add(row).clicked()).inner;
+                        if clicked {
+                            *chosen = index;
+                        }
+                    }
+                });
+                ui.vertical(|ui| {
+                    if of_teachers(ui, &all[*chosen], context) {
+                        *wants = Some(all[*chosen].clone());
+                    }
+                });
+            });
+        });
+    }
+}
+
+fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
+    let text = RichText::new(words).size(16.0 * context.theme.scale);
+    ui.add(Label::new(text).wrap());
+}
+
+/// One lesson, for who teaches it; whether its sheet is to be saved.
+fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) -> bool {
+    let mut saves = false;
+    let strong = ui.visuals().strong_text_color();
+    let said = |ui: &mut Ui, head: &str, words: &str| {
+        if !words.is_empty() {
+            ui.label(RichText::new(head).color(strong));
+            ui.add(Label::new(words).wrap());
+            ui.add_space(6.0);
+        }
+    };
+    framed(ui, |ui| {
+        ui.label(RichText::new(&lesson.title).color(strong).heading());
+        let (minutes, steps) = (lesson.minutes, lesson.steps.len());
+        ui.weak(format!(
+            "{minutes} minutes, {steps} steps, for {}",
+            lesson.audience_words()
+        ));
+        ui.add_space(6.0);
+        said(ui, "Afterwards a class can", &lesson.teaches);
+        said(ui, "One sentence to remember", &lesson.remember);
+        said(
+            ui,
+            "To prepare, and to watch for",
+            &lesson.notes_for_teachers,
+        );
+        said(ui, "Sources", &lesson.sources.join("; "));
+        ui.horizontal_wrapped(|ui| {
+            if ui
+                .button("Begin")
+                .on_hover_text("Begins this lesson.")
+                .clicked()
+            {
+                let name = lesson.name.clone();
+                context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
+                ui.ctx().request_repaint();
+            }
+            let save = ui.button("Save a handout").on_hover_text(
+                "A sheet for the class, one page of HTML: words, questions and pictures, the \
+                 answers on a page of their own.",
+            );
+            saves = save.clicked();
+            if let Some(text) = shelf::text_of(&lesson.name) {
+                let copy = ui.button("Copy as a start").on_hover_text(
+                    "Copies the lesson's own file: paste it into a file that ends in .json and \
+                     change it.",
+                );
+                if copy.clicked() {
+                    ui.ctx().copy_text(text.to_owned());
+                }
+            }
+        });
+    });
+    ui.add_space(6.0);
+    said(
+        ui,
+        "To write one",
+        "A lesson is one file of JSON: steps with what is said, what is set, what is asked and \
+         what is to be done. docs/lessons.md builds one from nothing. The command \"lessons \
+         check FILE\" plays it and says what is wrong, with the step; then drop the file on \
+         this window.",
+    );
+    saves
+}
+
+/// A lesson of the list, laid out.
+struct Card {
+    title: Arc<egui::Galley>,
+    sentence: Arc<egui::Galley>,
+    small: Arc<egui::Galley>,
+    name: String,
+    width: f32,
+}
+
+/// Around a card's words, points.
+const MARGIN: f32 = 10.0;
+
+impl Card {
+    fn of(ui: &Ui, lesson: &Lesson, number: usize, tick: bool, width: f32) -> Self {
+        let style = |style: egui::TextStyle| style.resolve(ui.style());
+        let lay =
+            |text: String, font, ink| ui.painter().layout(text, font, ink, width - 2.0 * MARGIN);
+        let visuals = ui.visuals();
+        let sign = if tick { "✔ " } else { "" };
+        let small = format!(
+            "{sign}{} minutes, {}",
+            lesson.minutes,
+            lesson.audience_words()
+        );
+        Self {
+            title: lay(
+                format!("{number}. {}", lesson.title),
+                style(egui::TextStyle::Heading),
+                visuals.strong_text_color(),
+            ),
+            sentence: lay(
+                lesson.sentence.clone(),
+                style(egui::TextStyle::Body),
+                visuals.text_color(),
+            ),
+            small: lay(
+                small,
+                style(egui::TextStyle::Small),
+                visuals.weak_text_color(),
+            ),
+            name: format!("Lesson: {}", lesson.title),
+            width,
+        }
+    }
+
+    fn height(&self) -> f32 {
+        let words = [&self.title, &self.sentence, &self.small];
+        words
+            .map(|galley| galley.size().y + 4.0)
+            .iter()
+            .sum::<f32>()
+            + 2.0 * MARGIN
+    }
+
+    /// Draws it as a button; whether it was clicked.
+    fn show(self, ui: &mut Ui, height: f32) -> bool {
+        let (rect, response) = ui.allocate_exact_size(vec2(self.width, height), Sense::click());
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &self.name));
+        let visuals = ui.style().interact(&response);
+        let painter = ui.painter();
+        painter.rect_filled(rect, 4.0, visuals.bg_fill);
+        if response.has_focus() {
+            let stroke = ui.visuals().widgets.active.bg_stroke;
+            painter.rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
+        }
+        let mut at = rect.min + vec2(MARGIN, MARGIN);
+        for galley in [self.title, self.sentence, self.small] {
+            let height = galley.size().y;
+            painter.galley(at, galley, ui.visuals().text_color());
+            at.y += height + 4.0;
+        }
+        response.clicked()
+    }
+}
