@@ -69,7 +69,14 @@ impl fmt::Display for CutError {
                 expected,
                 found,
             } => write!(f, "{what}: expected {expected}, found {found}"),
-            Self::Lost { name, by } => write!(f, "the {name} vanish with this {by}"),
+            Self::Lost { name, by } => {
+                let vanish = if name.ends_with('s') {
+                    "vanish"
+                } else {
+                    "vanishes"
+                };
+                write!(f, "the {name} {vanish} with this {by}")
+            }
             Self::Solid(error) => error.fmt(f),
         }
     }
