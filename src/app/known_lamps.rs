@@ -20,8 +20,8 @@ pub struct WordsShown {
     pub sentence: String,
     /// What the words are off by.
     pub figures: Vec<WordsFigure>,
-    /// The lines, one a sentence.
-    pub lines: Vec<String>,
+    /// Where the lines are, how wide, and their shares of the power; empty without lines.
+    pub lines: String,
     /// The words in hexadecimal digits, to be copied.
     pub words: String,
     /// What is needed to read the words.
@@ -64,10 +64,18 @@ impl WordsShown {
                 WordsFigure {
                     title: "its own colour",
                     value: own(encoded.own),
-                    meaning: "X, Y and Z are made exact; what is left is the rounding to 32 bits.",
+                    meaning: if encoded.own < EXACT {
+                        "X, Y and Z are made exact; what is left is the rounding to 32 bits."
+                    } else {
+                        "The best way here is a plain series, which does not make X, Y and Z exact."
+                    },
                 },
             ],
-            lines: makeup.lines_in_words(),
+            lines: match &makeup.lines_in_words()[..] {
+                [] => String::new(),
+                [one] => format!("Line at {one}."),
+                lines => format!("Lines at {}.", lines.join("; ")),
+            },
             words: words.join(" "),
             needs: if makeup.parts.is_empty() {
                 "Whoever has the formula can decode these words."
@@ -88,8 +96,11 @@ fn short(value: f64) -> String {
     }
 }
 
+/// An own colour that is off by less is exact but for rounding.
+const EXACT: f64 = 1e-4;
+
 fn own(delta_e: f64) -> String {
-    if delta_e < 1e-4 {
+    if delta_e < EXACT {
         "exact".to_owned()
     } else {
         format!("{} ΔE00", short(delta_e))

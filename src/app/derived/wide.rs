@@ -121,7 +121,6 @@ fn shape_in(band: Band, window_nm: [f64; 2], taken: &[f64]) -> LineShape {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::{
         app::{App, Command, Settings},
         lamps::decompose,
@@ -154,11 +153,11 @@ mod tests {
         let mut whole = derived.widths.with_bells(derived.parts.smooth.clone());
         let ideal = derived.widths.ideal(&derived.model.spikes);
         crate::spectrum::composite::add_spikes(derived.band, &ideal, &mut whole);
-        let most = derived.measured.iter().fold(0.0_f64, |m, v| m.max(*v));
-        for (a, b) in whole.iter().zip(&derived.measured) {
-            // Lines of one sample are ideal and keep to two neighbours.
-            assert!((a - b).abs() < 1e-9 * most || !ideal.is_empty());
-        }
+        // A line of one sample is ideal: it has its power, not its form.
+        let [power, of_table] = [&whole, &derived.measured].map(|v| derived.band.integral(v));
+        assert!((power - of_table).abs() < 1e-10 * of_table);
+        let bells = derived.widths.bells.iter().filter(|v| **v > 0.0).count();
+        assert!(bells > 20, "{bells} points under a line");
     }
 
     #[test]

@@ -147,8 +147,8 @@ fn below_chart(ui: &mut Ui, context: &mut PageContext<'_>, words: &WordsShown) {
             let text = RichText::new(&words.words).monospace().small();
             ui.add(Label::new(text).wrap());
             ui.weak(words.needs);
-            for line in &words.lines {
-                ui.small(format!("line at {line}"));
+            if !words.lines.is_empty() {
+                ui.add(Label::new(RichText::new(&words.lines).small()).wrap());
             }
         },
     );

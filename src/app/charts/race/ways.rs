@@ -186,12 +186,15 @@ fn sentence(standing: &Standing, counts: &[(Entrant, Vec<(Entrant, usize, usize)
             Entrant::KnownLamps => "known lamps with wide lines",
             _ => "wide lines alone",
         };
+        let least = if won == of {
+            String::new()
+        } else {
+            let share = per_cent(*least_won, *least_of);
+            format!(", least against {} ({share})", peer.title().to_lowercase())
+        };
         Some(format!(
-            "{title} are ahead of the other representations in {won} of {of} cells ({}), least \
-             against {} ({})",
-            per_cent(won, of),
-            peer.title().to_lowercase(),
-            per_cent(*least_won, *least_of)
+            "{title} are ahead of the other representations in {won} of {of} cells ({}){least}",
+            per_cent(won, of)
         ))
     });
     let said: Vec<String> = said.collect();
