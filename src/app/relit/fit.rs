@@ -14,7 +14,7 @@ use crate::{
     color::{Xyz, adaptation::adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
     pictures::{
         Between, Kernel, Light, Operator, PictureError, Plan, ReferenceKind, Relit, Spread, Tally,
-        Trust, plan_of, relit_into,
+        Trust, Verdict, plan_of, relit_into,
     },
     study::Progress,
 };
@@ -110,6 +110,18 @@ struct Ends {
     refused: String,
 }
 
+impl Ends {
+    /// The picture's own colours, and why they are shown.
+    fn as_taken(operator: &Operator, refused: String) -> Self {
+        Self {
+            exact: operator.own_weights().clone(),
+            few: operator.own_colour(),
+            trust: None,
+            refused,
+        }
+    }
+}
+
 /// Highest order of the division that stands for every band of a lit picture.
 const FINEST: usize = 40;
 
@@ -141,17 +153,32 @@ impl TurnAsk {
         let few = match operator.relit(&light, known, Between::Bands) {
             Ok(few) => few,
             Err(PictureError::NoRelighting(_)) => {
-                return Ok(Ends {
-                    exact: operator.own_weights().clone(),
-                    few: operator.own_colour(),
-                    trust: None,
-                    refused: "Nobody knows what lit this picture, so it is shown as it was taken."
+                return Ok(Ends::as_taken(
+                    operator,
+                    "Nobody knows what lit this picture, so it is shown as it was taken. Choose \
+                     the light that it was taken under to see it under others."
                         .to_owned(),
-                });
+                ));
             }
             Err(why) => return Err(why),
         };
         let old = known.map(|known| known.on_bands(bands)).transpose()?;
+        let survey = &looked.0.survey;
+        let noise = match &old {
+            Some(old) => survey.noise_under(old),
+            None => survey.noise.clone(),
+        };
+        let trust = operator.trust(&few, &light, old.as_deref(), &noise);
+        if trust.verdict == Verdict::Refused {
+            let blind = trust.blind.iter().copied().fold(0.0, f64::max);
+            let words = format!(
+                "{:.0} % of the colour of {} falls where this picture was in the dark, so it is \
+                 shown as it was taken.",
+                100.0 * blind,
+                light.name()
+            );
+            return Ok(Ends::as_taken(operator, words));
+        }
         let exact = match known {
             None => light.weights(bands, plan.observer)?,
             Some(known) => {
@@ -165,14 +192,9 @@ impl TurnAsk {
                 finest.of_bands(&finest.relit(&light, None, Between::Bands)?)
             }
         };
-        let survey = &looked.0.survey;
-        let noise = match &old {
-            Some(old) => survey.noise_under(old),
-            None => survey.noise.clone(),
-        };
         Ok(Ends {
             exact,
-            trust: Some(operator.trust(&few, &light, old.as_deref(), &noise)),
+            trust: Some(trust),
             few,
             refused: String::new(),
         })

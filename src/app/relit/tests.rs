@@ -211,3 +211,16 @@ fn the_table_of_others_names_the_nearest_whoever_it_is() {
             .any(|row| row.contains(&"not run here".to_owned()))
     );
 }
+
+#[test]
+fn what_was_in_the_dark_is_not_shown_in_another_light() {
+    let fit = fit(
+        image(Some("LPS")),
+        Some("lamps_nist_traditional/LPS"),
+        Some(8),
+    );
+    let daylight = turned(&fit, D65, None);
+    assert!(daylight.0.trust.is_none());
+    assert!(trust_line(&daylight.0).contains("was in the dark"));
+    assert!(headline(&fit.0, &daylight.0, None).contains("Its own colours"));
+}

@@ -4,7 +4,7 @@ use super::{Fit, Looked, Stored, Turned, store::bytes_words};
 use crate::{
     app::answers::Seen,
     io::many::{capitalised, many},
-    pictures::{BOUND_P95, Peer, Trust},
+    pictures::{BOUND_P95, Peer, Trust, Verdict},
 };
 
 /// Cells of a table, row after row.
@@ -53,24 +53,17 @@ pub fn headline(fit: &Fit, turned: &Turned, stored: Option<&Stored>) -> String {
 /// How far the colours under this light can be believed.
 pub fn trust_line(turned: &Turned) -> String {
     let Some(trust) = &turned.trust else {
-        return format!(
-            "{} Choose the light that it was taken under to see it under others.",
-            turned.refused
-        );
+        return turned.refused.clone();
     };
     let Trust { noise, .. } = trust;
     let blind = trust.blind.iter().copied().fold(0.0, f64::max);
     let (light, percent) = (&turned.light, 100.0 * blind);
     let noise = format!("noise of the bands moves colours by about ΔE00 {noise:.2}");
     match trust.verdict {
-        crate::pictures::Verdict::Good => format!("{light} can be trusted here: {noise}."),
-        crate::pictures::Verdict::Care => format!(
+        Verdict::Good => format!("{light} can be trusted here: {noise}."),
+        Verdict::Care | Verdict::Refused => format!(
             "{light} with care: {percent:.0} % of its colour falls where the picture was in the \
              dark; {noise}."
-        ),
-        crate::pictures::Verdict::Refused => format!(
-            "{light} is not to be trusted here: {percent:.0} % of its colour falls where the \
-             picture was in the dark."
         ),
     }
 }
