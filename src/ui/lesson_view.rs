@@ -93,7 +93,7 @@ fn head(ui: &mut Ui, run: &Run, wishes: &mut Vec<Wish>) {
                 wishes.push(Wish::Leave);
             }
             let again = ui
-                .small_button("Reset step")
+                .small_button("Reset")
                 .on_hover_text("Sets light, settings and page as the step began.");
             named(&again, egui::Role::Button, "Back to the step");
             if again.clicked() {

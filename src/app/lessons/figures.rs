@@ -363,6 +363,7 @@ mod tests {
         let without = [
             "delta_e_overlay",
             "delta_e_filters",
+            "fwhm_nm",
             "tlci",
             "lux",
             "melanopic_edi",

@@ -16,8 +16,9 @@ use crate::app::{
     state::Tone,
 };
 
-/// Width of the column, and its most, of the window.
+/// Width of the column, and what it is of the window: while presenting, and at most.
 const WIDTH: f32 = 348.0;
+const PRESENTED: f32 = 0.272;
 const MOST_OF_WINDOW: f32 = 0.42;
 
 /// How long each thing that the program shows stands, seconds.
@@ -32,10 +33,10 @@ impl Window {
         if self.lesson.is_none() || self.plot_alone {
             return 0.0;
         }
-        let width = if theme.scale > 1.0 {
-            1.5 * WIDTH
-        } else {
-            WIDTH
+        // At a projector the words are larger, and the plot must not shrink to a strip.
+        let width = match theme.scale > 1.0 {
+            true => (PRESENTED * window).clamp(WIDTH, 1.5 * WIDTH),
+            false => WIDTH,
         };
         width.min(MOST_OF_WINDOW * window)
     }
