@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use super::{
+    design::light,
     document::Document,
     entry::Entry,
     library::Library,
     opened::ImageEntry,
+    photons,
     picture,
     products::{
         Link,
@@ -14,10 +16,13 @@ use super::{
     },
     recipe::Recipe,
 };
-use crate::spectrum::{Band, Kind, NamedSpectrum, Sampled};
+use crate::{
+    design::mixture::{MixError, Source},
+    spectrum::{Band, Kind, NamedSpectrum, Sampled},
+};
 
 /// Why something cannot be made.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum WhyNot {
     /// Nothing has that key.
     Missing(String),
@@ -25,6 +30,8 @@ pub enum WhyNot {
     OtherKind(String, Kind, &'static str),
     /// There is no such metamer.
     Metamer(NoMetamer),
+    /// Its channels make no light.
+    Mix(MixError),
     /// Nothing was measured there.
     Nothing,
     /// It would be made of itself.
@@ -39,6 +46,7 @@ impl std::fmt::Display for WhyNot {
                 write!(f, "found {key} ({kind}), expected {expected}")
             }
             Self::Metamer(why) => write!(f, "{}", why.words()),
+            Self::Mix(why) => write!(f, "{why}"),
             Self::Nothing => write!(f, "found nothing that was measured there"),
             Self::Circle => write!(f, "it would be made of itself"),
         }
@@ -82,6 +90,17 @@ pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNo
             });
             through(&light, &links.collect::<Result<Vec<_>, _>>()?).ok_or(WhyNot::Nothing)
         }
+        Recipe::Mix { channels } => {
+            let lights = channels.iter().map(|(source, _)| {
+                if let Source::Named(key) = source {
+                    lamp(document, key)?;
+                }
+                light::channel(source, |key| table_of(document, key)).map_err(WhyNot::Mix)
+            });
+            let lights = lights.collect::<Result<Vec<_>, _>>()?;
+            let powers: Vec<f64> = channels.iter().map(|(_, power)| *power).collect();
+            light::spectrum(&lights, &powers).ok_or(WhyNot::Nothing)
+        }
     }
 }
 
@@ -122,6 +141,16 @@ fn lamp(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
         Kind::Light => Ok(entry),
         kind => Err(WhyNot::OtherKind(key.to_owned(), kind, "a light")),
     }
+}
+
+/// The light under a key as power a nm.
+pub fn table_of(document: &Document, key: &str) -> Option<Sampled> {
+    let entry = lamp(document, key).ok()?;
+    let mut spectrum = entry.spectrum.clone();
+    if photons::counts_photons(&spectrum) {
+        photons::to_power(&mut spectrum);
+    }
+    Some(spectrum.samples)
 }
 
 /// What a document holds under a key, its own or shipped; the paper's lamps as it weighs them.

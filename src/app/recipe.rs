@@ -4,7 +4,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::spectrum::Rect;
+use crate::{
+    design::{mixture::Source, recover::Method},
+    spectrum::Rect,
+};
 
 /// How a spectrum is made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,6 +40,11 @@ pub enum Recipe {
         /// Keys of what it meets, in that order.
         chain: Vec<(String, Times)>,
     },
+    /// Channels mixed to a light.
+    Mix {
+        /// What each is made of, named lights by their keys, and its power.
+        channels: Vec<(Source, f64)>,
+    },
 }
 
 impl Recipe {
@@ -48,6 +56,14 @@ impl Recipe {
             Self::Through { light, chain } => std::iter::once(light.as_str())
                 .chain(chain.iter().map(|(key, _)| key.as_str()))
                 .collect(),
+            Self::Mix { channels } => {
+                let sources = channels.iter().map(|(source, _)| source);
+                let keys = sources.filter_map(|source| match source {
+                    Source::Named(key) => Some(key.as_str()),
+                    _ => None,
+                });
+                keys.collect()
+            }
         }
     }
 
@@ -55,7 +71,7 @@ impl Recipe {
     pub fn light(&self) -> Option<&str> {
         match self {
             Self::Metamer { light, .. } | Self::Through { light, .. } => Some(light),
-            Self::Region { .. } => None,
+            Self::Region { .. } | Self::Mix { .. } => None,
         }
     }
 
@@ -64,7 +80,7 @@ impl Recipe {
     pub fn with_light(mut self, key: &str) -> Self {
         match &mut self {
             Self::Metamer { light, .. } | Self::Through { light, .. } => key.clone_into(light),
-            Self::Region { .. } => {}
+            Self::Region { .. } | Self::Mix { .. } => {}
         }
         self
     }
