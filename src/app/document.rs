@@ -5,8 +5,8 @@ use std::{collections::BTreeMap, sync::Arc};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    design::mix::Mix, entry::Entry, library::Library, opened::ImageEntry, origin::Before, products::Products,
-    scale::Scale, settings::Settings,
+    design::mix::Mix, entry::Entry, library::Library, opened::ImageEntry, origin::Before,
+    products::Products, scale::Scale, settings::Settings,
 };
 use crate::{preset::Preset, spectrum::SpikeEdits};
 

@@ -8,8 +8,7 @@ use super::{
     entry::Entry,
     library::Library,
     opened::ImageEntry,
-    photons,
-    picture,
+    photons, picture,
     products::{
         Link,
         two_lights::{Made, NoMetamer, TwoLightsSheet},

@@ -224,13 +224,19 @@ mod tests {
     fn a_dark_desk_and_an_empty_one_say_so() {
         let mut app = App::new();
         let mut mix = app.document().mix.clone();
-        mix.channels.iter_mut().for_each(|channel| channel.level = 0.0);
+        mix.channels
+            .iter_mut()
+            .for_each(|channel| channel.level = 0.0);
         app.apply(Command::Mix(mix));
         let desk = Desk::of(app.document());
         assert!(desk.recipe().is_none());
         assert_eq!(desk.sentence(), "Nothing shines: move a fader up.");
         app.apply(Command::Mix(Mix::default()));
-        assert!(Desk::of(app.document()).sentence().contains("add a channel"));
+        assert!(
+            Desk::of(app.document())
+                .sentence()
+                .contains("add a channel")
+        );
     }
 
     #[test]
@@ -282,7 +288,9 @@ mod tests {
         let at = samples.nm().iter().position(|nm| *nm == 500.0);
         assert_eq!(samples.values()[at.expect("on whole nm")], 50.0);
         // Without that light the channel is gone, and what was made of it stays.
-        app.apply(Command::Remove { key: made.key.clone() });
+        app.apply(Command::Remove {
+            key: made.key.clone(),
+        });
         assert!(app.document().mix.channels.is_empty());
         assert!(app.entry(&second.key).is_some());
     }

@@ -172,7 +172,11 @@ impl Mix {
         }
         let (is, was) = (&self.channels, &before.channels);
         if is.len() != was.len() {
-            let more = if is.len() > was.len() { "more" } else { "fewer" };
+            let more = if is.len() > was.len() {
+                "more"
+            } else {
+                "fewer"
+            };
             return Some(format!("{more} channels to mix"));
         }
         let changed: Vec<_> = is.iter().zip(was).filter(|(a, b)| a != b).collect();

@@ -4,6 +4,7 @@
 //! mix      the mixing desk as it is in the document
 //! light    the desk's channels as lights, a mixture as a spectrum
 //! desk     what the desk shows: figures, sentence, channel table
+//! named_lines  lines to put channels on
 //! wish     what is wished of a mixture, and the faders for it
 //! front    the trade between efficacy and colour rendering, as a job
 //! colour   a colour and the spectra that have it
@@ -12,3 +13,4 @@
 pub mod desk;
 pub mod light;
 pub mod mix;
+pub mod named_lines;

@@ -71,10 +71,7 @@ impl Source {
     pub fn words(&self) -> String {
         match self {
             Self::Line { at_nm } => format!("line:{at_nm}"),
-            Self::Gauss {
-                centre_nm,
-                fwhm_nm,
-            } => format!("gauss:{centre_nm},{fwhm_nm}"),
+            Self::Gauss { centre_nm, fwhm_nm } => format!("gauss:{centre_nm},{fwhm_nm}"),
             Self::Blackbody { kelvin } => format!("blackbody:{kelvin}"),
             Self::Daylight { kelvin } => format!("daylight:{kelvin}"),
             Self::Named(name) => name.clone(),
@@ -90,10 +87,7 @@ impl Source {
             Self::Line { at_nm } => Self::Line {
                 at_nm: within(at_nm, visible),
             },
-            Self::Gauss {
-                centre_nm,
-                fwhm_nm,
-            } => Self::Gauss {
+            Self::Gauss { centre_nm, fwhm_nm } => Self::Gauss {
                 centre_nm: within(centre_nm, visible),
                 fwhm_nm: within(fwhm_nm, WIDTHS_NM),
             },
@@ -221,7 +215,12 @@ mod tests {
             Source::Daylight { kelvin: 6500.0 }
         );
         assert_eq!(source("CIE D65"), Source::Named("CIE D65".to_owned()));
-        for words in ["line:546.1", "gauss:450,20", "blackbody:2700", "daylight:6500"] {
+        for words in [
+            "line:546.1",
+            "gauss:450,20",
+            "blackbody:2700",
+            "daylight:6500",
+        ] {
             assert_eq!(Spec::of(source(words)), words.parse().unwrap());
         }
         let fixed: Spec = "gauss:450,20=0.5".parse().unwrap();

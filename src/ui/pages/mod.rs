@@ -2,6 +2,7 @@
 
 pub mod auction_view;
 pub mod coefficients_view;
+pub mod design_view;
 pub mod glossary_view;
 pub mod image_view;
 pub mod products_view;
@@ -74,6 +75,7 @@ pub struct Pages {
     race: race_view::RaceView,
     products: products_view::ProductsView,
     quality: quality_view::QualityView,
+    design: design_view::DesignView,
     image: image_view::ImageView,
     glossary: glossary_view::GlossaryView,
     truth: truth_view::TruthView,
@@ -99,6 +101,7 @@ impl Pages {
             Page::Chromaticity => self.quality.diagram(ui, context),
             Page::Rendition => self.quality.rendition(ui, context),
             Page::QualityOrder => self.quality.order(ui, context),
+            Page::Mix | Page::Solve | Page::FromColour => self.design.mix(ui, context),
             Page::Coefficients => self.coefficients.show(ui, context),
             Page::Tradeoff => self.tradeoff.show(ui, context),
             Page::Auction => self.auction.show(ui, context),

@@ -1,0 +1,81 @@
+//! The place "Design": lights that are mixed, solved for, and made from colours.
+
+mod mix;
+mod strips;
+
+use eframe::egui;
+use egui::{RichText, Ui, vec2};
+
+use super::PageContext;
+use crate::{
+    app::{
+        App, Command,
+        chart::{self, Chart},
+        charts::design::{ground, on_diagram},
+        design::{
+            desk::Desk,
+            mix::Mix,
+            named_lines::{NamedLine, named_lines},
+        },
+        memo::Memo,
+    },
+    ui::{kit::named, swatch},
+};
+
+/// What the pages keep from frame to frame.
+#[derive(Default)]
+pub struct DesignView {
+    desk: Memo<u64, Desk>,
+    lines: Memo<(), Vec<NamedLine>>,
+    ground: Memo<chart::Theme, Chart>,
+    diagram: Memo<(u64, chart::Theme, Option<[f64; 2]>), Chart>,
+    spectrum: Memo<(u64, chart::Theme), Chart>,
+    /// The channel that is dragged in the spectrum.
+    held: Option<usize>,
+}
+
+impl DesignView {
+    /// Brings what is kept up to the document.
+    fn refresh(&mut self, app: &App) {
+        self.desk.get(app.revision(), |_| Desk::of(app.document()));
+        self.lines.get((), |_| named_lines(app.element_lines()));
+    }
+
+    /// The channels and the mixture among colours.
+    fn diagram(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        target: Option<[f64; 2]>,
+        size: egui::Vec2,
+    ) {
+        let theme = context.chart_theme();
+        let ground = &*self.ground.get(theme, |theme| ground(*theme));
+        let Some(desk) = self.desk.held() else { return };
+        let key = (context.app.revision(), theme, target);
+        let chart = &*self.diagram.get(key, |_| on_diagram(ground, desk, target));
+        context.chart(ui, chart, "colours of channels", size);
+    }
+}
+
+/// The colour of the mixture and the sentence about it.
+fn headline(ui: &mut Ui, context: &PageContext<'_>, colour: egui::Color32, words: &str) {
+    let scale = context.theme.scale;
+    ui.horizontal(|ui| {
+        let size = vec2(44.0, 24.0) * scale;
+        let (rect, response) = ui.allocate_exact_size(size, egui::Sense::hover());
+        named(&response, egui::Role::Image, "Colour of the mixture");
+        ui.painter().rect_filled(rect, 3.0, colour);
+        swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
+        response.on_hover_text("Its colour as bright as the screen can show it.");
+        let text = RichText::new(words).size(16.0 * scale);
+        ui.add(egui::Label::new(text).wrap());
+    });
+}
+
+/// Changes the desk of the document.
+fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Mix)) {
+    let mut mix = context.app.document().mix.clone();
+    change(&mut mix);
+    context.commands.push(Command::Mix(mix));
+}
