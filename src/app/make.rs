@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    design::light,
+    design::{light, recovered},
     document::Document,
     entry::Entry,
     library::Library,
@@ -13,10 +13,14 @@ use super::{
         Link,
         two_lights::{Made, NoMetamer, TwoLightsSheet},
     },
-    recipe::Recipe,
+    recipe::{Given, Recipe},
 };
 use crate::{
-    design::mixture::{MixError, Source},
+    color::Srgb,
+    design::{
+        mixture::{MixError, Source},
+        recover::RecoverError,
+    },
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
 
@@ -31,6 +35,8 @@ pub enum WhyNot {
     Metamer(NoMetamer),
     /// Its channels make no light.
     Mix(MixError),
+    /// No spectrum is made of its colour.
+    Colour(RecoverError),
     /// Nothing was measured there.
     Nothing,
     /// It would be made of itself.
@@ -46,6 +52,7 @@ impl std::fmt::Display for WhyNot {
             }
             Self::Metamer(why) => write!(f, "{}", why.words()),
             Self::Mix(why) => write!(f, "{why}"),
+            Self::Colour(why) => write!(f, "{why}"),
             Self::Nothing => write!(f, "found nothing that was measured there"),
             Self::Circle => write!(f, "it would be made of itself"),
         }
@@ -100,6 +107,31 @@ pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNo
             let powers: Vec<f64> = channels.iter().map(|(_, power)| *power).collect();
             light::spectrum(&lights, &powers).ok_or(WhyNot::Nothing)
         }
+        Recipe::Colour {
+            given,
+            light,
+            method,
+            lines,
+        } => {
+            let lamp = lamp(document, light)?;
+            let table = table_of(document, light).ok_or(WhyNot::Nothing)?;
+            let surface = match given {
+                Given::Of(key) => {
+                    Some(entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.clone()))?)
+                }
+                Given::Srgb(_) | Given::Lab(_) => None,
+            };
+            let colour = match (given, &surface) {
+                (_, Some(surface)) => surface.name().to_owned(),
+                (Given::Lab([l, a, b]), _) => format!("L*a*b* {l:.1}, {a:.1}, {b:.1}"),
+                (Given::Srgb(rgb), _) => Srgb(*rgb).hex(),
+                (Given::Of(key), _) => key.clone(),
+            };
+            let surface = surface.as_ref().map(|entry| &entry.spectrum.samples);
+            let words = [colour.as_str(), lamp.name()];
+            recovered::spectrum(*method, (given, lines), &table, surface, words)
+                .map_err(WhyNot::Colour)
+        }
     }
 }
 
@@ -153,7 +185,7 @@ pub fn table_of(document: &Document, key: &str) -> Option<Sampled> {
 }
 
 /// What a document holds under a key, its own or shipped; the paper's lamps as it weighs them.
-fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
+pub fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
     let held = document.own.iter().chain([&document.light]);
     if let Some(entry) = held.into_iter().find(|entry| entry.key == key) {
         return Some(entry.clone());

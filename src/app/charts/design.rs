@@ -7,10 +7,17 @@ use crate::{
             products::chain::strip,
             quality::{DiagramShows, diagram},
         },
-        design::{desk::Desk, mix::MixChannel},
+        design::{
+            desk::Desk,
+            front::{figure, figure_name, lines_words},
+            mix::MixChannel,
+        },
     },
     color::{wavelength_rgb::srgb_from_wavelength, xyz::FIRST_NM},
-    design::mixture::Source,
+    design::{
+        mixture::Source,
+        solve::{Against, FrontPoint},
+    },
     spectrum::Band,
 };
 
@@ -163,6 +170,69 @@ fn part(
         values.map(|(nm, value)| [nm, power * value]).collect()
     };
     (!is_line).then(points)
+}
+
+/// What lines at free places reach at best, and where the desk's mixture stands; the first series
+/// has the points that can be taken.
+pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: Theme) -> Chart {
+    let inks = Inks::of(theme);
+    let name = figure_name(against);
+    let known: Vec<(&FrontPoint, f64)> = points
+        .iter()
+        .filter_map(|point| Some((point, figure(point, against)?)))
+        .collect();
+    let places: Vec<[f64; 2]> = known
+        .iter()
+        .map(|(point, value)| [point.figures.ler, *value])
+        .collect();
+    let note = |(point, value): &(&FrontPoint, f64)| {
+        let ler = point.figures.ler;
+        format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
+    };
+    let dots = Series::points("at best", inks.spikes, Shape::Dot, places.clone());
+    let mut series = vec![
+        dots.with_notes(known.iter().map(note).collect()),
+        Series::line("", inks.spikes, places.clone()),
+    ];
+    let here = desk.figures.as_ref().and_then(|figures| {
+        let value = match against {
+            Against::Rf => figures.rf,
+            Against::Ra => figures.ra,
+        };
+        Some([figures.ler, value?])
+    });
+    if let Some(here) = here {
+        let ring = Series::points("the faders now", inks.measured, Shape::Ring, vec![here]);
+        series.push(ring);
+    }
+    let all = || places.iter().copied().chain(here);
+    let least = all().fold(f64::INFINITY, |least, at| least.min(at[0]));
+    let most = all().fold(f64::NEG_INFINITY, |most, at| most.max(at[0]));
+    let lowest = all().fold(0.0, |low: f64, at| low.min(at[1]));
+    let (title, blank) = match known.is_empty() {
+        true => (
+            "The front",
+            "No light of lines has this colour and a figure.",
+        ),
+        false => (
+            "What lines reach at best: click a point to take its lines",
+            "",
+        ),
+    };
+    Chart {
+        title: title.to_owned(),
+        x_label: "Efficacy (lm/W)".to_owned(),
+        y_label: name.to_owned(),
+        x_range: match least < most {
+            true => [(least - 10.0).max(0.0), most + 10.0],
+            false => [0.0, 683.0],
+        },
+        y_range: Some([lowest, 100.0]),
+        blank: blank.to_owned(),
+        series,
+        theme,
+        ..Chart::default()
+    }
 }
 
 /// The channel whose line or LED stands nearest to a place, within a reach.

@@ -69,9 +69,9 @@ impl Mix {
     /// What a fresh document starts with: four coloured LEDs at a warm white.
     pub fn first() -> Self {
         let leds = [
-            (455.0, 20.0, 17.0),
-            (530.0, 34.0, 52.0),
-            (595.0, 18.0, 44.0),
+            (455.0, 20.0, 24.0),
+            (530.0, 34.0, 75.0),
+            (595.0, 18.0, 40.0),
             (632.0, 18.0, 100.0),
         ];
         let channel = |(centre_nm, fwhm_nm, level): (f64, f64, f64)| MixChannel {

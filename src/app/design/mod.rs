@@ -7,10 +7,15 @@
 //! named_lines  lines to put channels on
 //! wish     what is wished of a mixture, and the faders for it
 //! front    the trade between efficacy and colour rendering, as a job
+//! recovered  from a colour to a spectrum
 //! colour   a colour and the spectra that have it
 //! ```
 
+pub mod colour;
 pub mod desk;
+pub mod front;
 pub mod light;
 pub mod mix;
 pub mod named_lines;
+pub mod recovered;
+pub mod wish;

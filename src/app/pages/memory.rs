@@ -4,7 +4,12 @@ use serde::{Deserialize, Serialize};
 
 use super::Page;
 use crate::{
-    app::{charts::quality::DiagramShows, picture::ImageMemory, products::ProductsMemory},
+    app::{
+        charts::quality::DiagramShows,
+        design::{colour::FromColour, wish::MixWish},
+        picture::ImageMemory,
+        products::ProductsMemory,
+    },
     study::{Goal, Measure},
 };
 
@@ -40,6 +45,10 @@ pub struct PageMemory {
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
     pub diagram: DiagramShows,
+    /// Design: what is wished of the mixture.
+    pub wish: MixWish,
+    /// Design: the colour that spectra are made from.
+    pub colour: FromColour,
     /// Image: which one, which pixels, and how it is drawn.
     pub image: ImageMemory,
 }
@@ -61,6 +70,8 @@ impl Default for PageMemory {
             race_measure: Measure::Patches,
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
+            wish: MixWish::default(),
+            colour: FromColour::default(),
             image: ImageMemory::default(),
         }
     }
@@ -96,6 +107,8 @@ impl PageMemory {
                 measure => measure,
             },
             products: self.products.clamped(),
+            wish: self.wish.clamped(),
+            colour: self.colour.clamped(),
             image: self.image.clamped(),
             ..self
         }

@@ -23,6 +23,7 @@ use super::{
     tables::CURVE_ORDER,
 };
 use crate::{
+    design::solve::{FrontPoint, FrontWish},
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, Progress, Race, Sweep,
@@ -164,6 +165,8 @@ pub struct Studies {
     pub bounces: Job<u64, Bounced>,
     /// Light quality against the order, by the program's revision.
     pub quality: Job<u64, OrderFigures>,
+    /// What lines reach at best.
+    pub front: Job<FrontWish, Result<Vec<FrontPoint>, String>>,
     /// The picture of a spectral image.
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
@@ -181,12 +184,14 @@ impl Studies {
             timing,
             bounces,
             quality,
+            front,
             raster,
             region,
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
         vec![
-            sweep, auction, spend, race, pairs, ranking, timing, bounces, quality, raster, region,
+            sweep, auction, spend, race, pairs, ranking, timing, bounces, quality, front, raster,
+            region,
         ]
     }
 

@@ -195,12 +195,13 @@ fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
     ui.horizontal(|ui| {
         ui.label("All");
         let mut highest = desk.mix.highest();
+        let shines = highest > 0.0;
         ui.spacing_mut().slider_width = (ui.available_width() - 70.0).max(60.0);
         let slider = Slider::new(&mut highest, 0.0..=FULL)
             .fixed_decimals(0)
             .suffix(" %");
         // From nothing there is no way up: the shares would be lost.
-        let slider = ui.add_enabled(highest > 0.0, slider);
+        let slider = ui.add_enabled(shines, slider);
         named(&slider, egui::Role::Slider, "All faders");
         let changed = slider.changed();
         slider.on_hover_text("Moves all faders together: brighter or darker at constant colour.");

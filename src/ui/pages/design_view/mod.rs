@@ -1,6 +1,8 @@
 //! The place "Design": lights that are mixed, solved for, and made from colours.
 
+mod colour;
 mod mix;
+mod solve;
 mod strips;
 
 use eframe::egui;
@@ -13,9 +15,11 @@ use crate::{
         chart::{self, Chart},
         charts::design::{ground, on_diagram},
         design::{
+            colour::FromColour,
             desk::Desk,
             mix::Mix,
             named_lines::{NamedLine, named_lines},
+            wish::{MixWish, Solved},
         },
         memo::Memo,
     },
@@ -30,6 +34,10 @@ pub struct DesignView {
     ground: Memo<chart::Theme, Chart>,
     diagram: Memo<(u64, chart::Theme, Option<[f64; 2]>), Chart>,
     spectrum: Memo<(u64, chart::Theme), Chart>,
+    solved: Memo<(u64, MixWish), Result<Solved, String>>,
+    colour: Memo<(u64, chart::Theme, FromColour), Result<colour::Shown, String>>,
+    /// The hexadecimal colour while it is typed.
+    typed: Option<String>,
     /// The channel that is dragged in the spectrum.
     held: Option<usize>,
 }
