@@ -19,7 +19,7 @@ use crate::{
     color::Srgb,
     design::{
         mixture::{MixError, Source},
-        recover::RecoverError,
+        recover::{Method, RecoverError},
     },
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
@@ -112,27 +112,34 @@ pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNo
             light,
             method,
             lines,
-        } => {
-            let lamp = lamp(document, light)?;
-            let table = table_of(document, light).ok_or(WhyNot::Nothing)?;
-            let surface = match given {
-                Given::Of(key) => {
-                    Some(entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.clone()))?)
-                }
-                Given::Srgb(_) | Given::Lab(_) => None,
-            };
-            let colour = match (given, &surface) {
-                (_, Some(surface)) => surface.name().to_owned(),
-                (Given::Lab([l, a, b]), _) => format!("L*a*b* {l:.1}, {a:.1}, {b:.1}"),
-                (Given::Srgb(rgb), _) => Srgb(*rgb).hex(),
-                (Given::Of(key), _) => key.clone(),
-            };
-            let surface = surface.as_ref().map(|entry| &entry.spectrum.samples);
-            let words = [colour.as_str(), lamp.name()];
-            recovered::spectrum(*method, (given, lines), &table, surface, words)
-                .map_err(WhyNot::Colour)
-        }
+        } => of_colour(document, (given, lines), light, *method),
     }
+}
+
+/// A spectrum that has a colour.
+fn of_colour(
+    document: &Document,
+    (given, lines): (&Given, &[f64]),
+    light: &str,
+    method: Method,
+) -> Result<NamedSpectrum, WhyNot> {
+    let lamp = lamp(document, light)?;
+    let table = table_of(document, light).ok_or(WhyNot::Nothing)?;
+    let surface = match given {
+        Given::Of(key) => {
+            Some(entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.clone()))?)
+        }
+        Given::Srgb(_) | Given::Lab(_) => None,
+    };
+    let colour = match (given, &surface) {
+        (_, Some(surface)) => surface.name().to_owned(),
+        (Given::Lab([l, a, b]), _) => format!("L*a*b* {l:.1}, {a:.1}, {b:.1}"),
+        (Given::Srgb(rgb), _) => Srgb(*rgb).hex(),
+        (Given::Of(key), _) => key.clone(),
+    };
+    let surface = surface.as_ref().map(|entry| &entry.spectrum.samples);
+    let words = [colour.as_str(), lamp.name()];
+    recovered::spectrum(method, (given, lines), &table, surface, words).map_err(WhyNot::Colour)
 }
 
 /// What a chain leaves of a light, over the light's own range at every nm: it serves under another

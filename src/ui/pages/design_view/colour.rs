@@ -115,28 +115,7 @@ fn asked(
         }
         edit.on_hover_text("sRGB in hexadecimal, such as #c08040.");
     });
-    ui.horizontal_wrapped(|ui| {
-        let now = sheet.map_or([50.0, 0.0, 0.0], |s| [s.lab.l, s.lab.a, s.lab.b]);
-        let mut lab = now;
-        for (value, title) in lab.iter_mut().zip(["L*", "a*", "b*"]) {
-            ui.label(title);
-            let range = if title == "L*" {
-                0.0..=100.0
-            } else {
-                -200.0..=200.0
-            };
-            let number = DragValue::new(value)
-                .range(range)
-                .speed(0.3)
-                .fixed_decimals(1);
-            let response = ui.add(number);
-            named(&response, egui::Role::SpinButton, title);
-            response.on_hover_text("CIE 1976, against the light's own white.");
-        }
-        if lab != now {
-            given = Given::Lab(lab);
-        }
-    });
+    lab_row(ui, sheet, &mut given);
     ui.horizontal_wrapped(|ui| {
         ui.label("or that of");
         let says = match &given {
@@ -169,6 +148,32 @@ fn asked(
         }
     });
     context.memory.colour.given = given;
+}
+
+/// The colour as L*, a* and b*.
+fn lab_row(ui: &mut Ui, sheet: Option<&ColourSheet>, given: &mut Given) {
+    ui.horizontal_wrapped(|ui| {
+        let now = sheet.map_or([50.0, 0.0, 0.0], |s| [s.lab.l, s.lab.a, s.lab.b]);
+        let mut lab = now;
+        for (value, title) in lab.iter_mut().zip(["L*", "a*", "b*"]) {
+            ui.label(title);
+            let range = if title == "L*" {
+                0.0..=100.0
+            } else {
+                -200.0..=200.0
+            };
+            let number = DragValue::new(value)
+                .range(range)
+                .speed(0.3)
+                .fixed_decimals(1);
+            let response = ui.add(number);
+            named(&response, egui::Role::SpinButton, title);
+            response.on_hover_text("CIE 1976, against the light's own white.");
+        }
+        if lab != now {
+            *given = Given::Lab(lab);
+        }
+    });
 }
 
 /// What is a reflectance.
