@@ -8,7 +8,7 @@ use spectral_explorer::{
         charts::quality::DiagramShows,
         design::{
             colour::FromColour,
-            mix::{Mix, MixChannel},
+            mix::{Mix, MixChannel, Snapshot},
             wish::MixWish,
         },
         document::FIRST_LIGHT,
@@ -245,6 +245,17 @@ pub fn full_preferences() -> Preferences {
                 lines: vec![1e3 / 3.0 + 100.0],
                 lamp: D65.to_owned(),
             },
+            kept: [
+                Some(Snapshot {
+                    mix: Mix::first(),
+                    words: "A white light.".to_owned(),
+                }),
+                None,
+                Some(Snapshot {
+                    mix: Mix::default(),
+                    words: String::new(),
+                }),
+            ],
             wish: MixWish {
                 light: Some(D65.to_owned()),
                 kelvin: 3000.0,

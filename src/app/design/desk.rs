@@ -10,8 +10,8 @@ use super::{
 use crate::{
     app::{document::Document, make::table_of, recipe::Recipe},
     color::{
-        Srgb, Swatch, Xyz,
-        quality::{Light, rendering},
+        Adaptation, Srgb, Swatch, Xyz,
+        quality::{Light, RENDERING_NAMES, Rendering, rendering},
         uv_1976_from_xyz,
     },
     design::{
@@ -48,8 +48,8 @@ pub struct Desk {
     pub values: Vec<f64>,
     /// Its figures; `None` where no channel is a light.
     pub figures: Option<MixFigures>,
-    /// R9 of the mixture.
-    pub r9: Option<f64>,
+    /// The test colours under the mixture and under its reference.
+    pub rendering: Option<Rendering>,
     /// Corners of what the channels that are heard can show, CIE 1976 u'v'.
     pub reach: Vec<[f64; 2]>,
 }
@@ -69,7 +69,7 @@ impl Desk {
             strips,
             values: Vec::new(),
             figures: None,
-            r9: None,
+            rendering: None,
             reach: Vec::new(),
         };
         let (channels, powers) = desk.lights();
@@ -80,11 +80,36 @@ impl Desk {
             desk.reach = mixer.reachable_uv();
         }
         let cct = desk.figures.as_ref().and_then(|figures| figures.cct);
-        desk.r9 = cct.and_then(|cct| {
-            let found = rendering(&Light::of_nm_values(&desk.values), cct).ok()?;
-            Some(found.samples[8].index)
-        });
+        desk.rendering =
+            cct.and_then(|cct| rendering(&Light::of_nm_values(&desk.values), cct).ok());
         desk
+    }
+
+    /// R9 of the mixture.
+    pub fn r9(&self) -> Option<f64> {
+        let rendering = self.rendering.as_ref()?;
+        Some(rendering.samples[8].index)
+    }
+
+    /// The test colours as an eye sees them that is adapted to each: under the mixture, under the
+    /// reference of its temperature, and what they are.
+    pub fn surfaces(&self) -> Vec<(Swatch, Swatch, String)> {
+        let Some(found) = &self.rendering else {
+            return Vec::new();
+        };
+        let whites = [found.test_white, found.reference_white];
+        let samples = found.samples.iter().zip(RENDERING_NAMES).enumerate();
+        samples
+            .map(|(i, (sample, name))| {
+                let seen = |xyz, white| Swatch::of_patch(xyz, white, Adaptation::ToLight);
+                let words = format!("R{} {:.0}: {name}", i + 1, sample.index);
+                (
+                    seen(sample.test, whites[0]),
+                    seen(sample.reference, whites[1]),
+                    words,
+                )
+            })
+            .collect()
     }
 
     /// The channels that are lights and are heard, with their powers.
@@ -128,7 +153,7 @@ impl Desk {
             None if self.mix.channels.is_empty() => {
                 "Nothing is mixed yet: add a channel.".to_owned()
             }
-            Some(figures) if figures.xyz.is_some() => words(figures, self.r9),
+            Some(figures) if figures.xyz.is_some() => words(figures, self.r9()),
             _ => "Nothing shines: move a fader up.".to_owned(),
         }
     }
@@ -218,6 +243,19 @@ mod tests {
         assert!(sentence.starts_with("A white light of "), "{sentence}");
         assert!(sentence.contains(&format!("{:.0} K", cct.kelvin)));
         assert!(sentence.contains("R9 "));
+    }
+
+    #[test]
+    fn the_test_colours_stand_beside_those_of_the_reference() {
+        let desk = Desk::of(App::new().document());
+        let surfaces = desk.surfaces();
+        assert_eq!(surfaces.len(), 15);
+        assert!(
+            surfaces
+                .iter()
+                .any(|(test, reference, _)| test.rgb8 != reference.rgb8)
+        );
+        assert!(surfaces[8].2.starts_with("R9 "), "{}", surfaces[8].2);
     }
 
     #[test]

@@ -194,6 +194,26 @@ impl Mix {
     }
 }
 
+/// A desk that was kept, with the sentence about it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Snapshot {
+    /// The desk.
+    pub mix: Mix,
+    /// What it was worth.
+    pub words: String,
+}
+
+impl Snapshot {
+    /// Every value of the desk moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        Self {
+            mix: self.mix.clamped(),
+            ..self
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

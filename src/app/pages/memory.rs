@@ -6,7 +6,7 @@ use super::Page;
 use crate::{
     app::{
         charts::quality::DiagramShows,
-        design::{colour::FromColour, wish::MixWish},
+        design::{colour::FromColour, mix::Snapshot, wish::MixWish},
         picture::ImageMemory,
         products::ProductsMemory,
     },
@@ -45,6 +45,8 @@ pub struct PageMemory {
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
     pub diagram: DiagramShows,
+    /// Design: desks that were kept, A, B and C.
+    pub kept: [Option<Snapshot>; 3],
     /// Design: what is wished of the mixture.
     pub wish: MixWish,
     /// Design: the colour that spectra are made from.
@@ -70,6 +72,7 @@ impl Default for PageMemory {
             race_measure: Measure::Patches,
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
+            kept: [None, None, None],
             wish: MixWish::default(),
             colour: FromColour::default(),
             image: ImageMemory::default(),
@@ -107,6 +110,7 @@ impl PageMemory {
                 measure => measure,
             },
             products: self.products.clamped(),
+            kept: self.kept.map(|kept| kept.map(Snapshot::clamped)),
             wish: self.wish.clamped(),
             colour: self.colour.clamped(),
             image: self.image.clamped(),

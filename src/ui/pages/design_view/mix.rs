@@ -1,9 +1,9 @@
 //! The page "Mix": faders, the diagram, the spectrum of the mixture.
 
 use eframe::egui;
-use egui::{Slider, Ui, vec2};
+use egui::{Ui, vec2};
 
-use super::{DesignView, change, headline, strips};
+use super::{DesignView, Fader, change, headline, strips};
 use crate::{
     app::{
         Command,
@@ -11,14 +11,14 @@ use crate::{
         command::MadeFor,
         design::{
             desk::Desk,
-            mix::{FULL, MOST_CHANNELS, MixChannel},
+            mix::{FULL, MOST_CHANNELS, MixChannel, Snapshot},
             named_lines::{NamedLine, snapped},
         },
     },
     design::mixture::Source,
     ui::{
         chart_view::ChartView,
-        kit::{Chooser, copy_button, lights, named, scrolled},
+        kit::{Chooser, copy_button, lights, scrolled},
         pages::PageContext,
         swatch,
     },
@@ -51,7 +51,7 @@ impl DesignView {
         let room = ui.available_size();
         let scale = context.theme.scale;
         if room.x >= WIDE * scale {
-            let left = (0.47 * room.x).min(620.0 * scale);
+            let left = (0.5 * room.x).min(620.0 * scale);
             ui.horizontal_top(|ui| {
                 let faders = vec2(left, room.y);
                 ui.allocate_ui_with_layout(
@@ -125,7 +125,7 @@ impl DesignView {
 fn faders_of(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
     add_row(ui, context, desk, lines);
     ui.add_space(4.0);
-    let rest = 64.0 * context.theme.scale;
+    let rest = 120.0 * context.theme.scale;
     let height = (ui.available_height() - rest).max(80.0);
     let size = vec2(ui.available_width(), height);
     ui.allocate_ui_with_layout(size, egui::Layout::top_down(egui::Align::Min), |ui| {
@@ -192,19 +192,24 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
 
 /// All faders together, and where the mixture goes.
 fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    surfaces(ui, context, desk);
     ui.horizontal(|ui| {
         ui.label("All");
         let mut highest = desk.mix.highest();
         let shines = highest > 0.0;
-        ui.spacing_mut().slider_width = (ui.available_width() - 70.0).max(60.0);
-        let slider = Slider::new(&mut highest, 0.0..=FULL)
-            .fixed_decimals(0)
-            .suffix(" %");
         // From nothing there is no way up: the shares would be lost.
-        let slider = ui.add_enabled(shines, slider);
-        named(&slider, egui::Role::Slider, "All faders");
-        let changed = slider.changed();
-        slider.on_hover_text("Moves all faders together: brighter or darker at constant colour.");
+        ui.add_enabled_ui(shines, |ui| {
+            Fader {
+                name: "All faders",
+                meaning: "Moves all faders together: brighter or darker at constant colour.",
+                range: 0.0..=FULL,
+                digits: 0,
+                suffix: " %",
+                logarithmic: false,
+            }
+            .show(ui, &mut highest, 0.0, context.theme.scale);
+        });
+        let changed = highest != desk.mix.highest();
         if changed {
             let dimmed = desk.mix.clone().dimmed(highest.max(0.1));
             context.commands.push(Command::Mix(dimmed));
@@ -222,6 +227,7 @@ fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
             let place = MadeFor::Shown;
             context.commands.push(Command::Make { recipe, place });
         }
+        kept(ui, context, desk);
         copy_button(
             ui,
             "Copy the channels as CSV",
@@ -230,4 +236,57 @@ fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
             || desk.to_csv(),
         );
     });
+}
+
+/// The test colours, at the left as under the mixture, at the right as under its reference.
+fn surfaces(ui: &mut Ui, context: &PageContext<'_>, desk: &Desk) {
+    let surfaces = desk.surfaces();
+    let words = match surfaces.is_empty() {
+        true => "Test colours: this light has no reference to stand beside",
+        false => "Test colours: under the mixture | under its reference",
+    };
+    ui.label(egui::RichText::new(words).small()).on_hover_text(
+        "The reference is a blackbody, from 5000 K on daylight, of the same temperature. Each \
+         half as an eye adapted to its light sees it.",
+    );
+    let gap = 2.0;
+    let count = surfaces.len().max(1) as f32;
+    let width = ((ui.available_width() - gap * (count - 1.0)) / count).floor();
+    let size = vec2(width.max(8.0), 26.0 * context.theme.scale);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = gap;
+        for (test, reference, words) in &surfaces {
+            swatch::split(ui, size, test, reference, words).on_hover_text(words);
+        }
+        ui.set_min_height(size.y);
+    });
+}
+
+/// Desks to come back to.
+fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    for (slot, name) in context.memory.kept.iter_mut().zip(["A", "B", "C"]) {
+        let is_here = slot.as_ref().is_some_and(|kept| kept.mix == desk.mix);
+        let button = ui.selectable_label(is_here, name);
+        let words = match slot {
+            Some(kept) => format!(
+                "{}\nClick to bring the desk back so; right click to forget it.",
+                kept.words
+            ),
+            None => format!("Keeps the desk as {name}, to come back to and to compare."),
+        };
+        if button.secondary_clicked() {
+            *slot = None;
+        } else if button.clicked() {
+            match slot {
+                Some(kept) => context.commands.push(Command::Mix(kept.mix.clone())),
+                None => {
+                    *slot = Some(Snapshot {
+                        mix: desk.mix.clone(),
+                        words: desk.sentence(),
+                    });
+                }
+            }
+        }
+        button.on_hover_text(words);
+    }
 }

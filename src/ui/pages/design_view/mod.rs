@@ -6,7 +6,7 @@ mod solve;
 mod strips;
 
 use eframe::egui;
-use egui::{RichText, Ui, vec2};
+use egui::{DragValue, RichText, Slider, Ui, vec2};
 
 use super::PageContext;
 use crate::{
@@ -86,4 +86,37 @@ fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Mix)) {
     let mut mix = context.app.document().mix.clone();
     change(&mut mix);
     context.commands.push(Command::Mix(mix));
+}
+
+/// A slider with its number behind it, both called the same.
+struct Fader<'a> {
+    name: &'a str,
+    meaning: &'a str,
+    range: std::ops::RangeInclusive<f64>,
+    digits: usize,
+    suffix: &'a str,
+    logarithmic: bool,
+}
+
+impl Fader<'_> {
+    /// Draws it over the room there is, but for `rest` points behind it.
+    fn show(self, ui: &mut Ui, value: &mut f64, rest: f32, scale: f32) {
+        let number = 58.0 * scale;
+        ui.spacing_mut().slider_width = (ui.available_width() - rest - number - 8.0).max(40.0);
+        let slider = Slider::new(value, self.range.clone())
+            .logarithmic(self.logarithmic)
+            .show_value(false);
+        let slider = ui.add(slider);
+        named(&slider, egui::Role::Slider, self.name);
+        slider.on_hover_text(self.meaning);
+        let speed = (self.range.end() - self.range.start()) / 500.0;
+        let drag = DragValue::new(value)
+            .range(self.range)
+            .speed(speed)
+            .fixed_decimals(self.digits)
+            .suffix(self.suffix);
+        let drag = ui.add_sized([number, ui.spacing().interact_size.y], drag);
+        named(&drag, egui::Role::SpinButton, self.name);
+        drag.on_hover_text(self.meaning);
+    }
 }

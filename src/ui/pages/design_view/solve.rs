@@ -1,9 +1,9 @@
 //! The page "Solve": the faders for a colour that is wished for, and the front of free lines.
 
 use eframe::egui;
-use egui::{DragValue, Slider, Ui, vec2};
+use egui::{DragValue, Ui, vec2};
 
-use super::{DesignView, headline};
+use super::{DesignView, Fader, headline};
 use crate::{
     app::{
         Command,
@@ -175,31 +175,35 @@ fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
             );
         return;
     }
-    ui.spacing_mut().slider_width = (ui.available_width() - 190.0 * scale).max(80.0);
-    let mut slider = |slider: Slider<'_>, name: &str, title: &str, meaning: &str| {
+    let mut fader = |value: &mut f64, title: &str, fader: Fader<'_>| {
         ui.horizontal(|ui| {
-            let label = ui.add_sized([84.0 * scale, 18.0], egui::Label::new(title));
-            label.on_hover_text(meaning);
-            let response = ui.add(slider);
-            named(&response, egui::Role::Slider, name);
-            response.on_hover_text(meaning);
+            let size = vec2(76.0 * scale, ui.spacing().interact_size.y);
+            let left = egui::Layout::left_to_right(egui::Align::Center);
+            ui.allocate_ui_with_layout(size, left, |ui| {
+                ui.set_min_size(size);
+                ui.label(title);
+            });
+            fader.show(ui, value, 0.0, scale);
         });
     };
-    slider(
-        Slider::new(&mut wish.kelvin, KELVIN)
-            .logarithmic(true)
-            .fixed_decimals(0)
-            .suffix(" K"),
-        "Temperature wished for",
-        "Temperature",
-        "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.",
-    );
-    slider(
-        Slider::new(&mut wish.duv, DUV).fixed_decimals(4),
-        "Duv wished for",
-        "Tint (Duv)",
-        "Distance from the blackbodies: above 0 greenish, below 0 pinkish.",
-    );
+    let temperature = Fader {
+        name: "Temperature wished for",
+        meaning: "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.",
+        range: KELVIN,
+        digits: 0,
+        suffix: " K",
+        logarithmic: true,
+    };
+    fader(&mut wish.kelvin, "Temperature", temperature);
+    let tint = Fader {
+        name: "Duv wished for",
+        meaning: "Distance from the blackbodies: above 0 greenish, below 0 pinkish.",
+        range: DUV,
+        digits: 4,
+        suffix: "",
+        logarithmic: false,
+    };
+    fader(&mut wish.duv, "Tint (Duv)", tint);
 }
 
 fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {

@@ -1,9 +1,9 @@
 //! The channels of the desk: what each is, its fader and its switches.
 
 use eframe::egui;
-use egui::{DragValue, Slider, Ui, vec2};
+use egui::{DragValue, Ui, vec2};
 
-use super::change;
+use super::{Fader, change};
 use crate::{
     app::design::{
         desk::{Desk, Strip},
@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// Width of what a channel is, points.
-const WHAT: f32 = 178.0;
+const WHAT: f32 = 150.0;
 
 /// The channels, one below the other.
 pub fn show(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
@@ -59,15 +59,17 @@ fn one(
         ui.spacing_mut().item_spacing.x = 4.0;
         what(ui, strip, channel, lines, number);
     });
-    let buttons = 4.0 * (ui.spacing().interact_size.y + 6.0) + 58.0 * scale;
-    ui.spacing_mut().slider_width = (ui.available_width() - buttons).max(50.0);
     ui.spacing_mut().item_spacing.x = 4.0;
-    let slider = Slider::new(&mut channel.level, 0.0..=FULL)
-        .fixed_decimals(1)
-        .suffix(" %");
-    let fader = ui.add(slider);
-    named(&fader, egui::Role::Slider, &format!("Fader {number}"));
-    fader.on_hover_text("Its power, per cent of the most it can give; the same for each channel.");
+    let buttons = 4.0 * (ui.spacing().interact_size.y + 8.0);
+    Fader {
+        name: &format!("Fader {number}"),
+        meaning: "Its power, per cent of the most it can give; the same for each channel.",
+        range: 0.0..=FULL,
+        digits: 1,
+        suffix: " %",
+        logarithmic: false,
+    }
+    .show(ui, &mut channel.level, buttons, scale);
     let mut switch = |on: &mut bool, sign: &str, name: &str, meaning: &str| {
         let button = ui.toggle_value(on, sign);
         named(&button, egui::Role::CheckBox, &format!("{name} {number}"));
