@@ -165,7 +165,7 @@ fn told(wish: &MixWish, solution: &Solution) -> String {
     let found = words(&solution.figures, None);
     let asked = wish.colour_words();
     match (solution.reached, solution.delta_uv_to_target) {
-        (true, _) => format!("These channels make the colour of {asked} exactly. {found}"),
+        (true, _) => format!("These channels can make the colour of {asked} exactly. {found}"),
         (false, Some(off)) if off < 1e-6 => {
             let why = &solution.why;
             format!("The colour of {asked} is met, the floors are not: {why}. {found}")
