@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use super::{
+    design::mix::Mix,
     document::{Document, Subject, View},
     entry::Entry,
     opened::{ImageEntry, Opened},
@@ -67,6 +68,8 @@ pub enum Command {
     View(View),
     /// What the page `Products` multiplies; clamped when applied.
     Products(Products),
+    /// The mixing desk; clamped when applied.
+    Mix(Mix),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
     /// Makes a spectrum, which joins the user's own and follows what it is made of.
@@ -142,7 +145,8 @@ impl Command {
             (Self::Edit(_), Self::Edit(_))
             | (Self::EditSpikes(_), Self::EditSpikes(_))
             | (Self::WeightFactor(_), Self::WeightFactor(_))
-            | (Self::Products(_), Self::Products(_)) => true,
+            | (Self::Products(_), Self::Products(_))
+            | (Self::Mix(_), Self::Mix(_)) => true,
             (Self::MakeOtherwise { key: a, .. }, Self::MakeOtherwise { key: b, .. }) => a == b,
             (Self::Rename { key: a, .. }, Self::Rename { key: b, .. }) => a == b,
             _ => false,

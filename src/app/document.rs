@@ -5,8 +5,8 @@ use std::{collections::BTreeMap, sync::Arc};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    entry::Entry, library::Library, opened::ImageEntry, origin::Before, products::Products,
-    scale::Scale, settings::Settings,
+    design::mix::Mix, entry::Entry, library::Library, opened::ImageEntry, origin::Before,
+    products::Products, scale::Scale, settings::Settings,
 };
 use crate::{preset::Preset, spectrum::SpikeEdits};
 
@@ -124,6 +124,8 @@ pub struct Document {
     pub view: View,
     /// What the page `Products` multiplies.
     pub products: Products,
+    /// The mixing desk of the place `Design`.
+    pub mix: Mix,
 }
 
 /// The best reading of Table 4's weights: contributions to the mean over the paper's 300 nm.
@@ -181,6 +183,7 @@ impl Document {
             weight_factor: PAPER_WEIGHT_FACTOR,
             view: View::default(),
             products: Products::first(),
+            mix: Mix::first(),
         }
     }
 
@@ -206,6 +209,7 @@ impl Document {
             weight_factor,
             view,
             products,
+            mix,
         } = self;
         Arc::ptr_eq(light, &other.light)
             && same(factor.as_slice(), other.factor.as_slice())
@@ -226,6 +230,7 @@ impl Document {
             && *weight_factor == other.weight_factor
             && *view == other.view
             && products.is_same_as(&other.products)
+            && *mix == other.mix
     }
 
     /// The spectrum that the model is of.

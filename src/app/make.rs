@@ -3,21 +3,29 @@
 use std::sync::Arc;
 
 use super::{
+    design::{light, recovered},
     document::Document,
     entry::Entry,
     library::Library,
     opened::ImageEntry,
-    picture,
+    photons, picture,
     products::{
         Link,
         two_lights::{Made, NoMetamer, TwoLightsSheet},
     },
-    recipe::Recipe,
+    recipe::{Given, Recipe},
 };
-use crate::spectrum::{Band, Kind, NamedSpectrum, Sampled};
+use crate::{
+    color::Srgb,
+    design::{
+        mixture::{MixError, Source},
+        recover::{Method, RecoverError},
+    },
+    spectrum::{Band, Kind, NamedSpectrum, Sampled},
+};
 
 /// Why something cannot be made.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum WhyNot {
     /// Nothing has that key.
     Missing(String),
@@ -25,6 +33,10 @@ pub enum WhyNot {
     OtherKind(String, Kind, &'static str),
     /// There is no such metamer.
     Metamer(NoMetamer),
+    /// Its channels make no light.
+    Mix(MixError),
+    /// No spectrum is made of its colour.
+    Colour(RecoverError),
     /// Nothing was measured there.
     Nothing,
     /// It would be made of itself.
@@ -39,6 +51,8 @@ impl std::fmt::Display for WhyNot {
                 write!(f, "found {key} ({kind}), expected {expected}")
             }
             Self::Metamer(why) => write!(f, "{}", why.words()),
+            Self::Mix(why) => write!(f, "{why}"),
+            Self::Colour(why) => write!(f, "{why}"),
             Self::Nothing => write!(f, "found nothing that was measured there"),
             Self::Circle => write!(f, "it would be made of itself"),
         }
@@ -82,7 +96,50 @@ pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNo
             });
             through(&light, &links.collect::<Result<Vec<_>, _>>()?).ok_or(WhyNot::Nothing)
         }
+        Recipe::Mix { channels } => {
+            let lights = channels.iter().map(|(source, _)| {
+                if let Source::Named(key) = source {
+                    lamp(document, key)?;
+                }
+                light::channel(source, |key| table_of(document, key)).map_err(WhyNot::Mix)
+            });
+            let lights = lights.collect::<Result<Vec<_>, _>>()?;
+            let powers: Vec<f64> = channels.iter().map(|(_, power)| *power).collect();
+            light::spectrum(&lights, &powers).ok_or(WhyNot::Nothing)
+        }
+        Recipe::Colour {
+            given,
+            light,
+            method,
+            lines,
+        } => of_colour(document, (given, lines), light, *method),
     }
+}
+
+/// A spectrum that has a colour.
+fn of_colour(
+    document: &Document,
+    (given, lines): (&Given, &[f64]),
+    light: &str,
+    method: Method,
+) -> Result<NamedSpectrum, WhyNot> {
+    let lamp = lamp(document, light)?;
+    let table = table_of(document, light).ok_or(WhyNot::Nothing)?;
+    let surface = match given {
+        Given::Of(key) => {
+            Some(entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.clone()))?)
+        }
+        Given::Srgb(_) | Given::Lab(_) => None,
+    };
+    let colour = match (given, &surface) {
+        (_, Some(surface)) => surface.name().to_owned(),
+        (Given::Lab([l, a, b]), _) => format!("L*a*b* {l:.1}, {a:.1}, {b:.1}"),
+        (Given::Srgb(rgb), _) => Srgb(*rgb).hex(),
+        (Given::Of(key), _) => key.clone(),
+    };
+    let surface = surface.as_ref().map(|entry| &entry.spectrum.samples);
+    let words = [colour.as_str(), lamp.name()];
+    recovered::spectrum(method, (given, lines), &table, surface, words).map_err(WhyNot::Colour)
 }
 
 /// What a chain leaves of a light, over the light's own range at every nm: it serves under another
@@ -124,8 +181,18 @@ fn lamp(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
     }
 }
 
+/// The light under a key as power a nm.
+pub fn table_of(document: &Document, key: &str) -> Option<Sampled> {
+    let entry = lamp(document, key).ok()?;
+    let mut spectrum = entry.spectrum.clone();
+    if photons::counts_photons(&spectrum) {
+        photons::to_power(&mut spectrum);
+    }
+    Some(spectrum.samples)
+}
+
 /// What a document holds under a key, its own or shipped; the paper's lamps as it weighs them.
-fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
+pub fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
     let held = document.own.iter().chain([&document.light]);
     if let Some(entry) = held.into_iter().find(|entry| entry.key == key) {
         return Some(entry.clone());

@@ -9,6 +9,7 @@ pub mod chart;
 pub mod charts;
 pub mod command;
 pub mod derived;
+pub mod design;
 pub mod dispersion;
 pub mod document;
 pub mod entry;

@@ -4,7 +4,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::spectrum::Rect;
+use crate::{
+    design::{mixture::Source, recover::Method},
+    spectrum::Rect,
+};
 
 /// How a spectrum is made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,6 +40,36 @@ pub enum Recipe {
         /// Keys of what it meets, in that order.
         chain: Vec<(String, Times)>,
     },
+    /// Channels mixed to a light.
+    Mix {
+        /// What each is made of, named lights by their keys, and its power.
+        channels: Vec<(Source, f64)>,
+    },
+    /// A spectrum that has a colour.
+    Colour {
+        /// The colour.
+        given: Given,
+        /// Key of the light that it is seen under; for a light of lines, of the lamp whose smooth
+        /// part stands behind them.
+        light: String,
+        /// How it is made.
+        method: Method,
+        /// Places of the lines of a light of lines, nm.
+        #[serde(default)]
+        lines: Vec<f64>,
+    },
+}
+
+/// A colour as a person gives it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Given {
+    /// As a screen shows it to an eye that is adapted to the light.
+    Srgb([u8; 3]),
+    /// L*, a* and b* against the light.
+    Lab([f64; 3]),
+    /// That of a surface, by its key.
+    Of(String),
 }
 
 impl Recipe {
@@ -48,14 +81,31 @@ impl Recipe {
             Self::Through { light, chain } => std::iter::once(light.as_str())
                 .chain(chain.iter().map(|(key, _)| key.as_str()))
                 .collect(),
+            Self::Mix { channels } => {
+                let sources = channels.iter().map(|(source, _)| source);
+                let keys = sources.filter_map(|source| match source {
+                    Source::Named(key) => Some(key.as_str()),
+                    _ => None,
+                });
+                keys.collect()
+            }
+            Self::Colour { given, light, .. } => {
+                let surface = match given {
+                    Given::Of(key) => Some(key.as_str()),
+                    Given::Srgb(_) | Given::Lab(_) => None,
+                };
+                std::iter::once(light.as_str()).chain(surface).collect()
+            }
         }
     }
 
     /// The light that it is made with; `None` where there is none.
     pub fn light(&self) -> Option<&str> {
         match self {
-            Self::Metamer { light, .. } | Self::Through { light, .. } => Some(light),
-            Self::Region { .. } => None,
+            Self::Metamer { light, .. }
+            | Self::Through { light, .. }
+            | Self::Colour { light, .. } => Some(light),
+            Self::Region { .. } | Self::Mix { .. } => None,
         }
     }
 
@@ -63,8 +113,10 @@ impl Recipe {
     #[must_use]
     pub fn with_light(mut self, key: &str) -> Self {
         match &mut self {
-            Self::Metamer { light, .. } | Self::Through { light, .. } => key.clone_into(light),
-            Self::Region { .. } => {}
+            Self::Metamer { light, .. }
+            | Self::Through { light, .. }
+            | Self::Colour { light, .. } => key.clone_into(light),
+            Self::Region { .. } | Self::Mix { .. } => {}
         }
         self
     }

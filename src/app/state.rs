@@ -290,6 +290,7 @@ impl App {
             }
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
+            Command::Mix(mix) => self.document.mix = mix.clamped(),
             Command::Adopt(spectra) => {
                 let numbers = |spectrum| (spectrum, Vec::new(), Origin::Numbers);
                 self.adopt(spectra.into_iter().map(numbers), &[]);

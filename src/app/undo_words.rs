@@ -51,6 +51,7 @@ pub fn difference(before: &Document, after: &Document) -> String {
     if !before.products.is_same_as(&after.products) {
         words.push("what light meets".to_owned());
     }
+    words.extend(after.mix.changed_since(&before.mix));
     match words.len() {
         0 => "a change".to_owned(),
         1 | 2 => words.join(", "),

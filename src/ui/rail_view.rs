@@ -106,6 +106,13 @@ fn icon(painter: &Painter, place: Place, middle: Pos2, ink: Color32) {
             line(&[[-3.0, 6.0], [3.0, 6.0]]);
             line(&[[-2.0, 9.0], [2.0, 9.0]]);
         }
+        Place::Design => {
+            // Three faders.
+            for (x, y) in [(-7.0, 3.0), (0.0, -4.0), (7.0, 1.0)] {
+                line(&[[x, -9.0], [x, 9.0]]);
+                line(&[[x - 3.0, y], [x + 3.0, y]]);
+            }
+        }
         Place::Numbers => {
             for at in [-3.0, 3.0] {
                 line(&[[at + 2.0, -9.0], [at - 2.0, 9.0]]);

@@ -6,6 +6,11 @@ use spectral_explorer::{
     app::{
         App, Command, Document, Entry, Scale, Settings, View,
         charts::quality::DiagramShows,
+        design::{
+            colour::FromColour,
+            mix::{Mix, MixChannel, Snapshot},
+            wish::MixWish,
+        },
         dispersion::{Beside, DispersionMemory, GemMemory, PrismMemory, RainbowMemory},
         document::FIRST_LIGHT,
         document::Height,
@@ -18,12 +23,18 @@ use spectral_explorer::{
                 SameSurfaceMemory, TwoLightsMemory,
             },
         },
+        recipe::Given,
         relit::{Look, RelitMemory},
         settings::Detector,
         spike_hand::SpikeAct,
         workspace::Preferences,
     },
     color::Observer,
+    design::{
+        mixture::Source,
+        recover::Method,
+        solve::{Against, Favour, Floors},
+    },
     optics::{Brilliant, Stuff},
     spectrum::{Band, Basis, Kind, NamedSpectrum, Rect, Sampled, Sampling},
     study::{Goal, Measure},
@@ -145,6 +156,24 @@ pub fn full_document() -> Document {
         surface: Some(red),
         outgoing: Some(own),
     }));
+    app.apply(Command::Mix(Mix {
+        channels: vec![
+            MixChannel {
+                level: 100.0 / 3.0,
+                mute: true,
+                solo: true,
+                lock: true,
+                ..MixChannel::new(Source::Line { at_nm: 546.1 })
+            },
+            MixChannel::new(Source::Named(RED.to_owned())),
+            MixChannel::new(Source::Gauss {
+                centre_nm: 450.0 + 1.0 / 3.0,
+                fwhm_nm: 20.0,
+            }),
+            MixChannel::new(Source::Blackbody { kelvin: 2700.0 }),
+            MixChannel::new(Source::Daylight { kelvin: 6500.0 }),
+        ],
+    }));
     app.document().clone()
 }
 
@@ -218,6 +247,37 @@ pub fn full_preferences() -> Preferences {
                 gamuts: true,
                 near: true,
                 ..DiagramShows::default()
+            },
+            colour: FromColour {
+                given: Given::Lab([50.5, 0.1 + 0.2, -20.0]),
+                light: RED.to_owned(),
+                method: Method::Lines,
+                lines: vec![1e3 / 3.0 + 100.0],
+                lamp: D65.to_owned(),
+            },
+            kept: [
+                Some(Snapshot {
+                    mix: Mix::first(),
+                    words: "A white light.".to_owned(),
+                }),
+                None,
+                Some(Snapshot {
+                    mix: Mix::default(),
+                    words: String::new(),
+                }),
+            ],
+            wish: MixWish {
+                light: Some(D65.to_owned()),
+                kelvin: 3000.0,
+                duv: 0.001,
+                alike: true,
+                favour: Favour::Fewest,
+                floors: Floors {
+                    rf: Some(80.0),
+                    ..Floors::default()
+                },
+                against: Against::Ra,
+                lines: 4,
             },
             image: ImageMemory {
                 key: Some("image/3".to_owned()),

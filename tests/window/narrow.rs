@@ -133,7 +133,7 @@ const EDGE: &str = "Verdict, figures, settings";
 const SEARCH: &str = "Search the library";
 
 /// The entries of the rail.
-fn places() -> [(Role, &'static str); 6] {
+fn places() -> [(Role, &'static str); 7] {
     Place::ALL.map(|place| (Role::Button, place.title()))
 }
 

@@ -2,6 +2,8 @@
 
 pub mod auction;
 pub mod coefficients;
+pub mod colour;
+pub mod design;
 pub mod image;
 pub mod import;
 pub mod known_lamps;

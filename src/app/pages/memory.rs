@@ -5,8 +5,12 @@ use serde::{Deserialize, Serialize};
 use super::Page;
 use crate::{
     app::{
-        charts::quality::DiagramShows, dispersion::DispersionMemory, picture::ImageMemory,
-        products::ProductsMemory, relit::RelitMemory,
+        charts::quality::DiagramShows,
+        design::{colour::FromColour, mix::Snapshot, wish::MixWish},
+        dispersion::DispersionMemory,
+        picture::ImageMemory,
+        products::ProductsMemory,
+        relit::RelitMemory,
     },
     lamps::NUMBERS,
     study::{Goal, Measure},
@@ -48,6 +52,12 @@ pub struct PageMemory {
     pub products: ProductsMemory,
     /// Chromaticity: what the diagram shows.
     pub diagram: DiagramShows,
+    /// Design: desks that were kept, A, B and C.
+    pub kept: [Option<Snapshot>; 3],
+    /// Design: what is wished of the mixture.
+    pub wish: MixWish,
+    /// Design: the colour that spectra are made from.
+    pub colour: FromColour,
     /// Image: which one, which pixels, and how it is drawn.
     pub image: ImageMemory,
     /// Prism, rainbow and gem.
@@ -89,6 +99,9 @@ impl Default for PageMemory {
             words: WordsMemory::default(),
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
+            kept: [None, None, None],
+            wish: MixWish::default(),
+            colour: FromColour::default(),
             image: ImageMemory::default(),
             dispersion: DispersionMemory::default(),
             relit: RelitMemory::default(),
@@ -132,6 +145,9 @@ impl PageMemory {
                 ..self.words
             },
             products: self.products.clamped(),
+            kept: self.kept.map(|kept| kept.map(Snapshot::clamped)),
+            wish: self.wish.clamped(),
+            colour: self.colour.clamped(),
             image: self.image.clamped(),
             dispersion: self.dispersion.clamped(),
             relit: self.relit.clamped(),

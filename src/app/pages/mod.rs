@@ -19,6 +19,8 @@ pub enum Place {
     Through,
     /// Is it a good light?
     Quality,
+    /// Can I make one?
+    Design,
     /// How few numbers will do?
     Numbers,
     /// And in a picture?
@@ -27,11 +29,12 @@ pub enum Place {
 
 impl Place {
     /// Every place that has a page, from the top of the rail down.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Learn,
         Self::Look,
         Self::Through,
         Self::Quality,
+        Self::Design,
         Self::Numbers,
         Self::Picture,
     ];
@@ -43,6 +46,7 @@ impl Place {
             Self::Look => "Look",
             Self::Through => "Through",
             Self::Quality => "Quality",
+            Self::Design => "Design",
             Self::Numbers => "Numbers",
             Self::Picture => "Picture",
         }
@@ -55,6 +59,7 @@ impl Place {
             Self::Look => "What is in this light?",
             Self::Through => "What does it do behind glass and off surfaces?",
             Self::Quality => "Is it a good light?",
+            Self::Design => "Can I make one?",
             Self::Numbers => "How few numbers will do?",
             Self::Picture => "And in a picture?",
         }
@@ -98,6 +103,12 @@ pub enum Page {
     Rendition,
     /// Figures of light quality against the order.
     QualityOrder,
+    /// Channels mixed to a light by hand.
+    Mix,
+    /// Channels mixed to a light that is wished for.
+    Solve,
+    /// A spectrum from its colour.
+    FromColour,
     /// The light's coefficients beside those of the colour-matching functions.
     Coefficients,
     /// Error against numbers.
@@ -262,6 +273,27 @@ const ROWS: &[Row] = &[
         ("Against order", "quality-order"),
         &[],
         "From how many numbers on a model has the figures of its light.",
+    ),
+    row(
+        Page::Mix,
+        (Place::Design, Page::Mix),
+        ("Mix", "mix"),
+        &[],
+        "Lines, LEDs and lights mixed by faders, with what the mixture is worth.",
+    ),
+    row(
+        Page::Solve,
+        (Place::Design, Page::Solve),
+        ("Solve", "solve"),
+        &[],
+        "The faders for a colour that is wished for, and what lines can reach at best.",
+    ),
+    row(
+        Page::FromColour,
+        (Place::Design, Page::FromColour),
+        ("From a colour", "from-colour"),
+        &[],
+        "Spectra that have a colour, and all that could have it.",
     ),
     row(
         Page::Coefficients,

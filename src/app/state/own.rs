@@ -227,6 +227,7 @@ impl App {
         self.document.overlays.retain(|e| e.key != key);
         self.document.edits.remove(key);
         self.document.products.forget(key);
+        self.document.mix.forget(key);
         self.freeze_what_stands_on(key);
         if self.document.factor.as_ref().is_some_and(|f| f.key == key) {
             self.document.factor = None;

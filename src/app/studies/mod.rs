@@ -28,6 +28,7 @@ use super::{
     tables::CURVE_ORDER,
 };
 use crate::{
+    design::solve::{FrontPoint, FrontWish},
     lamps::Standing,
     optics::Noise,
     spectrum::{Basis, Kind},
@@ -175,6 +176,8 @@ pub struct Studies {
     pub bounces: Job<u64, Bounced>,
     /// Light quality against the order, by the program's revision.
     pub quality: Job<u64, OrderFigures>,
+    /// What lines reach at best.
+    pub front: Job<FrontWish, Result<Vec<FrontPoint>, String>>,
     /// The picture of a spectral image.
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
@@ -200,6 +203,7 @@ impl Studies {
             timing,
             bounces,
             quality,
+            front,
             raster,
             region,
             gem,
@@ -216,7 +220,7 @@ impl Studies {
         } = relit;
         vec![
             sweep, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces, quality,
-            raster, region, gem, gem_noise, look, fit, turn, store, peers,
+            raster, region, gem, gem_noise, look, fit, turn, store, peers, front,
         ]
     }
 

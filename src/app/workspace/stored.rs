@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{FORMAT, Preferences, VERSION};
 use crate::{
     app::{
+        design::mix::Mix,
         document::{Document, PAPER_WEIGHT_FACTOR, Subject, View},
         entry::Entry,
         opened::ImageEntry,
@@ -117,6 +118,8 @@ pub struct Stored {
     pub view: View,
     #[serde(default)]
     pub products: Option<StoredProducts>,
+    #[serde(default = "Mix::first")]
+    pub mix: Mix,
     #[serde(default)]
     pub preferences: Option<Preferences>,
 }
@@ -153,6 +156,7 @@ impl Stored {
             weight_factor,
             view,
             products,
+            mix,
         } = document;
         Self {
             format: FORMAT.to_owned(),
@@ -177,6 +181,7 @@ impl Stored {
             weight_factor: *weight_factor,
             view: *view,
             products: Some(StoredProducts::of(products)),
+            mix: mix.clone(),
             // A window that is folded away has no size, and so on: what is written can be read.
             preferences: preferences.cloned().map(Preferences::clamped),
         }

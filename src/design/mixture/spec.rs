@@ -11,6 +11,8 @@
 
 use std::{fmt, str::FromStr};
 
+use serde::{Deserialize, Serialize};
+
 use super::error::MixError;
 use crate::{
     color::xyz::{FIRST_NM, LAST_NM},
@@ -24,7 +26,8 @@ const BLACKBODY_K: [f64; 2] = [500.0, 100_000.0];
 const WIDTHS_NM: [f64; 2] = [1.0, 400.0];
 
 /// What a channel is made of.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Source {
     /// A line without width.
     Line {
@@ -63,7 +66,52 @@ pub struct Spec {
     pub fixed: Option<f64>,
 }
 
+impl Source {
+    /// The words that it is read from.
+    pub fn words(&self) -> String {
+        match self {
+            Self::Line { at_nm } => format!("line:{at_nm}"),
+            Self::Gauss { centre_nm, fwhm_nm } => format!("gauss:{centre_nm},{fwhm_nm}"),
+            Self::Blackbody { kelvin } => format!("blackbody:{kelvin}"),
+            Self::Daylight { kelvin } => format!("daylight:{kelvin}"),
+            Self::Named(name) => name.clone(),
+        }
+    }
+
+    /// Every number moved to the nearest one that is allowed; what is no number to the lowest.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let visible = [f64::from(FIRST_NM), f64::from(LAST_NM)];
+        let within = |value: f64, [least, most]: [f64; 2]| value.max(least).min(most);
+        match self {
+            Self::Line { at_nm } => Self::Line {
+                at_nm: within(at_nm, visible),
+            },
+            Self::Gauss { centre_nm, fwhm_nm } => Self::Gauss {
+                centre_nm: within(centre_nm, visible),
+                fwhm_nm: within(fwhm_nm, WIDTHS_NM),
+            },
+            Self::Blackbody { kelvin } => Self::Blackbody {
+                kelvin: within(kelvin, BLACKBODY_K),
+            },
+            Self::Daylight { kelvin } => Self::Daylight {
+                kelvin: within(kelvin, DAYLIGHT_K),
+            },
+            Self::Named(name) => Self::Named(name),
+        }
+    }
+}
+
 impl Spec {
+    /// A channel of what it is made of, its power not fixed.
+    pub fn of(source: Source) -> Self {
+        Self {
+            words: source.words(),
+            source,
+            fixed: None,
+        }
+    }
+
     /// A channel of a name that is taken as it stands, with any signs in it (a file).
     pub fn named(name: &str) -> Self {
         Self {
@@ -167,6 +215,14 @@ mod tests {
             Source::Daylight { kelvin: 6500.0 }
         );
         assert_eq!(source("CIE D65"), Source::Named("CIE D65".to_owned()));
+        for words in [
+            "line:546.1",
+            "gauss:450,20",
+            "blackbody:2700",
+            "daylight:6500",
+        ] {
+            assert_eq!(Spec::of(source(words)), words.parse().unwrap());
+        }
         let fixed: Spec = "gauss:450,20=0.5".parse().unwrap();
         assert_eq!(fixed.fixed, Some(0.5));
         assert_eq!(fixed.to_string(), "gauss:450,20=0.5");

@@ -2,12 +2,16 @@
 
 use std::str::FromStr;
 
+use serde::{Deserialize, Serialize};
+
 use crate::design::mixture::MixError;
 
 /// Which figure the efficacy is traded for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Against {
     /// The fidelity index.
+    #[default]
     Rf,
     /// The colour rendering index.
     Ra,

@@ -2,11 +2,14 @@
 
 use std::str::FromStr;
 
+use serde::{Deserialize, Serialize};
+
 use super::target::Target;
 use crate::design::mixture::MixError;
 
 /// What to favour among the mixtures of the right colour.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Favour {
     /// Light for the power: greatest luminous efficacy of radiation.
     #[default]
@@ -50,7 +53,8 @@ impl FromStr for Favour {
 }
 
 /// What a mixture must not fall below.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Floors {
     /// Luminous efficacy of radiation, lm/W.
     pub ler: Option<f64>,

@@ -2,6 +2,7 @@
 
 pub mod auction_view;
 pub mod coefficients_view;
+pub mod design_view;
 pub mod gem_view;
 pub mod glossary_view;
 pub mod image_view;
@@ -84,6 +85,7 @@ pub struct Pages {
     known_lamps: known_lamps_view::KnownLampsView,
     products: products_view::ProductsView,
     quality: quality_view::QualityView,
+    design: design_view::DesignView,
     image: image_view::ImageView,
     prism: prism_view::PrismView,
     gem: gem_view::GemView,
@@ -119,6 +121,9 @@ impl Pages {
             Page::Chromaticity => self.quality.diagram(ui, context),
             Page::Rendition => self.quality.rendition(ui, context),
             Page::QualityOrder => self.quality.order(ui, context),
+            Page::Mix => self.design.mix(ui, context),
+            Page::Solve => self.design.solve(ui, context),
+            Page::FromColour => self.design.from_colour(ui, context),
             Page::Coefficients => self.coefficients.show(ui, context),
             Page::Tradeoff => self.tradeoff.show(ui, context),
             Page::Auction => self.auction.show(ui, context),

@@ -1,0 +1,276 @@
+//! The place "Design" as charts: channels and what they reach among colours, the mixed spectrum.
+
+use crate::{
+    app::{
+        chart::{Chart, Dash, Inks, Marks, Palette, Series, Shape, Theme},
+        charts::{
+            products::chain::strip,
+            quality::{DiagramShows, diagram},
+        },
+        design::{
+            desk::Desk,
+            front::{figure, figure_name, lines_words},
+            mix::MixChannel,
+        },
+    },
+    color::{wavelength_rgb::srgb_from_wavelength, xyz::FIRST_NM},
+    design::{
+        mixture::Source,
+        solve::{Against, FrontPoint},
+    },
+    spectrum::Band,
+};
+
+/// A slit of this width sees a line as high as it is drawn, nm.
+const SLIT_NM: f64 = 5.0;
+
+/// The diagram without a light, for [`on_diagram`].
+pub fn ground(theme: Theme) -> Chart {
+    let shows = DiagramShows {
+        whites: false,
+        ..DiagramShows::default()
+    };
+    diagram(None, None, shows, theme)
+}
+
+/// The diagram with the channels of a desk, what they reach, the mixture and a target.
+pub fn on_diagram(ground: &Chart, desk: &Desk, target: Option<[f64; 2]>) -> Chart {
+    let mut chart = ground.clone();
+    let black = [15; 3];
+    let point = |name: &str, colour, shape, radius, at| {
+        let marks = Marks::Points {
+            points: vec![at],
+            radius,
+            shape,
+        };
+        Series::new(name, colour, marks)
+    };
+    let mut reach = desk.reach.clone();
+    reach.extend(desk.reach.first().copied());
+    if reach.len() > 2 {
+        let edge = Marks::Line {
+            points: reach,
+            width: 1.6,
+            dash: Dash::Dashed,
+        };
+        chart.series.push(Series::new("can be mixed", black, edge));
+    }
+    for (strip, channel) in desk.strips.iter().zip(&desk.mix.channels) {
+        let Some(at) = strip.uv else { continue };
+        let ink = if desk.mix.is_heard(channel) {
+            black
+        } else {
+            [128; 3]
+        };
+        let dot = point("", ink, Shape::Dot, 5.5, at);
+        chart.series.push(dot.with_notes(vec![strip.title.clone()]));
+        let dot = point("", strip.colour.0, Shape::Dot, 4.0, at);
+        chart.series.push(dot.with_notes(vec![strip.title.clone()]));
+    }
+    if let Some(at) = target {
+        chart
+            .series
+            .push(point("target", black, Shape::Ring, 9.0, at));
+    }
+    if let Some(at) = desk.figures.as_ref().and_then(|figures| figures.uv) {
+        chart.series.push(point("", black, Shape::Dot, 7.0, at));
+        chart
+            .series
+            .push(point("mixture", [255; 3], Shape::Dot, 5.0, at));
+    }
+    chart.title = "Colours that these channels reach".to_owned();
+    chart
+}
+
+/// The mixture over the wavelengths; lines as a slit of 5 nm sees them.
+pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
+    let band = Band::VISIBLE;
+    let (inks, palette) = (Inks::of(theme), Palette::of(theme));
+    let (channels, powers) = desk.lights();
+    let mut smooth = desk.values.clone();
+    let mut lines = Vec::new();
+    for (channel, power) in channels.iter().zip(&powers) {
+        let Some(at_nm) = channel.line_nm() else {
+            continue;
+        };
+        let both = smooth.iter_mut().zip(&channel.values);
+        both.for_each(|(sum, value)| *sum -= power * value);
+        if *power > 0.0 {
+            lines.push(([at_nm, power / SLIT_NM], *power));
+        }
+    }
+    let first = (band.min_nm() - f64::from(FIRST_NM)) as usize;
+    let points: Vec<[f64; 2]> = band
+        .grid()
+        .zip(&smooth[first..])
+        // What is left of a line by rounding is none.
+        .map(|(nm, value)| [nm, value.max(0.0)])
+        .collect();
+    let whole: f64 = powers.iter().sum();
+    let area = Marks::Area {
+        points: points.clone(),
+        base: Vec::new(),
+        is_coloured: true,
+    };
+    let mut series = vec![Series::new("", inks.measured, area)];
+    for ((channel, strip), power) in desk
+        .mix
+        .channels
+        .iter()
+        .zip(&desk.strips)
+        .zip(desk.mix.powers())
+    {
+        let shape = part(channel, strip.light.as_ref().ok(), power, first);
+        if let Some(points) = shape {
+            series.push(Series::new(
+                "",
+                palette.faint,
+                Marks::Line {
+                    points,
+                    width: 1.0,
+                    dash: Dash::Dotted,
+                },
+            ));
+        }
+    }
+    series.push(Series::line("", palette.text, points));
+    for (top, power) in lines {
+        let colour = srgb_from_wavelength(top[0]).0;
+        let label = format!("{:.1}\n{:.0} %", top[0], 100.0 * power / whole);
+        let stem = Marks::Stems {
+            points: vec![top],
+            base: Vec::new(),
+            labels: vec![label],
+        };
+        series.push(Series::new("", colour, stem));
+    }
+    Chart {
+        title: "The mixture: drag a line or an LED along the wavelengths".to_owned(),
+        x_label: "Wavelength (nm)".to_owned(),
+        y_label: "Power a nm (lines: by a 5 nm slit)".to_owned(),
+        x_range: [band.min_nm(), band.max_nm()],
+        colours: strip(band, theme).unwrap_or_default(),
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// A channel of the mixture that is no line, as a curve.
+fn part(
+    channel: &MixChannel,
+    light: Option<&crate::design::mixture::Channel>,
+    power: f64,
+    first: usize,
+) -> Option<Vec<[f64; 2]>> {
+    let light = light.filter(|_| power > 0.0)?;
+    let is_line = matches!(channel.source, Source::Line { .. });
+    let points = || {
+        let values = Band::VISIBLE.grid().zip(&light.values[first..]);
+        values.map(|(nm, value)| [nm, power * value]).collect()
+    };
+    (!is_line).then(points)
+}
+
+/// What lines at free places reach at best, and where the desk's mixture stands; the first series
+/// has the points that can be taken.
+pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: Theme) -> Chart {
+    let inks = Inks::of(theme);
+    let name = figure_name(against);
+    let known: Vec<(&FrontPoint, f64)> = points
+        .iter()
+        .filter_map(|point| Some((point, figure(point, against)?)))
+        .collect();
+    let places: Vec<[f64; 2]> = known
+        .iter()
+        .map(|(point, value)| [point.figures.ler, *value])
+        .collect();
+    let note = |(point, value): &(&FrontPoint, f64)| {
+        let ler = point.figures.ler;
+        format!("{name} {value:.0}, {ler:.0} lm/W: {}", lines_words(point))
+    };
+    let dots = Series::points("at best", inks.spikes, Shape::Dot, places.clone());
+    let mut series = vec![
+        dots.with_notes(known.iter().map(note).collect()),
+        Series::line("", inks.spikes, places.clone()),
+    ];
+    let here = desk.figures.as_ref().and_then(|figures| {
+        let value = match against {
+            Against::Rf => figures.rf,
+            Against::Ra => figures.ra,
+        };
+        Some([figures.ler, value?])
+    });
+    if let Some(here) = here {
+        let ring = Series::points("the faders now", inks.measured, Shape::Ring, vec![here]);
+        series.push(ring);
+    }
+    let all = || places.iter().copied().chain(here);
+    let least = all().fold(f64::INFINITY, |least, at| least.min(at[0]));
+    let most = all().fold(f64::NEG_INFINITY, |most, at| most.max(at[0]));
+    let lowest = all().fold(0.0, |low: f64, at| low.min(at[1]));
+    let (title, blank) = match known.is_empty() {
+        true => (
+            "The front",
+            "No light of lines has this colour and a figure.",
+        ),
+        false => (
+            "What lines reach at best: click a point to take its lines",
+            "",
+        ),
+    };
+    Chart {
+        title: title.to_owned(),
+        x_label: "Efficacy (lm/W)".to_owned(),
+        y_label: name.to_owned(),
+        x_range: match least < most {
+            true => [(least - 10.0).max(0.0), most + 10.0],
+            false => [0.0, 683.0],
+        },
+        y_range: Some([lowest, 100.0]),
+        blank: blank.to_owned(),
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// The channel whose line or LED stands nearest to a place, within a reach.
+pub fn held_at(desk: &Desk, at_nm: f64, reach_nm: f64) -> Option<usize> {
+    let place = |channel: &MixChannel| match channel.source {
+        Source::Line { at_nm } => Some(at_nm),
+        Source::Gauss { centre_nm, .. } => Some(centre_nm),
+        _ => None,
+    };
+    let channels = desk.mix.channels.iter().enumerate();
+    let found = channels.filter_map(|(i, c)| Some((i, (place(c)? - at_nm).abs())));
+    let nearest = found.min_by(|a, b| a.1.total_cmp(&b.1));
+    nearest.filter(|(_, off)| *off <= reach_nm).map(|(i, _)| i)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::App;
+
+    #[test]
+    fn the_diagram_has_a_point_for_each_channel_and_the_region_between_them() {
+        let desk = Desk::of(App::new().document());
+        let ground = ground(Theme::Dark);
+        let chart = on_diagram(&ground, &desk, Some([0.2, 0.5]));
+        let named = |name: &str| chart.series.iter().any(|series| series.name == name);
+        assert!(named("can be mixed") && named("mixture") && named("target"));
+        let noted = chart
+            .series
+            .iter()
+            .filter(|series| !series.notes.is_empty());
+        assert_eq!(noted.count(), 2 * desk.strips.len());
+    }
+
+    #[test]
+    fn an_led_is_held_where_it_stands() {
+        let desk = Desk::of(App::new().document());
+        assert_eq!(held_at(&desk, 529.0, 8.0), Some(1));
+        assert_eq!(held_at(&desk, 490.0, 8.0), None);
+    }
+}

@@ -1,0 +1,350 @@
+//! What the mixing desk shows: each channel as a light, the figures of the mixture, the table of
+//! channels.
+
+use std::fmt::Write as _;
+
+use super::{
+    light,
+    mix::{FULL, Mix},
+};
+use crate::{
+    app::{document::Document, make::table_of, recipe::Recipe},
+    color::{
+        Adaptation, Srgb, Swatch, Xyz,
+        quality::{Light, RENDERING_NAMES, Rendering, rendering},
+        uv_1976_from_xyz,
+    },
+    design::{
+        mixture::{Channel, MixError, mixed},
+        scales::SampleTables,
+        solve::{MixFigures, Mixer},
+    },
+};
+
+/// Greatest distance from the blackbodies at which a light is called white (CIE 13.3), Duv.
+const WHITE_DUV: f64 = 0.0054;
+
+/// A channel as a light.
+#[derive(Clone, Debug)]
+pub struct Strip {
+    /// What it is, in words.
+    pub title: String,
+    /// Its light; why there is none.
+    pub light: Result<Channel, MixError>,
+    /// Its place in CIE 1976 u'v'; `None` for what is not seen.
+    pub uv: Option<[f64; 2]>,
+    /// Its colour.
+    pub colour: Srgb,
+}
+
+/// The desk as it stands.
+#[derive(Clone, Debug)]
+pub struct Desk {
+    /// The desk in the document.
+    pub mix: Mix,
+    /// Its channels, in order.
+    pub strips: Vec<Strip>,
+    /// The mixture, power a nm on 360-830.
+    pub values: Vec<f64>,
+    /// Its figures; `None` where no channel is a light.
+    pub figures: Option<MixFigures>,
+    /// The test colours under the mixture and under its reference.
+    pub rendering: Option<Rendering>,
+    /// Corners of what the channels that are heard can show, CIE 1976 u'v'.
+    pub reach: Vec<[f64; 2]>,
+}
+
+impl Desk {
+    /// The desk of a document.
+    pub fn of(document: &Document) -> Self {
+        let mix = document.mix.clone();
+        let strip = |source: &_| light::channel(source, |key| table_of(document, key));
+        let strips: Vec<Strip> = mix
+            .channels
+            .iter()
+            .map(|channel| Strip::of(channel.title(), strip(&channel.source)))
+            .collect();
+        let mut desk = Self {
+            mix,
+            strips,
+            values: Vec::new(),
+            figures: None,
+            rendering: None,
+            reach: Vec::new(),
+        };
+        let (channels, powers) = desk.lights();
+        desk.values = mixed(&channels, &powers);
+        let tables = SampleTables::shipped();
+        if let Ok(mixer) = Mixer::new(&channels, tables) {
+            desk.figures = Some(mixer.figures(&powers));
+            desk.reach = mixer.reachable_uv();
+        }
+        let cct = desk.figures.as_ref().and_then(|figures| figures.cct);
+        desk.rendering =
+            cct.and_then(|cct| rendering(&Light::of_nm_values(&desk.values), cct).ok());
+        desk
+    }
+
+    /// R9 of the mixture.
+    pub fn r9(&self) -> Option<f64> {
+        let rendering = self.rendering.as_ref()?;
+        Some(rendering.samples[8].index)
+    }
+
+    /// The test colours as an eye sees them that is adapted to each: under the mixture, under the
+    /// reference of its temperature, and what they are.
+    pub fn surfaces(&self) -> Vec<(Swatch, Swatch, String)> {
+        let Some(found) = &self.rendering else {
+            return Vec::new();
+        };
+        let whites = [found.test_white, found.reference_white];
+        let samples = found.samples.iter().zip(RENDERING_NAMES).enumerate();
+        samples
+            .map(|(i, (sample, name))| {
+                let seen = |xyz, white| Swatch::of_patch(xyz, white, Adaptation::ToLight);
+                let words = format!("R{} {:.0}: {name}", i + 1, sample.index);
+                (
+                    seen(sample.test, whites[0]),
+                    seen(sample.reference, whites[1]),
+                    words,
+                )
+            })
+            .collect()
+    }
+
+    /// The channels that are lights and are heard, with their powers.
+    pub fn lights(&self) -> (Vec<Channel>, Vec<f64>) {
+        let heard = self.heard();
+        heard
+            .into_iter()
+            .map(|(index, light)| (light.clone(), self.mix.channels[index].level))
+            .unzip()
+    }
+
+    /// The channels that are lights and are heard, by their numbers.
+    pub fn heard(&self) -> Vec<(usize, &Channel)> {
+        let strips = self.strips.iter().zip(&self.mix.channels).enumerate();
+        strips
+            .filter(|(_, (_, channel))| self.mix.is_heard(channel))
+            .filter_map(|(index, (strip, _))| Some((index, strip.light.as_ref().ok()?)))
+            .collect()
+    }
+
+    /// The mixture as a light of the library; `None` where nothing shines.
+    pub fn recipe(&self) -> Option<Recipe> {
+        let heard = self.heard().into_iter();
+        let channel = heard.map(|(index, _)| &self.mix.channels[index]);
+        let channels: Vec<_> = channel
+            .filter(|channel| channel.level > 0.0)
+            .map(|channel| (channel.source.clone(), channel.level))
+            .collect();
+        (!channels.is_empty()).then_some(Recipe::Mix { channels })
+    }
+
+    /// The colour of the mixture, as bright as a screen can show it.
+    pub fn swatch(&self) -> Swatch {
+        let xyz = self.figures.as_ref().and_then(|figures| figures.xyz);
+        Swatch::of_light(xyz.unwrap_or(Xyz::ZERO))
+    }
+
+    /// The result in a sentence.
+    pub fn sentence(&self) -> String {
+        match &self.figures {
+            None if self.mix.channels.is_empty() => {
+                "Nothing is mixed yet: add a channel.".to_owned()
+            }
+            Some(figures) if figures.xyz.is_some() => words(figures, self.r9()),
+            _ => "Nothing shines: move a fader up.".to_owned(),
+        }
+    }
+
+    /// The channels as a table: specification, fader, share of the power, DMX values.
+    pub fn to_csv(&self) -> String {
+        let mut csv = "channel,drive_percent,share_of_power_percent,dmx_8,dmx_16\n".to_owned();
+        let powers = self.mix.powers();
+        let whole: f64 = powers.iter().sum();
+        for (channel, power) in self.mix.channels.iter().zip(powers) {
+            let drive = power / FULL;
+            let share = if whole > 0.0 { power / whole } else { 0.0 };
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                csv,
+                "\"{}\",{:.2},{:.2},{:.0},{:.0}",
+                channel.source.words().replace('"', "\"\""),
+                100.0 * drive,
+                100.0 * share,
+                255.0 * drive,
+                65535.0 * drive
+            );
+        }
+        csv
+    }
+}
+
+impl Strip {
+    fn of(title: String, light: Result<Channel, MixError>) -> Self {
+        let xyz = light.as_ref().ok().and_then(|channel| {
+            let one = std::slice::from_ref(channel);
+            let mixer = Mixer::new(one, SampleTables::shipped()).ok()?;
+            mixer.figures(&[1.0]).xyz
+        });
+        Self {
+            title,
+            uv: xyz.and_then(uv_1976_from_xyz),
+            colour: Swatch::of_light(xyz.unwrap_or(Xyz::ZERO)).rgb8,
+            light,
+        }
+    }
+}
+
+/// "3000 K and white ...: Ra 92, ..." of the figures of a light.
+pub fn words(figures: &MixFigures, r9: Option<f64>) -> String {
+    let per_watt = format!("{:.0} lm/W", figures.ler);
+    let melanopic = format!("melanopic DER {:.2}", figures.melanopic_der);
+    let Some(cct) = figures.cct else {
+        return format!("A coloured light without a colour temperature: {per_watt}, {melanopic}.");
+    };
+    let what = match cct.duv {
+        duv if duv.abs() > 10.0 * WHITE_DUV => "A coloured light",
+        duv if duv > WHITE_DUV => "A greenish light",
+        duv if duv < -WHITE_DUV => "A pinkish light",
+        _ => "A white light",
+    };
+    let index = |name: &str, value: Option<f64>| value.map(|v| format!("{name} {v:.0}"));
+    let indices = [
+        index("Ra", figures.ra),
+        index("Rf", figures.rf),
+        index("R9", r9),
+    ];
+    let mut all: Vec<String> = indices.into_iter().flatten().collect();
+    all.extend([per_watt, melanopic]);
+    format!(
+        "{what} of {:.0} K (Duv {:+.4}): {}.",
+        cct.kelvin,
+        cct.duv,
+        all.join(", ")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        app::{App, Command, command::MadeFor, design::mix::MixChannel},
+        design::mixture::Source,
+    };
+
+    #[test]
+    fn the_first_mixture_is_white_and_its_sentence_has_its_figures() {
+        let desk = Desk::of(App::new().document());
+        let cct = desk.figures.as_ref().and_then(|f| f.cct).expect("a white");
+        assert!(cct.duv.abs() < WHITE_DUV, "{cct:?}");
+        let sentence = desk.sentence();
+        assert!(sentence.starts_with("A white light of "), "{sentence}");
+        assert!(sentence.contains(&format!("{:.0} K", cct.kelvin)));
+        assert!(sentence.contains("R9 "));
+    }
+
+    #[test]
+    fn the_test_colours_stand_beside_those_of_the_reference() {
+        let desk = Desk::of(App::new().document());
+        let surfaces = desk.surfaces();
+        assert_eq!(surfaces.len(), 15);
+        assert!(
+            surfaces
+                .iter()
+                .any(|(test, reference, _)| test.rgb8 != reference.rgb8)
+        );
+        assert!(surfaces[8].2.starts_with("R9 "), "{}", surfaces[8].2);
+    }
+
+    #[test]
+    fn a_dark_desk_and_an_empty_one_say_so() {
+        let mut app = App::new();
+        let mut mix = app.document().mix.clone();
+        mix.channels
+            .iter_mut()
+            .for_each(|channel| channel.level = 0.0);
+        app.apply(Command::Mix(mix));
+        let desk = Desk::of(app.document());
+        assert!(desk.recipe().is_none());
+        assert_eq!(desk.sentence(), "Nothing shines: move a fader up.");
+        app.apply(Command::Mix(Mix::default()));
+        assert!(
+            Desk::of(app.document())
+                .sentence()
+                .contains("add a channel")
+        );
+    }
+
+    #[test]
+    fn a_moved_fader_is_one_step_of_undo_with_words() {
+        let mut app = App::new();
+        let before = app.document().mix.clone();
+        for level in [20.0, 30.0, 40.0] {
+            let mut mix = app.document().mix.clone();
+            mix.channels[0].level = level;
+            app.apply(Command::Mix(mix));
+        }
+        app.end_gesture();
+        let words = app.undo_words().expect("a step");
+        assert_eq!(words, "fader of LED 455 nm to 40 %");
+        app.apply(Command::Undo);
+        assert_eq!(app.document().mix, before);
+        assert!(!app.can_undo());
+    }
+
+    #[test]
+    fn the_mixed_light_follows_the_lights_that_it_is_made_of() {
+        let mut app = App::new();
+        let key = "cie_illuminants/CIE A".to_owned();
+        let mut mix = Mix::first();
+        mix.channels.push(MixChannel::new(Source::Named(key)));
+        app.apply(Command::Mix(mix));
+        let recipe = Desk::of(app.document()).recipe().expect("it shines");
+        let place = MadeFor::Shown;
+        app.apply(Command::Make { recipe, place });
+        let made = app.document().light.clone();
+        let values = Desk::of(app.document()).values;
+        assert_eq!(made.spectrum.samples.values(), values);
+        // A mixture of that mixture.
+        let source = Source::Named(made.key.clone());
+        app.apply(Command::Mix(Mix {
+            channels: vec![MixChannel::new(source)],
+        }));
+        let recipe = Desk::of(app.document()).recipe().expect("it shines");
+        app.apply(Command::Make { recipe, place });
+        let second = app.document().light.clone();
+        let recipe = Recipe::Mix {
+            channels: vec![(Source::Line { at_nm: 500.0 }, 1.0)],
+        };
+        let key = made.key.clone();
+        app.apply(Command::MakeOtherwise { key, recipe });
+        let now = app.entry(&second.key).expect("it is there");
+        assert_ne!(now.spectrum.samples, second.spectrum.samples);
+        let samples = &now.spectrum.samples;
+        let at = samples.nm().iter().position(|nm| *nm == 500.0);
+        assert_eq!(samples.values()[at.expect("on whole nm")], 50.0);
+        // Without that light the channel is gone, and what was made of it stays.
+        app.apply(Command::Remove {
+            key: made.key.clone(),
+        });
+        assert!(app.document().mix.channels.is_empty());
+        assert!(app.entry(&second.key).is_some());
+    }
+
+    #[test]
+    fn the_table_has_the_drive_in_per_cent_and_for_desks_of_8_and_16_bits() {
+        let mut app = App::new();
+        let mut mix = Mix::first();
+        mix.channels[3].level = 100.0;
+        mix.channels[0].mute = true;
+        app.apply(Command::Mix(mix));
+        let csv = Desk::of(app.document()).to_csv();
+        let lines: Vec<&str> = csv.lines().collect();
+        assert_eq!(lines.len(), 5);
+        assert_eq!(lines[1], "\"gauss:455,20\",0.00,0.00,0,0");
+        assert!(lines[4].starts_with("\"gauss:632,18\",100.00,"));
+        assert!(lines[4].ends_with(",255,65535"));
+    }
+}

@@ -1,0 +1,120 @@
+//! What lines at free places can reach at best: the trade between efficacy and colour rendering,
+//! as a job.
+
+use super::{
+    mix::{FULL, Mix, MixChannel},
+    wish::MixWish,
+};
+use crate::{
+    app::document::Document,
+    design::{
+        mixture::Source,
+        scales::SampleTables,
+        solve::{Against, FrontPoint, FrontWish, front},
+    },
+    study::Progress,
+};
+
+/// Points of the front.
+const POINTS: usize = 12;
+
+/// The front that a wish asks for; `None` without a colour.
+pub fn front_ask(wish: &MixWish, document: &Document) -> Option<FrontWish> {
+    Some(FrontWish {
+        target: wish.target(document).ok()?,
+        against: wish.against,
+        lines: wish.lines,
+        points: POINTS,
+        floors: None,
+    })
+}
+
+/// The front, or why there is none; `None` when it was cancelled.
+pub fn answer(ask: &FrontWish, progress: &Progress) -> Option<Result<Vec<FrontPoint>, String>> {
+    match front(ask, SampleTables::shipped(), progress) {
+        Ok(found) => Some(Ok(found?)),
+        Err(why) => Some(Err(format!("There is no front: {why}."))),
+    }
+}
+
+/// The figure that efficacy is traded for.
+pub fn figure(point: &FrontPoint, against: Against) -> Option<f64> {
+    match against {
+        Against::Rf => point.figures.rf,
+        Against::Ra => point.figures.ra,
+    }
+}
+
+/// Its name.
+pub fn figure_name(against: Against) -> &'static str {
+    match against {
+        Against::Rf => "Rf",
+        Against::Ra => "Ra",
+    }
+}
+
+/// A light of the front on the desk.
+pub fn on_desk(point: &FrontPoint) -> Mix {
+    let greatest = point.lines.iter().map(|line| line.share_of_power);
+    let greatest = greatest.fold(0.0, f64::max);
+    let lines = point.lines.iter().map(|line| MixChannel {
+        level: FULL * line.share_of_power / greatest,
+        ..MixChannel::new(Source::Line { at_nm: line.at_nm })
+    });
+    Mix {
+        channels: lines.collect(),
+    }
+}
+
+/// The lines of a point in words.
+pub fn lines_words(point: &FrontPoint) -> String {
+    let line = |line: &crate::design::solve::FrontLine| {
+        format!("{:.1} nm {:.0} %", line.at_nm, 100.0 * line.share_of_power)
+    };
+    let lines: Vec<String> = point.lines.iter().map(line).collect();
+    lines.join(", ")
+}
+
+/// The front in a sentence.
+pub fn sentence(points: &[FrontPoint], ask: &FrontWish) -> String {
+    let name = figure_name(ask.against);
+    let told = |point: &FrontPoint| {
+        let value = figure(point, ask.against);
+        let value = value.map_or_else(|| "-".to_owned(), |value| format!("{value:.0}"));
+        format!("{name} {value} at {:.0} lm/W", point.figures.ler)
+    };
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) => format!(
+            "At best {} lines of this colour reach {} ({}) to {}.",
+            ask.lines,
+            told(first),
+            lines_words(first),
+            told(last)
+        ),
+        _ => "No lines make this colour.".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::{App, Command, design::desk::Desk};
+
+    #[test]
+    fn a_point_of_the_front_on_the_desk_has_the_figures_of_the_point() {
+        let mut app = App::new();
+        let ask = front_ask(&MixWish::default(), app.document()).expect("a colour");
+        let ask = FrontWish { points: 2, ..ask };
+        let found = answer(&ask, &Progress::default()).expect("not cancelled");
+        let points = found.expect("a front");
+        assert!(sentence(&points, &ask).contains("3 lines"));
+        for point in &points {
+            app.apply(Command::Mix(on_desk(point)));
+            let figures = Desk::of(app.document()).figures.expect("it shines");
+            // The same sums in another order and scale.
+            assert!((figures.ler - point.figures.ler).abs() < 1e-6);
+            let [a, b] = [figures.rf, point.figures.rf].map(|rf| rf.expect("near white"));
+            assert!((a - b).abs() < 1e-6);
+        }
+    }
+}

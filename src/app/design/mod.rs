@@ -1,0 +1,21 @@
+//! The place "Design": lights that are mixed, solved for, and made from colours.
+//!
+//! ```text
+//! mix      the mixing desk as it is in the document
+//! light    the desk's channels as lights, a mixture as a spectrum
+//! desk     what the desk shows: figures, sentence, channel table
+//! named_lines  lines to put channels on
+//! wish     what is wished of a mixture, and the faders for it
+//! front    the trade between efficacy and colour rendering, as a job
+//! recovered  from a colour to a spectrum
+//! colour   a colour and the spectra that have it
+//! ```
+
+pub mod colour;
+pub mod desk;
+pub mod front;
+pub mod light;
+pub mod mix;
+pub mod named_lines;
+pub mod recovered;
+pub mod wish;

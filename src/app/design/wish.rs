@@ -1,0 +1,296 @@
+//! What is wished of a mixture, and the faders for it.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    desk::{Desk, words},
+    mix::Mix,
+};
+use crate::{
+    app::{document::Document, make::table_of},
+    color::xyz::{FIRST_NM, LAST_NM},
+    design::{
+        mixture::Channel,
+        scales::SampleTables,
+        solve::{Against, Favour, Floors, Mixer, Solution, Target, Wish},
+    },
+    spectrum::Outside,
+};
+
+/// Temperatures that may be wished for, K.
+pub const KELVIN: std::ops::RangeInclusive<f64> = 1000.0..=25_000.0;
+
+/// Distances from the blackbodies that may be wished for.
+pub const DUV: std::ops::RangeInclusive<f64> = -0.05..=0.05;
+
+/// What a mixture is wished to be; not part of undo.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct MixWish {
+    /// The light whose colour it is to have, by its key; `None` for a temperature.
+    pub light: Option<String>,
+    /// Its temperature, K.
+    pub kelvin: f64,
+    /// Its distance from the blackbodies.
+    pub duv: f64,
+    /// It is to come near to that light at every wavelength, whatever is favoured.
+    pub alike: bool,
+    /// What it is to be best at.
+    pub favour: Favour,
+    /// What it must not fall below.
+    pub floors: Floors,
+    /// The front: what efficacy is traded for.
+    pub against: Against,
+    /// The front: lines at free places, 3 or 4.
+    pub lines: usize,
+}
+
+impl Default for MixWish {
+    fn default() -> Self {
+        Self {
+            light: None,
+            kelvin: 4000.0,
+            duv: 0.0,
+            alike: false,
+            favour: Favour::Rf,
+            floors: Floors::default(),
+            against: Against::Rf,
+            lines: 3,
+        }
+    }
+}
+
+impl MixWish {
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let within = |value: f64, range: std::ops::RangeInclusive<f64>| {
+            value.max(*range.start()).min(*range.end())
+        };
+        let floor = |floor: Option<f64>| floor.filter(|value| value.is_finite());
+        Self {
+            kelvin: within(self.kelvin, KELVIN),
+            duv: within(self.duv, DUV),
+            floors: Floors {
+                ler: floor(self.floors.ler),
+                rf: floor(self.floors.rf),
+                ra: floor(self.floors.ra),
+                melanopic: floor(self.floors.melanopic),
+            },
+            lines: self.lines.clamp(3, 4),
+            ..self
+        }
+    }
+
+    /// The colour.
+    ///
+    /// # Errors
+    /// Why there is none, a sentence.
+    pub fn target(&self, document: &Document) -> Result<Target, String> {
+        let Some(key) = &self.light else {
+            return Target::of_kelvin(self.kelvin, self.duv)
+                .map_err(|why| format!("No such colour: {why}."));
+        };
+        let table = table_of(document, key);
+        let table = table.ok_or_else(|| format!("The library has no light {key} any more."))?;
+        Target::of_light(&table).map_err(|why| format!("No such colour: {why}."))
+    }
+
+    /// The colour in words.
+    pub fn colour_words(&self) -> String {
+        match &self.light {
+            Some(key) => key.rsplit('/').next().unwrap_or(key).to_owned(),
+            None if self.duv == 0.0 => format!("{:.0} K", self.kelvin),
+            None => format!("{:.0} K, Duv {:+.4}", self.kelvin, self.duv),
+        }
+    }
+}
+
+/// The faders that a wish asks for.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// The colour asked for, CIE 1976 u'v'.
+    pub target_uv: [f64; 2],
+    /// The desk with its faders so.
+    pub mix: Mix,
+    /// Whether the colour and the floors are met.
+    pub reached: bool,
+    /// The result in a sentence.
+    pub sentence: String,
+}
+
+impl Solved {
+    /// Solves for the faders of a desk: those that are locked stay, those that are silent stay so.
+    ///
+    /// # Errors
+    /// Why nothing can be solved for, a sentence.
+    pub fn of(wish: &MixWish, desk: &Desk, document: &Document) -> Result<Self, String> {
+        let target = wish.target(document)?;
+        let heard = desk.heard();
+        let channels: Vec<Channel> = heard
+            .iter()
+            .map(|(index, channel)| {
+                let strip = &desk.mix.channels[*index];
+                let mut channel = (*channel).clone();
+                channel.spec.fixed = strip.lock.then_some(strip.level);
+                channel
+            })
+            .collect();
+        let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(|_| {
+            "There is no channel to solve with: add some on the page Mix.".to_owned()
+        })?;
+        let alike = wish.light.as_ref().filter(|_| wish.alike);
+        let alike = alike.and_then(|key| table_of(document, key));
+        let alike = alike.map(|light| light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero));
+        let solution = mixer.solve(&Wish {
+            target: Some(target),
+            favour: wish.favour,
+            floors: wish.floors,
+            alike: alike.as_deref(),
+        });
+        let mut powers = vec![0.0; desk.mix.channels.len()];
+        for ((index, _), weight) in heard.iter().zip(&solution.weights) {
+            powers[*index] = *weight;
+        }
+        Ok(Self {
+            target_uv: target.uv(),
+            mix: desk.mix.clone().at_powers(&powers).clamped(),
+            reached: solution.reached,
+            sentence: told(wish, &solution),
+        })
+    }
+}
+
+fn told(wish: &MixWish, solution: &Solution) -> String {
+    let found = words(&solution.figures, None);
+    let asked = wish.colour_words();
+    match (solution.reached, solution.delta_uv_to_target) {
+        (true, _) => format!("These channels can make the colour of {asked} exactly. {found}"),
+        (false, Some(off)) if off < 1e-6 => {
+            let why = &solution.why;
+            format!("The colour of {asked} is met, the floors are not: {why}. {found}")
+        }
+        _ => format!(
+            "The colour of {asked} is not met: {}. {found}",
+            solution.why
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        app::{App, Command},
+        design::mixture::Source,
+    };
+
+    fn solved(app: &App, wish: &MixWish) -> Solved {
+        let desk = Desk::of(app.document());
+        Solved::of(wish, &desk, app.document()).expect("channels and a colour")
+    }
+
+    fn uv_of(app: &App) -> [f64; 2] {
+        let figures = Desk::of(app.document()).figures;
+        figures.and_then(|figures| figures.uv).expect("it shines")
+    }
+
+    #[test]
+    fn the_faders_make_the_colour_that_is_wished_for() {
+        let mut app = App::new();
+        for kelvin in [2700.0, 4000.0, 6500.0] {
+            let wish = MixWish {
+                kelvin,
+                ..MixWish::default()
+            };
+            let found = solved(&app, &wish);
+            assert!(found.reached, "{}", found.sentence);
+            app.apply(Command::Mix(found.mix.clone()));
+            let [u, v] = uv_of(&app);
+            let off = (u - found.target_uv[0]).hypot(v - found.target_uv[1]);
+            assert!(off < 1e-6, "{off}");
+            // Solving again changes nothing.
+            assert_eq!(solved(&app, &wish).mix, app.document().mix);
+        }
+    }
+
+    #[test]
+    fn a_locked_fader_keeps_its_share_and_a_silent_one_its_place() {
+        let mut app = App::new();
+        let mut mix = app.document().mix.clone();
+        mix.channels[2].lock = true;
+        mix.channels[2].level = 5.0;
+        app.apply(Command::Mix(mix));
+        let found = solved(&app, &MixWish::default());
+        assert!(found.reached, "{}", found.sentence);
+        assert_eq!(found.mix.channels[2].level, 5.0);
+        let mut mix = app.document().mix.clone();
+        mix.channels[2].lock = false;
+        mix.channels[2].mute = true;
+        app.apply(Command::Mix(mix));
+        let found = solved(&app, &MixWish::default());
+        assert_eq!(found.mix.channels[2].level, 5.0);
+    }
+
+    #[test]
+    fn what_cannot_be_met_says_how_near_and_what_is_missing() {
+        let mut app = App::new();
+        let wish = MixWish {
+            floors: Floors {
+                ler: Some(600.0),
+                ..Floors::default()
+            },
+            ..MixWish::default()
+        };
+        let found = solved(&app, &wish);
+        assert!(
+            !found.reached && found.sentence.contains("LER"),
+            "{}",
+            found.sentence
+        );
+        let mut mix = app.document().mix.clone();
+        mix.channels.truncate(2);
+        app.apply(Command::Mix(mix));
+        let found = solved(&app, &MixWish::default());
+        assert!(
+            found.sentence.contains("from the nearest"),
+            "{}",
+            found.sentence
+        );
+    }
+
+    #[test]
+    fn without_channels_or_without_its_light_a_wish_says_so() {
+        let mut app = App::new();
+        let gone = MixWish {
+            light: Some("own/99".to_owned()),
+            ..MixWish::default()
+        };
+        let desk = Desk::of(app.document());
+        let why = Solved::of(&gone, &desk, app.document()).expect_err("no light");
+        assert!(why.contains("own/99"));
+        app.apply(Command::Mix(Mix::default()));
+        let desk = Desk::of(app.document());
+        let why = Solved::of(&MixWish::default(), &desk, app.document()).expect_err("no channel");
+        assert!(why.contains("add some"));
+    }
+
+    #[test]
+    fn a_light_among_the_channels_is_found_again_by_its_spectrum() {
+        let mut app = App::new();
+        let key = "cie_illuminants/CIE A".to_owned();
+        let mut mix = app.document().mix.clone();
+        let channel = super::super::mix::MixChannel::new(Source::Named(key.clone()));
+        mix.channels.push(channel);
+        app.apply(Command::Mix(mix));
+        let wish = MixWish {
+            light: Some(key),
+            alike: true,
+            ..MixWish::default()
+        };
+        let found = solved(&app, &wish);
+        let levels: Vec<f64> = found.mix.channels.iter().map(|c| c.level).collect();
+        assert_eq!(levels[4], 100.0);
+        assert!(levels[..4].iter().all(|level| *level < 1e-3), "{levels:?}");
+    }
+}

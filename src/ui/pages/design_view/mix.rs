@@ -1,0 +1,292 @@
+//! The page "Mix": faders, the diagram, the spectrum of the mixture.
+
+use eframe::egui;
+use egui::{Ui, vec2};
+
+use super::{DesignView, Fader, change, headline, strips};
+use crate::{
+    app::{
+        Command,
+        charts::design::{held_at, mixed_spectrum},
+        command::MadeFor,
+        design::{
+            desk::Desk,
+            mix::{FULL, MOST_CHANNELS, MixChannel, Snapshot},
+            named_lines::{NamedLine, snapped},
+        },
+    },
+    design::mixture::Source,
+    ui::{
+        chart_view::ChartView,
+        kit::{Chooser, copy_button, lights, scrolled},
+        pages::PageContext,
+        swatch,
+    },
+};
+
+/// From this width on the diagram stands beside the faders, points.
+const WIDE: f32 = 720.0;
+
+/// How near to a line or an LED a drag takes hold of it, nm.
+const REACH_NM: f64 = 12.0;
+
+/// How near to a named line a dragged one snaps to it, nm.
+const SNAP_NM: f64 = 0.8;
+
+impl DesignView {
+    /// Channels mixed by hand.
+    pub fn mix(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        self.refresh(context.app);
+        let Some(desk) = self.desk.held().cloned() else {
+            return;
+        };
+        let lines = self.lines.held().cloned().unwrap_or_default();
+        headline(
+            ui,
+            context,
+            swatch::colour(desk.swatch().rgb8),
+            &desk.sentence(),
+        );
+        ui.add_space(4.0);
+        let room = ui.available_size();
+        let scale = context.theme.scale;
+        if room.x >= WIDE * scale {
+            let left = (0.5 * room.x).min(620.0 * scale);
+            ui.horizontal_top(|ui| {
+                let faders = vec2(left, room.y);
+                ui.allocate_ui_with_layout(
+                    faders,
+                    egui::Layout::top_down(egui::Align::Min),
+                    |ui| {
+                        ui.set_min_size(faders);
+                        faders_of(ui, context, &desk, &lines);
+                    },
+                );
+                ui.vertical(|ui| {
+                    let width = ui.available_width();
+                    let gap = ui.spacing().item_spacing.y;
+                    let high = (0.58 * room.y).floor();
+                    self.diagram(ui, context, None, vec2(width, high));
+                    self.spectrum(ui, context, &desk, &lines, vec2(width, room.y - high - gap));
+                });
+            });
+        } else {
+            scrolled(ui, "mix", |ui| {
+                let width = ui.available_width();
+                self.diagram(ui, context, None, vec2(width, 0.5 * room.y));
+                add_row(ui, context, &desk, &lines);
+                strips::show(ui, context, &desk, &lines);
+                below(ui, context, &desk);
+                self.spectrum(ui, context, &desk, &lines, vec2(width, 0.4 * room.y));
+            });
+        }
+    }
+
+    /// The mixture over the wavelengths; lines and LEDs can be dragged.
+    fn spectrum(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        desk: &Desk,
+        lines: &[NamedLine],
+        size: egui::Vec2,
+    ) {
+        let theme = context.chart_theme();
+        let key = (context.app.revision(), theme);
+        let chart = &*self.spectrum.get(key, |_| mixed_spectrum(desk, theme));
+        let mut shown = ChartView::held(ui, chart, "mixed spectrum", size, context.theme);
+        context.wishes.extend(shown.wish.take());
+        let Some([at_nm, _]) = shown.dragged else {
+            self.held = None;
+            return;
+        };
+        if shown.response.drag_started() {
+            self.held = held_at(desk, at_nm, REACH_NM);
+        }
+        let Some(index) = self.held else { return };
+        let at_nm = snapped(lines, at_nm, SNAP_NM)
+            .map_or_else(|| (10.0 * at_nm).round() / 10.0, |line| line.at_nm);
+        let mut source = desk.mix.channels.get(index).map(|c| c.source.clone());
+        if let Some(
+            Source::Line { at_nm: place }
+            | Source::Gauss {
+                centre_nm: place, ..
+            },
+        ) = &mut source
+        {
+            *place = at_nm;
+        }
+        if let Some(source) = source {
+            change(context, |mix| mix.channels[index].source = source);
+        }
+    }
+}
+
+fn faders_of(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
+    add_row(ui, context, desk, lines);
+    ui.add_space(4.0);
+    let rest = 120.0 * context.theme.scale;
+    let height = (ui.available_height() - rest).max(80.0);
+    let size = vec2(ui.available_width(), height);
+    ui.allocate_ui_with_layout(size, egui::Layout::top_down(egui::Align::Min), |ui| {
+        ui.set_min_size(size);
+        scrolled(ui, "faders", |ui| strips::show(ui, context, desk, lines));
+    });
+    below(ui, context, desk);
+}
+
+/// What joins the desk.
+fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
+    let mut new = None;
+    let is_full = desk.mix.channels.len() >= MOST_CHANNELS;
+    ui.add_enabled_ui(!is_full, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.label("Add");
+            let line = ui.menu_button("Line", |ui| {
+                if let Some(line) = strips::line_menu(ui, lines) {
+                    new = Some(Source::Line { at_nm: line });
+                }
+            });
+            line.response
+                .on_hover_text("A line without width, at the place of one that has a name.");
+            let mut button = |title: &str, meaning: &str, source: Source| {
+                if ui.button(title).on_hover_text(meaning).clicked() {
+                    new = Some(source);
+                }
+            };
+            button(
+                "LED",
+                "A Gaussian with a centre and a full width at half its height.",
+                Source::Gauss {
+                    centre_nm: 500.0,
+                    fwhm_nm: 20.0,
+                },
+            );
+            button(
+                "Blackbody",
+                "What a glowing body of a temperature shines.",
+                Source::Blackbody { kelvin: 2700.0 },
+            );
+            button(
+                "Daylight",
+                "Daylight of a temperature, by the CIE's components.",
+                Source::Daylight { kelvin: 6500.0 },
+            );
+            let chosen = Chooser {
+                name: "A light to mix",
+                meaning: "Any light of the library, shipped or your own, as a channel.",
+                says: "Any light",
+                offers: lights,
+                width: 120.0 * context.theme.scale,
+            }
+            .show(ui, context.app);
+            if let Some(light) = chosen {
+                new = Some(Source::Named(light.key.clone()));
+            }
+        });
+    });
+    if let Some(source) = new {
+        change(context, |mix| mix.channels.push(MixChannel::new(source)));
+    }
+}
+
+/// All faders together, and where the mixture goes.
+fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    surfaces(ui, context, desk);
+    ui.horizontal(|ui| {
+        ui.label("All");
+        let mut highest = desk.mix.highest();
+        let shines = highest > 0.0;
+        // From nothing there is no way up: the shares would be lost.
+        ui.add_enabled_ui(shines, |ui| {
+            Fader {
+                name: "All faders",
+                meaning: "Moves all faders together: brighter or darker at constant colour.",
+                range: 0.0..=FULL,
+                digits: 0,
+                suffix: " %",
+                logarithmic: false,
+            }
+            .show(ui, &mut highest, 0.0, context.theme.scale);
+        });
+        let changed = highest != desk.mix.highest();
+        if changed {
+            let dimmed = desk.mix.clone().dimmed(highest.max(0.1));
+            context.commands.push(Command::Mix(dimmed));
+        }
+    });
+    ui.horizontal(|ui| {
+        let recipe = desk.recipe();
+        let button = ui
+            .add_enabled(recipe.is_some(), egui::Button::new("To the library"))
+            .on_hover_text(
+                "Keeps the mixture as a light of your own and shows it everywhere. It follows \
+                 the lights that it is made of.",
+            );
+        if let Some(recipe) = recipe.filter(|_| button.clicked()) {
+            let place = MadeFor::Shown;
+            context.commands.push(Command::Make { recipe, place });
+        }
+        kept(ui, context, desk);
+        copy_button(
+            ui,
+            "Copy the channels as CSV",
+            "Channels with their drive in per cent, their share of the power, and values for \
+             lighting desks of 8 and 16 bits (DMX).",
+            || desk.to_csv(),
+        );
+    });
+}
+
+/// The test colours, at the left as under the mixture, at the right as under its reference.
+fn surfaces(ui: &mut Ui, context: &PageContext<'_>, desk: &Desk) {
+    let surfaces = desk.surfaces();
+    let words = match surfaces.is_empty() {
+        true => "Test colours: this light has no reference to stand beside",
+        false => "Test colours: under the mixture | under its reference",
+    };
+    ui.label(egui::RichText::new(words).small()).on_hover_text(
+        "The reference is a blackbody, from 5000 K on daylight, of the same temperature. Each \
+         half as an eye adapted to its light sees it.",
+    );
+    let gap = 2.0;
+    let count = surfaces.len().max(1) as f32;
+    let width = ((ui.available_width() - gap * (count - 1.0)) / count).floor();
+    let size = vec2(width.max(8.0), 26.0 * context.theme.scale);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = gap;
+        for (test, reference, words) in &surfaces {
+            swatch::split(ui, size, test, reference, words).on_hover_text(words);
+        }
+        ui.set_min_height(size.y);
+    });
+}
+
+/// Desks to come back to.
+fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    for (slot, name) in context.memory.kept.iter_mut().zip(["A", "B", "C"]) {
+        let is_here = slot.as_ref().is_some_and(|kept| kept.mix == desk.mix);
+        let button = ui.selectable_label(is_here, name);
+        let words = match slot {
+            Some(kept) => format!(
+                "{}\nClick to bring the desk back so; right click to forget it.",
+                kept.words
+            ),
+            None => format!("Keeps the desk as {name}, to come back to and to compare."),
+        };
+        if button.secondary_clicked() {
+            *slot = None;
+        } else if button.clicked() {
+            match slot {
+                Some(kept) => context.commands.push(Command::Mix(kept.mix.clone())),
+                None => {
+                    *slot = Some(Snapshot {
+                        mix: desk.mix.clone(),
+                        words: desk.sentence(),
+                    });
+                }
+            }
+        }
+        button.on_hover_text(words);
+    }
+}

@@ -1,0 +1,122 @@
+//! The place "Design": lights that are mixed, solved for, and made from colours.
+
+mod colour;
+mod mix;
+mod solve;
+mod strips;
+
+use eframe::egui;
+use egui::{DragValue, RichText, Slider, Ui, vec2};
+
+use super::PageContext;
+use crate::{
+    app::{
+        App, Command,
+        chart::{self, Chart},
+        charts::design::{ground, on_diagram},
+        design::{
+            colour::FromColour,
+            desk::Desk,
+            mix::Mix,
+            named_lines::{NamedLine, named_lines},
+            wish::{MixWish, Solved},
+        },
+        memo::Memo,
+    },
+    ui::{kit::named, swatch},
+};
+
+/// What the pages keep from frame to frame.
+#[derive(Default)]
+pub struct DesignView {
+    desk: Memo<u64, Desk>,
+    lines: Memo<(), Vec<NamedLine>>,
+    ground: Memo<chart::Theme, Chart>,
+    diagram: Memo<(u64, chart::Theme, Option<[f64; 2]>), Chart>,
+    spectrum: Memo<(u64, chart::Theme), Chart>,
+    solved: Memo<(u64, MixWish), Result<Solved, String>>,
+    colour: Memo<(u64, chart::Theme, FromColour), Result<colour::Shown, String>>,
+    /// The hexadecimal colour while it is typed.
+    typed: Option<String>,
+    /// The channel that is dragged in the spectrum.
+    held: Option<usize>,
+}
+
+impl DesignView {
+    /// Brings what is kept up to the document.
+    fn refresh(&mut self, app: &App) {
+        self.desk.get(app.revision(), |_| Desk::of(app.document()));
+        self.lines.get((), |_| named_lines(app.element_lines()));
+    }
+
+    /// The channels and the mixture among colours.
+    fn diagram(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut PageContext<'_>,
+        target: Option<[f64; 2]>,
+        size: egui::Vec2,
+    ) {
+        let theme = context.chart_theme();
+        let ground = &*self.ground.get(theme, |theme| ground(*theme));
+        let Some(desk) = self.desk.held() else { return };
+        let key = (context.app.revision(), theme, target);
+        let chart = &*self.diagram.get(key, |_| on_diagram(ground, desk, target));
+        context.chart(ui, chart, "colours of channels", size);
+    }
+}
+
+/// The colour of the mixture and the sentence about it.
+fn headline(ui: &mut Ui, context: &PageContext<'_>, colour: egui::Color32, words: &str) {
+    let scale = context.theme.scale;
+    ui.horizontal(|ui| {
+        let size = vec2(44.0, 24.0) * scale;
+        let (rect, response) = ui.allocate_exact_size(size, egui::Sense::hover());
+        named(&response, egui::Role::Image, "Colour of the mixture");
+        ui.painter().rect_filled(rect, 3.0, colour);
+        swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
+        response.on_hover_text("Its colour as bright as the screen can show it.");
+        let text = RichText::new(words).size(16.0 * scale);
+        ui.add(egui::Label::new(text).wrap());
+    });
+}
+
+/// Changes the desk of the document.
+fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Mix)) {
+    let mut mix = context.app.document().mix.clone();
+    change(&mut mix);
+    context.commands.push(Command::Mix(mix));
+}
+
+/// A slider with its number behind it, both called the same.
+struct Fader<'a> {
+    name: &'a str,
+    meaning: &'a str,
+    range: std::ops::RangeInclusive<f64>,
+    digits: usize,
+    suffix: &'a str,
+    logarithmic: bool,
+}
+
+impl Fader<'_> {
+    /// Draws it over the room there is, but for `rest` points behind it.
+    fn show(self, ui: &mut Ui, value: &mut f64, rest: f32, scale: f32) {
+        let number = 58.0 * scale;
+        ui.spacing_mut().slider_width = (ui.available_width() - rest - number - 8.0).max(40.0);
+        let slider = Slider::new(value, self.range.clone())
+            .logarithmic(self.logarithmic)
+            .show_value(false);
+        let slider = ui.add(slider);
+        named(&slider, egui::Role::Slider, self.name);
+        slider.on_hover_text(self.meaning);
+        let speed = (self.range.end() - self.range.start()) / 500.0;
+        let drag = DragValue::new(value)
+            .range(self.range)
+            .speed(speed)
+            .fixed_decimals(self.digits)
+            .suffix(self.suffix);
+        let drag = ui.add_sized([number, ui.spacing().interact_size.y], drag);
+        named(&drag, egui::Role::SpinButton, self.name);
+        drag.on_hover_text(self.meaning);
+    }
+}

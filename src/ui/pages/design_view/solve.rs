@@ -1,0 +1,347 @@
+//! The page "Solve": the faders for a colour that is wished for, and the front of free lines.
+
+use eframe::egui;
+use egui::{DragValue, Ui, vec2};
+
+use super::{DesignView, Fader, headline};
+use crate::{
+    app::{
+        Command,
+        charts::design::front_chart,
+        design::{
+            desk::Desk,
+            front::{answer, front_ask, on_desk, sentence},
+            wish::{DUV, KELVIN, MixWish, Solved},
+        },
+    },
+    design::solve::{Against, Favour},
+    ui::{
+        kit::{Choice, Chooser, Column, Row, Table, lights, named, scrolled, warning},
+        pages::{PageContext, progress},
+        swatch,
+    },
+};
+
+/// From this width on the diagram stands beside the wish, points.
+const WIDE: f32 = 720.0;
+
+/// What each figure is to be favoured for, in plain words.
+fn favour_words(favour: Favour) -> [&'static str; 2] {
+    match favour {
+        Favour::Ler => [
+            "most light for the power",
+            "Greatest luminous efficacy of radiation.",
+        ],
+        Favour::Rf => ["truest colours (Rf)", "Greatest fidelity index of TM-30."],
+        Favour::Ra => [
+            "best rendering (Ra)",
+            "Greatest colour rendering index of CIE 13.3.",
+        ],
+        Favour::Melanopic => [
+            "most awakening (melanopic)",
+            "Greatest melanopic daylight efficacy ratio of CIE S 026.",
+        ],
+        Favour::Fewest => [
+            "fewest channels",
+            "As few channels as will do, and among those the most light for the power.",
+        ],
+    }
+}
+
+impl DesignView {
+    /// Channels mixed to a light that is wished for.
+    pub fn solve(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        self.refresh(context.app);
+        let Some(desk) = self.desk.held().cloned() else {
+            return;
+        };
+        let document = context.app.document();
+        let key = (context.app.revision(), context.memory.wish.clone());
+        let solved = self
+            .solved
+            .get(key, |(_, wish)| Solved::of(wish, &desk, document))
+            .clone();
+        let words = match &solved {
+            Ok(solved) => &solved.sentence,
+            Err(why) => why,
+        };
+        headline(ui, context, swatch::colour(desk.swatch().rgb8), words);
+        ui.add_space(4.0);
+        let before = context.memory.wish.clone();
+        let target = solved.as_ref().ok().map(|solved| solved.target_uv);
+        let room = ui.available_size();
+        let scale = context.theme.scale;
+        if room.x >= WIDE * scale {
+            let left = vec2((0.40 * room.x).clamp(330.0 * scale, 520.0 * scale), room.y);
+            ui.horizontal_top(|ui| {
+                ui.allocate_ui_with_layout(left, egui::Layout::top_down(egui::Align::Min), |ui| {
+                    ui.set_min_size(left);
+                    scrolled(ui, "wish", |ui| {
+                        wish_and_faders(ui, context, &desk, &solved)
+                    });
+                });
+                ui.vertical(|ui| {
+                    let width = ui.available_width();
+                    self.diagram(ui, context, target, vec2(width, (0.52 * room.y).floor()));
+                    let rest = ui.available_height();
+                    front(ui, context, &desk, rest);
+                });
+            });
+        } else {
+            scrolled(ui, "solve", |ui| {
+                let width = ui.available_width();
+                wish_and_faders(ui, context, &desk, &solved);
+                self.diagram(ui, context, target, vec2(width, 0.5 * room.y));
+                front(ui, context, &desk, 0.5 * room.y);
+            });
+        }
+        let wish = &context.memory.wish;
+        let is_other = MixWish {
+            against: wish.against,
+            lines: wish.lines,
+            ..before
+        } != *wish;
+        if is_other && let Ok(found) = Solved::of(wish, &desk, context.app.document()) {
+            // A wish that is moved takes the faders along.
+            context.commands.push(Command::Mix(found.mix));
+        }
+    }
+}
+
+fn wish_and_faders(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    desk: &Desk,
+    solved: &Result<Solved, String>,
+) {
+    colour(ui, context);
+    ui.add_space(4.0);
+    favour(ui, context);
+    ui.add_space(4.0);
+    floors(ui, context);
+    ui.add_space(6.0);
+    if let Ok(solved) = solved {
+        let is_there = solved.mix == desk.mix;
+        ui.horizontal(|ui| {
+            let button = ui
+                .add_enabled(!is_there, egui::Button::new("Set the faders"))
+                .on_hover_text("Moves the faders to what was solved for: one step of undo.")
+                .on_disabled_hover_text("The faders stand so.");
+            if button.clicked() {
+                context.commands.push(Command::Mix(solved.mix.clone()));
+            }
+            if !solved.reached {
+                warning(ui, context.theme, "as near as the channels come");
+            }
+        });
+        ui.add_space(4.0);
+        faders(ui, context, desk, solved);
+    }
+}
+
+/// The colour: a temperature, or that of a light.
+fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let scale = context.theme.scale;
+    ui.horizontal_wrapped(|ui| {
+        ui.label("The colour of");
+        let light = &mut context.memory.wish.light;
+        if ui
+            .selectable_label(light.is_none(), "a temperature")
+            .clicked()
+        {
+            *light = None;
+        }
+        let says = light
+            .as_deref()
+            .map_or("a light", |key| key.rsplit('/').next().unwrap_or(key));
+        let chosen = Chooser {
+            name: "Light whose colour is wished for",
+            meaning: "The mixture is to have the colour of this light.",
+            says,
+            offers: lights,
+            width: 150.0 * scale,
+        }
+        .show(ui, context.app);
+        if let Some(chosen) = chosen {
+            context.memory.wish.light = Some(chosen.key.clone());
+        }
+    });
+    let wish = &mut context.memory.wish;
+    if wish.light.is_some() {
+        ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
+            .on_hover_text(
+                "Comes near to that light at every wavelength, in the least squares; its colour \
+                 is met exactly all the same.",
+            );
+        return;
+    }
+    let mut fader = |value: &mut f64, title: &str, fader: Fader<'_>| {
+        ui.horizontal(|ui| {
+            let size = vec2(76.0 * scale, ui.spacing().interact_size.y);
+            let left = egui::Layout::left_to_right(egui::Align::Center);
+            ui.allocate_ui_with_layout(size, left, |ui| {
+                ui.set_min_size(size);
+                ui.label(title);
+            });
+            fader.show(ui, value, 0.0, scale);
+        });
+    };
+    let temperature = Fader {
+        name: "Temperature wished for",
+        meaning: "Correlated colour temperature: 2700 K is a warm lamp, 6500 K daylight.",
+        range: KELVIN,
+        digits: 0,
+        suffix: " K",
+        logarithmic: true,
+    };
+    fader(&mut wish.kelvin, "Temperature", temperature);
+    let tint = Fader {
+        name: "Duv wished for",
+        meaning: "Distance from the blackbodies: above 0 greenish, below 0 pinkish.",
+        range: DUV,
+        digits: 4,
+        suffix: "",
+        logarithmic: false,
+    };
+    fader(&mut wish.duv, "Tint (Duv)", tint);
+}
+
+fn favour(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let wish = &mut context.memory.wish;
+    if wish.light.is_some() && wish.alike {
+        return;
+    }
+    ui.horizontal(|ui| {
+        ui.label("with");
+        let choice = Choice {
+            name: "What to favour",
+            meaning: "What the mixture is best at among all those of exactly that colour.",
+            width: 210.0 * context.theme.scale,
+        };
+        choice.show(ui, favour_words(wish.favour)[0], |ui| {
+            for favour in Favour::ALL {
+                let [title, meaning] = favour_words(favour);
+                ui.selectable_value(&mut wish.favour, favour, title)
+                    .on_hover_text(meaning);
+            }
+        });
+    });
+}
+
+/// What the mixture must not fall below.
+fn floors(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let floors = &mut context.memory.wish.floors;
+    ui.horizontal_wrapped(|ui| {
+        ui.label("and not below");
+        let mut floor = |value: &mut Option<f64>, title: &str, usual: f64, most: f64| {
+            let mut on = value.is_some();
+            let digits = if most < 10.0 { 2 } else { 0 };
+            if ui.checkbox(&mut on, title).changed() {
+                *value = on.then_some(usual);
+            }
+            if let Some(value) = value {
+                let speed = most / 200.0;
+                let number = DragValue::new(value)
+                    .range(0.0..=most)
+                    .speed(speed)
+                    .fixed_decimals(digits);
+                let response = ui.add(number);
+                named(
+                    &response,
+                    egui::Role::SpinButton,
+                    &format!("Floor of {title}"),
+                );
+            }
+        };
+        floor(&mut floors.rf, "Rf", 80.0, 100.0);
+        floor(&mut floors.ra, "Ra", 80.0, 100.0);
+        floor(&mut floors.ler, "lm/W", 300.0, 683.0);
+        floor(&mut floors.melanopic, "melanopic", 0.5, 2.0);
+    });
+}
+
+/// The faders that were solved for.
+fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solved) {
+    let columns = [
+        Column::words("channel", "As it stands on the page Mix.", 2.0),
+        Column::numbers("now", "Its fader, per cent of its full power.", 1.0),
+        Column::numbers("solved", "Its fader as it was solved for.", 1.0),
+        Column::words("", "Whether solving may move it.", 1.0),
+    ];
+    let rows: Vec<Row> = desk
+        .mix
+        .channels
+        .iter()
+        .zip(&solved.mix.channels)
+        .map(|(now, then)| {
+            let state = match (desk.mix.is_heard(now), now.lock) {
+                (false, _) => "silent",
+                (true, true) => "locked",
+                (true, false) => "",
+            };
+            let cells = [
+                now.title(),
+                format!("{:.1} %", now.level),
+                format!("{:.1} %", then.level),
+                state.to_owned(),
+            ];
+            Row {
+                name: cells[..3].join(", "),
+                cells: cells.to_vec(),
+                ..Row::default()
+            }
+        })
+        .collect();
+    let table = Table {
+        enabled: false,
+        ..Table::new(&columns, context.theme)
+    };
+    table.show(ui, &rows, &mut |_, _, _| {});
+}
+
+/// What lines at free places reach at best; a click takes the lines of a point.
+fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
+    let top = ui.cursor().top();
+    let wish = &mut context.memory.wish;
+    ui.horizontal_wrapped(|ui| {
+        ui.label("At best with");
+        for lines in [3, 4] {
+            ui.selectable_value(&mut wish.lines, lines, format!("{lines} lines"))
+                .on_hover_text("Lines at the best places there are, not those of the desk.");
+        }
+        ui.label("by");
+        for (against, title) in [(Against::Rf, "Rf"), (Against::Ra, "Ra")] {
+            ui.selectable_value(&mut wish.against, against, title)
+                .on_hover_text("The figure that efficacy is traded for.");
+        }
+    });
+    let ask = front_ask(&context.memory.wish, context.app.document());
+    let job = &mut context.studies.front;
+    // While a slider is dragged the front would never be done.
+    if let Some(ask) = ask.filter(|_| !ui.input(|input| input.pointer.any_down())) {
+        job.ask_by(&ask, context.wake, answer);
+    }
+    progress(ui, job, "The front");
+    let Some((ask, found)) = job
+        .answer()
+        .map(|(ask, found)| (ask.clone(), found.clone()))
+    else {
+        return;
+    };
+    let points = match &*found {
+        Ok(points) => points,
+        Err(why) => {
+            ui.weak(why);
+            return;
+        }
+    };
+    ui.add(egui::Label::new(sentence(points, &ask)).wrap());
+    let chart = front_chart(points, ask.against, desk, context.chart_theme());
+    let left = height - (ui.cursor().top() - top);
+    let size = vec2(ui.available_width(), left.max(150.0));
+    let shown = context.chart(ui, &chart, "front", size);
+    let clicked = shown.clicked.filter(|hit| hit.series == 0);
+    if let Some(point) = clicked.and_then(|hit| points.get(hit.point)) {
+        context.commands.push(Command::Mix(on_desk(point)));
+    }
+}

@@ -1,0 +1,187 @@
+//! The channels of the desk: what each is, its fader and its switches.
+
+use eframe::egui;
+use egui::{DragValue, Ui, vec2};
+
+use super::{Fader, change};
+use crate::{
+    app::design::{
+        desk::{Desk, Strip},
+        mix::{FULL, MixChannel},
+        named_lines::NamedLine,
+    },
+    design::mixture::Source,
+    ui::{kit::named, pages::PageContext, swatch},
+};
+
+/// Width of what a channel is, points.
+const WHAT: f32 = 150.0;
+
+/// The channels, one below the other.
+pub fn show(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
+    let mut gone = None;
+    for (index, (channel, strip)) in desk.mix.channels.iter().zip(&desk.strips).enumerate() {
+        let mut after = channel.clone();
+        let row = ui.push_id(index, |ui| {
+            ui.horizontal(|ui| one(ui, context, strip, &mut after, lines, index + 1))
+                .inner
+        });
+        if row.inner {
+            gone = Some(index);
+        } else if after != *channel {
+            change(context, |mix| mix.channels[index] = after);
+        }
+    }
+    if let Some(index) = gone {
+        change(context, |mix| drop(mix.channels.remove(index)));
+    }
+}
+
+/// One channel; whether it goes.
+fn one(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    strip: &Strip,
+    channel: &mut MixChannel,
+    lines: &[NamedLine],
+    number: usize,
+) -> bool {
+    let scale = context.theme.scale;
+    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 18.0) * scale, egui::Sense::hover());
+    ui.painter()
+        .rect_filled(rect, 2.0, swatch::colour(strip.colour));
+    swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
+    response.on_hover_text(&strip.title);
+    let size = vec2(WHAT * scale, ui.spacing().interact_size.y);
+    let left = egui::Layout::left_to_right(egui::Align::Center);
+    ui.allocate_ui_with_layout(size, left, |ui| {
+        ui.set_min_size(size);
+        ui.spacing_mut().item_spacing.x = 4.0;
+        what(ui, strip, channel, lines, number);
+    });
+    ui.spacing_mut().item_spacing.x = 4.0;
+    let buttons = 4.0 * (ui.spacing().interact_size.y + 8.0);
+    Fader {
+        name: &format!("Fader {number}"),
+        meaning: "Its power, per cent of the most it can give; the same for each channel.",
+        range: 0.0..=FULL,
+        digits: 1,
+        suffix: " %",
+        logarithmic: false,
+    }
+    .show(ui, &mut channel.level, buttons, scale);
+    let mut switch = |on: &mut bool, sign: &str, name: &str, meaning: &str| {
+        let button = ui.toggle_value(on, sign);
+        named(&button, egui::Role::CheckBox, &format!("{name} {number}"));
+        button.on_hover_text(format!("{name}: {meaning}"));
+    };
+    switch(&mut channel.mute, "M", "Mute", "this channel is silent.");
+    switch(
+        &mut channel.solo,
+        "S",
+        "Solo",
+        "only channels that are so are heard.",
+    );
+    switch(
+        &mut channel.lock,
+        "L",
+        "Lock",
+        "solving leaves this fader where it is.",
+    );
+    let remove = ui.small_button("✖");
+    named(&remove, egui::Role::Button, &format!("Remove {number}"));
+    remove
+        .on_hover_text("Takes the channel off the desk.")
+        .clicked()
+}
+
+/// What a channel is, to change it.
+fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine], number: usize) {
+    let value = |ui: &mut Ui, value: &mut f64, speed: f64, suffix: &str, name: &str| {
+        let box_of = DragValue::new(value)
+            .speed(speed)
+            .max_decimals(2)
+            .suffix(suffix);
+        let response = ui.add(box_of);
+        named(
+            &response,
+            egui::Role::SpinButton,
+            &format!("{name} {number}"),
+        );
+        response.on_hover_text(format!("{name}: drag, or click to type."));
+    };
+    match &mut channel.source {
+        Source::Line { at_nm } => {
+            let menu = ui.menu_button("line", |ui| {
+                if let Some(found) = line_menu(ui, lines) {
+                    *at_nm = found;
+                }
+            });
+            menu.response
+                .on_hover_text("Puts it on a line that has a name.");
+            value(ui, at_nm, 0.1, " nm", "Place");
+            let is_it = |line: &&NamedLine| (line.at_nm - *at_nm).abs() < 0.05;
+            if let Some(line) = lines.iter().find(is_it) {
+                ui.add(egui::Label::new(line.of).truncate());
+            }
+        }
+        Source::Gauss { centre_nm, fwhm_nm } => {
+            ui.label("LED");
+            value(ui, centre_nm, 0.2, " nm", "Centre");
+            ui.label("±")
+                .on_hover_text("Half of its full width at half its height.");
+            let mut half = 0.5 * *fwhm_nm;
+            value(ui, &mut half, 0.1, "", "Half width");
+            *fwhm_nm = 2.0 * half;
+        }
+        Source::Blackbody { kelvin } => {
+            ui.label("blackbody");
+            value(ui, kelvin, 10.0, " K", "Temperature");
+        }
+        Source::Daylight { kelvin } => {
+            ui.label("daylight");
+            value(ui, kelvin, 10.0, " K", "Temperature");
+        }
+        Source::Named(key) => {
+            let words = match &strip.light {
+                Ok(_) => strip.title.clone(),
+                Err(_) => format!("{} gives no light", strip.title),
+            };
+            let hover = match &strip.light {
+                Ok(_) => key.clone(),
+                Err(why) => why.to_string(),
+            };
+            ui.add(egui::Label::new(words).truncate())
+                .on_hover_text(hover);
+        }
+    }
+}
+
+/// The lines that have names, by what shines there; the place of the one that was chosen.
+pub fn line_menu(ui: &mut Ui, lines: &[NamedLine]) -> Option<f64> {
+    let mut chosen = None;
+    let mut sort: Vec<(&str, Vec<&NamedLine>)> = Vec::new();
+    for line in lines {
+        let of = if line.of.starts_with("laser") {
+            "Lasers"
+        } else {
+            line.of
+        };
+        match sort.iter_mut().find(|(name, _)| *name == of) {
+            Some((_, all)) => all.push(line),
+            None => sort.push((of, vec![line])),
+        }
+    }
+    for (of, lines) in sort {
+        ui.menu_button(of, |ui| {
+            for line in lines {
+                let words = format!("{} {:.1} nm", line.of, line.at_nm);
+                if ui.button(words).clicked() {
+                    chosen = Some(line.at_nm);
+                    ui.close();
+                }
+            }
+        });
+    }
+    chosen
+}
