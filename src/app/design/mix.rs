@@ -88,7 +88,7 @@ impl Mix {
     pub fn clamped(self) -> Self {
         let clamped = |channel: MixChannel| MixChannel {
             source: channel.source.clamped(),
-            level: channel.level.max(0.0).min(FULL),
+            level: sound(channel.level),
             ..channel
         };
         let channels = self.channels.into_iter().take(MOST_CHANNELS);
@@ -127,7 +127,7 @@ impl Mix {
     /// colour.
     #[must_use]
     pub fn dimmed(mut self, highest: f64) -> Self {
-        let factor = highest.max(0.0).min(FULL) / self.highest();
+        let factor = sound(highest) / self.highest();
         if factor.is_finite() {
             let heard: Vec<bool> = self.channels.iter().map(|c| self.is_heard(c)).collect();
             let channels = self.channels.iter_mut().zip(heard);
@@ -212,6 +212,14 @@ impl Snapshot {
             ..self
         }
     }
+}
+
+/// A fader's place within its reach; at the bottom where it has none.
+fn sound(level: f64) -> f64 {
+    if level.is_nan() {
+        return 0.0;
+    }
+    level.clamp(0.0, FULL)
 }
 
 #[cfg(test)]

@@ -358,7 +358,7 @@ mod tests {
         let light = document_light(&app).expect("it shines");
         let pass = next_pass(None, &scene, 2, &places(&light), true).expect("a film");
         let film = pass
-            .trace(None, &[light.clone()], &Progress::default())
+            .trace(None, std::slice::from_ref(&light), &Progress::default())
             .expect("traced");
         assert!(film.film.missing_lines(&light).is_empty());
         app.apply(Command::Edit(Settings {

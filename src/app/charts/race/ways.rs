@@ -23,6 +23,9 @@ pub struct WaysRow {
     pub won: [String; 2],
 }
 
+/// A way with the others, the cells that it won from each and the cells that there are.
+type Won = (Entrant, Vec<(Entrant, usize, usize)>);
+
 /// What the race of the new ways says.
 pub struct Ways {
     /// The result in a sentence.
@@ -31,7 +34,7 @@ pub struct Ways {
     pub how: String,
     /// For each of the new ways its word, and for each other representation its word, the cells won
     /// and all cells.
-    counts: Vec<(Entrant, Vec<(Entrant, usize, usize)>)>,
+    counts: Vec<Won>,
 }
 
 /// Whole per cent, rounded down so that 100 means all.
@@ -168,7 +171,7 @@ fn cell(spread: Option<Spread>, error: ErrorKind) -> RaceCell {
     })
 }
 
-fn sentence(standing: &Standing, counts: &[(Entrant, Vec<(Entrant, usize, usize)>)]) -> String {
+fn sentence(standing: &Standing, counts: &[Won]) -> String {
     let who = match &standing.lamps[..] {
         [(name, _)] => format!("On {name}"),
         lamps => format!("On {} lights", lamps.len()),

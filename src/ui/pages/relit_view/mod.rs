@@ -177,8 +177,8 @@ impl RelitView {
         let looked = &fit.looked.0;
         let theme = context.theme;
         let size = vec2(room.x, (room.y - self.below(ui, context)).max(60.0));
-        let [bands, numbers] = [looked.bands().len(), fit.operator.numbers()]
-            .map(|count| crate::io::many::numbers(count));
+        let [bands, numbers] =
+            [looked.bands().len(), fit.operator.numbers()].map(crate::io::many::numbers);
         let name = format!(
             "{} under {}, {bands} a pixel left, {numbers} right",
             looked.name, turned.light
