@@ -103,7 +103,7 @@ pub fn byte_rows(fit: &Fit, stored: &Stored) -> Rows {
     let own = |p95: f64| format!("{p95:.2}");
     let bytes = stored.bytes;
     let rows = [
-        ("every band, .exr", bytes.exact, "0".to_owned()),
+        ("every band, .exr", bytes.exact, "–".to_owned()),
         ("full, .exr", bytes.full, own(stored.full.own.p95)),
         (
             "compact, .cspx.png",

@@ -144,14 +144,13 @@ pub fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
         }));
     }
     let memory = &mut context.memory.relit;
-    ui.separator();
-    let says = name_of(context.app, memory.second.as_deref(), "+ second light");
+    let says = name_of(context.app, memory.second.as_deref(), "+ light");
     let chooser = Chooser {
         name: names::SECOND,
         meaning: "A second light beside the first, to mix them.",
         says: &says,
         offers: lights,
-        width: 0.8 * LIST,
+        width: 0.6 * LIST,
     };
     if let Some(entry) = chooser.show(ui, context.app) {
         memory.second = Some(entry.key.clone());
