@@ -275,7 +275,7 @@ mod tests {
         let text = composite_json::write(&file).unwrap();
         assert!(text.contains("\"version\": 2"), "{text}");
         let read = |text: &str| read_bytes("x.json", text.as_bytes());
-        assert_eq!(read(&text).unwrap().composites, [file.clone()]);
+        assert_eq!(read(&text).unwrap().composites, std::slice::from_ref(&file));
         // The first version knows no widths.
         let first = text.replace("\"version\": 2", "\"version\": 1");
         assert!(read(&first).unwrap().composites[0].widths_nm.is_empty());
