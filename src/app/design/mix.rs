@@ -88,7 +88,10 @@ impl Mix {
     pub fn clamped(self) -> Self {
         let clamped = |channel: MixChannel| MixChannel {
             source: channel.source.clamped(),
-            level: channel.level.max(0.0).min(FULL),
+            level: match channel.level.is_nan() {
+                true => 0.0,
+                false => channel.level.clamp(0.0, FULL),
+            },
             ..channel
         };
         let channels = self.channels.into_iter().take(MOST_CHANNELS);
@@ -127,7 +130,7 @@ impl Mix {
     /// colour.
     #[must_use]
     pub fn dimmed(mut self, highest: f64) -> Self {
-        let factor = highest.max(0.0).min(FULL) / self.highest();
+        let factor = highest.clamp(0.0, FULL) / self.highest();
         if factor.is_finite() {
             let heard: Vec<bool> = self.channels.iter().map(|c| self.is_heard(c)).collect();
             let channels = self.channels.iter_mut().zip(heard);
