@@ -63,7 +63,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 29] = [
+pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 31] = [
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
         Act::Redo,
@@ -145,11 +145,21 @@ pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 29] = [
     (
         KeyboardShortcut::new(CTRL, Key::Num4),
         Act::Place(3),
-        "Numbers",
+        "Quality",
     ),
     (
         KeyboardShortcut::new(CTRL, Key::Num5),
         Act::Place(4),
+        "Design",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num6),
+        Act::Place(5),
+        "Numbers",
+    ),
+    (
+        KeyboardShortcut::new(CTRL, Key::Num7),
+        Act::Place(6),
         "Picture",
     ),
     (

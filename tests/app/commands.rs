@@ -321,6 +321,7 @@ fn variant(command: &Command) -> &'static str {
         Command::WeightFactor(_) => "weight factor",
         Command::View(_) => "view",
         Command::Products(_) => "products",
+        Command::Mix(_) => "mix",
         Command::Adopt(_) => "adopt",
         Command::Open(_) => "open",
         Command::Make { .. } => "make",
@@ -399,6 +400,7 @@ fn session(app: &App) -> Vec<Command> {
             height: Height::Log,
             ..view
         }),
+        Command::Mix(app.document().mix.clone().dimmed(50.0)),
         Command::Products(Products {
             chain: vec![Link::once(preset(app, RED))],
             ..Products::first()
