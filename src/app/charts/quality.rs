@@ -304,6 +304,8 @@ pub enum OfBins {
     Fidelity,
     /// Local chroma shift, per cent.
     Chroma,
+    /// Local hue shift, radians.
+    Hue,
 }
 
 /// The 16 hue bins as bars.
@@ -314,6 +316,7 @@ pub fn bin_bars(fidelity: &Fidelity, what: OfBins, theme: Theme) -> Chart {
         let value = match what {
             OfBins::Fidelity => bin.rf,
             OfBins::Chroma => 100.0 * bin.rcs,
+            OfBins::Hue => bin.rhs,
         };
         let at = i as f64 + 1.0;
         let colour = of_hue(bin.reference_ab);
@@ -322,6 +325,7 @@ pub fn bin_bars(fidelity: &Fidelity, what: OfBins, theme: Theme) -> Chart {
     let (title, unit, range) = match what {
         OfBins::Fidelity => ("Fidelity of each hue", "Rf,h", [0.0, 100.0]),
         OfBins::Chroma => ("Chroma shift of each hue", "%", [-40.0, 40.0]),
+        OfBins::Hue => ("Hue shift of each hue", "radians", [-0.5, 0.5]),
     };
     Chart {
         title: title.to_owned(),
@@ -369,6 +373,23 @@ pub fn sample_bars(rendering: &Rendering, theme: Theme) -> Chart {
         x_names: names,
         y_range: Some([(lowest / 20.0).floor() * 20.0, 100.0]),
         series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// The fidelity of each of the 99 samples as bars.
+pub fn fidelity_bars(fidelity: &Fidelity, theme: Theme) -> Chart {
+    let values = fidelity.samples.iter().enumerate();
+    let points: Vec<[f64; 2]> = values.map(|(i, rf)| [i as f64 + 1.0, *rf]).collect();
+    let lowest = fidelity.samples.iter().copied().fold(100.0, f64::min);
+    Chart {
+        title: format!("Fidelity of each of 99 surfaces: {lowest:.0} at worst"),
+        x_label: "Sample CES".to_owned(),
+        y_label: "Rf".to_owned(),
+        x_range: [0.0, 100.0],
+        y_range: Some([0.0, 100.0]),
+        series: vec![Series::bars("", Inks::of(theme).smooth, 0.8, points)],
         theme,
         ..Chart::default()
     }

@@ -9,7 +9,8 @@ use crate::{
         App,
         chart::{self, Chart},
         charts::quality::{
-            DiagramShows, OfBins, against_order, bin_bars, diagram, sample_bars, vector_graphic,
+            DiagramShows, OfBins, against_order, bin_bars, diagram, fidelity_bars, sample_bars,
+            vector_graphic,
         },
         memo::Memo,
         quality::{ByOrder, QualityShown, settled_words},
@@ -18,6 +19,13 @@ use crate::{
     study::{Progress, quality::Chosen},
     ui::kit::{Column, Row as TableRow, Table, scrolled},
 };
+
+/// From this width on three charts stand side by side, points.
+const WIDE: f32 = 780.0;
+/// Lowest chart of several, points.
+const LEAST_CHART: f32 = 190.0;
+/// Room of a scroll bar, points.
+const BAR: f32 = 14.0;
 
 /// What the pages keep from frame to frame.
 #[derive(Default)]
@@ -139,10 +147,12 @@ impl QualityView {
             }
             if let Ok(fidelity) = &of.fidelity {
                 charts.push(bin_bars(fidelity, OfBins::Chroma, theme));
+                charts.push(bin_bars(fidelity, OfBins::Hue, theme));
+                charts.push(fidelity_bars(fidelity, theme));
             }
             charts
         });
-        four(ui, context, charts, "rendition", Some(0));
+        grid(ui, context, charts, "rendition", true);
     }
 
     /// What a few numbers do to the figures.
@@ -159,36 +169,43 @@ impl QualityView {
         };
         headline(ui, &settled_words(&found), context);
         let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen, theme));
-        four(ui, context, &charts, "quality against order", None);
+        grid(ui, context, &charts, "quality against order", false);
     }
 }
 
-/// Up to four charts, two beside each other; in one of them equal steps are equal lengths.
-fn four(
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    charts: &[Chart],
-    id: &str,
-    square: Option<usize>,
-) {
+/// Charts side by side, two in a row or three where there is room; in the first of those that are
+/// `square` equal steps are equal lengths.
+fn grid(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str, square: bool) {
+    let scale = context.theme.scale;
     let room = ui.available_size();
     let gap = ui.spacing().item_spacing;
-    let field = vec2((room.x - gap.x) / 2.0, (room.y - gap.y) / 2.0);
-    for (row, pair) in charts.chunks(2).enumerate() {
-        ui.horizontal_top(|ui| {
-            for (column, chart) in pair.iter().enumerate() {
-                ui.allocate_ui_with_layout(field, Layout::top_down(Align::Min), |ui| {
-                    let mut size = field;
-                    if square == Some(2 * row + column) {
-                        // What stands above and below a panel is about what stands at its sides.
-                        size.x = size.x.min(0.95 * size.y);
-                    }
-                    context.chart(ui, chart, (id, row, column), size);
-                    ui.set_min_size(field);
-                });
-            }
-        });
-    }
+    let columns = match charts.len() > 4 && room.x >= WIDE * scale {
+        true => 3,
+        false => 2,
+    };
+    let rows = charts.len().div_ceil(columns) as f32;
+    let shared = vec2(
+        (room.x - BAR) / columns as f32 - gap.x,
+        room.y / rows - gap.y,
+    );
+    let field = vec2(shared.x, shared.y.max(LEAST_CHART * scale));
+    scrolled(ui, id, |ui| {
+        for (row, some) in charts.chunks(columns).enumerate() {
+            ui.horizontal_top(|ui| {
+                for (column, chart) in some.iter().enumerate() {
+                    ui.allocate_ui_with_layout(field, Layout::top_down(Align::Min), |ui| {
+                        let mut size = field;
+                        if square && row + column == 0 {
+                            // What stands above and below a panel is about what stands beside it.
+                            size.x = size.x.min(0.95 * size.y);
+                        }
+                        context.chart(ui, chart, (id, row, column), size);
+                        ui.set_min_size(field);
+                    });
+                }
+            });
+        }
+    });
 }
 
 /// A row of the table of figures: of the light as measured, by its model, of other lights.
