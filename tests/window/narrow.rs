@@ -11,7 +11,11 @@ use egui_kittest::{
     kittest::{NodeT as _, Queryable as _},
 };
 use spectral_explorer::{
-    app::{App, pages::Place, workspace::Preferences},
+    app::{
+        App,
+        pages::{Page, Place},
+        workspace::Preferences,
+    },
     ui::{
         Window, files::Picked, look_view::names as knobs, model_view::names, theme,
         verdict_view::Side,
@@ -227,6 +231,41 @@ fn nothing_in_the_window_covers_anything_else_at_any_width() {
         assert!(plot(&ui) >= 70.0, "{case}: the plot is {} high", plot(&ui));
         let column = rect(&ui, Role::Button, "All figures").is_some();
         assert_eq!(column, width >= 1150.0, "{case}: the column");
+    }
+}
+
+/// Every size that a screen may leave a window, points: 1000x700 and 1280x800 pixels at 250, 150,
+/// 100 and 80 %, large screens at 100 and 80 %.
+const SIZES: [[f32; 2]; 8] = [
+    [512.0, 320.0],
+    [667.0, 467.0],
+    [853.0, 533.0],
+    [1000.0, 700.0],
+    [1280.0, 800.0],
+    [1600.0, 1000.0],
+    [1920.0, 1080.0],
+    [3200.0, 1800.0],
+];
+
+#[test]
+fn every_page_keeps_within_the_window_at_every_size() {
+    for page in Page::all() {
+        let mut preferences = zoomed();
+        preferences.pages.page = page;
+        let mut ui = over(preferences, SMALL);
+        for [width, height] in SIZES {
+            ui.set_size(vec2(width, height));
+            rest(&mut ui);
+            let case = format!("{} at {width} x {height}", page.title());
+            for (name, rect) in everything(&ui) {
+                assert!(
+                    rect.left() >= -0.5 && rect.right() <= width + 0.5,
+                    "{case}: {name} at {rect:?}"
+                );
+            }
+            let title = rect(&ui, Role::Button, page.place().title());
+            assert!(title.is_some(), "{case}: no way to its place");
+        }
     }
 }
 
