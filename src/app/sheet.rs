@@ -44,18 +44,18 @@ pub fn to_svg(app: &App) -> String {
         notes: Vec::new(),
         ..spectrum_chart(app, Theme::Light)
     };
-    page.chart(&spectrum, [MARGIN, page.y], [whole, 250.0]);
-    page.y += 258.0;
+    page.chart(&spectrum, [MARGIN, page.y], [whole, 236.0]);
+    page.y += 244.0;
     let half = (whole - 16.0) / 2.0;
     let [measured, model] = shown.places();
     let places = diagram(measured, model, DiagramShows::default(), Theme::Light);
-    page.chart(&places, [MARGIN, page.y], [half, 290.0]);
+    page.chart(&places, [MARGIN, page.y], [half, 280.0]);
     if let Ok(fidelity) = &shown.sheet.measured.fidelity {
         let vectors = vector_graphic(fidelity, Theme::Light);
-        let square = [half.min(300.0), 290.0];
+        let square = [half.min(290.0), 280.0];
         page.chart(&vectors, [MARGIN + half + 16.0, page.y], square);
     }
-    page.y += 304.0;
+    page.y += 292.0;
     page.table(&shown);
     page.patches(app);
     page.foot(app);
@@ -142,6 +142,8 @@ impl Page {
         self.words(19.0, palette.text, &about.title());
         let rest = [about.about, about.table].join(" ");
         self.words(SIZES[0], palette.faint, rest.trim());
+        let source = &app.document().light.spectrum.source;
+        self.words(SIZES[1], palette.faint, &format!("Source: {source}"));
         self.y += 4.0;
         for sentence in [&shown.sentence, &shown.place, &shown.rendition] {
             self.words(SIZES[0], palette.text, sentence);
@@ -214,9 +216,8 @@ impl Page {
         );
         let lowest = PAGE[1] - MARGIN - 12.0;
         let spectrum = &app.document().light.spectrum;
-        let source = format!("Source: {}", spectrum.source);
         let scale = format!("Scale of the curves: {}.", app.document().scale.words());
-        let told = [scale, source].into_iter().chain(spectrum.notes.clone());
+        let told = std::iter::once(scale).chain(spectrum.notes.clone());
         for note in told {
             if self.y + 2.8 * SIZES[1] < lowest {
                 self.words(SIZES[1], palette.faint, &note);
