@@ -143,7 +143,12 @@ impl Page {
         let rest = [about.about, about.table].join(" ");
         self.words(SIZES[0], palette.faint, rest.trim());
         let source = &app.document().light.spectrum.source;
-        self.words(SIZES[1], palette.faint, &format!("Source: {source}"));
+        let scale = format!("Scale of the curves: {}.", app.document().scale.words());
+        self.words(
+            SIZES[1],
+            palette.faint,
+            &format!("{scale} Source: {source}"),
+        );
         self.y += 4.0;
         for sentence in [&shown.sentence, &shown.place, &shown.rendition] {
             self.words(SIZES[0], palette.text, sentence);
@@ -216,11 +221,9 @@ impl Page {
         );
         let lowest = PAGE[1] - MARGIN - 12.0;
         let spectrum = &app.document().light.spectrum;
-        let scale = format!("Scale of the curves: {}.", app.document().scale.words());
-        let told = std::iter::once(scale).chain(spectrum.notes.clone());
-        for note in told {
+        for note in &spectrum.notes {
             if self.y + 2.8 * SIZES[1] < lowest {
-                self.words(SIZES[1], palette.faint, &note);
+                self.words(SIZES[1], palette.faint, note);
             }
         }
         let by = concat!("Spectral Explorer ", env!("CARGO_PKG_VERSION"));
