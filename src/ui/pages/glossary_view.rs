@@ -19,7 +19,7 @@ impl GlossaryView {
         let field = ui.add(
             TextEdit::singleline(&mut self.search)
                 .hint_text("Search words")
-                .desired_width(260.0),
+                .desired_width(ui.available_width().min(260.0)),
         );
         field.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the glossary")
@@ -28,7 +28,7 @@ impl GlossaryView {
         let fits = |text: &str| text.to_lowercase().contains(&wanted);
         ui.add_space(6.0);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            ui.set_max_width(720.0);
+            ui.set_max_width(ui.available_width().min(720.0));
             let mut found = false;
             for one in WORDS.iter().filter(|w| fits(w.word) || fits(w.means)) {
                 found = true;
