@@ -105,7 +105,7 @@ fn setting_of(place: &Place) -> Place {
         "preferences" if is(3, "selection") => 4,
         "preferences" if is(2, "lessons_finished") => 3,
         "preferences" if is(4, "hidden") => 5,
-        "preferences" if is(3, "given") => 4,
+        "preferences" if is(2, "kept") || is(3, "given") || is(3, "lines") => 4,
         "mix" if is(1, "channels") => 2,
         _ => place.len(),
     };

@@ -351,6 +351,7 @@ fn draw(
         (&charts.neglected, "neglected"),
     ];
     let mut pointed = None;
+    let mut are_told = false;
     egui::ScrollArea::vertical()
         .auto_shrink(false)
         .show(ui, |ui| {
@@ -373,11 +374,15 @@ fn draw(
                         }
                         pointed = pointed.or(response.pointed.map(|hit| order(hit.at)));
                     }
-                    if number + 1 == rows {
+                    if number + 1 == rows && ui.available_width() >= LEAST_CHART * scale {
                         ui.add_space(4.0);
                         ui.vertical(|ui| details(ui, context, harmonics, before));
+                        are_told = true;
                     }
                 });
+            }
+            if !are_told {
+                details(ui, context, harmonics, before);
             }
         });
     pointed

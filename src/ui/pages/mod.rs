@@ -198,7 +198,7 @@ pub fn progress<K: Clone + PartialEq, T: Send + 'static>(
     match job.stage() {
         Stage::Idle | Stage::Done => {}
         Stage::Running(share) => {
-            ui.horizontal(|ui| {
+            ui.horizontal_wrapped(|ui| {
                 let bar = ui.add(
                     egui::ProgressBar::new(share)
                         .desired_width(120.0)

@@ -140,7 +140,8 @@ fn card(
                 words(ui, context, row);
             });
             ui.add_space(8.0);
-            let right = ui.available_width();
+            let gaps = 8.0 + 3.0 * ui.spacing().item_spacing.x;
+            let right = ui.available_width().min(width - left - gaps);
             ui.vertical(|ui| {
                 ui.set_width(right);
                 if let Some(picture) = picture {
@@ -271,7 +272,7 @@ fn points(ui: &mut Ui, claims: &Claims) {
     };
     Grid::new("points of a product")
         .striped(true)
-        .spacing([14.0, 3.0])
+        .spacing([9.0, 3.0])
         .show(ui, |ui| {
             heads(
                 ui,

@@ -35,6 +35,9 @@ pub mod names {
     pub const CLEAR: &str = "Empty the chain";
 }
 
+/// Below this width the cards stand above the spectrum, points.
+const NARROW: f32 = 520.0;
+
 /// Width of the column of cards, points: a share of the page within bounds.
 const CARDS: (f32, [f32; 2]) = (0.37, [256.0, 400.0]);
 
@@ -64,15 +67,26 @@ impl ChainView {
         let scale = context.theme.scale;
         let width = (share * room.x).clamp(least * scale, most * scale);
         let down = Layout::top_down(Align::Min);
-        ui.horizontal_top(|ui| {
-            ui.allocate_ui_with_layout(vec2(width, room.y), down, |ui| {
-                cards::show(ui, context, sheet, width, &mut self.held);
+        let is_narrow = room.x < NARROW * scale;
+        let cards = match is_narrow {
+            true => vec2(room.x, 0.5 * room.y),
+            false => vec2(width, room.y),
+        };
+        let (across, held, chart) = (
+            Layout::left_to_right(Align::Min),
+            &mut self.held,
+            &mut self.chart,
+        );
+        let layout = if is_narrow { down } else { across };
+        ui.with_layout(layout, |ui| {
+            ui.allocate_ui_with_layout(cards, down, |ui| {
+                self::cards::show(ui, context, sheet, cards.x, held);
             });
             ui.add_space(4.0);
             ui.allocate_ui_with_layout(ui.available_size(), down, |ui| {
                 let place = chosen(context, sheet.stages());
                 let key = (revision, place, context.chart_theme());
-                let chart = self.chart.get(key, |_| sheet.chart(app, place, key.2));
+                let chart = chart.get(key, |_| sheet.chart(app, place, key.2));
                 larger(ui, context, sheet, (chart, place));
             });
         });
