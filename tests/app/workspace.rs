@@ -105,7 +105,9 @@ fn setting_of(place: &Place) -> Place {
         "preferences" if is(3, "selection") => 4,
         "preferences" if is(2, "lessons_finished") => 3,
         "preferences" if is(4, "hidden") => 5,
-        "preferences" if is(2, "kept") || is(3, "given") || is(3, "lines") => 4,
+        "preferences" if is(2, "kept") || ["given", "lines", "pixel"].iter().any(|k| is(3, k)) => {
+            place.len().min(4)
+        }
         "mix" if is(1, "channels") => 2,
         _ => place.len(),
     };
