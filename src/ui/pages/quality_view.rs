@@ -199,8 +199,8 @@ fn grid(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str, 
                             // What stands above and below a panel is about what stands beside it.
                             size.x = size.x.min(0.95 * size.y);
                         }
+                        ui.set_min_width(field.x);
                         context.chart(ui, chart, (id, row, column), size);
-                        ui.set_min_size(field);
                     });
                 }
             });
