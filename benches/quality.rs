@@ -9,12 +9,19 @@
 //!               drawn against order; the plain way forms each sample's XYZ by itself
 //! many lights   1000 lights on two threads and on one
 //! orders        figures against order, 0 to 30
+//! slider move   model, every figure of light and model, and the chart of the page, anew
 //! ```
 
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
+    app::{
+        App, Command, Settings,
+        chart::Theme,
+        charts::quality::{DiagramShows, diagram},
+        quality::QualityShown,
+    },
     color::quality::{
         FewFigures, Figures, Light, Measured, fidelity, fidelity_reference, rendering,
     },
@@ -138,5 +145,30 @@ fn orders(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, one_light, many_lights, orders);
+/// A move of the order with the place Quality shown: the model anew, every figure of light and model,
+/// and the chart of the page.
+fn slider_move(c: &mut Criterion) {
+    let mut group = c.benchmark_group("a slider move with Quality shown");
+    let mut app = App::new();
+    let mut order = 7;
+    let mut step = move || {
+        order = 15 - order;
+        let settings = Settings {
+            order,
+            ..app.document().settings
+        };
+        app.apply(Command::Edit(settings));
+        QualityShown::of(&app)
+    };
+    group.bench_function("figures", |b| b.iter(&mut step));
+    group.bench_function("chromaticity", |b| {
+        b.iter(|| {
+            let [measured, model] = step().places();
+            diagram(measured, model, DiagramShows::default(), Theme::Dark)
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, one_light, many_lights, orders, slider_move);
 criterion_main!(benches);
