@@ -15,6 +15,13 @@ pub const fn times_vector(matrix: &Matrix3, vector: [f64; 3]) -> [f64; 3] {
     out
 }
 
+/// `a * b`.
+pub fn times_matrix(a: &Matrix3, b: &Matrix3) -> Matrix3 {
+    std::array::from_fn(|row| {
+        std::array::from_fn(|column| (0..3).map(|k| a[row][k] * b[k][column]).sum())
+    })
+}
+
 /// The inverse by cofactors.
 ///
 /// Meant for the fixed matrices of colour spaces, which are far from singular; a singular matrix
@@ -66,5 +73,15 @@ mod tests {
             // A handful of roundings on numbers near 1.
             assert!((found - expected).abs() < 1e-14);
         }
+    }
+
+    #[test]
+    fn a_product_of_matrices_does_what_one_does_after_the_other() {
+        const A: Matrix3 = [[2.0, -1.0, 0.5], [0.25, 3.0, 1.0], [-0.5, 0.75, 4.0]];
+        const B: Matrix3 = [[1.0, 4.0, -2.0], [0.5, -3.0, 2.0], [8.0, 0.25, 1.0]];
+        let vector = [1.0, 2.0, -0.5];
+        // Every product of these numbers is exact.
+        let both = times_vector(&times_matrix(&A, &B), vector);
+        assert_eq!(both, times_vector(&A, times_vector(&B, vector)));
     }
 }

@@ -3,11 +3,9 @@
 //! A line without width is split over its two neighbouring nm, so that every weighting function
 //! counts as it does between its own whole nm: by a straight line.
 
-use std::sync::LazyLock;
-
 use crate::{
     color::{
-        blackbody,
+        quality,
         xyz::{FIRST_NM, LAST_NM, POINTS},
     },
     preset::{Body, Group, SHIPPED},
@@ -57,31 +55,12 @@ pub(super) fn gauss(centre_nm: f64, fwhm_nm: f64) -> Option<Vec<f64>> {
 
 /// A blackbody.
 pub(super) fn planck(kelvin: f64) -> Option<Vec<f64>> {
-    of_unit_power(nm().map(|nm| blackbody::relative(nm, kelvin)).collect())
+    of_unit_power(quality::planck(kelvin))
 }
 
-/// Daylight by its components, `S0 + M1 S1 + M2 S2`, M1 and M2 as they come; `None` where that is
-/// no light.
+/// Daylight by its components; `None` where that is no light.
 pub(super) fn daylight(kelvin: f64) -> Option<Vec<f64>> {
-    let t = 1000.0 / kelvin;
-    // CIE 15:2018, equations for 4000-7000 K and 7000-25000 K.
-    let [c0, c1, c2, c3] = if kelvin <= 7000.0 {
-        [0.244_063, 0.099_11, 2.967_8, -4.607_0]
-    } else {
-        [0.237_040, 0.247_48, 1.901_8, -2.006_4]
-    };
-    let x = c0 + t * (c1 + t * (c2 + t * c3));
-    let y = -3.0 * x * x + 2.870 * x - 0.275;
-    let below = 0.0241 + 0.2562 * x - 0.7341 * y;
-    let m1 = (-1.3515 - 1.7703 * x + 5.9114 * y) / below;
-    let m2 = (0.0300 - 31.4424 * x + 30.0717 * y) / below;
-    let [s0, s1, s2] = &*COMPONENTS;
-    let sum = s0
-        .iter()
-        .zip(s1)
-        .zip(s2)
-        .map(|((a, b), c)| a + m1 * b + m2 * c);
-    of_unit_power(sum.collect())
+    of_unit_power(quality::daylight(kelvin)).filter(|_| kelvin.is_finite())
 }
 
 /// A table, zero outside.
@@ -110,13 +89,6 @@ pub(super) fn shipped_group(id: &str) -> Vec<(String, Sampled)> {
     });
     tables.collect()
 }
-
-static COMPONENTS: LazyLock<[Vec<f64>; 3]> = LazyLock::new(|| {
-    ["S0", "S1", "S2"].map(|name| {
-        let name = format!("CIE daylight component {name}");
-        table(&shipped("cie_illuminants", &name))
-    })
-});
 
 #[cfg(test)]
 mod tests {

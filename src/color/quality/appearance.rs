@@ -5,7 +5,7 @@
 
 use crate::color::{
     Xyz,
-    matrix::{Matrix3, inverse, times_vector},
+    matrix::{Matrix3, inverse, times_matrix, times_vector},
 };
 
 const CAT02: Matrix3 = [
@@ -29,9 +29,9 @@ const SURROUND: f64 = 0.69;
 
 /// An eye adapted to a white.
 #[derive(Clone, Debug)]
-pub(super) struct Eye {
-    /// One over the white's adapted signals, Y = 100.
-    gains: [f64; 3],
+pub(crate) struct Eye {
+    /// From XYZ to adapted cone signals: adaptation and the change to cones are one matrix.
+    to_cones: Matrix3,
     luminance_factor: f64,
     luminance_root: f64,
     background_factor: f64,
@@ -42,7 +42,7 @@ pub(super) struct Eye {
 
 impl Eye {
     /// An eye adapted to a white with Y = 100; `None` for a white that leaves a signal dark.
-    pub(super) fn adapted_to(white: Xyz) -> Option<Self> {
+    pub(crate) fn adapted_to(white: Xyz) -> Option<Self> {
         let signals = times_vector(&CAT02, white.to_array());
         if signals.iter().any(|v| v.is_nan() || *v <= 0.0) {
             return None;
@@ -51,8 +51,10 @@ impl Eye {
         let k4 = k.powi(4);
         let luminance_factor =
             0.2 * k4 * 5.0 * ADAPTING + 0.1 * (1.0 - k4).powi(2) * (5.0 * ADAPTING).cbrt();
+        let cone = times_matrix(&HUNT_POINTER_ESTEVEZ, &XYZ_FROM_CAT02);
+        let adapted = std::array::from_fn(|k| CAT02[k].map(|v| v * 100.0 / signals[k]));
         let mut eye = Self {
-            gains: signals.map(|v| 100.0 / v),
+            to_cones: times_matrix(&cone, &adapted),
             luminance_factor,
             luminance_root: luminance_factor.powf(0.25),
             background_factor: 0.725 * BACKGROUND.powf(-0.2),
@@ -65,7 +67,7 @@ impl Eye {
     }
 
     /// `[J', a', b']` of a colour in the white's scale.
-    pub(super) fn uniform(&self, xyz: Xyz) -> [f64; 3] {
+    pub(crate) fn uniform(&self, xyz: Xyz) -> [f64; 3] {
         let [red, green, blue] = self.responses(xyz);
         let a = red - 12.0 * green / 11.0 + blue / 11.0;
         let b = (red + green - 2.0 * blue) / 9.0;
@@ -91,15 +93,7 @@ impl Eye {
 
     /// Compressed cone responses.
     fn responses(&self, xyz: Xyz) -> [f64; 3] {
-        let mut signals = times_vector(&CAT02, xyz.to_array());
-        for (signal, gain) in signals.iter_mut().zip(self.gains) {
-            *signal *= gain;
-        }
-        let cones = times_vector(
-            &HUNT_POINTER_ESTEVEZ,
-            times_vector(&XYZ_FROM_CAT02, signals),
-        );
-        cones.map(|cone| {
+        times_vector(&self.to_cones, xyz.to_array()).map(|cone| {
             let power = (self.luminance_factor * cone.abs() / 100.0).powf(0.42);
             (400.0 * power / (power + 27.13)).copysign(cone) + 0.1
         })

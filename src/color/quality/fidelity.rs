@@ -116,7 +116,7 @@ pub fn sample_names() -> &'static [String] {
 }
 
 /// Area of a polygon.
-fn area(points: &[[f64; 2]]) -> f64 {
+pub(crate) fn area(points: &[[f64; 2]]) -> f64 {
     let next = points.iter().cycle().skip(1);
     let twice: f64 = points
         .iter()

@@ -35,14 +35,14 @@ pub fn bin_middle_deg(bin: usize) -> f64 {
 }
 
 /// The bin that a hue falls into; hues are of samples under the reference.
-pub(super) fn bin_of([a, b]: [f64; 2]) -> usize {
+pub(crate) fn bin_of([a, b]: [f64; 2]) -> usize {
     let degrees = b.atan2(a).to_degrees().rem_euclid(360.0);
     // A hue a rounding below 360 may come out as 360 itself.
     ((degrees / WIDTH_DEG) as usize).min(BINS - 1)
 }
 
 /// The index of a mean colour difference: 100 for none, never below 0.
-pub(super) fn index_of(difference: f64) -> f64 {
+pub(crate) fn index_of(difference: f64) -> f64 {
     10.0 * ((100.0 - 6.73 * difference) / 10.0).exp().ln_1p()
 }
 

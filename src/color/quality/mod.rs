@@ -44,6 +44,11 @@ mod similarity;
 mod sprague;
 mod weight;
 
+pub(crate) use appearance::Eye;
+pub(crate) use fidelity::area;
+pub(crate) use hue_bin::{bin_of, index_of};
+pub(crate) use rendering::{Shift, uvw};
+
 pub use absolute::{Absolute, Measured, Radiometric, absolute};
 pub use alpha_opic::{ALPHA_OPIC_WORDS, AlphaOpic, alpha_opic};
 pub use dominant::{Dominant, dominant};

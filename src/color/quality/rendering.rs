@@ -140,13 +140,13 @@ pub fn rendering(light: &Light, cct: Cct) -> Result<Rendering, NoFigure> {
 }
 
 /// The von Kries shift of CIE 13.3 from a light's chromaticity to its reference's.
-struct Shift {
+pub(crate) struct Shift {
     c: f64,
     d: f64,
 }
 
 impl Shift {
-    fn new(from: [f64; 2], to: [f64; 2]) -> Self {
+    pub(crate) fn new(from: [f64; 2], to: [f64; 2]) -> Self {
         let ([from_c, from_d], [to_c, to_d]) = (cd(from), cd(to));
         Self {
             c: to_c / from_c,
@@ -154,7 +154,7 @@ impl Shift {
         }
     }
 
-    fn of(&self, uv: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn of(&self, uv: [f64; 2]) -> [f64; 2] {
         let [c, d] = cd(uv);
         let (c, d) = (self.c * c, self.d * d);
         let below = 16.518 + 1.481 * c - d;
@@ -170,7 +170,7 @@ fn cd([u, v]: [f64; 2]) -> [f64; 2] {
 }
 
 /// CIE 1964 U*V*W* against a white.
-fn uvw([u, v]: [f64; 2], y: f64, white: [f64; 2]) -> [f64; 3] {
+pub(crate) fn uvw([u, v]: [f64; 2], y: f64, white: [f64; 2]) -> [f64; 3] {
     let w = 25.0 * y.cbrt() - 17.0;
     [13.0 * w * (u - white[0]), 13.0 * w * (v - white[1]), w]
 }

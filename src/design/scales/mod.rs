@@ -21,12 +21,16 @@ pub use samples::SampleTables;
 
 use super::whole_nm;
 use crate::{
-    color::{Cct, Observer, Xyz, cct_from_xyz, observer::weighting, xyz::POINTS},
-    spectrum::{Outside, Sampled, band::dot},
+    color::{
+        Cct, Observer, Xyz, cct_from_xyz, observer::weighting, quality::rendering_reference,
+        xyz::POINTS,
+    },
+    spectrum::{Outside, Sampled},
 };
 
-/// Lumens of a watt at the peak of V.
-const LUMENS_PER_WATT: f64 = 683.0;
+/// Lumens of a watt at the peak of V, rounded as the programmes' reference counts them; 683.002 is
+/// the unit's own, three millionths more.
+pub(super) const LUMENS_PER_WATT: f64 = 683.0;
 
 /// Sums that every light has: X, Y, Z, melanopic, power.
 pub(super) const BASIC: usize = 5;
@@ -175,7 +179,7 @@ impl Scales {
 
     /// The light that rendering is judged against, of unit power on whole nm.
     pub(super) fn reference(&self) -> Option<Vec<f64>> {
-        rendering::reference(self.cct.kelvin)
+        whole_nm::of_unit_power(rendering_reference(self.cct.kelvin).on_nm())
     }
 
     /// General colour rendering index; `None` where a test colour has no chromaticity.
@@ -232,9 +236,4 @@ fn fits(samples: &[Vec<f64>]) -> bool {
 fn on_nm(samples: &Sampled) -> Vec<f64> {
     use crate::color::xyz::{FIRST_NM, LAST_NM};
     samples.on_whole_nm(FIRST_NM, LAST_NM, Outside::Hold)
-}
-
-/// Sum of products of two lights on whole nm.
-fn inner(a: &[f64], b: &[f64]) -> f64 {
-    dot(a, b)
 }

@@ -1,12 +1,13 @@
 //! Colour rendering from sums: Ra of CIE 13.3-1995, not rounded, negative values as they are.
 //!
-//! The same formula as the program's figure; here the reference is prepared once and a light is
-//! 27 sums.
+//! The formulas are those of the program's figure; here the reference is prepared once and a light
+//! is 27 sums.
 
 use super::weighed;
-use crate::{
-    color::{Xyz, uv_1960_from_xyz},
-    design::whole_nm,
+use crate::color::{
+    Xyz,
+    quality::{Shift, rendering_reference, uvw},
+    uv_1960_from_xyz,
 };
 
 /// Test colours that Ra is the mean of.
@@ -22,7 +23,7 @@ pub(super) struct RenderingScale {
 
 impl RenderingScale {
     pub(super) fn new(kelvin: f64, rows: &[f64]) -> Option<Self> {
-        let sums = weighed(rows, &reference(kelvin)?);
+        let sums = weighed(rows, &rendering_reference(kelvin).on_nm());
         let (samples, white_xyz) = colours(&sums)?;
         let white = uv_1960_from_xyz(white_xyz)?;
         let mut expected = [[0.0; 3]; SAMPLES];
@@ -34,30 +35,16 @@ impl RenderingScale {
 
     pub(super) fn ra(&self, sums: &[f64]) -> Option<f64> {
         let (samples, white) = colours(sums)?;
-        let [from_c, from_d] = cd(uv_1960_from_xyz(white)?);
-        let [to_c, to_d] = cd(self.white);
-        let (gain_c, gain_d) = (to_c / from_c, to_d / from_d);
+        let shift = Shift::new(uv_1960_from_xyz(white)?, self.white);
         let mut total = 0.0;
         for (xyz, expected) in samples.into_iter().zip(&self.expected) {
-            let [c, d] = cd(uv_1960_from_xyz(xyz)?);
-            let (c, d) = (gain_c * c, gain_d * d);
-            let below = 16.518 + 1.481 * c - d;
-            let shifted = [(10.872 + 0.404 * c - 4.0 * d) / below, 5.520 / below];
+            let shifted = shift.of(uv_1960_from_xyz(xyz)?);
             let found = uvw(shifted, xyz.y, self.white);
             let square: f64 = (0..3).map(|k| (found[k] - expected[k]).powi(2)).sum();
             total += 100.0 - 4.6 * square.sqrt();
         }
         let ra = total / SAMPLES as f64;
         ra.is_finite().then_some(ra)
-    }
-}
-
-/// A blackbody below 5000 K, else daylight.
-pub(super) fn reference(kelvin: f64) -> Option<Vec<f64>> {
-    if kelvin < 5000.0 {
-        whole_nm::planck(kelvin)
-    } else {
-        whole_nm::daylight(kelvin)
     }
 }
 
@@ -71,17 +58,4 @@ fn colours(sums: &[f64]) -> Option<([Xyz; SAMPLES], Xyz)> {
     let unit = 100.0 / white.y;
     (white.y > 0.0 && unit.is_finite())
         .then(|| (std::array::from_fn(|i| at(i) * unit), white * unit))
-}
-
-fn cd([u, v]: [f64; 2]) -> [f64; 2] {
-    [
-        (4.0 - u - 10.0 * v) / v,
-        (1.708 * v + 0.404 - 1.481 * u) / v,
-    ]
-}
-
-/// CIE 1964 U*V*W* against a white.
-fn uvw([u, v]: [f64; 2], y: f64, white: [f64; 2]) -> [f64; 3] {
-    let w = 25.0 * y.cbrt() - 17.0;
-    [13.0 * w * (u - white[0]), 13.0 * w * (v - white[1]), w]
 }

@@ -6,8 +6,9 @@
 
 use super::{
     against::Against,
-    line_search::{Found, LUMENS_PER_WATT, LineSearch},
+    line_search::{Found, LineSearch},
 };
+use crate::design::scales::LUMENS_PER_WATT;
 
 /// Moves of one of four lines, nm.
 const MOVES_NM: [f64; 3] = [6.0, 3.0, 1.5];

@@ -5,12 +5,9 @@
 
 use super::against::Against;
 use crate::design::{
-    scales::{BASIC, SampleTables, Scales, Sums},
+    scales::{BASIC, LUMENS_PER_WATT, SampleTables, Scales, Sums},
     small::solved,
 };
-
-/// Lumens of a watt at the peak of V.
-pub(super) const LUMENS_PER_WATT: f64 = 683.0;
 
 /// Shares below zero by rounding.
 const ROUNDING: f64 = 1e-12;

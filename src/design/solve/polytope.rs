@@ -7,11 +7,10 @@
 
 use crate::design::{
     programme::{Corner, Programme},
-    scales::{BASIC, MELANOPIC_OF_D65},
+    scales::{BASIC, LUMENS_PER_WATT, MELANOPIC_OF_D65},
 };
 
 const ROWS: usize = 5;
-const LUMENS_PER_WATT: f64 = 683.0;
 
 /// Turns of the method for ratios; each doubles the digits.
 const MOST_TURNS: usize = 30;
