@@ -11,7 +11,11 @@ use super::{
     viewing::{OBSERVER, light},
 };
 use crate::{
-    app::{Entry, library::Library},
+    app::{
+        Entry,
+        design::colour::{MERCURY_NM, UNDER},
+        library::Library,
+    },
     color::{Adaptation, Lab, Srgb, Xyz},
     design::recover::{
         Colour, LineLight, LitColour, Method, Prediction, RecoverError, Recovered, Seen, Viewing,
@@ -19,19 +23,6 @@ use crate::{
     },
     spectrum::Sampled,
 };
-
-/// Lights that a recovered surface is looked at under, by their names.
-const UNDER: [&str; 6] = [
-    "cie_illuminants/CIE D65",
-    "cie_illuminants/CIE A",
-    "cie_fluorescent_1nm/FL2",
-    "cie_fluorescent_1nm/FL11",
-    "cie_led_1nm/LED-B3",
-    "cie_led_1nm/LED-RGB1",
-];
-
-/// Lines of mercury, where none are told.
-const MERCURY_NM: [f64; 4] = [405.0, 436.0, 546.0, 578.0];
 
 /// The lamp whose smooth part stands behind the lines where no background is told.
 const USUAL_BACKGROUND: &str = "cie_fluorescent_1nm/FL2";

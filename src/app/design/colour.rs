@@ -22,7 +22,7 @@ use crate::{
 };
 
 /// Lights that a recovered surface is looked at under, by their keys.
-const UNDER: [&str; 6] = [
+pub const UNDER: [&str; 6] = [
     "cie_illuminants/CIE D65",
     "cie_illuminants/CIE A",
     "cie_fluorescent_1nm/FL2",
@@ -31,8 +31,8 @@ const UNDER: [&str; 6] = [
     "cie_led_1nm/LED-RGB1",
 ];
 
-/// Lines of mercury.
-const MERCURY_NM: [f64; 4] = [405.0, 436.0, 546.0, 578.0];
+/// Lines of mercury, where none are told.
+pub const MERCURY_NM: [f64; 4] = [405.0, 436.0, 546.0, 578.0];
 
 /// Where the band's width is told: the ends are hardly seen, nm.
 const TOLD_NM: std::ops::RangeInclusive<f64> = 420.0..=680.0;
