@@ -1,43 +1,11 @@
 //! Recovering spectra and mixing lights on the command line: what comes out, and what is refused.
 
-use std::{ffi::OsString, fs};
+use std::fs;
 
 use serde_json::Value;
-use spectral_explorer::{
-    cli::{self, Outcome},
-    io::read_path,
-    optics::png,
-};
+use spectral_explorer::{io::read_path, optics::png};
 
-/// What the command line makes of some words: exit code, output, errors.
-fn tell(args: &[&str]) -> (u8, String, String) {
-    let words = std::iter::once(&cli::PROGRAM).chain(args);
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
-    let Outcome::Done(code) = outcome else {
-        panic!("{args:?}: opened a window");
-    };
-    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
-    (code, text(out), text(err))
-}
-
-fn json(args: &[&str]) -> Value {
-    let (code, out, err) = tell(args);
-    assert_eq!(code, 0, "{args:?}: {err}");
-    serde_json::from_str(&out).expect("JSON")
-}
-
-/// One line on `err`, nothing on `out`, and the exit code.
-fn refusal(args: &[&str]) -> (String, u8) {
-    let (code, out, err) = tell(args);
-    assert_ne!(code, 0, "{args:?}: {out}");
-    assert_eq!(
-        (out.as_str(), err.lines().count()),
-        ("", 1),
-        "{args:?}: {err}"
-    );
-    (err, code)
-}
+use crate::tell::{json, refusal, tell};
 
 fn number(json: &Value, key: &str) -> f64 {
     json[key]

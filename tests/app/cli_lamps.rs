@@ -1,44 +1,15 @@
 //! Encoding and decoding on the command line: what goes round, and what is refused.
 
-use std::{ffi::OsString, fs, path::Path};
+use std::{fs, path::Path};
 
 use serde_json::Value;
 use spectral_explorer::{
     app::library::Library,
-    cli::{self, Outcome},
     io::read_path,
     spectrum::{Band, Outside},
 };
 
-/// What the command line makes of some words: exit code, output, errors.
-fn tell(args: &[&str]) -> (u8, String, String) {
-    let words = std::iter::once(&cli::PROGRAM).chain(args);
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
-    let Outcome::Done(code) = outcome else {
-        panic!("{args:?}: opened a window");
-    };
-    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
-    (code, text(out), text(err))
-}
-
-fn json(args: &[&str]) -> Value {
-    let (code, out, err) = tell(args);
-    assert_eq!(code, 0, "{args:?}: {err}");
-    serde_json::from_str(&out).expect("JSON")
-}
-
-/// One line on `err`, nothing on `out`, and the exit code.
-fn refusal(args: &[&str]) -> (String, u8) {
-    let (code, out, err) = tell(args);
-    assert_ne!(code, 0, "{args:?}: {out}");
-    assert_eq!(
-        (out.as_str(), err.lines().count()),
-        ("", 1),
-        "{args:?}: {err}"
-    );
-    (err, code)
-}
+use crate::tell::{json, refusal, tell};
 
 fn word(path: &Path) -> &str {
     path.to_str().expect("UTF-8")

@@ -1,42 +1,11 @@
 //! Prism, rainbow and gem on the command line: what they print, write and refuse.
 
-use std::{ffi::OsString, fs, path::Path};
+use std::{fs, path::Path};
 
 use serde_json::Value;
-use spectral_explorer::{
-    cli::{self, Outcome},
-    optics::lines_of_exr,
-};
+use spectral_explorer::optics::lines_of_exr;
 
-/// What the command line makes of some words: exit code, output, errors.
-fn tell(args: &[&str]) -> (u8, String, String) {
-    let words = std::iter::once(&cli::PROGRAM).chain(args);
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
-    let Outcome::Done(code) = outcome else {
-        panic!("{args:?}: opened a window");
-    };
-    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
-    (code, text(out), text(err))
-}
-
-fn json(args: &[&str]) -> Value {
-    let (code, out, err) = tell(args);
-    assert_eq!(code, 0, "{args:?}: {err}");
-    serde_json::from_str(&out).expect("JSON")
-}
-
-/// One line on `err`, nothing on `out`, and the exit code.
-fn refusal(args: &[&str]) -> (String, u8) {
-    let (code, out, err) = tell(args);
-    assert_ne!(code, 0, "{args:?}: {out}");
-    assert_eq!(
-        (out.as_str(), err.lines().count()),
-        ("", 1),
-        "{args:?}: {err}"
-    );
-    (err, code)
-}
+use crate::tell::{json, refusal, tell};
 
 fn numbers(json: &Value, list: &str, key: &str) -> Vec<f64> {
     let rows = json[list].as_array().expect("a list").iter();

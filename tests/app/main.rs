@@ -26,4 +26,5 @@ mod commands;
 mod line_names;
 mod no_window;
 mod recipes;
+mod tell;
 mod workspace;
