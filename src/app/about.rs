@@ -205,15 +205,7 @@ mod tests {
 
     #[test]
     fn a_sentence_that_counts_mercury_lines_counts_those_that_have_names() {
-        let lines: Vec<ElementLine> = Library::bundled()
-            .lines()
-            .iter()
-            .map(|line| ElementLine {
-                element: line.element.clone(),
-                at_nm: line.at_nm,
-                strength: line.strength.unwrap_or(0.0),
-            })
-            .collect();
+        let lines = ElementLine::shipped();
         let mut counted = 0;
         for entry in bundled_entries() {
             let told = About::of(&entry);

@@ -14,7 +14,6 @@ use super::{
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
-    library::Library,
     line_names::{ElementLine, LineName},
     origin::Origin,
     product_view::ProductView,
@@ -98,15 +97,7 @@ impl App {
     }
 
     fn about(bundled: Vec<Arc<Entry>>, document: Document) -> Self {
-        let lines = Library::bundled()
-            .lines()
-            .iter()
-            .map(|line| ElementLine {
-                element: line.element.clone(),
-                at_nm: line.at_nm,
-                strength: line.strength.unwrap_or(0.0),
-            })
-            .collect();
+        let lines = ElementLine::shipped();
         let mut document = document;
         document.bound_patch();
         let tables_for = tables_for(&document);

@@ -309,6 +309,15 @@ impl Series {
         self
     }
 
+    /// The same, a line of another thickness in px.
+    #[must_use]
+    pub fn thick(mut self, px: f64) -> Self {
+        if let Marks::Line { width, .. } = &mut self.marks {
+            *width = px;
+        }
+        self
+    }
+
     /// The same with a word on each point.
     #[must_use]
     pub fn with_notes(mut self, notes: Vec<String>) -> Self {

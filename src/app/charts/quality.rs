@@ -88,6 +88,10 @@ fn crossings(closed: &[[f64; 2]], y: f64) -> Vec<f64> {
     found
 }
 
+fn stroke(name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash) -> Series {
+    Series::line(name, colour, points).thick(width).dashed(dash)
+}
+
 /// The chromaticity diagram with a light as measured and by its model, both xy.
 pub fn diagram(
     measured: Option<[f64; 2]>,
@@ -112,46 +116,41 @@ pub fn diagram(
         None => whole,
     };
     let mut series = vec![colours(&locus, plane, [x_range, y_range])];
-    let line = |name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash| {
-        Series::new(
-            name,
-            colour,
-            Marks::Line {
-                points,
-                width,
-                dash,
-            },
-        )
-    };
     let closed = |mut points: Vec<[f64; 2]>| {
         points.extend(points.first().copied());
         points
     };
     let edge = palette.text;
-    series.push(line("", edge, closed(locus), 1.4, Dash::Solid));
+    series.push(stroke("", edge, closed(locus), 1.4, Dash::Solid));
     if shows.gamuts {
         for gamut in GAMUTS.iter().filter(|gamut| gamut.name != "DCI-P3") {
             let corners = gamut.primaries.map(|xy| plane.of_xy(xy)).to_vec();
-            series.push(line(gamut.name, edge, closed(corners), 1.0, Dash::Dashed));
+            series.push(stroke(gamut.name, edge, closed(corners), 1.0, Dash::Dashed));
         }
     }
     if shows.ellipses {
         for ellipse in &ELLIPSES {
             let outline = ellipse.outline(10.0, 48).into_iter();
             let points = outline.map(|xy| plane.of_xy(xy)).collect();
-            series.push(line("", [70; 3], closed(points), 0.9, Dash::Solid));
+            series.push(stroke("", [70; 3], closed(points), 0.9, Dash::Solid));
         }
     }
     if shows.whites {
         for white in QUADRANGLES.iter() {
             let corners = white.corners.map(|xy| plane.of_xy(xy)).to_vec();
-            series.push(line("", [40; 3], closed(corners), 0.9, Dash::Solid));
+            series.push(stroke("", [40; 3], closed(corners), 0.9, Dash::Solid));
         }
     }
     let black = [15; 3];
     let blackbodies = planckian_locus(plane);
-    series.push(line("", black, blackbodies, 1.8, Dash::Solid));
-    series.push(line("", [60; 3], daylight_locus(plane), 1.2, Dash::Dotted));
+    series.push(stroke("", black, blackbodies, 1.8, Dash::Solid));
+    series.push(stroke(
+        "",
+        [60; 3],
+        daylight_locus(plane),
+        1.2,
+        Dash::Dotted,
+    ));
     // Far from the light only some temperatures have room for their words.
     let told: &[f64] = match shows.near {
         true => &TICKS_K,
@@ -163,7 +162,7 @@ pub fn diagram(
         .filter_map(|kelvin| tick(kelvin, 0.01, plane))
     {
         let [low, high] = [mark.below, mark.above];
-        series.push(line("", black, vec![low, high], 1.0, Dash::Solid));
+        series.push(stroke("", black, vec![low, high], 1.0, Dash::Solid));
         if told.contains(&mark.kelvin) {
             // A little beyond the tick's end.
             let beyond = [0, 1].map(|k| low[k] + 0.5 * (low[k] - high[k]));
@@ -238,21 +237,10 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
             .map(|turn| [radius * turn.cos(), radius * turn.sin()])
             .collect()
     };
-    let line = |name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash| {
-        Series::new(
-            name,
-            colour,
-            Marks::Line {
-                points,
-                width,
-                dash,
-            },
-        )
-    };
     let mut series: Vec<Series> = [0.8, 0.9, 1.1, 1.2]
-        .map(|radius| line("", palette.grid, circle(radius), 1.0, Dash::Solid))
+        .map(|radius| stroke("", palette.grid, circle(radius), 1.0, Dash::Solid))
         .to_vec();
-    series.push(line(
+    series.push(stroke(
         "reference",
         palette.axis,
         circle(1.0),
@@ -265,7 +253,7 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
     for bin in &bins {
         let ends = vec![bin.reference_ab, bin.test_ab];
         let colour = of_hue(bin.reference_ab);
-        series.push(line("", colour, ends, 2.2, Dash::Solid));
+        series.push(stroke("", colour, ends, 2.2, Dash::Solid));
         let marks = Marks::Points {
             points: vec![bin.test_ab],
             radius: 3.2,
@@ -273,7 +261,7 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
         };
         series.push(Series::new("", colour, marks));
     }
-    series.push(line("this light", inks.spikes, around, 2.0, Dash::Solid));
+    series.push(stroke("this light", inks.spikes, around, 2.0, Dash::Solid));
     Chart {
         title: format!(
             "Colour vectors: Rf {:.0}, Rg {:.0}",

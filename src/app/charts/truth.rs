@@ -3,7 +3,7 @@
 use crate::{
     app::{
         chart::Inks,
-        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Rgb, Scale, Series, Shape, Theme},
         charts::spectrum::provenance,
         state::App,
         studies::paper::{CHANNELS, Claims},
@@ -158,12 +158,7 @@ pub fn table_2_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
 }
 
 fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
-    let marks = Marks::Line {
-        points,
-        width: 1.3,
-        dash,
-    };
-    Series::new(name, ink, marks)
+    Series::line(name, ink, points).thick(1.3).dashed(dash)
 }
 
 fn notes(app: &App) -> Vec<String> {

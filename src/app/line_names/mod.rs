@@ -24,6 +24,8 @@ mod table;
 pub use identify::{Identified, spike_under};
 pub use peaks::Peak;
 
+use super::library::Library;
+
 /// One tabulated line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElementLine {
@@ -33,6 +35,20 @@ pub struct ElementLine {
     pub at_nm: f64,
     /// Relative strength within the element, 0 where unknown; NIST's are only qualitative.
     pub strength: f64,
+}
+
+impl ElementLine {
+    /// Every shipped line.
+    pub fn shipped() -> Vec<Self> {
+        let lines = Library::bundled().lines().iter();
+        lines
+            .map(|line| Self {
+                element: line.element.clone(),
+                at_nm: line.at_nm,
+                strength: line.strength.unwrap_or(0.0),
+            })
+            .collect()
+    }
 }
 
 /// What a spike is called.

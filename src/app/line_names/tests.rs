@@ -1,21 +1,7 @@
 //! Which names lights get, lamp by lamp and under any knobs.
 
 use super::*;
-use crate::{
-    app::library::Library,
-    spectrum::{Outside, Sampled, Spike},
-};
-
-fn table() -> Vec<ElementLine> {
-    let lines = Library::bundled().lines().iter();
-    lines
-        .map(|line| ElementLine {
-            element: line.element.clone(),
-            at_nm: line.at_nm,
-            strength: line.strength.unwrap_or(0.0),
-        })
-        .collect()
-}
+use crate::spectrum::{Outside, Sampled, Spike};
 
 /// Lines of a width on a glow, 350 to 800 nm.
 fn lamp(lines: &[(f64, f64)], width_nm: f64, step_nm: f64, glow: f64) -> Sampled {
@@ -31,7 +17,7 @@ fn lamp(lines: &[(f64, f64)], width_nm: f64, step_nm: f64, glow: f64) -> Sampled
 }
 
 fn identified(samples: &Sampled) -> Identified {
-    Identified::of(samples, Outside::Zero, &table())
+    Identified::of(samples, Outside::Zero, &ElementLine::shipped())
 }
 
 fn safe(found: &Identified, at_nm: f64) -> Option<String> {
@@ -41,7 +27,9 @@ fn safe(found: &Identified, at_nm: f64) -> Option<String> {
 /// Strengths of an element's lines as the table has them; neon's beyond 692 nm are on another
 /// scale there.
 fn strengths(element: &str) -> Vec<(f64, f64)> {
-    let lines = table().into_iter().filter(|l| l.element == element);
+    let lines = ElementLine::shipped()
+        .into_iter()
+        .filter(|l| l.element == element);
     let known = lines.filter(|line| line.strength > 0.0);
     let scale = |nm: f64| {
         if element == "Ne" && nm > 692.0 {
@@ -65,7 +53,7 @@ const MERCURY: [(f64, f64); 5] = [
 
 #[test]
 fn every_line_that_names_are_made_of_is_in_the_table() {
-    let lines = table();
+    let lines = ElementLine::shipped();
     let scene = scene::Scene::of(peaks::Points::default(), &lines);
     let has = |element: &str, nm: f64| {
         let near = |l: &&ElementLine| l.element == element && (l.at_nm - nm).abs() <= 0.06;
@@ -222,7 +210,7 @@ fn random_lines_are_hardly_ever_taken_for_an_element() {
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     };
-    let lines = table();
+    let lines = ElementLine::shipped();
     let mut named = [0; 2];
     const LAMPS: usize = 400;
     for lamps in 0..LAMPS {

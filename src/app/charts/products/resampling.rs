@@ -281,10 +281,5 @@ pub fn time_of(times: Option<&[ProductTime]>, sampling: Sampling) -> Option<&Pro
 
 /// A line of a thickness that leaves room for others.
 pub fn thin(name: &str, ink: Rgb, points: Vec<[f64; 2]>, dash: Dash) -> Series {
-    let marks = Marks::Line {
-        points,
-        width: 1.5,
-        dash,
-    };
-    Series::new(name, ink, marks)
+    Series::line(name, ink, points).thick(1.5).dashed(dash)
 }
