@@ -4,6 +4,7 @@ pub mod auction;
 pub mod displacement;
 pub mod error;
 pub mod harmonics;
+pub mod many;
 pub mod measure;
 pub mod products;
 pub mod progress;
@@ -19,6 +20,7 @@ pub mod way;
 
 pub use auction::{Auction, Goal};
 pub use error::Spread;
+pub use many::ManyLights;
 pub use measure::{ByMeasure, Measure, Verdict};
 pub use progress::Progress;
 pub use projected_spectrum::{FitBasis, ProjectedSpectrum};

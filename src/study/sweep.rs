@@ -79,6 +79,36 @@ impl Examined {
         )
     }
 
+    /// Every order of every way: all orders of the first way, then of the next. `told` after each
+    /// way; `None` when it was cancelled.
+    pub fn every_way(
+        &self,
+        highest_order: usize,
+        progress: &Progress,
+        told: impl Fn(),
+    ) -> Option<Vec<SweepPoint>> {
+        let mut points = Vec::with_capacity(Way::ALL.len() * (highest_order + 1));
+        for way in Way::ALL {
+            let shapes = if way.spikes { &self.shapes[..] } else { &[] };
+            let projected = self.projected(way.basis, shapes);
+            let lines: Vec<usize> = (0..shapes.len()).collect();
+            for order in 0..=highest_order {
+                if progress.is_cancelled() {
+                    return None;
+                }
+                points.push(SweepPoint {
+                    way,
+                    order,
+                    spikes: lines.len(),
+                    numbers: numbers_of_order(order) + 2 * lines.len(),
+                    verdict: self.verdict(&projected, order, &lines, way.colour_exact),
+                });
+            }
+            told();
+        }
+        Some(points)
+    }
+
     fn verdict(
         &self,
         projected: &ProjectedSpectrum,
@@ -162,29 +192,7 @@ impl Sweep {
         let highest_order = highest_order.min(Basis::highest_order(band));
         progress.expect(Way::ALL.len() + MAP_THRESHOLDS);
         let examined = Examined::of(subject, numbers_of_order(highest_order))?;
-        let mut points = Vec::with_capacity(Way::ALL.len() * (highest_order + 1));
-        for way in Way::ALL {
-            let shapes = if way.spikes {
-                &examined.shapes[..]
-            } else {
-                &[]
-            };
-            let projected = examined.projected(way.basis, shapes);
-            let lines: Vec<usize> = (0..shapes.len()).collect();
-            for order in 0..=highest_order {
-                if progress.is_cancelled() {
-                    return None;
-                }
-                points.push(SweepPoint {
-                    way,
-                    order,
-                    spikes: lines.len(),
-                    numbers: numbers_of_order(order) + 2 * lines.len(),
-                    verdict: examined.verdict(&projected, order, &lines, way.colour_exact),
-                });
-            }
-            progress.step();
-        }
+        let points = examined.every_way(highest_order, progress, || progress.step())?;
         let map = threshold_map(
             subject,
             &examined,

@@ -14,7 +14,7 @@ use spectral_explorer::{
         dispersion::{Beside, DispersionMemory, GemMemory, PrismMemory, RainbowMemory},
         document::FIRST_LIGHT,
         document::Height,
-        pages::{FieldChoice, Page, PageMemory, WaysShown, WordsMemory},
+        pages::{FieldChoice, ManyMemory, Page, PageMemory, WaysShown, WordsMemory},
         picture::{ImageMemory, Show, Spread},
         products::{
             Link, Products, ProductsMemory,
@@ -316,6 +316,12 @@ pub fn full_preferences() -> Preferences {
                     stops: 1.0,
                     under: None,
                 },
+            },
+            many: ManyMemory {
+                field: FieldChoice::Led,
+                measure: Measure::RmsBlurred,
+                limit: 2.5,
+                share_percent: 80,
             },
             relit: RelitMemory {
                 wall: true,

@@ -7,6 +7,7 @@ pub mod design;
 pub mod image;
 pub mod import;
 pub mod known_lamps;
+pub mod many;
 pub mod order;
 pub mod products;
 pub mod quality;

@@ -30,6 +30,8 @@ pub struct PageMemory {
     pub measure: Measure,
     /// Trade-off: the lines that are drawn.
     pub ways: WaysShown,
+    /// Many lights: which, how good, for how many.
+    pub many: ManyMemory,
     /// Auction: what is to be made small.
     pub goal: Goal,
     /// Auction: most numbers.
@@ -88,6 +90,7 @@ impl Default for PageMemory {
             channel: 1,
             measure: Measure::Patches,
             ways: WaysShown::default(),
+            many: ManyMemory::default(),
             goal: Goal::PATCHES,
             auction_numbers: 41,
             spend_numbers: 21,
@@ -130,6 +133,7 @@ impl PageMemory {
             partial_order: self.partial_order.min(100),
             channel: self.channel.min(2),
             ways: self.ways.clamped(),
+            many: self.many.clamped(),
             goal: self.goal.clamped(),
             spend_goal: self.spend_goal.map(Goal::clamped),
             auction_numbers: spendable(self.auction_numbers),
@@ -151,6 +155,59 @@ impl PageMemory {
             image: self.image.clamped(),
             dispersion: self.dispersion.clamped(),
             relit: self.relit.clamped(),
+            ..self
+        }
+    }
+}
+
+/// What is asked of many lights.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ManyMemory {
+    /// Which lights.
+    pub field: FieldChoice,
+    /// The figure that has a limit.
+    pub measure: Measure,
+    /// What it may be at most, in its unit on screen: ΔE00 or percent.
+    pub limit: f64,
+    /// For how many of the lights, percent.
+    pub share_percent: u8,
+}
+
+/// Limits that may be set, ΔE00 or percent.
+pub const LIMITS: std::ops::RangeInclusive<f64> = 0.01..=100.0;
+
+/// Shares of many lights that may be asked for, percent.
+pub const SHARES_PERCENT: std::ops::RangeInclusive<u8> = 1..=100;
+
+impl Default for ManyMemory {
+    fn default() -> Self {
+        Self {
+            field: FieldChoice::Shipped,
+            measure: Measure::Patches,
+            limit: Self::usual_limit(Measure::Patches),
+            share_percent: 95,
+        }
+    }
+}
+
+impl ManyMemory {
+    /// A limit worth beginning with: nobody sees the difference, or 5 % of a spectrum.
+    pub fn usual_limit(measure: Measure) -> f64 {
+        if measure.is_colour() { 1.0 } else { 5.0 }
+    }
+
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let (least, most) = (*LIMITS.start(), *LIMITS.end());
+        let (fewest, all) = (*SHARES_PERCENT.start(), *SHARES_PERCENT.end());
+        Self {
+            limit: match self.limit.is_finite() {
+                true => self.limit.clamp(least, most),
+                false => Self::usual_limit(self.measure),
+            },
+            share_percent: self.share_percent.clamp(fewest, all),
             ..self
         }
     }
@@ -296,12 +353,18 @@ mod tests {
                 numbers: 0,
                 ..WordsMemory::default()
             },
+            many: ManyMemory {
+                limit: f64::NAN,
+                share_percent: 0,
+                ..ManyMemory::default()
+            },
             ..PageMemory::default()
         };
         let sound = nonsense.clamped();
         assert_eq!((sound.channel, sound.race_numbers), (2, 20));
         assert_eq!((sound.auction_numbers, sound.spend_numbers), (1, 101));
         assert_eq!(sound.words.numbers, 3);
+        assert_eq!((sound.many.limit, sound.many.share_percent), (1.0, 1));
         assert_eq!(sound.goal, Goal::PATCHES);
         let usual = PageMemory::default();
         assert_eq!(usual.clone().clamped(), usual);

@@ -5,7 +5,8 @@ mod memory;
 use serde::{Deserialize, Serialize};
 
 pub use memory::{
-    AskedLesson, FieldChoice, PageMemory, RACE_BUDGETS, SPENDABLE, WaysShown, WordsMemory,
+    AskedLesson, FieldChoice, LIMITS, ManyMemory, PageMemory, RACE_BUDGETS, SHARES_PERCENT,
+    SPENDABLE, WaysShown, WordsMemory,
 };
 
 /// A place of the window: what a person asks.
@@ -113,6 +114,8 @@ pub enum Page {
     Coefficients,
     /// Error against numbers.
     Tradeoff,
+    /// Which order is enough for how many lights.
+    Many,
     /// What to buy with the next two numbers.
     Auction,
     /// The composite against other representations.
@@ -308,6 +311,13 @@ const ROWS: &[Row] = &[
         ("Trade-off", "tradeoff"),
         &[],
         "Error against numbers: every order, with and without spikes.",
+    ),
+    row(
+        Page::Many,
+        (Place::Numbers, Page::Tradeoff),
+        ("Many lights", "many-lights"),
+        &[],
+        "Which order is enough for how many lights of a set or of your folders.",
     ),
     row(
         Page::Auction,

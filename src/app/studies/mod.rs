@@ -11,6 +11,7 @@ pub mod surfaces;
 pub mod take;
 
 pub use about::About;
+use about::measures;
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake, Work};
 pub use lamps::{EncodeAsk, EncodedLight, WaysAsk};
@@ -33,7 +34,7 @@ use crate::{
     optics::Noise,
     spectrum::{Basis, Kind},
     study::{
-        Auction, Goal, Progress, Race, Sweep,
+        Auction, Goal, ManyLights, Progress, Race, Sweep,
         auction::{self, Terms},
         products::{ProductTime, Sizes, product_times},
         quality::OrderFigures,
@@ -75,6 +76,24 @@ impl SweepAsk {
             self.colour_exact,
             progress,
         )
+    }
+}
+
+/// What error against order of many lights is about: who, and on what, as in a race.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ManyAsk(pub RaceAsk);
+
+impl ManyAsk {
+    /// These lights under a document's settings.
+    pub fn of(document: &Document, field: Field) -> Self {
+        Self(RaceAsk::of(document, field, Vec::new()))
+    }
+
+    /// The answer; `None` when no light shines or it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<ManyLights> {
+        let Self(of) = self;
+        let measures = measures(&of.patch_set, of.band, of.observer);
+        ManyLights::of(&measures, of.spikes, &of.lamps(), CURVE_ORDER, progress)
     }
 }
 
@@ -158,6 +177,8 @@ impl TimingAsk {
 pub struct Studies {
     /// Error against numbers.
     pub sweep: Job<SweepAsk, Sweep>,
+    /// Error against order of many lights.
+    pub many: Job<ManyAsk, ManyLights>,
     /// The auction's page.
     pub auction: Job<AuctionAsk, Auction>,
     /// "Spend P numbers for me" of the main page.
@@ -194,6 +215,7 @@ impl Studies {
     fn all(&mut self) -> Vec<&mut dyn Work> {
         let Self {
             sweep,
+            many,
             auction,
             spend,
             race,
@@ -219,8 +241,8 @@ impl Studies {
             peers,
         } = relit;
         vec![
-            sweep, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces, quality,
-            raster, region, gem, gem_noise, look, fit, turn, store, peers, front,
+            sweep, many, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces,
+            quality, raster, region, gem, gem_noise, look, fit, turn, store, peers, front,
         ]
     }
 

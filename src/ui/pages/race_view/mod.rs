@@ -42,6 +42,8 @@ pub struct RaceView {
     class: Option<String>,
     shown: Memo<Key, Shown>,
     ways: ways::WaysView,
+    /// Costs are shown in place of errors, where there is no room for both.
+    costs: bool,
 }
 
 /// What decides how a result is shown: the race, the class, which count, the figure, the looks.
@@ -106,37 +108,23 @@ impl RaceView {
 
     /// Who races, on how many numbers, and what decides.
     fn controls(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let has_own = has_own_lights(context);
         let light = context.app.document().light.name().to_owned();
         let about_light = context.app.document().is_about_light();
-        let memory = &mut *context.memory;
         ui.horizontal_wrapped(|ui| {
             ui.label("Lights");
-            let choice = Choice {
-                name: "Lights that race",
-                meaning: &if about_light {
-                    format!("Who races: {light} alone, or many lights together with their spread.")
-                } else {
-                    format!("Only lights race; of this document it is {light}.")
-                },
-                width: 124.0,
+            let meaning = if about_light {
+                format!("Who races: {light} alone, or many lights together with their spread.")
+            } else {
+                format!("Only lights race; of this document it is {light}.")
             };
-            choice.show(ui, memory.field.title(), |ui| {
-                for choice in FieldChoice::ALL {
-                    let can = choice != FieldChoice::Own || has_own;
-                    let item = egui::Button::selectable(memory.field == choice, choice.title());
-                    let response = ui.add_enabled(can, item).on_disabled_hover_text(
-                        "There are none: open or drop a file with a light.",
-                    );
-                    if response.clicked() {
-                        memory.field = choice;
-                    }
-                }
-            });
+            let mut field = context.memory.field;
+            field_choice(ui, context, ("Lights that race", &meaning), &mut field);
+            context.memory.field = field;
             if let Some((_, race)) = context.studies.race.answer() {
                 self.class_menu(ui, race);
             }
         });
+        let memory = &mut *context.memory;
         ui.horizontal_wrapped(|ui| {
             ui.label("Numbers");
             for budget in RACE_BUDGETS {
@@ -229,7 +217,7 @@ impl RaceView {
             .auto_shrink(false)
             .show(ui, |ui| {
                 table_head(ui, context, ask, race, class, budget);
-                drawn.table.show(ui, theme);
+                drawn.table.show(ui, theme, &mut self.costs);
                 ui.add_space(8.0);
                 ways.show(ui, context, standing, class);
                 let wide = ui.available_width() >= WIDE;
@@ -262,7 +250,34 @@ impl RaceView {
     }
 }
 
-fn has_own_lights(context: &PageContext<'_>) -> bool {
+/// A list of sets of lights, called and explained so.
+pub(super) fn field_choice(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    (name, meaning): (&str, &str),
+    field: &mut FieldChoice,
+) {
+    let has_own = has_own_lights(context);
+    let choice = Choice {
+        name,
+        meaning,
+        width: 124.0,
+    };
+    choice.show(ui, field.title(), |ui| {
+        for choice in FieldChoice::ALL {
+            let can = choice != FieldChoice::Own || has_own;
+            let item = egui::Button::selectable(*field == choice, choice.title());
+            let response = ui
+                .add_enabled(can, item)
+                .on_disabled_hover_text("There are none: open or drop a file with a light.");
+            if response.clicked() {
+                *field = choice;
+            }
+        }
+    });
+}
+
+pub(super) fn has_own_lights(context: &PageContext<'_>) -> bool {
     let own = &context.app.document().own;
     own.iter().any(|entry| entry.kind() == Kind::Light)
 }

@@ -1,0 +1,251 @@
+//! Many lights at once: which order is enough for how many of them, as a sentence, a chart and a
+//! table.
+
+use crate::{
+    app::{
+        App,
+        cells::{line, number, words},
+        chart::{Chart, Dash, Inks, Series, Shape, Theme},
+        figures::Unit,
+        pages::ManyMemory,
+        settings::Settings,
+        studies::ManyAsk,
+        ticks::short,
+    },
+    spectrum::basis::numbers_of_order,
+    study::{ManyLights, Measure, Way, many::SweptLight},
+};
+
+/// What is asked of many lights: a way, a figure with its limit, and a share of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// How models are fitted.
+    pub way: Way,
+    /// The figure.
+    pub measure: Measure,
+    /// What it may be at most, as files have it.
+    pub limit: f64,
+    /// For how many of the lights, 0-1.
+    pub share: f64,
+}
+
+impl Wanted {
+    /// In the way of a document's model.
+    pub fn of(settings: Settings, memory: &ManyMemory) -> Self {
+        let measure = memory.measure;
+        Self {
+            way: Way::new(settings.basis, settings.spikes, settings.colour_exact),
+            measure,
+            limit: memory.limit / measure.figure().unit.factor,
+            share: f64::from(memory.share_percent) / 100.0,
+        }
+    }
+
+    /// The same with or without lines as spikes.
+    fn with_spikes(self, spikes: bool) -> Self {
+        let way = Way::new(self.way.basis, spikes, self.way.colour_exact);
+        Self { way, ..self }
+    }
+
+    fn order(self, many: &ManyLights) -> Option<(usize, usize)> {
+        many.order_for(self.way, self.measure, self.limit, self.share)
+    }
+
+    /// "the patches' ΔE00 at most 1".
+    fn limit_words(self) -> String {
+        let figure = self.measure.figure();
+        let limit = short(self.limit * figure.unit.factor);
+        match figure.unit == Unit::DELTA_E {
+            true => format!("{} at most ΔE00 {limit}", figure.title),
+            false => format!("{} at most {limit}{}", figure.title, figure.unit.tail),
+        }
+    }
+}
+
+/// The answer in a sentence.
+pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
+    let total = many.lights.len();
+    let percent = short(100.0 * wanted.share);
+    let lights = format!("{percent} % of {total} lights");
+    let ways = [wanted.with_spikes(true), wanted.with_spikes(false)];
+    let words = |(order, count): (usize, usize)| {
+        format!(
+            "order {order} is enough for {lights} ({count} of them), {} numbers and two for each \
+             line",
+            numbers_of_order(order)
+        )
+    };
+    let limit = wanted.limit_words();
+    match ways.map(|way| way.order(many)) {
+        [Some(with), Some((order, _))] => format!(
+            "For {limit}, {}; without lines it takes order {order}.",
+            words(with)
+        ),
+        [Some(with), None] => format!(
+            "For {limit}, {}; without lines not even order {} is.",
+            words(with),
+            many.highest_order
+        ),
+        [None, Some((order, _))] => format!(
+            "For {limit}, order {order} is enough for {lights} without lines; with lines no order \
+             up to {} is.",
+            many.highest_order
+        ),
+        [None, None] => format!(
+            "For {limit}, no order up to {} is enough for {lights}.",
+            many.highest_order
+        ),
+    }
+}
+
+/// For how many of the lights each order is enough, with and without lines.
+pub fn chart(many: &ManyLights, wanted: Wanted, theme: Theme) -> Chart {
+    let inks = Inks::of(theme);
+    let total = many.lights.len() as f64;
+    let last = many.highest_order as f64;
+    let wish = 100.0 * wanted.share;
+    let mut series = vec![
+        Series::line("wished for", inks.measured, vec![[0.0, wish], [last, wish]])
+            .dashed(Dash::Dotted),
+    ];
+    for (spikes, name, ink, dash) in [
+        (false, "without lines", inks.smooth, Dash::Dashed),
+        (true, "with lines", inks.spikes, Dash::Solid),
+    ] {
+        let wanted = wanted.with_spikes(spikes);
+        let counts = many.counts(wanted.way, wanted.measure, wanted.limit);
+        let points = counts.iter().enumerate();
+        let points = points.map(|(order, count)| [order as f64, 100.0 * *count as f64 / total]);
+        series.push(Series::line(name, ink, points.collect()).dashed(dash));
+        if let Some((order, count)) = wanted.order(many) {
+            let at = [order as f64, 100.0 * count as f64 / total];
+            series.push(Series::points("", ink, Shape::Dot, vec![at]));
+        }
+    }
+    Chart {
+        title: "Lights that an order is enough for".to_owned(),
+        x_label: "Order N, 2N + 1 numbers".to_owned(),
+        y_label: "Of the lights, %".to_owned(),
+        x_range: [0.0, last],
+        y_range: Some([0.0, 100.0]),
+        series,
+        notes: vec![format!("{}; {}", wanted.limit_words(), wanted.way.title())],
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// A light of the table, the one that needs most first.
+pub struct ManyRow<'a> {
+    /// The light.
+    pub light: &'a SweptLight,
+    /// Order, lines and numbers that are enough; `None` where no order looked at is.
+    pub enough: Option<[usize; 3]>,
+    /// The figure at the model's present order.
+    pub now: Option<f64>,
+}
+
+/// All lights, those that need most first.
+pub fn rows<'a>(many: &'a ManyLights, wanted: Wanted, order: usize) -> Vec<ManyRow<'a>> {
+    let row = |light: &'a SweptLight| {
+        let enough = light.enough(wanted.way, wanted.measure, wanted.limit);
+        let now = light.of_way(wanted.way).find(|point| point.order == order);
+        ManyRow {
+            light,
+            enough: enough.map(|point| [point.order, point.spikes, point.numbers]),
+            now: now.and_then(|point| point.verdict[wanted.measure]),
+        }
+    };
+    let mut rows: Vec<ManyRow<'a>> = many.lights.iter().map(row).collect();
+    let needs = |row: &ManyRow<'_>| row.enough.map_or(usize::MAX, |[order, ..]| order);
+    rows.sort_by_key(|row| std::cmp::Reverse(needs(row)));
+    rows
+}
+
+/// The table as CSV, with what was asked.
+pub fn csv(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> String {
+    let mut out = format!(
+        "# question: {}\n# way: {}\n# answer: {}\n# range: {}-{} nm\n",
+        wanted.limit_words(),
+        wanted.way.word(),
+        sentence(many, wanted),
+        ask.0.band.min_nm(),
+        ask.0.band.max_nm()
+    );
+    let order = app.document().settings.order;
+    let now = format!("{}_at_order_{order}", wanted.measure.figure().key);
+    let heads = ["light", "class", "order", "lines", "numbers", &now];
+    out += &line(heads.map(str::to_owned));
+    for row in rows(many, wanted, order) {
+        let whole = |at: usize| number(row.enough.map(|enough| enough[at] as f64));
+        out += &line([
+            words(&row.light.name),
+            words(&row.light.class),
+            whole(0),
+            whole(1),
+            whole(2),
+            number(row.now),
+        ]);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{app::pages::FieldChoice, study::Progress};
+
+    fn found(app: &App, field: FieldChoice) -> (ManyAsk, ManyLights) {
+        let ask = ManyAsk::of(app.document(), field.field(app.document()));
+        let many = ask.answer(&Progress::default()).expect("lights");
+        (ask, many)
+    }
+
+    #[test]
+    fn the_sentence_the_chart_and_the_table_tell_the_same_order() {
+        let app = App::new();
+        let (ask, many) = found(&app, FieldChoice::Smooth);
+        let memory = ManyMemory::default();
+        let wanted = Wanted::of(app.document().settings, &memory);
+        assert_eq!((wanted.limit, wanted.share), (1.0, 0.95));
+        let (order, count) = wanted.order(&many).expect("smooth lights need few");
+        let told = sentence(&many, wanted);
+        assert!(
+            told.contains(&format!("order {order} is enough for 95 %")),
+            "{told}"
+        );
+        let rows = rows(&many, wanted, 7);
+        let within = rows
+            .iter()
+            .filter(|row| row.enough.is_some_and(|[o, ..]| o <= order));
+        assert_eq!(within.count(), count);
+        let needs = |row: &ManyRow<'_>| row.enough.map_or(usize::MAX, |[o, ..]| o);
+        assert!(rows.is_sorted_by_key(|row| std::cmp::Reverse(needs(row))));
+        let chart = chart(&many, wanted, Theme::Dark);
+        let line = chart
+            .series
+            .iter()
+            .find(|s| s.name == "with lines")
+            .expect("drawn");
+        let share = line.marks.points()[order][1];
+        assert!(share >= 95.0 && (share - 100.0 * count as f64 / rows.len() as f64).abs() < 1e-9);
+        let csv = csv(&app, &ask, &many, wanted);
+        assert_eq!(
+            csv.lines().filter(|line| !line.starts_with('#')).count(),
+            rows.len() + 1
+        );
+    }
+
+    #[test]
+    fn a_limit_that_nothing_meets_is_said_without_a_number() {
+        let app = App::new();
+        let (_, many) = found(&app, FieldChoice::ThisLight);
+        let memory = ManyMemory {
+            limit: 0.0,
+            measure: Measure::Rms,
+            ..ManyMemory::default()
+        };
+        let told = sentence(&many, Wanted::of(app.document().settings, &memory));
+        assert!(told.contains("no order up to"), "{told}");
+    }
+}

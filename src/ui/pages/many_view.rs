@@ -1,0 +1,238 @@
+//! The page "Many lights": which order is enough for how many lights of a set or a folder.
+
+use eframe::egui;
+use egui::{DragValue, Ui, vec2};
+
+use super::{PageContext, progress, race_view::field_choice};
+use crate::{
+    app::{
+        Command,
+        chart::{self, Chart},
+        charts::many::{ManyRow, Wanted, chart, csv, rows, sentence},
+        figures::three_digits,
+        memo::{ByAddress, Memo},
+        pages::{FieldChoice, LIMITS, ManyMemory, SHARES_PERCENT},
+        settings::Settings,
+        studies::{ManyAsk, Stage},
+    },
+    study::{ManyLights, Measure},
+    ui::kit::{Column, Row, headline, named, scrolled, table, titled},
+};
+
+/// Names of controls, shared with the tests that move them.
+pub mod names {
+    pub const LIGHTS: &str = "Lights that are looked at";
+    pub const SHARE: &str = "Share of the lights";
+    pub const LIMIT: &str = "Limit";
+    pub const COPY: &str = "Copy all lights as CSV";
+}
+
+/// From this width on the table stands beside the chart, points.
+const WIDE: f32 = 820.0;
+
+/// The page and what it keeps from frame to frame.
+#[derive(Default)]
+pub struct ManyView {
+    shown: Memo<Key, Shown>,
+}
+
+/// What decides how a result is shown: the result, what is asked of it, the order, the looks.
+type Key = (ByAddress<ManyLights>, ManyMemory, Settings, chart::Theme);
+
+struct Shown {
+    wanted: Wanted,
+    sentence: String,
+    chart: Chart,
+    rows: Vec<Row>,
+    /// The order that the sentence tells.
+    order: Option<usize>,
+}
+
+impl ManyView {
+    /// Draws the page.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        let document = context.app.document();
+        let memory = context.memory.many;
+        let ask = ManyAsk::of(document, memory.field.field(document));
+        let settings = document.settings;
+        let nobody = memory.field == FieldChoice::Own && !super::race_view::has_own_lights(context);
+        let job = &mut context.studies.many;
+        if !nobody {
+            job.ask_by(&ask, context.wake, ManyAsk::answer);
+        }
+        let answer = job.answer().filter(|_| !nobody);
+        let answer = answer.map(|(of, many)| (of.clone(), many.clone()));
+        let Some((of, many)) = answer else {
+            let words = match nobody {
+                true => "There are no lights of your own: open a folder of them, or drop it here.",
+                false => "Which order is enough for how many of these lights?",
+            };
+            headline(ui, context.theme, words);
+            controls(ui, context);
+            if !nobody {
+                progress(ui, &mut context.studies.many, "Error against order");
+            }
+            return;
+        };
+        let key = (
+            ByAddress(many.clone()),
+            memory,
+            settings,
+            context.chart_theme(),
+        );
+        let shown = &*self.shown.get(key, |(many, memory, settings, theme)| {
+            Shown::of(&many.0, memory, *settings, *theme)
+        });
+        headline(ui, context.theme, &shown.sentence);
+        controls(ui, context);
+        if context.studies.many.stage() != Stage::Done {
+            progress(ui, &mut context.studies.many, "Error against order");
+        }
+        if many.dark > 0 {
+            ui.weak(format!("{} dark in this range, left out.", many.dark));
+        }
+        let room = ui.available_size();
+        let scale = context.theme.scale;
+        if room.x >= WIDE * scale {
+            ui.horizontal_top(|ui| {
+                let left = vec2((0.55 * room.x).floor(), room.y - 4.0);
+                ui.vertical(|ui| {
+                    ui.set_width(left.x);
+                    context.chart(ui, &shown.chart, "many lights", left);
+                });
+                ui.add_space(8.0);
+                ui.vertical(|ui| lights(ui, context, (&of, &many), shown));
+            });
+        } else {
+            let size = vec2(room.x, (0.5 * room.y).max(190.0 * scale));
+            context.chart(ui, &shown.chart, "many lights", size);
+            lights(ui, context, (&of, &many), shown);
+        }
+    }
+}
+
+impl Shown {
+    fn of(many: &ManyLights, memory: &ManyMemory, settings: Settings, theme: chart::Theme) -> Self {
+        let wanted = Wanted::of(settings, memory);
+        let found = many.order_for(wanted.way, wanted.measure, wanted.limit, wanted.share);
+        let row = |row: &ManyRow<'_>| row_of(row, wanted.measure);
+        Self {
+            sentence: sentence(many, wanted),
+            chart: chart(many, wanted, theme),
+            rows: rows(many, wanted, settings.order).iter().map(row).collect(),
+            order: found.map(|(order, _)| order),
+            wanted,
+        }
+    }
+}
+
+fn row_of(row: &ManyRow<'_>, measure: Measure) -> Row {
+    let none = || "–".to_owned();
+    let cells = match row.enough {
+        Some(enough) => enough.map(|count| count.to_string()),
+        None => [0; 3].map(|_| none()),
+    };
+    let unit = measure.figure().unit;
+    let now = row
+        .now
+        .map_or_else(none, |off| three_digits(unit.factor * off));
+    let [order, lines, numbers] = cells;
+    let name = row.light.name.clone();
+    Row {
+        name: format!("{name}: order {order}, {lines} lines, {numbers} numbers, now {now}"),
+        cells: vec![name, order, lines, numbers, now],
+        note: format!("Listed under {}.", row.light.class),
+        ..Row::default()
+    }
+}
+
+/// Which lights, how good, for how many.
+fn controls(ui: &mut Ui, context: &mut PageContext<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Lights");
+        let mut field = context.memory.many.field;
+        let meaning = "Whose order is looked for: shipped lights, or your own: all lights of the \
+                       files and folders that you opened.";
+        field_choice(ui, context, (names::LIGHTS, meaning), &mut field);
+        let memory = &mut context.memory.many;
+        memory.field = field;
+        ui.label("enough for");
+        let share = DragValue::new(&mut memory.share_percent)
+            .range(SHARES_PERCENT)
+            .speed(0.2)
+            .suffix(" %");
+        let share = ui.add(share);
+        named(&share, egui::Role::SpinButton, names::SHARE);
+        share.on_hover_text("For how many of the lights the order must be enough.");
+        ui.label("of them, with");
+        let figure = memory.measure.figure();
+        let choice = crate::ui::kit::Choice {
+            name: "Figure with a limit",
+            meaning: figure.meaning,
+            width: 140.0,
+        };
+        let before = memory.measure;
+        choice.show(ui, figure.title, |ui| {
+            for measure in Measure::COMPARED {
+                ui.selectable_value(&mut memory.measure, measure, measure.figure().title)
+                    .on_hover_text(measure.figure().meaning);
+            }
+        });
+        if before.is_colour() != memory.measure.is_colour() {
+            memory.limit = ManyMemory::usual_limit(memory.measure);
+        }
+        ui.label("at most");
+        let limit = DragValue::new(&mut memory.limit)
+            .range(LIMITS)
+            .speed(0.02)
+            .max_decimals(2)
+            .suffix(memory.measure.figure().unit.tail);
+        let limit = ui.add(limit);
+        named(&limit, egui::Role::SpinButton, names::LIMIT);
+        limit.on_hover_text("What the figure may be at most, from the order found on.");
+        let settings = context.app.document().settings;
+        let way = Wanted::of(settings, memory).way;
+        ui.weak(format!("{}, as in the model.", way.title()))
+            .on_hover_text("Basis, fit, lines and range are the document's; change them there.");
+    });
+    ui.add_space(2.0);
+}
+
+/// The lights with what each of them needs; a click takes a light.
+fn lights(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    (ask, many): (&ManyAsk, &ManyLights),
+    shown: &Shown,
+) {
+    let app = context.app;
+    let wanted = shown.wanted;
+    let meaning = "Copies every light with the order that it needs as a table.";
+    titled(ui, "What each light needs", names::COPY, meaning, || {
+        csv(app, ask, many, wanted)
+    });
+    if let Some(order) = shown.order {
+        let settings = app.document().settings;
+        let words = format!("Take order {order}");
+        let button = ui.add_enabled(settings.order != order, egui::Button::new(words));
+        if button
+            .on_disabled_hover_text("The model has this order.")
+            .clicked()
+        {
+            context
+                .commands
+                .push(Command::Edit(Settings { order, ..settings }));
+        }
+    }
+    let now = format!("at N = {}", app.document().settings.order);
+    let columns = [
+        Column::words("light", "Those that need most stand first.", 2.6),
+        Column::numbers("order", "From it on every order is good enough.", 1.0),
+        Column::numbers("lines", "Lines that became spikes, two numbers each.", 0.9),
+        Column::numbers("numbers", "2N + 1, and two for each line.", 1.3),
+        Column::numbers(&now, wanted.measure.figure().meaning, 1.3),
+    ];
+    scrolled(ui, "lights that need", |ui| {
+        table(ui, &columns, &shown.rows, None, false, context.theme);
+    });
+}

@@ -1,0 +1,48 @@
+//! The page "Many lights" in the real window, driven without a display.
+
+use crate::driver::{Shown, Ui, app, assert_written, click, harness, no_files, words};
+use spectral_explorer::{
+    app::{
+        App,
+        pages::{FieldChoice, Page},
+        workspace::Preferences,
+    },
+    ui::Window,
+};
+
+fn page_of(field: FieldChoice) -> Ui {
+    let mut preferences = Preferences {
+        greeted: true,
+        ..Preferences::default()
+    };
+    preferences.pages.page = Page::Many;
+    preferences.pages.many.field = field;
+    let window = Window::new(App::new(), preferences, no_files(), None);
+    let mut ui = harness(Shown(window), [1280.0, 800.0], 0.02, 40);
+    ui.step();
+    ui.state_mut().studies.finish();
+    ui.run();
+    ui
+}
+
+#[test]
+fn the_order_that_is_enough_for_a_set_of_lights_is_told_and_taken() {
+    let mut ui = page_of(FieldChoice::Discharge);
+    assert_written(&ui, "is enough for 95 % of");
+    let all = words(&ui).join("\n");
+    let (_, rest) = all.split_once(", order ").expect("an order");
+    let order: usize = rest
+        .split(' ')
+        .next()
+        .and_then(|digits| digits.parse().ok())
+        .expect("a number");
+    click(&mut ui, &format!("Take order {order}"));
+    assert_eq!(app(&ui).document().settings.order, order);
+    assert_written(&ui, &format!("at N = {order}"));
+}
+
+#[test]
+fn without_lights_of_ones_own_it_says_how_to_bring_them() {
+    let ui = page_of(FieldChoice::Own);
+    assert_written(&ui, "There are no lights of your own");
+}
