@@ -248,6 +248,9 @@ pub fn lines_words(app: &App) -> String {
     if !settings.spikes {
         return "off".to_owned();
     }
+    if app.document().as_given().is_some() {
+        return "as given, not looked for".to_owned();
+    }
     match settings.detector {
         Detector::Energy => format!("above {} % of the power", short(settings.threshold_percent)),
         Detector::Gradient => format!("steeper than {} % per nm", short(settings.gradient_percent)),

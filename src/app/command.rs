@@ -54,6 +54,8 @@ pub enum Command {
         /// The hand edits of the subject's spikes.
         edits: SpikeEdits,
     },
+    /// Takes a composite that is shown as it is apart like any other spectrum.
+    Analyse,
     /// Model, layers, patches and hand edits as they are at the start; light and overlays stay.
     Reset,
     /// The group whose reflectances are the patches.

@@ -8,7 +8,10 @@ use super::{
     design::mix::Mix, entry::Entry, library::Library, opened::ImageEntry, origin::Before,
     products::Products, scale::Scale, settings::Settings,
 };
-use crate::{preset::Preset, spectrum::SpikeEdits};
+use crate::{
+    preset::Preset,
+    spectrum::{Composite, SpikeEdits},
+};
 
 /// Which of the two selected spectra the model is of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -110,6 +113,8 @@ pub struct Document {
     pub next_own: u64,
     /// The knobs.
     pub settings: Settings,
+    /// While a composite is shown as it is: the knobs that were in force before.
+    pub given: Option<Settings>,
     /// Hand edits of spikes, by the entry's key.
     pub edits: BTreeMap<String, SpikeEdits>,
     /// The group whose reflectances are the patches.
@@ -176,6 +181,7 @@ impl Document {
             images: Vec::new(),
             next_own: 1,
             settings: Settings::default(),
+            given: None,
             edits: BTreeMap::new(),
             patch_set: FIRST_PATCH_SET.to_owned(),
             patch: None,
@@ -202,6 +208,7 @@ impl Document {
             images,
             next_own,
             settings,
+            given,
             edits,
             patch_set,
             patch,
@@ -223,6 +230,7 @@ impl Document {
                 .all(|(a, b)| Arc::ptr_eq(a, b))
             && *next_own == other.next_own
             && *settings == other.settings
+            && *given == other.given
             && *edits == other.edits
             && *patch_set == other.patch_set
             && *patch == other.patch
@@ -266,9 +274,46 @@ impl Document {
         let key = self.subject_entry().key.clone();
         self.edits.remove(&key);
         self.settings = Settings::default();
+        self.given = None;
+        self.show_as_given();
         self.view = View::default();
         FIRST_PATCH_SET.clone_into(&mut self.patch_set);
         self.patch = None;
+    }
+
+    /// The composite that the subject is, while it is shown as it is.
+    pub fn as_given(&self) -> Option<&Arc<Composite>> {
+        self.given?;
+        self.subject_entry().composite.as_ref()
+    }
+
+    /// Shows a subject that is a composite as it is, with its own range, series and lines, unless
+    /// its lines were changed by hand; any other with the knobs that were in force before one was.
+    pub fn show_as_given(&mut self) {
+        self.analyse();
+        let entry = self.subject_entry();
+        let Some(composite) = &entry.composite else {
+            return;
+        };
+        if !self.edits.contains_key(&entry.key) {
+            let before = self.settings;
+            self.settings = before.of_composite(composite);
+            self.given = Some(before);
+        }
+    }
+
+    /// After what is shown was taken away: a composite that is shown no more leaves its knobs.
+    pub fn show_again(&mut self) {
+        if self.given.is_some() && self.as_given().is_none() {
+            self.show_as_given();
+        }
+    }
+
+    /// Has a composite taken apart like any other spectrum, with the knobs of before.
+    pub fn analyse(&mut self) {
+        if let Some(before) = self.given.take() {
+            self.settings = self.settings.with_model_of(before);
+        }
     }
 
     /// What is on screen.

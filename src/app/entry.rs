@@ -23,6 +23,9 @@ pub struct Entry {
     pub licence: String,
     /// What the instrument computed itself, as far as the file says.
     pub makers: Vec<MakersResult>,
+    /// The composite that the spectrum is by its own source, its lines of no width; its table is
+    /// that composite's. `None` for what was measured or computed otherwise.
+    pub composite: Option<Arc<Composite>>,
 }
 
 impl Entry {
@@ -34,18 +37,23 @@ impl Entry {
     /// A shipped spectrum; of the paper's lamps the weights of the spikes multiplied by `factor`
     /// instead of the file's own factor.
     pub fn of_preset_weighing(preset: &Preset, factor: Option<f64>) -> Option<Self> {
+        let mut given = None;
         let spectrum = match &preset.body {
             Body::Spectrum(spectrum) => spectrum.clone(),
             Body::Composite(printed) => {
                 let mut composite = printed.clone();
                 let of_the_paper = factor.filter(|_| preset.shelf == Shelf::Paper);
                 composite.weight_factor = of_the_paper.unwrap_or(printed.weight_factor);
+                let composite = composite_from_preset(&composite)?;
+                let samples = sampled_from_composite(&composite)?;
+                // A line tube is every line of an atom: what is seen of it, an analysis tells.
+                given = (preset.shelf == Shelf::Paper).then(|| Arc::new(composite));
                 NamedSpectrum {
                     name: preset.name.clone(),
                     kind: preset.kind,
                     unit: preset.unit.clone(),
                     scale: 1.0,
-                    samples: sampled_from_composite(&composite_from_preset(&composite)?)?,
+                    samples,
                     notes: {
                         let mut notes = preset.notes.clone();
                         notes.push(SAMPLED_NOTE.to_owned());
@@ -62,6 +70,7 @@ impl Entry {
             spectrum,
             licence: preset.licence.words.clone(),
             makers: Vec::new(),
+            composite: given,
         })
     }
 
@@ -86,6 +95,7 @@ impl Entry {
             spectrum,
             licence: String::new(),
             makers: Vec::new(),
+            composite: None,
         }
     }
 

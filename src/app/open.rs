@@ -23,7 +23,7 @@ use super::{
 };
 use crate::{
     io::{self, Choices, CompositeFile, Reading, many},
-    spectrum::{NamedSpectrum, Rect, SpectralImage, Spike},
+    spectrum::{Composite, NamedSpectrum, Rect, SpectralImage, Spike},
 };
 
 /// What a file turned out to be.
@@ -169,9 +169,16 @@ fn from_reading(
         image_guesses: _,
         notes,
     } = reading;
-    let mut spectra = spectra_of(spectra, composites, &notes, &file);
+    let composites = composites.into_iter();
+    let composites: Vec<CompositeFile> = composites.filter(|c| sampled(c).is_some()).collect();
+    let first = spectra.len();
+    let given = composites.iter().enumerate();
+    let given = given.filter_map(|(index, file)| Some((first + index, shown_as_it_is(file)?)));
+    let mut given: Vec<(usize, Arc<Composite>)> = given.collect();
+    let mut spectra = spectra_of(spectra, &composites, &notes, &file);
     let photons = spectra.iter().any(photons::counts_photons);
     if !choices.keep_photons {
+        given.retain(|(index, _)| !photons::counts_photons(&spectra[*index]));
         spectra.iter_mut().for_each(photons::to_power);
     }
     if spectra.is_empty() && images.is_empty() {
@@ -184,6 +191,7 @@ fn from_reading(
         format,
         how,
         spectra,
+        composites: given,
         makers: results,
         images: images.into_iter().map(Arc::new).collect(),
         table,
@@ -198,12 +206,12 @@ fn from_reading(
 /// Every spectrum of a file; composites are sampled at 1 nm. The file's notes go to each.
 fn spectra_of(
     spectra: Vec<NamedSpectrum>,
-    composites: Vec<CompositeFile>,
+    composites: &[CompositeFile],
     notes: &[String],
     file: &str,
 ) -> Vec<NamedSpectrum> {
     let mut all = spectra;
-    all.extend(composites.into_iter().filter_map(sampled));
+    all.extend(composites.iter().filter_map(sampled));
     for spectrum in &mut all {
         for note in notes {
             if !spectrum.notes.contains(note) {
@@ -273,17 +281,25 @@ impl Opened {
     }
 }
 
-fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
+/// The composite that is shown as it is: lines of no width, all of them on its range.
+fn shown_as_it_is(file: &CompositeFile) -> Option<Arc<Composite>> {
+    let band = file.composite.band();
+    let inside = file.composite.spikes.iter().all(|s| band.contains(s.at_nm));
+    (inside && file.widths_nm.iter().all(|width| *width == 0.0))
+        .then(|| Arc::new(file.composite.clone()))
+}
+
+fn sampled(file: &CompositeFile) -> Option<NamedSpectrum> {
     Some(NamedSpectrum {
         samples: sampled_from_lines(&file.composite, &file.widths_nm)?,
-        name: file.name,
+        name: file.name.clone(),
         kind: file.kind,
-        unit: file.unit,
+        unit: file.unit.clone(),
         scale: 1.0,
         notes: {
             let composite = &file.composite;
             let mut notes = vec![format!(
-                "A composite of {}, sampled at 1 nm; the model on screen is fitted anew.",
+                "A composite of {}, sampled at 1 nm.",
                 many::numbers(composite.numbers() + usize::from(!file.widths_nm.is_empty()))
             )];
             let band = composite.band();
@@ -296,6 +312,6 @@ fn sampled(file: CompositeFile) -> Option<NamedSpectrum> {
             }));
             notes
         },
-        source: file.source,
+        source: file.source.clone(),
     })
 }

@@ -12,7 +12,7 @@ use crate::{
         Choices, Guess, Guessed, MakersResult,
         reading::{TableFound, Understood},
     },
-    spectrum::{NamedSpectrum, SpectralImage},
+    spectrum::{Composite, NamedSpectrum, SpectralImage},
 };
 
 /// A file that was read.
@@ -30,6 +30,8 @@ pub struct Opened {
     pub how: String,
     /// Its spectra (composites sampled at 1 nm), in their order.
     pub spectra: Vec<NamedSpectrum>,
+    /// The composites among them, each by its index: lines of no width, on a sound range.
+    pub composites: Vec<(usize, Arc<Composite>)>,
     /// What the instrument computed itself; `spectrum` is an index into `spectra`.
     pub makers: Vec<MakersResult>,
     /// Images whose pixels are spectra.
@@ -63,6 +65,7 @@ impl Opened {
             how: String::new(),
             makers: makers.into_iter().map(of_it).collect(),
             spectra: vec![spectrum],
+            composites: Vec::new(),
             images: Vec::new(),
             table: None,
             understood: Vec::new(),
@@ -89,6 +92,13 @@ impl Opened {
             }
         }
         all
+    }
+
+    /// The composite that one of its spectra is.
+    pub fn composite_of(&self, index: usize) -> Option<Arc<Composite>> {
+        let mut composites = self.composites.iter();
+        let (_, composite) = composites.find(|(of, _)| *of == index)?;
+        Some(composite.clone())
     }
 
     /// The maker's results that belong to one of its spectra: those that say so, and those of the

@@ -149,6 +149,7 @@ fn model_json(app: &App, derived: &Derived) -> Value {
         })
         .collect();
     json!({
+        "as_given": app.document().as_given().is_some(),
         "range_nm": [derived.band.min_nm(), derived.band.max_nm()],
         "basis": model.smooth.basis.word(),
         "order": model.smooth.order(),

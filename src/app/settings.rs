@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     color::Observer,
-    spectrum::{Band, Basis, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
+    spectrum::{Band, Basis, Composite, Sampling, SpikeSettings, gradient::DEFAULT_GRADIENT},
 };
 
 /// Orders that may be asked for.
@@ -128,6 +128,54 @@ impl Settings {
             ),
             ..self
         }
+    }
+
+    /// These with series, range and lines as a composite has them: it is shown as it is.
+    #[must_use]
+    pub fn of_composite(self, composite: &Composite) -> Self {
+        Self {
+            basis: composite.smooth.basis,
+            order: composite.smooth.order(),
+            band: composite.band(),
+            spikes: true,
+            wide_lines: false,
+            colour_exact: false,
+            ..self
+        }
+    }
+
+    /// These with what [`of_composite`](Self::of_composite) replaced as others have it.
+    #[must_use]
+    pub fn with_model_of(self, other: Self) -> Self {
+        Self {
+            basis: other.basis,
+            order: other.order,
+            band: other.band,
+            spikes: other.spikes,
+            wide_lines: other.wide_lines,
+            colour_exact: other.colour_exact,
+            ..self
+        }
+    }
+
+    /// Whether nothing is looked for otherwise: the same range, series and lines. The order only
+    /// cuts a series, and colour-exact moves what is there.
+    pub fn takes_apart_as(self, other: Self) -> bool {
+        let Self {
+            order,
+            colour_exact,
+            observer,
+            sampling,
+            ..
+        } = other;
+        let rest = Self {
+            order,
+            colour_exact,
+            observer,
+            sampling,
+            ..self
+        };
+        rest == other
     }
 
     /// The order that the band's grid can carry.

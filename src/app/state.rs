@@ -15,7 +15,6 @@ use super::{
     entry::{Entry, bundled_entries},
     history::History,
     line_names::{ElementLine, LineName},
-    origin::Origin,
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
@@ -246,8 +245,9 @@ impl App {
                 self.document.weigh_the_papers_lamps();
             }
             Command::ShowWith { entry, settings } => {
-                self.document.settings = settings.clamped();
                 self.show(entry);
+                self.document.given = None;
+                self.document.settings = settings.clamped();
                 self.document.weigh_the_papers_lamps();
             }
             Command::ToggleOverlay(entry) => {
@@ -265,6 +265,7 @@ impl App {
                 self.document.settings = settings.clamped();
                 self.set_edits(edits);
             }
+            Command::Analyse => self.document.analyse(),
             Command::Reset => self.document.reset(),
             Command::PatchSet(group) => {
                 self.document.patch_set = group;
@@ -283,7 +284,7 @@ impl App {
             Command::Products(products) => self.document.products = products.clamped(),
             Command::Mix(mix) => self.document.mix = mix.clamped(),
             Command::Adopt(spectra) => {
-                let numbers = |spectrum| (spectrum, Vec::new(), Origin::Numbers);
+                let numbers = |spectrum| Entry::own(0, spectrum);
                 self.adopt(spectra.into_iter().map(numbers), &[]);
             }
             Command::Open(files) => self.take_in(files),
@@ -303,6 +304,7 @@ impl App {
             Command::Remove { key } => self.remove(&key),
             Command::Replace(document) => self.document = *document,
         }
+        self.analyse_what_was_changed(&before);
         self.document.bound_patch();
         self.make_again(&before);
         let too_many = self.document.bound_overlays();
@@ -363,6 +365,16 @@ impl App {
         }
     }
 
+    /// A composite is shown as it is until its lines, its range or its series are changed.
+    fn analyse_what_was_changed(&mut self, before: &Document) {
+        let (now, then) = (&self.document, before);
+        let same_subject = now.subject_entry().key == then.subject_entry().key;
+        let changed = !now.settings.takes_apart_as(then.settings) || now.edits != then.edits;
+        if same_subject && now.given.is_some() && then.given == now.given && changed {
+            self.document.given = None;
+        }
+    }
+
     fn set_edits(&mut self, edits: SpikeEdits) {
         let key = self.document.subject_entry().key.clone();
         if edits.is_empty() {
@@ -377,10 +389,12 @@ impl App {
             Kind::Light => {
                 self.document.light = entry;
                 self.document.subject = Subject::Light;
+                self.document.show_as_given();
             }
             Kind::Reflectance | Kind::Transmittance => {
                 self.document.factor = Some(entry);
                 self.document.subject = Subject::Factor;
+                self.document.show_as_given();
             }
             kind @ (Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other) => {
                 let overlays = &mut self.document.overlays;
@@ -513,6 +527,7 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
             power_outside,
             settings,
             edits: &edits,
+            given: document.as_given().map(|given| &**given),
             adaptation: if document.view.adapt_patches {
                 Adaptation::ToLight
             } else {

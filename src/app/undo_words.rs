@@ -17,6 +17,9 @@ pub fn difference(before: &Document, after: &Document) -> String {
             after.light.name()
         ));
     }
+    if before.light.key == after.light.key && before.given.is_some() && after.given.is_none() {
+        words.push("analysed anew".to_owned());
+    }
     words.extend(of_settings(before.settings, after.settings));
     words.extend(of_spectra(before, after));
     let name = |entry: &Option<std::sync::Arc<Entry>>| {

@@ -76,6 +76,10 @@ pub fn app_of(
         show(&mut app, light);
     }
     show(&mut app, entry);
+    if model.is_given() {
+        // Who turns a knob wants a composite taken apart with it.
+        app.apply(Command::Analyse);
+    }
     Ok(app)
 }
 
@@ -120,7 +124,13 @@ pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal
 fn show(app: &mut App, entry: Entry) {
     app.apply(match entry.shelf() {
         Some(_) => Command::Show(entry.into()),
-        None => Command::Open(vec![Opened::alone(entry.spectrum, entry.makers)]),
+        None => {
+            let composites = entry.composite.into_iter().map(|given| (0, given));
+            Command::Open(vec![Opened {
+                composites: composites.collect(),
+                ..Opened::alone(entry.spectrum, entry.makers)
+            }])
+        }
     });
 }
 

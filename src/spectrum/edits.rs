@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     band::Band,
-    composite::Spike,
+    composite::{Composite, GAUSSIAN_AREA, Spike},
     spikes::{self, Decomposition, SpikeSettings, Wishes},
 };
 
@@ -89,6 +89,31 @@ impl Decomposed {
                     hand: None,
                 })
                 .collect(),
+        }
+    }
+
+    /// A composite as it is, which `values` on its band's grid are the table of: each line as wide
+    /// as it stands there, over its two neighbouring nm.
+    pub fn of_composite(composite: &Composite, values: &[f64]) -> Self {
+        let band = composite.band();
+        let spikes = composite.spikes.iter().filter(|s| band.contains(s.at_nm));
+        let mut spikes: Vec<ModelSpike> = spikes
+            .map(|&spike| {
+                let beyond = spike.at_nm.fract();
+                ModelSpike {
+                    spike,
+                    width_nm: Some(1.0 / (GAUSSIAN_AREA * beyond.max(1.0 - beyond))),
+                    window_nm: None,
+                    peaks: 1,
+                    hand: None,
+                }
+            })
+            .collect();
+        spikes.sort_by(|a, b| a.spike.at_nm.total_cmp(&b.spike.at_nm));
+        Self {
+            smooth: composite.smooth.on_band(),
+            spikes,
+            power: spikes::absolute_power(band, values),
         }
     }
 

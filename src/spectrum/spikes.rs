@@ -361,7 +361,11 @@ fn measured_part(values: &[f64], width: f64) -> (usize, usize) {
         let highest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
         // A table that begins between two grid points fills the first of them in part.
         let edge = highest(&beside[..beside.len().min(2)]);
-        beside.iter().all(|v| *v != 0.0) && edge > 0.5 * highest(&beside)
+        // A line near the end may tower over the rest.
+        let mut usual = beside.clone();
+        usual.sort_by(f64::total_cmp);
+        let usual = usual.get(usual.len() / 2).copied().unwrap_or(0.0);
+        beside.iter().all(|v| *v != 0.0) && edge > 0.5 * usual
     };
     let lit = |v: &f64| *v != 0.0;
     let start = values.iter().position(lit).unwrap_or(0);

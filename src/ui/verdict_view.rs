@@ -30,6 +30,9 @@ pub enum Side {
     Settings,
 }
 
+/// The button that has a composite analysed.
+pub const ANALYSE: &str = "Analyse it anew";
+
 /// Height of the swatch without the ground around it, points.
 const SWATCH: f32 = 96.0;
 
@@ -48,7 +51,7 @@ pub fn show(
     answers(ui, app, theme);
     rule(ui);
     numbers(ui, app, theme);
-    warnings(ui, app, theme);
+    warnings(ui, app, theme, commands);
     rule(ui);
     curve_view::show(ui, app, preferences, theme, room(ui), commands);
 }
@@ -369,13 +372,25 @@ fn numbers(ui: &mut Ui, app: &App, theme: Theme) {
     });
 }
 
-fn warnings(ui: &mut Ui, app: &App, theme: Theme) {
+/// What must be said about the model, and the way to another one for a composite as it is.
+fn warnings(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     for warning in &app.derived().warnings {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             ui.colored_label(theme.warning, "▲");
             ui.small(warning);
         });
+    }
+    if app.document().as_given().is_some()
+        && ui
+            .small_button(ANALYSE)
+            .on_hover_text(
+                "Takes the composite apart like any measured spectrum, with the knobs that were in \
+                 force before it was shown.",
+            )
+            .clicked()
+    {
+        commands.push(Command::Analyse);
     }
 }
 

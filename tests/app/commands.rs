@@ -25,7 +25,7 @@ use spectral_explorer::{
         command::MadeFor,
         derived::OF_CURVE,
         document::{FIRST_LIGHT, FIRST_PATCH_SET, Height},
-        export::Export,
+        export::{Export, composite_file},
         library::Library,
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
         opened::Opened,
@@ -38,7 +38,7 @@ use spectral_explorer::{
         workspace::{self, Preferences, Restored, StoredImage},
     },
     color::Observer,
-    io::read_bytes,
+    io::{composite_json, read_bytes},
     spectrum::{
         Band, Basis, HandSpike, Kind, NamedSpectrum, Sampled, Sampling, SpikeEdits,
         basis::numbers_of_order,
@@ -314,6 +314,7 @@ fn variant(command: &Command) -> &'static str {
         Command::About(_) => "about",
         Command::EditSpikes(_) => "edit spikes",
         Command::TakeModel { .. } => "take model",
+        Command::Analyse => "analyse",
         Command::Reset => "reset",
         Command::PatchSet(_) => "patch set",
         Command::Patch(_) => "patch",
@@ -391,6 +392,9 @@ fn session(app: &App) -> Vec<Command> {
                 deleted_nm: vec![546.0],
             },
         },
+        Command::Show(preset(app, "paper/Mercury")),
+        Command::Analyse,
+        Command::Show(preset(app, D65)),
         Command::Patch(Some(3)),
         Command::PatchSet("cri_tcs".to_owned()),
         Command::Reset,
@@ -467,7 +471,7 @@ fn every_command_is_undone_and_done_again_exactly() {
     let mut app = plain();
     let commands = session(&app);
     let seen: BTreeSet<&str> = commands.iter().map(variant).collect();
-    assert_eq!(seen.len(), 27, "the session leaves out a command: {seen:?}");
+    assert_eq!(seen.len(), 28, "the session leaves out a command: {seen:?}");
     let mut states = vec![(app.document().clone(), app.derived().clone())];
     for command in commands {
         let words = variant(&command);
@@ -1178,6 +1182,107 @@ fn a_shipped_spectrum_cannot_be_renamed_or_turned_into_something_else() {
         app.apply(command);
         assert!(!app.can_undo(), "{:?}", app.document().light.name());
     }
+}
+
+// --------------------------------------------------------------------- composites as they are
+
+/// Places of the model's lines.
+fn lines_nm(app: &App) -> Vec<f64> {
+    let spikes = &app.derived().model.spikes;
+    spikes.iter().map(|spike| spike.at_nm).collect()
+}
+
+const MERCURY_NM: [f64; 6] = [404.7, 435.8, 491.6, 546.1, 577.8, 693.8];
+
+#[test]
+fn the_papers_mercury_is_shown_as_the_composite_that_it_is() {
+    let mut app = plain();
+    let before = app.document().settings;
+    app.apply(Command::Show(preset(&app, "paper/Mercury")));
+    assert_eq!(lines_nm(&app), MERCURY_NM);
+    let entry = preset(&app, "paper/Mercury");
+    let given = entry.composite.as_deref().expect("a composite");
+    let model = &app.derived().model;
+    assert_eq!(model.smooth.band, given.smooth.band);
+    for (found, told) in model
+        .smooth
+        .coefficients
+        .iter()
+        .zip(&given.smooth.coefficients)
+    {
+        assert_relative_eq!(
+            found,
+            told,
+            epsilon = 1e-9 * given.smooth.coefficients[0].abs()
+        );
+    }
+    let off = app.derived().figures[Measure::Own].expect("a colour");
+    assert!(off < 1e-6, "it is off from itself by {off}");
+    assert!(app.derived().warnings[0].contains("Shown as the composite that it is"));
+    // A shorter series is cut from the same one, and the lines stay.
+    let shorter = Settings {
+        order: 2,
+        ..app.document().settings
+    };
+    app.apply(Command::Edit(shorter));
+    assert_eq!(lines_nm(&app), MERCURY_NM);
+    let cut = app.derived().model.smooth.coefficients.iter();
+    for (found, told) in cut.zip(&given.smooth.coefficients[..5]) {
+        assert_relative_eq!(found, told, max_relative = 1e-12);
+    }
+    // Another light has the knobs of before.
+    app.apply(Command::Show(preset(&app, D65)));
+    assert_eq!(app.document().settings, before);
+    app.apply(Command::Undo);
+    assert_eq!(lines_nm(&app), MERCURY_NM);
+}
+
+#[test]
+fn a_composite_is_analysed_on_request_and_its_tables_end_is_no_line() {
+    let mut app = plain();
+    let before = app.document().settings;
+    app.apply(Command::Show(preset(&app, "paper/Mercury")));
+    app.apply(Command::Analyse);
+    assert_eq!(app.document().settings, before);
+    let found = lines_nm(&app);
+    assert!(found.iter().any(|nm| (nm - 546.1).abs() < 0.1), "{found:?}");
+    let is_end = |nm: &f64| (694.5..=700.5).contains(nm);
+    assert!(
+        !found.iter().any(is_end),
+        "the table ends at 700: {found:?}"
+    );
+    assert_eq!(
+        app.undo_words()
+            .as_deref()
+            .map(|w| w.contains("analysed anew")),
+        Some(true)
+    );
+    app.apply(Command::Reset);
+    assert_eq!(lines_nm(&app), MERCURY_NM);
+    let other = Settings {
+        threshold_percent: 2.0,
+        ..app.document().settings
+    };
+    app.apply(Command::Edit(other));
+    assert!(
+        app.document().as_given().is_none(),
+        "another threshold asks for an analysis"
+    );
+}
+
+#[test]
+fn a_composite_from_a_file_is_shown_as_it_is_and_comes_back_so() {
+    let mut app = plain();
+    app.apply(Command::Show(preset(&app, "paper/Sodium")));
+    let text = composite_json::write(&composite_file(&app)).expect("a composite");
+    let shown = app.derived().model.clone();
+    let mut again = plain();
+    again.apply(Command::Open(vec![opened("lamp.json", text.as_bytes())]));
+    assert_eq!(again.derived().model.spikes, shown.spikes);
+    assert!(again.document().as_given().is_some());
+    let stored = workspace::to_json(again.document(), None).expect("a workspace");
+    let back = workspace::from_json(&stored).expect("read again");
+    assert_eq!(back.document, *again.document());
 }
 
 // ------------------------------------------------------------------------------------ workspace

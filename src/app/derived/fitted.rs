@@ -43,7 +43,10 @@ impl Fitted {
     pub(super) fn of(question: Question<'_>, tables: &Tables) -> Self {
         let settings = question.settings;
         let band = tables.band();
-        let mut parts = take_apart(question, band);
+        let mut parts = match question.given {
+            Some(given) => Decomposed::of_composite(given, question.measured),
+            None => take_apart(question, band),
+        };
         let widths = if settings.wide_lines {
             Widths::of(band, question.measured, &mut parts, settings.max_width_nm)
         } else {

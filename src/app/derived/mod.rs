@@ -13,6 +13,7 @@ pub use wide::Widths;
 
 use crate::{
     color::{Adaptation, Xyz},
+    io::many::{many, numbers},
     spectrum::{
         Band, Composite, Decomposed, Exactness, Series, Spike, SpikeEdits, composite::add_spikes,
     },
@@ -45,6 +46,8 @@ pub struct Question<'a> {
     pub settings: Settings,
     /// The hand edits of the subject's spikes.
     pub edits: &'a SpikeEdits,
+    /// The composite that the subject is, where it is to be shown as it is.
+    pub given: Option<&'a Composite>,
     /// Bring patches to the screen's white.
     pub adaptation: Adaptation,
 }
@@ -88,6 +91,18 @@ pub fn nothing_measured(band: Band, [first_nm, last_nm]: [f64; 2]) -> String {
         band.max_nm(),
         short(first_nm),
         short(last_nm)
+    )
+}
+
+/// What is said of a composite that is shown as it is.
+pub fn as_given_words(given: &Composite) -> String {
+    format!(
+        "Shown as the composite that it is: its own {} on {}-{} nm, {} among them; nothing was \
+         analysed.",
+        numbers(given.numbers()),
+        given.band().min_nm(),
+        given.band().max_nm(),
+        many(given.spikes.len(), "line", "lines")
     )
 }
 
@@ -215,6 +230,9 @@ impl Derived {
     fn warnings_for(&self, question: Question<'_>) -> Vec<String> {
         let settings = question.settings;
         let mut warnings = Vec::new();
+        if let Some(given) = question.given {
+            warnings.push(as_given_words(given));
+        }
         let [first_nm, last_nm] = question.table_nm;
         let is_beside = first_nm > self.band.max_nm() || last_nm < self.band.min_nm();
         if is_beside {

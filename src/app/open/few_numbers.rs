@@ -89,6 +89,7 @@ pub(super) fn within(name: &str, bytes: &[u8], choices: &Choices) -> Option<Load
             format,
             how: format!("{name}: {format}, {}", image.notes[0]),
             spectra: Vec::new(),
+            composites: Vec::new(),
             makers: Vec::new(),
             images: vec![Arc::new(image)],
             table: None,

@@ -4,6 +4,7 @@ use std::{
     ffi::OsStr,
     fs,
     path::{Path, PathBuf},
+    sync::Arc,
 };
 
 use super::{Loaded, load_named};
@@ -16,7 +17,7 @@ use crate::{
         unopened,
     },
     preset::Body,
-    spectrum::{Kind, NamedSpectrum, Rect},
+    spectrum::{Composite, Kind, NamedSpectrum, Rect},
 };
 
 /// Spectra of a file that a refusal tells by name.
@@ -125,6 +126,7 @@ fn of_kind(mut entry: Entry, wanted: &Wanted) -> Found {
 struct Choice {
     spectra: Vec<NamedSpectrum>,
     makers: Vec<Vec<MakersResult>>,
+    composites: Vec<Option<Arc<Composite>>>,
     /// Which of them are of a kind that nothing states.
     open: Vec<bool>,
     /// Whether the first stands for all: what the picture of an image is of.
@@ -138,6 +140,7 @@ impl Choice {
             Self {
                 open: vec![told.any(|told| !told.kind.plain); spectra.len()],
                 makers: Vec::new(),
+                composites: Vec::new(),
                 spectra,
                 is_whole,
             }
@@ -152,7 +155,9 @@ impl Choice {
             return Ok(of_image(opened.means(), &opened, true));
         }
         let makers = (0..opened.spectra.len()).map(|index| opened.makers_of(index));
+        let composites = (0..opened.spectra.len()).map(|index| opened.composite_of(index));
         Ok(Self {
+            composites: composites.collect(),
             makers: makers.collect(),
             open: opened.doubtful_kinds(),
             spectra: opened.spectra,
@@ -176,11 +181,12 @@ impl Choice {
         let Self {
             spectra,
             makers,
+            composites,
             open,
             is_whole: _,
         } = self;
         let count = spectra.len();
-        let mut makers = makers.into_iter();
+        let (mut makers, mut composites) = (makers.into_iter(), composites.into_iter());
         let found = |(index, mut spectrum): (usize, NamedSpectrum)| {
             // An image's pixels have the image's kind.
             spectrum.kind = kind.unwrap_or(spectrum.kind);
@@ -195,6 +201,7 @@ impl Choice {
                 is_kind_open: may_be_either && open.get(index).copied().unwrap_or_default(),
                 entry: Entry {
                     makers: makers.next().unwrap_or_default(),
+                    composite: composites.next().flatten(),
                     ..Entry::own(1, spectrum)
                 },
             }

@@ -13,20 +13,15 @@ use crate::{
         origin::{FileReading, FromFile, MadeBy, Origin, SameFile, SourceFile},
         recipe::Recipe,
     },
-    io::MakersResult,
     spectrum::{Kind, NamedSpectrum},
 };
 
 impl App {
     /// Takes spectra in and shows the first; the first of those that are `sure`, where there are.
-    pub(super) fn adopt(
-        &mut self,
-        spectra: impl Iterator<Item = (NamedSpectrum, Vec<MakersResult>, Origin)>,
-        sure: &[bool],
-    ) {
+    pub(super) fn adopt(&mut self, spectra: impl Iterator<Item = Entry>, sure: &[bool]) {
         let before = self.document.own.len();
-        for (spectrum, makers, origin) in spectra {
-            let entry = Arc::new(self.own_entry(spectrum, makers, origin));
+        for entry in spectra {
+            let entry = self.numbered(entry);
             self.document.own.push(entry);
         }
         // Among many files the first may be one that is only drawn over another.
@@ -49,17 +44,10 @@ impl App {
         number
     }
 
-    fn own_entry(
-        &mut self,
-        spectrum: NamedSpectrum,
-        makers: Vec<MakersResult>,
-        origin: Origin,
-    ) -> Entry {
-        Entry {
-            makers,
-            origin,
-            ..Entry::own(self.next_number(), spectrum)
-        }
+    /// One of the user's own, under the next free number.
+    fn numbered(&mut self, entry: Entry) -> Arc<Entry> {
+        let Entry { key, .. } = Entry::own(self.next_number(), entry.spectrum.clone());
+        Arc::new(Entry { key, ..entry })
     }
 
     pub(super) fn take_in(&mut self, files: Vec<Opened>) {
@@ -93,12 +81,8 @@ impl App {
                 let entry = ImageEntry { key, from, image };
                 self.document.images.push(Arc::new(entry));
             }
-            let makers: Vec<_> = (0..file.spectra.len()).map(|i| file.makers_of(i)).collect();
-            let all = file.spectra.into_iter().zip(makers).enumerate();
-            spectra.extend(all.map(|(index, (spectrum, makers))| {
-                let reading = reading.clone();
-                (spectrum, makers, Origin::File(FromFile { reading, index }))
-            }));
+            let all = file.spectra.iter().enumerate();
+            spectra.extend(all.map(|(index, _)| joining(&file, index, &reading)));
         }
         self.adopt(spectra.into_iter(), &sure);
     }
@@ -135,6 +119,7 @@ impl App {
             self.change_entry(key, |entry| {
                 entry.spectrum = spectrum.clone();
                 entry.makers.clone_from(&makers);
+                entry.composite = opened.composite_of(*index);
                 entry.origin = Origin::File(FromFile {
                     reading: reading.clone(),
                     index: *index,
@@ -143,14 +128,9 @@ impl App {
         }
         // Those that a person took out stay out.
         let before = known.first().map_or(0, |(.., spectra)| *spectra);
-        for (index, spectrum) in opened.spectra.iter().enumerate().skip(before) {
-            let from = FromFile {
-                reading: reading.clone(),
-                index,
-            };
-            let makers = opened.makers_of(index);
-            let entry = self.own_entry(spectrum.clone(), makers, Origin::File(from));
-            self.document.own.push(Arc::new(entry));
+        for index in before..opened.spectra.len() {
+            let entry = self.numbered(joining(opened, index, &reading));
+            self.document.own.push(entry);
         }
         // What was an overlay at best and is a light now is shown as one.
         if let Some(entry) = first(self)
@@ -236,6 +216,7 @@ impl App {
         if self.document.light.key == key {
             self.document.light = self.the_first_light();
         }
+        self.document.show_again();
     }
 
     fn the_first_light(&self) -> Arc<Entry> {
@@ -249,11 +230,14 @@ impl App {
             Ok(spectrum) => spectrum,
             Err(why) => return self.say(Tone::Problem, format!("It cannot be made: {why}.")),
         };
-        let origin = Origin::Made(MadeBy { recipe, name: None });
+        let made = Entry {
+            origin: Origin::Made(MadeBy { recipe, name: None }),
+            ..Entry::own(0, spectrum)
+        };
         match place {
-            MadeFor::Shown => self.adopt(std::iter::once((spectrum, Vec::new(), origin)), &[]),
+            MadeFor::Shown => self.adopt(std::iter::once(made), &[]),
             MadeFor::Outgoing => {
-                let entry = Arc::new(self.own_entry(spectrum, Vec::new(), origin));
+                let entry = self.numbered(made);
                 self.document.own.push(entry.clone());
                 self.document.products.outgoing = Some(entry);
             }
@@ -364,4 +348,15 @@ fn reading(opened: &Opened, file: Arc<SourceFile>) -> Arc<FileReading> {
         choices: opened.choices.clone(),
         spectra: opened.spectra.len(),
     })
+}
+
+/// One of a file's spectra, as it joins the user's own.
+fn joining(file: &Opened, index: usize, reading: &Arc<FileReading>) -> Entry {
+    let reading = reading.clone();
+    Entry {
+        makers: file.makers_of(index),
+        origin: Origin::File(FromFile { reading, index }),
+        composite: file.composite_of(index),
+        ..Entry::own(0, file.spectra[index].clone())
+    }
 }

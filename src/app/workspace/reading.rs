@@ -17,7 +17,7 @@ use crate::{
         entry::{Entry, bundled_entries},
         library::Library,
         products::Products,
-        settings::range_words,
+        settings::{Settings, range_words},
     },
     spectrum::{Band, Kind},
 };
@@ -196,6 +196,7 @@ fn restored(
         own,
         images: Vec::new(),
         settings,
+        given: stored.given.map(Settings::clamped),
         edits: stored.edits,
         patch_set: patches[patch_set].to_owned(),
         patch: stored.patch,

@@ -20,7 +20,7 @@ use crate::{
         stored_path,
     },
     io::{Choices, MakersResult},
-    spectrum::{Kind, NamedSpectrum, Sampled, SpikeEdits},
+    spectrum::{Band, Basis, Composite, Kind, NamedSpectrum, Sampled, Series, Spike, SpikeEdits},
 };
 
 /// A spectrum of the user's own with all its numbers.
@@ -40,6 +40,49 @@ pub struct OwnSpectrum {
     /// How it is made; the numbers are those of the last time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     made: Option<MadeBy>,
+    /// The composite that it is, which the numbers are the table of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    composite: Option<StoredComposite>,
+}
+
+/// A composite: the series' functions, range and coefficients, and place and weight of its spikes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct StoredComposite {
+    basis: Basis,
+    band: Band,
+    coefficients: Vec<f64>,
+    spikes: Vec<[f64; 2]>,
+}
+
+impl StoredComposite {
+    fn of(composite: &Composite) -> Self {
+        let Composite { smooth, spikes } = composite;
+        Self {
+            basis: smooth.basis,
+            band: smooth.band,
+            coefficients: smooth.coefficients.clone(),
+            spikes: spikes.iter().map(|s| [s.at_nm, s.weight]).collect(),
+        }
+    }
+
+    /// `None` where its numbers are no composite.
+    fn found(self) -> Option<Composite> {
+        let numbers = self.coefficients.len();
+        let sound = numbers % 2 == 1 && numbers <= self.band.points();
+        let all = self.spikes.iter().flatten().chain(&self.coefficients);
+        let is_finite = all.into_iter().all(|v| v.is_finite());
+        let spikes = self.spikes.into_iter();
+        (sound && is_finite).then(|| Composite {
+            smooth: Series {
+                band: self.band,
+                basis: self.basis,
+                coefficients: self.coefficients,
+            },
+            spikes: spikes
+                .map(|[at_nm, weight]| Spike { at_nm, weight })
+                .collect(),
+        })
+    }
 }
 
 /// An image by the file that it is read from again.
@@ -106,6 +149,8 @@ pub struct Stored {
     #[serde(default)]
     pub settings: Settings,
     #[serde(default)]
+    pub given: Option<Settings>,
+    #[serde(default)]
     pub edits: BTreeMap<String, SpikeEdits>,
     pub patch_set: String,
     #[serde(default)]
@@ -149,6 +194,7 @@ impl Stored {
             images,
             next_own,
             settings,
+            given,
             edits,
             patch_set,
             patch,
@@ -174,6 +220,7 @@ impl Stored {
                 .collect(),
             next_own: *next_own,
             settings: *settings,
+            given: *given,
             edits: edits.clone(),
             patch_set: patch_set.clone(),
             patch: *patch,
@@ -241,6 +288,7 @@ impl OwnSpectrum {
             source: String::new(),
             makers: Vec::new(),
             made: None,
+            composite: None,
         }
     }
 
@@ -266,6 +314,7 @@ impl OwnSpectrum {
             notes: notes.clone(),
             source: source.clone(),
             makers,
+            composite: entry.composite.as_deref().map(StoredComposite::of),
             made: match &entry.origin {
                 Origin::Made(made) => Some(made.clone()),
                 Origin::Preset(_) | Origin::File(_) | Origin::Numbers => None,
@@ -293,6 +342,10 @@ impl OwnSpectrum {
             },
             licence: String::new(),
             makers: self.makers,
+            composite: self
+                .composite
+                .and_then(StoredComposite::found)
+                .map(Arc::new),
         })
     }
 }
