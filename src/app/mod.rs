@@ -17,6 +17,7 @@ pub mod export;
 pub mod families;
 pub mod figures;
 pub mod glossary;
+pub mod headlines;
 pub mod history;
 pub mod import;
 pub mod known_lamps;

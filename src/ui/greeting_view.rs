@@ -14,9 +14,9 @@ const TILES: [(&str, &str, Page); 3] = [
         Page::Lessons,
     ),
     (
-        "See what light does",
-        "Send a light through glass and off surfaces; compare two lights on the same colours.",
-        Page::Chain,
+        "Design a light",
+        "Mix lines, LEDs and lights with faders, and see what the mixture does to colours.",
+        Page::Mix,
     ),
     (
         "How many numbers?",

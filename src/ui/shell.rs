@@ -54,7 +54,7 @@ pub struct Start {
 /// The size of a first window, points.
 const FIRST_SIZE: [f32; 2] = [1280.0, 800.0];
 /// The smallest window that still makes sense, points.
-const LEAST_SIZE: [f32; 2] = [1100.0, 600.0];
+const LEAST_SIZE: [f32; 2] = [1000.0, 600.0];
 
 /// Program and preferences as they were left, or as they are at a first start.
 #[derive(Debug)]

@@ -139,15 +139,29 @@ impl<'a> Pen<'a> {
             }
             Marks::Cells { cells } => self.cells(cells),
             Marks::Words { words } => {
+                let size = self.looks.small();
+                // Words that would lie over others are left out, from the last one on.
+                let mut fields: Vec<Field> = Vec::new();
                 let inside = |(at, words): &([f64; 2], String)| {
-                    Some(Primitive::Text(Text {
-                        at: self.inside(*at)?,
-                        anchor: Anchor::Middle,
-                        size: self.looks.small(),
-                        colour,
-                        words: words.clone(),
-                        ..Text::default()
-                    }))
+                    let at = self.inside(*at)?;
+                    let field = Field {
+                        left: at[0] - 0.5 * text_width(words, size) - 1.0,
+                        top: at[1] - 0.55 * size,
+                        width: text_width(words, size) + 2.0,
+                        height: 1.1 * size,
+                    };
+                    let apart = |other: &Field| field.cut_to(*other).is_none();
+                    fields.iter().all(apart).then(|| {
+                        fields.push(field);
+                        Primitive::Text(Text {
+                            at,
+                            anchor: Anchor::Middle,
+                            size,
+                            colour,
+                            words: words.clone(),
+                            ..Text::default()
+                        })
+                    })
                 };
                 words.iter().filter_map(inside).collect()
             }

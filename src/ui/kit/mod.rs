@@ -12,4 +12,4 @@ pub use chooser::{Chooser, factors, lights};
 pub use layout::{line, scrolled, two_columns};
 pub use stops::Stops;
 pub use table::{Column, Look, Row, Table, bar, table};
-pub use words::{copy_button, framed, named, titled, warning};
+pub use words::{HEADLINE, copy_button, framed, headline, named, titled, warning};

@@ -5,6 +5,15 @@ use egui::{Align, Frame, Label, Layout, Margin, Response, RichText, Ui, WidgetTe
 
 use crate::ui::theme::Theme;
 
+/// Size of the sentence that a page begins with, points.
+pub const HEADLINE: f32 = 16.0;
+
+/// The sentence that a page begins with: its result.
+pub fn headline(ui: &mut Ui, theme: Theme, words: impl Into<String>) -> Response {
+    let text = RichText::new(words).size(HEADLINE * theme.scale);
+    ui.add(Label::new(text).wrap())
+}
+
 /// Gives a widget the name that screen readers and tests call it.
 pub fn named(response: &Response, role: egui::Role, name: &str) {
     response.widget_info(|| egui::WidgetInfo::labeled(role, true, name));

@@ -22,7 +22,7 @@ use crate::{
     },
     io::many::numbers,
     study::{Auction, Goal, Reference, Way},
-    ui::kit::{Column, Row, named, table},
+    ui::kit::{Column, Row, headline, named, table},
 };
 
 /// From this width on chart and table stand side by side, points.
@@ -332,6 +332,7 @@ fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: boo
 
 /// Why it ended, and a button to take what was bought.
 fn ending(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
+    headline(ui, context.theme, &sheet.ended);
     ui.horizontal_wrapped(|ui| {
         let last = sheet.auction.steps.len() - 1;
         let taken = sheet.chosen == Some(last);
@@ -348,7 +349,6 @@ fn ending(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool
             } else {
                 "The auction is still running."
             });
-        ui.label(&sheet.ended);
     });
 }
 

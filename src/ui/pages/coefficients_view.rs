@@ -20,7 +20,7 @@ use crate::{
     io::many::numbers,
     spectrum::{Basis, basis::numbers_of_order},
     study::harmonics::Harmonics,
-    ui::{chart_view::ChartResponse, swatch},
+    ui::{chart_view::ChartResponse, kit::headline, swatch},
 };
 
 /// Time between two orders while playing, s.
@@ -83,8 +83,10 @@ impl CoefficientsView {
                 ));
             }
             ui.vertical(|ui| {
-                for sentence in sentences(context, harmonics) {
-                    ui.label(sentence);
+                let [result, more] = sentences(context, harmonics);
+                headline(ui, context.theme, result);
+                if !more.is_empty() {
+                    ui.label(more);
                 }
             });
         });
@@ -207,14 +209,12 @@ fn use_button(ui: &mut Ui, context: &mut PageContext<'_>) {
 }
 
 /// What the numbers say, in a sentence or two.
-fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> Vec<String> {
+fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> [String; 2] {
     let order = context.memory.partial_order;
     let missed = harmonics.orders.get(order).map(|o| o.neglected);
     let Some([Some(x), Some(y), Some(z)]) = missed else {
-        return vec![
-            "X, Y and Z are not all positive on this range: there are no shares of them."
-                .to_owned(),
-        ];
+        let none = "X, Y and Z are not all positive on this range: there are no shares of them.";
+        return [none.to_owned(), String::new()];
     };
     let mut first = format!(
         "Summed to N = {order}, X, Y and Z are off by {} %",
@@ -225,7 +225,7 @@ fn sentences(context: &PageContext<'_>, harmonics: &Harmonics) -> Vec<String> {
         let _ = write!(first, "; spikes bring {} % of Y", percent(of_spikes));
     }
     first.push('.');
-    vec![first, about_the_bound(context, harmonics)]
+    [first, about_the_bound(context, harmonics)]
 }
 
 fn about_the_bound(context: &PageContext<'_>, harmonics: &Harmonics) -> String {

@@ -3,7 +3,10 @@
 use eframe::egui;
 use egui::{Label, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::app::glossary::WORDS;
+use crate::{
+    app::glossary::WORDS,
+    ui::{kit::headline, theme::Theme},
+};
 
 /// What is searched for.
 #[derive(Default)]
@@ -13,9 +16,10 @@ pub struct GlossaryView {
 
 impl GlossaryView {
     /// Draws the page.
-    pub fn show(&mut self, ui: &mut Ui) {
+    pub fn show(&mut self, ui: &mut Ui, theme: Theme) {
         let count = WORDS.len();
-        ui.label(format!("{count} words of this window, in plain sentences."));
+        let words = format!("{count} words of this window, in plain sentences.");
+        headline(ui, theme, words);
         let field = ui.add(
             TextEdit::singleline(&mut self.search)
                 .hint_text("Search words")

@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{Label, RichText, Ui, vec2};
 
-use super::{PageContext, progress, quality_view::headline};
+use super::{PageContext, progress};
 use crate::{
     app::{
         chart::{self, Chart},
@@ -14,7 +14,7 @@ use crate::{
         studies::{EncodeAsk, EncodedLight, lamps::most_numbers},
     },
     lamps::NUMBERS,
-    ui::kit::{Column, Row, Table, named, scrolled, two_columns},
+    ui::kit::{Column, Row, Table, headline, named, scrolled, two_columns},
 };
 
 /// Room below the chart, points.
@@ -53,7 +53,7 @@ impl KnownLampsView {
         let theme = context.chart_theme();
         match &*found {
             Err(why) => {
-                headline(ui, why, context);
+                headline(ui, context.theme, why);
                 controls(ui, context);
             }
             Ok(encoded) => {
@@ -62,7 +62,7 @@ impl KnownLampsView {
                     let shown = WordsShown::of(name, encoded);
                     (shown, words_chart(name, encoded, theme))
                 });
-                headline(ui, &words.sentence, context);
+                headline(ui, context.theme, &words.sentence);
                 ui.add_space(4.0);
                 controls(ui, context);
                 ui.add_space(4.0);

@@ -11,7 +11,7 @@ use crate::{
         lessons::{Lesson, shelf},
         pages::AskedLesson,
     },
-    ui::kit::{framed, scrolled},
+    ui::kit::{framed, headline, scrolled},
 };
 
 /// What the pages keep from frame to frame.
@@ -62,7 +62,7 @@ impl LessonsView {
                 all.len()
             ),
         };
-        headline(ui, &words, context);
+        headline(ui, context.theme, words);
         ui.add_space(6.0);
         let scale = context.theme.scale;
         let mut asked = None;
@@ -106,7 +106,7 @@ impl LessonsView {
             "{} lessons, {minutes} minutes in all. Choose one to see what it teaches and needs.",
             all.len()
         );
-        headline(ui, &words, context);
+        headline(ui, context.theme, words);
         ui.add_space(6.0);
         self.chosen = self.chosen.min(all.len() - 1);
         let (chosen, wants) = (&mut self.chosen, &mut self.wants_handout);
@@ -134,11 +134,6 @@ impl LessonsView {
             });
         });
     }
-}
-
-fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
-    let text = RichText::new(words).size(16.0 * context.theme.scale);
-    ui.add(Label::new(text).wrap());
 }
 
 /// One lesson, for who teaches it; whether its sheet is to be saved.

@@ -8,6 +8,7 @@ pub mod glossary_view;
 pub mod image_view;
 pub mod known_lamps_view;
 pub mod lessons_view;
+pub mod many_view;
 pub mod prism_view;
 pub mod products_view;
 pub mod quality_view;
@@ -80,6 +81,7 @@ impl PageContext<'_> {
 pub struct Pages {
     coefficients: coefficients_view::CoefficientsView,
     tradeoff: tradeoff_view::TradeoffView,
+    many: many_view::ManyView,
     auction: auction_view::AuctionView,
     race: race_view::RaceView,
     known_lamps: known_lamps_view::KnownLampsView,
@@ -126,6 +128,7 @@ impl Pages {
             Page::FromColour => self.design.from_colour(ui, context),
             Page::Coefficients => self.coefficients.show(ui, context),
             Page::Tradeoff => self.tradeoff.show(ui, context),
+            Page::Many => self.many.show(ui, context),
             Page::Auction => self.auction.show(ui, context),
             Page::Race => self.race.show(ui, context),
             Page::KnownLamps => self.known_lamps.show(ui, context),
@@ -138,7 +141,7 @@ impl Pages {
             Page::Relit => self.relit.show(ui, context),
             Page::Lessons => self.lessons.list(ui, context),
             Page::Teachers => self.lessons.teachers(ui, context),
-            Page::Glossary => self.glossary.show(ui),
+            Page::Glossary => self.glossary.show(ui, context.theme),
             Page::Truth => self.truth.show(ui, context),
         }
     }
@@ -146,7 +149,12 @@ impl Pages {
 
 /// The tabs of the place, the modes of a tab behind them; at the right end what `at_end` draws.
 pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
-    let wide = ui.available_width() >= 560.0;
+    let needs = if page.modes().count() > 2 {
+        800.0
+    } else {
+        560.0
+    };
+    let wide = ui.available_width() >= needs;
     let row = |ui: &mut Ui, add: &mut dyn FnMut(&mut Ui)| match wide {
         true => ui.horizontal(add).response,
         false => ui.horizontal_wrapped(add).response,

@@ -1,7 +1,7 @@
 //! The place "Quality": whether it is a good light, measured beside model.
 
 use eframe::egui;
-use egui::{Align, Layout, RichText, Ui, vec2};
+use egui::{Align, Layout, Ui, vec2};
 
 use super::{PageContext, progress};
 use crate::{
@@ -17,7 +17,7 @@ use crate::{
         quality_report::Row,
     },
     study::{Progress, quality::Chosen},
-    ui::kit::{Column, Row as TableRow, Table, scrolled},
+    ui::kit::{Column, Row as TableRow, Table, headline, scrolled},
 };
 
 /// From this width on three charts stand side by side, points.
@@ -35,12 +35,6 @@ pub struct QualityView {
     diagram: Memo<(u64, chart::Theme, DiagramShows), Chart>,
 }
 
-/// A page's result, a sentence.
-pub(super) fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
-    let text = RichText::new(words).size(16.0 * context.theme.scale);
-    ui.add(egui::Label::new(text).wrap());
-}
-
 impl QualityView {
     fn shown(&mut self, app: &App) -> &QualityShown {
         &*self.shown.get(app.revision(), |_| QualityShown::of(app))
@@ -49,7 +43,7 @@ impl QualityView {
     /// Every figure with its reading, measured and by the model.
     pub fn figures(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let shown = self.shown(context.app);
-        headline(ui, &shown.sentence, context);
+        headline(ui, context.theme, &shown.sentence);
         ui.add_space(6.0);
         let mut columns = vec![
             Column::words(
@@ -88,7 +82,7 @@ impl QualityView {
         let theme = context.chart_theme();
         let revision = context.app.revision();
         let shown = self.shown(context.app);
-        headline(ui, &shown.place, context);
+        headline(ui, context.theme, &shown.place);
         let [measured, model] = shown.places();
         let shows = &mut context.memory.diagram;
         ui.horizontal_wrapped(|ui| {
@@ -134,7 +128,7 @@ impl QualityView {
         let theme = context.chart_theme();
         let revision = context.app.revision();
         let shown = self.shown(context.app);
-        headline(ui, &shown.rendition, context);
+        headline(ui, context.theme, &shown.rendition);
         let of = shown.sheet.measured.clone();
         let charts = &*self.charts.get((revision, theme), |_| {
             let mut charts = Vec::new();
@@ -167,7 +161,7 @@ impl QualityView {
         let Some(found) = job.result().cloned() else {
             return;
         };
-        headline(ui, &settled_words(&found), context);
+        headline(ui, context.theme, settled_words(&found));
         let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen, theme));
         grid(ui, context, &charts, "quality against order", false);
     }

@@ -22,7 +22,7 @@ use crate::{
     study::{Measure, Reference, Sweep, Verdict, sweep::SweepPoint},
     ui::{
         chart_view::Hit,
-        kit::{Column, Row, line, table},
+        kit::{Column, Row, headline, line, table},
     },
 };
 
@@ -68,9 +68,9 @@ impl TradeoffView {
         line(ui, |ui| {
             let job = &mut context.studies.sweep;
             if job.stage() == Stage::Done {
-                ui.weak(
-                    "Click a point, a box or a row to take that model; Undo brings yours back.",
-                );
+                let words =
+                    "Click a point, a box or a row to take that model; Undo brings yours back.";
+                ui.add(egui::Label::new(egui::RichText::new(words).weak()).truncate());
             } else {
                 progress(ui, job, "Error against numbers");
             }
@@ -250,7 +250,7 @@ fn row(point: &SweepPoint, measure: Measure, figures: &[Measure]) -> Row {
 /// Charts and table in the room there is.
 fn lay_out(ui: &mut Ui, context: &mut PageContext<'_>, sheet: &Sheet, fresh: bool) {
     let [first, second] = &sheet.sentences;
-    let sentence = ui.label(format!("{first} {second}"));
+    let sentence = headline(ui, context.theme, format!("{first} {second}"));
     sentence.on_hover_text("Of the models drawn: all orders of the ways that are switched on.");
     let room = ui.available_size();
     let scale = context.theme.scale;

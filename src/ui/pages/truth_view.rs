@@ -8,12 +8,13 @@ use crate::{
     app::{
         chart::{self, Chart},
         charts::truth::{neglected_chart, samples_chart, table_2_chart},
+        headlines,
         memo::Memo,
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
         ticks::short,
     },
     spectrum::{Basis, Sampling},
-    ui::kit::{framed, scrolled},
+    ui::kit::{framed, headline, scrolled},
 };
 
 /// From this width on cards stand in two columns, points.
@@ -66,6 +67,7 @@ impl TruthView {
         });
         let tall = ui.available_height() >= TALL * context.theme.scale;
         let chart_height = context.theme.scale * if tall { TALL_CHART } else { CHART };
+        headline(ui, context.theme, headlines::paper(&claims.subject, rows));
         head(ui, context, claims);
         scrolled(ui, "truth", |ui| {
             if ui.available_width() < TWO_COLUMNS * context.theme.scale {

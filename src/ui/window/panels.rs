@@ -36,6 +36,8 @@ const DRAWER: f32 = 384.0;
 const PAGE_MARGIN: Margin = Margin::symmetric(16, 12);
 /// Width of a page from which the model's line stands beside its tabs.
 const LINE_BESIDE: f32 = 820.0;
+/// Least width of what is on a page beside the spectrum: a narrower window scrolls it.
+const LEAST_WIDTH: f32 = 400.0;
 /// Least height of a page: a lower window scrolls it.
 const LEAST_PAGE: f32 = 540.0;
 
@@ -303,24 +305,33 @@ impl Window {
         let (mut commands, mut wishes, mut gems) = (Vec::new(), Vec::new(), Vec::new());
         // Every page keeps its own place in its scroll area.
         let salt = self.preferences.pages.page.word();
-        let (pages, page_ui) = (
-            &mut self.pages,
-            &mut ui.new_child(egui::UiBuilder::new().id_salt(salt)),
-        );
-        pages.show(
-            page_ui,
-            &mut PageContext {
-                app: &self.app,
-                studies: &mut self.studies,
-                memory: &mut self.preferences.pages,
-                theme,
-                wake: &theme::waker(&context),
-                commands: &mut commands,
-                wishes: &mut wishes,
-                gems: &mut gems,
-                quiet: self.quiet,
-            },
-        );
+        let pages = &mut self.pages;
+        let mut shown = PageContext {
+            app: &self.app,
+            studies: &mut self.studies,
+            memory: &mut self.preferences.pages,
+            theme,
+            wake: &theme::waker(&context),
+            commands: &mut commands,
+            wishes: &mut wishes,
+            gems: &mut gems,
+            quiet: self.quiet,
+        };
+        let page_ui = &mut ui.new_child(egui::UiBuilder::new().id_salt(salt));
+        let size = page_ui.available_size();
+        if size.x >= LEAST_WIDTH {
+            pages.show(page_ui, &mut shown);
+        } else {
+            ScrollArea::horizontal()
+                .auto_shrink(false)
+                .show(page_ui, |ui| {
+                    let whole =
+                        Rect::from_min_size(ui.cursor().min, vec2(LEAST_WIDTH, size.y - 10.0));
+                    let mut child = ui.new_child(UiBuilder::new().max_rect(whole));
+                    pages.show(&mut child, &mut shown);
+                    ui.advance_cursor_after_rect(whole);
+                });
+        }
         for wish in wishes {
             self.save_chart(wish, &context);
         }

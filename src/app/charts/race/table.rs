@@ -16,6 +16,8 @@ pub struct RaceColumn {
     pub width: f32,
     /// Decides the chart and the winners.
     pub decides: bool,
+    /// What the numbers cost and promise, where the others are errors.
+    pub costs: bool,
     /// A cell for each racer.
     pub cells: Vec<RaceCell>,
 }
@@ -81,8 +83,12 @@ impl RaceTable {
             !patches && !BEFORE_CHECK.contains(measure)
         };
         columns.extend(Measure::COMPARED.into_iter().filter(is_new).map(of));
+        let errors = columns.len();
         columns.push(spent(race, class, budget, rows.len()));
         costs(&mut columns, &rows, many, &race.cost_of);
+        columns[errors..]
+            .iter_mut()
+            .for_each(|column| column.costs = true);
         Self {
             racers: race.racers.clone(),
             columns,
@@ -177,6 +183,7 @@ fn patches(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, decides: Mea
             tip: format!("{tip} {more}"),
             width: if i == 0 { 92.0 } else { 56.0 },
             decides: i == 0 && decides == Measure::Patches,
+            costs: false,
             cells,
         });
     }
@@ -195,6 +202,7 @@ fn column(title: &str, tip: &str, width: f32, cells: Vec<RaceCell>) -> RaceColum
         tip: tip.to_owned(),
         width,
         decides: false,
+        costs: false,
         cells,
     }
 }

@@ -6,7 +6,7 @@ mod solve;
 mod strips;
 
 use eframe::egui;
-use egui::{DragValue, RichText, Slider, Ui, vec2};
+use egui::{DragValue, Slider, Ui, vec2};
 
 use super::PageContext;
 use crate::{
@@ -23,7 +23,10 @@ use crate::{
         },
         memo::Memo,
     },
-    ui::{kit::named, swatch},
+    ui::{
+        kit::{self, named},
+        swatch,
+    },
 };
 
 /// What the pages keep from frame to frame.
@@ -76,8 +79,7 @@ fn headline(ui: &mut Ui, context: &PageContext<'_>, colour: egui::Color32, words
         ui.painter().rect_filled(rect, 3.0, colour);
         swatch::outline(ui, rect, ui.visuals().widgets.noninteractive.bg_stroke);
         response.on_hover_text("Its colour as bright as the screen can show it.");
-        let text = RichText::new(words).size(16.0 * scale);
-        ui.add(egui::Label::new(text).wrap());
+        kit::headline(ui, context.theme, words);
     });
 }
 

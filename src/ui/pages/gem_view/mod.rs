@@ -10,11 +10,7 @@ use egui::{
     pos2, vec2,
 };
 
-use super::{
-    PageContext,
-    prism_view::{headline, notes},
-    progress,
-};
+use super::{PageContext, prism_view::notes, progress};
 use crate::{
     app::{
         dispersion::{
@@ -28,7 +24,7 @@ use crate::{
     optics::{Light, Noise},
     study::Progress,
     ui::{
-        kit::{named, scrolled, warning},
+        kit::{headline, named, scrolled, warning},
         theme::grey,
     },
 };
@@ -69,7 +65,10 @@ impl GemView {
         let (app, revision) = (context.app, context.app.revision());
         let light = match &*self.light.get(revision, |_| document_light(app)) {
             Ok(light) => light.clone(),
-            Err(why) => return headline(ui, why, context),
+            Err(why) => {
+                headline(ui, context.theme, why);
+                return;
+            }
         };
         let under = context.memory.dispersion.gem.under.clone();
         let other = self.other.get((revision, under), |(_, key)| {
@@ -95,8 +94,8 @@ impl GemView {
         let memory = &context.memory.dispersion.gem;
         headline(
             ui,
-            &sentence(memory, &lights[0].name, noise.as_ref()),
-            context,
+            context.theme,
+            sentence(memory, &lights[0].name, noise.as_ref()),
         );
         for words in refused.iter().chain(&trouble) {
             warning(ui, context.theme, words.as_str());

@@ -18,6 +18,7 @@ use crate::{
         chart::{self, Chart},
         charts::image::region_chart,
         command::MadeFor,
+        headlines,
         memo::{ByAddress, Memo},
         opened::ImageEntry,
         picture::{
@@ -29,7 +30,10 @@ use crate::{
     color::Observer,
     io::many::capitalised,
     spectrum::{Rect, SpectralImage},
-    ui::kit,
+    ui::{
+        kit::{self, headline},
+        theme::Theme,
+    },
 };
 use canvas::{Canvas, Picture, Touched};
 
@@ -97,8 +101,11 @@ impl ImageView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let Some(entry) = shown(context.app.document(), &context.memory.image).cloned() else {
-            return nothing_open(ui);
+            return nothing_open(ui, context.theme);
         };
+        let pixels = context.memory.image.rect(&entry.image.cube);
+        let words = headlines::image(&entry, pixels.width * pixels.height);
+        headline(ui, context.theme, words);
         if controls::images(ui, context, &entry) {
             self.wants_reading = Some(entry.key.clone());
             ui.ctx().request_repaint();
@@ -390,11 +397,10 @@ fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: O
         );
 }
 
-fn nothing_open(ui: &mut Ui) {
+fn nothing_open(ui: &mut Ui, theme: Theme) {
+    headline(ui, theme, "No spectral image is open: drop one here.");
     ui.add_space(24.0);
     ui.vertical_centered(|ui| {
-        ui.label(egui::RichText::new("No spectral image is open").heading());
-        ui.add_space(6.0);
         ui.set_max_width(460.0);
         ui.label(
             "Drop a file here, or open one: an ENVI cube (its header .hdr or its data beside it: \

@@ -18,7 +18,7 @@ use crate::{
         memo::Memo,
     },
     optics::{Sky, Stuff},
-    ui::kit::{Choice, Column, Row, Table, copy_button, scrolled},
+    ui::kit::{Choice, Column, Row, Table, copy_button, headline, scrolled},
 };
 
 /// What people and tests call the controls.
@@ -47,12 +47,6 @@ pub struct PrismView {
     sky: Memo<(), Sky>,
     rainbow: Memo<(u64, RainbowMemory), RainbowShown>,
     picture: sky::Painted,
-}
-
-/// The page's result, in large type.
-pub(super) fn headline(ui: &mut Ui, words: &str, context: &PageContext<'_>) {
-    let text = RichText::new(words).size(16.0 * context.theme.scale);
-    ui.add(egui::Label::new(text).wrap());
 }
 
 /// Begins a new row of a wrapped one where there is no room for a name and what is `wide` beside
@@ -160,7 +154,7 @@ impl PrismView {
         let shown = &*self
             .prism
             .get(key, |(_, memory)| PrismShown::of(app, memory));
-        headline(ui, &shown.sentence, context);
+        headline(ui, context.theme, &shown.sentence);
         ui.add_space(4.0);
         prism_controls(ui, context);
         ui.add_space(4.0);
@@ -201,7 +195,7 @@ impl PrismView {
         let shown = &*self
             .rainbow
             .get(key, |(_, memory)| RainbowShown::of(app, memory, sky));
-        headline(ui, &shown.sentence, context);
+        headline(ui, context.theme, &shown.sentence);
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
             let memory = &mut context.memory.dispersion.rainbow;

@@ -9,13 +9,14 @@ use crate::{
     app::{
         App, Command, Entry, Settings, chart,
         charts::products::absorption::{AbsorptionSheet, DipRow, looks},
+        headlines,
         memo::Memo,
         settings::{Detector, THRESHOLDS_PERCENT, WIDTHS_NM},
         ticks::short,
     },
     spectrum::{Band, chain::SAME_PLACE_NM},
     ui::{
-        kit::{Chooser, Column, Row, named, scrolled, table, warning},
+        kit::{Chooser, Column, Row, headline, named, scrolled, table, warning},
         pages::PageContext,
     },
 };
@@ -27,7 +28,6 @@ pub mod names {
     pub const THRESHOLD: &str = "Least share of a dark line";
     pub const WIDTH: &str = "Widest dark line";
     pub const COPY: &str = "Copy as CSV";
-    pub const OFF: &str = "Dark lines are not looked for";
 }
 
 /// From this width on the table stands beside the chart, points.
@@ -93,6 +93,7 @@ impl AbsorptionView {
             let rows = found.dips.iter().map(|dip| row(app, dip)).collect();
             (found, rows)
         });
+        headline(ui, context.theme, headlines::dark_lines(app, &found.dips));
         examples(ui, context);
         knobs(ui, context);
         warnings(ui, context, found);
@@ -251,14 +252,6 @@ fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
 fn warnings(ui: &mut Ui, context: &PageContext<'_>, found: &AbsorptionSheet) {
     let settings = context.app.document().settings;
     let mut warn = |text: String| warning(ui, context.theme, text);
-    if !context.app.derived().has_errors() {
-        warn("The spectrum is zero over the whole range: there is nothing to miss.".to_owned());
-    } else if !looks(settings) {
-        warn(format!(
-            "{}: switch them on above, or choose an example.",
-            names::OFF
-        ));
-    }
     let below: Vec<String> = found
         .dips
         .iter()

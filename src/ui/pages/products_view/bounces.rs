@@ -17,7 +17,7 @@ use crate::{
     },
     study::Progress,
     ui::{
-        kit::{Column, Row, scrolled, table, titled},
+        kit::{Column, Row, headline, scrolled, table, titled},
         pages::{PageContext, progress},
     },
 };
@@ -90,11 +90,10 @@ impl BouncesView {
         let scale = context.theme.scale;
         scrolled(ui, "bounces", |ui| {
             let width = ui.available_width();
-            ui.add(egui::Label::new(bounced.sentence(memory.added)).wrap())
-                .on_hover_text(
-                    "Measured on this light and surface. Both sides are brightened so that the \
+            headline(ui, context.theme, bounced.sentence(memory.added)).on_hover_text(
+                "Measured on this light and surface. Both sides are brightened so that the \
                      exact product has half the light's Y.",
-                );
+            );
             let below = 9.0 * (ui.spacing().interact_size.y + 3.0) + 40.0 * scale;
             let height = (room.y - below).max(300.0 * scale);
             context.chart(ui, chart, "bounces", vec2(width, height));

@@ -13,6 +13,12 @@ use crate::{
     },
 };
 
+/// Names of controls, shared with the tests that move them.
+pub mod names {
+    pub const ERRORS: &str = "Errors";
+    pub const COSTS: &str = "Numbers, time and bytes";
+}
+
 /// Width of the names, points.
 const NAMES: f32 = 186.0;
 
@@ -24,54 +30,103 @@ pub struct TableRows {
     /// Who stands in a line; none in a group's title.
     racers: Vec<Option<Racer>>,
     names: Vec<Row>,
+    /// All columns; errors alone; costs beside the error that decides.
+    parts: [Part; 3],
+    many: bool,
+}
+
+/// Columns that are seen together.
+struct Part {
     columns: Vec<Column>,
     figures: Vec<Row>,
-    many: bool,
+}
+
+impl Part {
+    fn of(table: &RaceTable, shown: impl Fn(&RaceColumn) -> bool) -> Self {
+        let columns: Vec<&RaceColumn> = table.columns.iter().filter(|c| shown(c)).collect();
+        let head = |column: &&RaceColumn| Column {
+            decides: column.decides,
+            ..Column::numbers(&column.title, &column.tip, column.width + GAP)
+        };
+        let mut rows = Vec::new();
+        let mut before = None;
+        for (place, racer) in table.racers.iter().enumerate() {
+            if before.replace(group(*racer)) != Some(group(*racer)) {
+                rows.push(Row {
+                    name: group(*racer).to_owned(),
+                    ..Row::default()
+                });
+            }
+            rows.push(figures(table.racers[place], &columns, place));
+        }
+        Self {
+            columns: columns.iter().map(head).collect(),
+            figures: rows,
+        }
+    }
+
+    /// Width that its figures need, points.
+    fn width(&self) -> f32 {
+        self.columns.iter().map(|column| column.share).sum()
+    }
 }
 
 impl TableRows {
     /// The rows of a table.
     pub fn of(table: &RaceTable) -> Self {
-        let column = |column: &RaceColumn| Column {
-            decides: column.decides,
-            ..Column::numbers(&column.title, &column.tip, column.width + GAP)
-        };
         let mut rows = Self {
             racers: Vec::new(),
             names: Vec::new(),
-            columns: table.columns.iter().map(column).collect(),
-            figures: Vec::new(),
+            parts: [
+                Part::of(table, |_| true),
+                Part::of(table, |column| !column.costs),
+                Part::of(table, |column| column.costs || column.decides),
+            ],
             many: table.many,
         };
         let mut before = None;
-        for (place, racer) in table.racers.iter().enumerate() {
+        for racer in &table.racers {
             let title = group(*racer);
             if before != Some(title) {
                 before = Some(title);
                 rows.racers.push(None);
-                let row = |cells| Row {
+                rows.names.push(Row {
                     name: title.to_owned(),
-                    cells,
+                    cells: vec![title.to_owned()],
                     looks: vec![Look::SmallWeak],
                     ..Row::default()
-                };
-                rows.names.push(row(vec![title.to_owned()]));
-                rows.figures.push(row(Vec::new()));
+                });
             }
             rows.racers.push(Some(*racer));
             rows.names.push(Row {
                 name: name(*racer).to_owned(),
-                cells: vec![name(*racer).to_owned()],
+                cells: vec![match racer.needs_table() {
+                    true => format!("{} + table", name(*racer)),
+                    false => name(*racer).to_owned(),
+                }],
                 note: about(*racer),
                 ..Row::default()
             });
-            rows.figures.push(figures(table, place));
         }
         rows
     }
 
-    /// Draws it.
-    pub fn show(&self, ui: &mut Ui, theme: Theme) {
+    /// Draws it; where there is no room for all columns, errors or `costs`.
+    pub fn show(&self, ui: &mut Ui, theme: Theme, costs: &mut bool) {
+        let room = ui.available_width() - scaled(NAMES, theme);
+        let [all, errors, rest] = &self.parts;
+        let fits = scaled(all.width(), theme) <= room;
+        if !fits {
+            ui.horizontal(|ui| {
+                ui.selectable_value(costs, false, names::ERRORS);
+                ui.selectable_value(costs, true, names::COSTS);
+            });
+        }
+        let part = match (fits, *costs) {
+            (true, _) => all,
+            (false, false) => errors,
+            (false, true) => rest,
+        };
         let names = [with_bar("", "", 1.0)];
         let table = |columns| Table {
             enabled: false,
@@ -95,9 +150,8 @@ impl TableRows {
                 .auto_shrink([true, true])
                 .show(ui, |ui| {
                     ui.vertical(|ui| {
-                        let width: f32 = self.columns.iter().map(|column| column.share).sum();
-                        ui.set_width(scaled(width, theme));
-                        table(&self.columns).show(ui, &self.figures, &mut |_, _, _| {});
+                        ui.set_width(scaled(part.width(), theme));
+                        table(&part.columns).show(ui, &part.figures, &mut |_, _, _| {});
                     });
                 });
         });
@@ -114,16 +168,15 @@ impl TableRows {
 }
 
 /// The figures of one racer, those that win marked by a sign.
-fn figures(table: &RaceTable, place: usize) -> Row {
-    let cells = || table.columns.iter().map(|column| &column.cells[place]);
-    let told: Vec<String> = table
-        .columns
+fn figures(racer: Racer, columns: &[&RaceColumn], place: usize) -> Row {
+    let cells = || columns.iter().map(|column| &column.cells[place]);
+    let told: Vec<String> = columns
         .iter()
         .zip(cells())
         .map(|(column, cell)| format!("{} {}", column.title, cell.text))
         .collect();
     Row {
-        name: format!("{}: {}", name(table.racers[place]), told.join(", ")),
+        name: format!("{}: {}", name(racer), told.join(", ")),
         cells: cells()
             .map(|cell| match cell.wins {
                 true => format!("★ {}", cell.text),

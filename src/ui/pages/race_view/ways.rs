@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{Label, RichText, Ui};
+use egui::Ui;
 
 use super::{scaled, solid_bars};
 use crate::{
@@ -14,7 +14,7 @@ use crate::{
     },
     lamps::Standing,
     ui::{
-        kit::{Column, Look, Row, Table},
+        kit::{self, Column, Look, Row, Table},
         pages::{PageContext, progress},
         theme::section,
     },
@@ -23,6 +23,8 @@ use crate::{
 /// Width of the names and of a figure, points.
 const NAMES: f32 = 190.0;
 const CELL: f32 = 130.0;
+/// Width of a column where there is little room.
+const LEAST_CELL: f32 = 92.0;
 
 /// The part of the page and what it keeps from frame to frame.
 #[derive(Default)]
@@ -46,8 +48,7 @@ impl WaysView {
         let ways = self
             .said
             .get(ByAddress(standing.clone()), |s| Ways::of(&s.0));
-        let text = RichText::new(&ways.sentence).size(16.0 * context.theme.scale);
-        ui.add(Label::new(text).wrap());
+        kit::headline(ui, context.theme, &ways.sentence);
         ui.add_space(4.0);
     }
 
@@ -96,7 +97,9 @@ impl WaysView {
             egui::ScrollArea::horizontal()
                 .id_salt("known lamps in the race")
                 .show(ui, |ui| {
-                    ui.set_width(scaled(NAMES + 5.0 * CELL, theme));
+                    let [least, most] = [LEAST_CELL, CELL].map(|cell| NAMES + 5.0 * cell);
+                    let room = ui.available_width();
+                    ui.set_width(room.clamp(scaled(least, theme), scaled(most, theme)));
                     let columns = columns();
                     let table = Table {
                         enabled: false,

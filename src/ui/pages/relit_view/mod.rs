@@ -114,8 +114,7 @@ impl RelitView {
                 "A spectral picture in few numbers a pixel, under any light.".to_owned()
             }
         };
-        let text = RichText::new(words).size(16.0 * context.theme.scale);
-        ui.add(egui::Label::new(text).wrap());
+        kit::headline(ui, context.theme, words);
     }
 
     /// The textures, made anew when the picture was turned.

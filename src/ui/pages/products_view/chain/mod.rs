@@ -12,6 +12,7 @@ use crate::{
         Command,
         chart::{self, Chart},
         charts::products::chain::{ChainSheet, Place},
+        headlines,
         memo::Memo,
         product_report::{spikes_csv, stages_csv},
         products::{KnownLines, Link, MOST_LINKS},
@@ -19,7 +20,7 @@ use crate::{
     },
     spectrum::{Sampling, Spike},
     ui::{
-        kit::{Choice, Chooser, Column, Row, factors, scrolled, table},
+        kit::{Choice, Chooser, Column, Row, factors, headline, scrolled, table},
         model_view::sampling_words,
         pages::PageContext,
     },
@@ -59,6 +60,8 @@ impl ChainView {
         let app = context.app;
         let revision = app.revision();
         let sheet = &*self.sheet.get(revision, |_| ChainSheet::of(app));
+        let light = app.document().light.name();
+        headline(ui, context.theme, headlines::chain(light, &sheet.told));
         head(ui, context, sheet);
         totals(ui, context, sheet);
         ui.add_space(2.0);

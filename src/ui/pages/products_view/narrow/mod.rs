@@ -12,16 +12,16 @@ use crate::{
         App, Entry,
         chart::{self, Chart},
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
+        headlines,
         memo::Memo,
         products::memory::{NarrowMemory, PASS_WIDTHS_NM},
         studies::paper::{delta_e, figure, percent},
     },
     color::Swatch,
-    io::many::numbers,
     spectrum::{Band, Kind},
     study::products::NarrowPoint,
     ui::{
-        kit::{Chooser, Column, Row, named, scrolled, table, titled, two_columns},
+        kit::{Chooser, Column, Row, headline, named, scrolled, table, titled, two_columns},
         pages::PageContext,
         swatch,
     },
@@ -60,7 +60,6 @@ impl NarrowView {
             (behind, table)
         });
         let band = behind.band;
-        controls(ui, context, band);
         let memory = context.memory.products.narrow.clone();
         let filter = filter_of(app, &memory, band);
         let curve = self
@@ -79,6 +78,12 @@ impl NarrowView {
             let errors = behind.error_chart(app, curve, memory.luminance, width_nm, marked, *theme);
             (behind.figures(&filter), [light, errors])
         });
+        headline(
+            ui,
+            context.theme,
+            headlines::narrow(behind, figures, &filter),
+        );
+        controls(ui, context, band);
         let room = ui.available_size();
         let scale = context.theme.scale;
         let grip = &mut self.grip;
@@ -94,12 +99,12 @@ impl NarrowView {
                     let size = vec2(ui.available_width(), height);
                     band_pass::errors(ui, context, band, errors, size);
                 });
-                fields(ui, context, behind, figures, &filter);
+                fields(ui, context, behind, figures);
             } else {
                 let height = (0.37 * room.y).clamp(210.0 * scale, 380.0 * scale);
                 let size = vec2(width, height);
                 band_pass::light(ui, context, band, light, size, grip);
-                fields(ui, context, behind, figures, &filter);
+                fields(ui, context, behind, figures);
                 band_pass::errors(ui, context, band, errors, size);
             }
             filters(ui, context, behind, rows);
@@ -247,30 +252,15 @@ fn filters(ui: &mut Ui, context: &mut PageContext<'_>, behind: &Behind, rows: &[
 }
 
 /// The exact light and the three representations behind the filter, side by side.
-fn fields(
-    ui: &mut Ui,
-    context: &PageContext<'_>,
-    behind: &Behind,
-    figures: &Figures,
-    filter: &Filter,
-) {
+fn fields(ui: &mut Ui, context: &PageContext<'_>, behind: &Behind, figures: &Figures) {
     ui.add_space(2.0);
     if !behind.has_colour() {
-        ui.weak("There is no visible light in this range: nothing to see behind a filter.");
         return;
     }
-    let over = match filter {
-        Filter::Gaussian {
-            centre_nm,
-            width_nm,
-        } => format!("Behind {centre_nm:.1} nm, {width_nm:.1} nm wide"),
-        Filter::Real(entry) => format!("Behind {}", entry.name()),
-    };
     let (swatches, gain) = behind.swatches(figures);
     let sentence = format!(
-        "{over}: {} % of the luminance; three times {}.",
-        percent(figures.luminance),
-        numbers(behind.numbers())
+        "{} % of the luminance comes through.",
+        percent(figures.luminance)
     );
     ui.add(egui::Label::new(sentence).truncate())
         .on_hover_text(format!(

@@ -12,6 +12,7 @@ use crate::{
     app::{
         chart::{self, Chart},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
+        headlines,
         memo::Memo,
         studies::{
             Stage, TimingAsk,
@@ -22,7 +23,7 @@ use crate::{
     spectrum::Sampling,
     study::products::{Formed, ProductTime, timing},
     ui::{
-        kit::{Column, Row, Table, line, scrolled, titled, two_columns},
+        kit::{Column, Row, Table, headline, line, scrolled, titled, two_columns},
         pages::{PageContext, progress},
         theme::Theme,
     },
@@ -53,6 +54,13 @@ impl ResamplingView {
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, revision) = (context.app, context.app.revision());
         let chosen = app.document().products.surface.clone();
+        let words = match &chosen {
+            Some(factor) => {
+                headlines::resampling(self.bench.get(revision, |_| Bench::of(app, factor)))
+            }
+            None => "Choose what the light is multiplied by.".to_owned(),
+        };
+        headline(ui, context.theme, words);
         ui.horizontal_wrapped(|ui| {
             surface_chooser(ui, context, names::FACTOR);
             if let Some(bench) = self.bench.held().filter(|_| chosen.is_some()) {
@@ -69,7 +77,6 @@ impl ResamplingView {
             }
         });
         let Some(factor) = chosen else {
-            ui.weak("Choose what the light is multiplied by.");
             return;
         };
         let bench = &*self.bench.get(revision, |_| Bench::of(app, &factor));

@@ -15,6 +15,7 @@ use crate::{
         charts::products::same_surface::same_surface_chart,
         command::MadeFor,
         entry::Entry,
+        headlines,
         memo::{ByAddress, Memo},
         products::same_surface::{SameSurfaceSheet, example},
         studies::{RankAsk, surfaces::Ranked},
@@ -23,7 +24,7 @@ use crate::{
     io::many::numbers,
     study::products::{Compared, Sameness, same_surface::SAME_RESIDUAL},
     ui::{
-        kit::{Chooser, Row, factors, framed, lights, scrolled, two_columns},
+        kit::{Chooser, Row, factors, framed, headline, lights, scrolled, two_columns},
         pages::PageContext,
     },
 };
@@ -58,12 +59,17 @@ pub struct SameSurfaceView {
 impl SameSurfaceView {
     /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        choices(ui, context);
-        example_row(ui, context, &mut self.example);
-        ui.separator();
         let app = context.app;
         let revision = app.revision();
         let sheet = self.sheet.get(revision, |_| SameSurfaceSheet::of(app));
+        let words = sheet.as_ref().map_or_else(
+            || "Is a spectrum the light off a surface? Choose both, or make an example.".to_owned(),
+            headlines::same_surface,
+        );
+        headline(ui, context.theme, words);
+        choices(ui, context);
+        example_row(ui, context, &mut self.example);
+        ui.separator();
         let Some(sheet) = &*sheet else {
             explain(ui, context);
             return;
@@ -236,29 +242,14 @@ fn explain(ui: &mut Ui, context: &PageContext<'_>) {
 
 /// Both verdicts, with sign and words.
 fn verdicts(ui: &mut Ui, context: &PageContext<'_>, sheet: &SameSurfaceSheet) {
-    let [light, surface, outgoing] = &sheet.names;
     let verdict = sheet.verdict();
     let colour = match verdict {
         Sameness::Holds => ui.visuals().strong_text_color(),
         Sameness::DoesNotHold | Sameness::Unknown => context.theme.warning,
     };
-    let sentence = match verdict {
-        Sameness::Holds => format!("{outgoing} can be {light} off {surface}."),
-        Sameness::DoesNotHold => format!("{outgoing} is not {light} off {surface}."),
-        Sameness::Unknown if sheet.model.is_none() => {
-            "One of the spectra is dark on this range.".to_owned()
-        }
-        Sameness::Unknown => format!(
-            "The models are too short to tell: behind 10 nm they leave out {:.1} % of S1 and {:.1} \
-             % of S3 themselves. More numbers may decide.",
-            100.0 * sheet.left_out[0],
-            100.0 * sheet.left_out[1]
-        ),
-    };
     framed(ui, |ui| {
         let words = format!("{} S3 = S1 S2 {}", verdict.sign(), verdict.words());
         ui.label(RichText::new(words).heading().color(colour));
-        ui.label(sentence);
         ui.add_space(2.0);
         egui::Grid::new("verdicts")
             .spacing([16.0, 3.0])

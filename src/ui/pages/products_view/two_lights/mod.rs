@@ -12,6 +12,7 @@ use crate::{
         Command, View,
         chart::{self, Chart},
         charts::products::two_lights::{Found, MadeShown, two_lights_chart},
+        headlines,
         memo::{ByAddress, Memo},
         products::two_lights::{NoMetamer, TwoLightsSheet, swatches},
         studies::{PairsAsk, surfaces::Pairs},
@@ -19,7 +20,7 @@ use crate::{
     color::{Adaptation, Swatch},
     study::products::TwoLights,
     ui::{
-        kit::{Choice, Chooser, Row, lights, scrolled, two_columns},
+        kit::{Choice, Chooser, Row, headline, lights, scrolled, two_columns},
         pages::PageContext,
         patches_view::set_choice,
     },
@@ -60,14 +61,16 @@ struct Shown {
 impl TwoLightsView {
     /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        head(ui, context);
         let (app, theme) = (context.app, context.chart_theme());
         let (revision, adaptation) = (app.revision(), adaptation(context));
         let Some(sheet) = &*self.sheet.get(revision, |_| TwoLightsSheet::of(app)) else {
-            ui.add_space(8.0);
-            ui.label("Choose a second light above to see the patches under both.");
+            let words = "Choose a second light to see the patches under both.";
+            headline(ui, context.theme, words);
+            head(ui, context);
             return;
         };
+        headline(ui, context.theme, headlines::two_lights(sheet));
+        head(ui, context);
         if let Some(ask) = &pairs_ask(context) {
             context
                 .studies

@@ -31,21 +31,8 @@ pub(super) fn show(
         copy_button(ui, names::COPY_PATCHES, "", || sheet.csv());
     });
     let (Some(exact), Some(model)) = (&sheet.exact, &sheet.model) else {
-        ui.label("One of the lights is not seen on this range, so there is no colour to compare.");
         return;
     };
-    let [first, second] = &sheet.lights;
-    if let (Some(mean), Some(worst)) = (exact.mean(), exact.worst()) {
-        ui.label(format!(
-            "From {first} to {second} the patches move by ΔE00 {mean:.2} on average, most {} by \
-             {:.2}.",
-            sheet.names[worst], exact.patches[worst].delta_e_2000
-        ))
-        .on_hover_text(
-            "CIEDE2000 between the patch under the first light and under the second, each \
-             against its own light's white: what is left when the eye has adapted.",
-        );
-    }
     if let (Some(mean), Some((off, most, by))) = (model.mean(), sheet.shift_error()) {
         ui.label(format!(
             "By the models of both lights {mean:.2} on average; a patch's shift is off by {off:.3} \

@@ -1,0 +1,275 @@
+//! The sentences that pages about products, dark lines, images and the paper begin with: what was
+//! found, with its figures.
+
+use super::{
+    answers::Seen,
+    charts::products::{
+        absorption::{DipRow, looks},
+        narrow::{Behind, Figures, Filter},
+        resampling::Bench,
+    },
+    opened::ImageEntry,
+    product_report::Told,
+    products::{same_surface::SameSurfaceSheet, two_lights::TwoLightsSheet},
+    state::App,
+    studies::paper::{Row, Verdict, delta_e, percent},
+    ticks::short,
+};
+use crate::{
+    io::many::{many, numbers},
+    spectrum::Sampling,
+    study::products::Sameness,
+};
+
+/// How many dark lines were found, and how many of them have a name.
+pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
+    let name = app.document().subject_entry().name();
+    let settings = app.document().settings;
+    if !looks(settings) {
+        return "Dark lines are not looked for: switch them on, or choose an example.".to_owned();
+    }
+    if !app.derived().has_errors() {
+        return format!("{name} is zero over the whole range: there is nothing to miss.");
+    }
+    let least = short(settings.threshold_percent);
+    match dips.len() {
+        0 => format!("{name} has no dark line that takes {least} % of its power or more."),
+        count => format!(
+            "{name} has {}, {} of them named.",
+            many(count, "dark line", "dark lines"),
+            match dips.iter().filter(|dip| dip.name.is_some()).count() {
+                0 => "none".to_owned(),
+                named if named == count => "all".to_owned(),
+                named => named.to_string(),
+            }
+        ),
+    }
+}
+
+/// How much of the light passes a chain, and whether one sees what the model is off by.
+pub fn chain(light: &str, told: &Told) -> String {
+    let total = told.passage.total();
+    let through = match told.names.as_slice() {
+        [] => return format!("Put glass or a surface behind {light}: add a factor."),
+        [one] => one.clone(),
+        more => format!("{} factors", more.len()),
+    };
+    let passes = total.transmission[0].map_or_else(
+        || format!("{light} is not seen on this range"),
+        |share| format!("{} % of {light} comes through {through}", percent(share)),
+    );
+    match total.colours.delta_e_2000 {
+        Some(off) => format!(
+            "{passes}; the model's product is off by ΔE00 {}: {}.",
+            delta_e(off),
+            Seen::of(off).verdict().to_lowercase()
+        ),
+        None => format!("{passes}."),
+    }
+}
+
+/// What three representations of equal size are off by behind a filter.
+pub fn narrow(behind: &Behind, figures: &Figures, filter: &Filter) -> String {
+    if !behind.has_colour() {
+        return "There is no visible light in this range: nothing to see behind a filter."
+            .to_owned();
+    }
+    let over = match filter {
+        Filter::Gaussian {
+            centre_nm,
+            width_nm,
+        } => format!(
+            "Behind {} nm, {} nm wide,",
+            short(*centre_nm),
+            short(*width_nm)
+        ),
+        Filter::Real(entry) => format!("Behind {}", entry.name()),
+    };
+    let [composite, series, samples] = figures.ways.map(|way| delta_e(way.delta_e_2000));
+    format!(
+        "{over} {} as a composite are off by ΔE00 {composite}, as a series by {series}, as plain \
+         samples by {samples}.",
+        numbers(behind.numbers())
+    )
+}
+
+/// How far the surfaces move from one light to the other.
+pub fn two_lights(sheet: &TwoLightsSheet) -> String {
+    let [first, second] = &sheet.lights;
+    let Some(exact) = &sheet.exact else {
+        return "One of the lights is not seen on this range, so there is no colour to compare."
+            .to_owned();
+    };
+    match (exact.mean(), exact.worst()) {
+        (Some(mean), Some(worst)) => format!(
+            "From {first} to {second} the patches move by ΔE00 {mean:.2} on average, most {} by \
+             {:.2}.",
+            sheet.names[worst], exact.patches[worst].delta_e_2000
+        ),
+        _ => "There are no patches to compare.".to_owned(),
+    }
+}
+
+/// Whether a spectrum can be the light off a surface.
+pub fn same_surface(sheet: &SameSurfaceSheet) -> String {
+    let [light, surface, outgoing] = &sheet.names;
+    match sheet.verdict() {
+        Sameness::Holds => format!("{outgoing} can be {light} off {surface}."),
+        Sameness::DoesNotHold => format!("{outgoing} is not {light} off {surface}."),
+        Sameness::Unknown if sheet.model.is_none() => {
+            "One of the spectra is dark on this range.".to_owned()
+        }
+        Sameness::Unknown => format!(
+            "The models are too short to tell: behind 10 nm they leave out {:.1} % of S1 and \
+             {:.1} % of S3 themselves. More numbers may decide.",
+            100.0 * sheet.left_out[0],
+            100.0 * sheet.left_out[1]
+        ),
+    }
+}
+
+/// What forming a product on the paper's points adds, beside twice the numbers.
+pub fn resampling(bench: &Bench) -> String {
+    let of = |sampling: Sampling| {
+        let mut ways = bench.resampled.ways.iter();
+        let way = ways.find(|way| way.sampling == sampling)?;
+        way.step.added
+    };
+    let (light, factor) = (&bench.light, &bench.factor);
+    match (of(Sampling::Paper), of(Sampling::Double)) {
+        (Some(paper), Some(double)) => format!(
+            "{light} times {factor}: forming the product on the paper's points adds ΔE00 {}, on \
+             twice the numbers {}.",
+            delta_e(paper),
+            delta_e(double)
+        ),
+        _ => format!("{light} times {factor} is not seen on this range: there is no colour."),
+    }
+}
+
+/// How many of the paper's claims hold.
+pub fn paper(subject: &str, rows: &[Row]) -> String {
+    let count = |verdict: Verdict| rows.iter().filter(|row| row.verdict == verdict).count();
+    let verb = |n: usize| if n == 1 { "holds" } else { "hold" };
+    let (holds, only, fails, open) = (
+        count(Verdict::Holds),
+        count(Verdict::OnlyIf),
+        count(Verdict::Fails),
+        count(Verdict::Open),
+    );
+    let mut parts = vec![format!(
+        "{holds} of the paper's {} claims {}",
+        rows.len(),
+        verb(holds)
+    )];
+    if only > 0 {
+        parts.push(format!("{only} {} only under a condition", verb(only)));
+    }
+    if fails > 0 {
+        parts.push(format!(
+            "{fails} {} not hold",
+            if fails == 1 { "does" } else { "do" }
+        ));
+    }
+    if open > 0 {
+        parts.push(format!("{open} cannot be measured here"));
+    }
+    format!("On {subject} {}.", parts.join(", "))
+}
+
+/// What the pixels chosen of an image are.
+pub fn image(entry: &ImageEntry, pixels: usize) -> String {
+    let nm = entry.image.cube.nm();
+    format!(
+        "{}: a spectrum of {} from {} to {} nm in each of {} pixels, {} of them chosen.",
+        entry.image.name,
+        many(nm.len(), "band", "bands"),
+        short(nm[0]),
+        short(nm[nm.len() - 1]),
+        entry.image.cube.width() * entry.image.cube.height(),
+        if pixels == 1 {
+            "one".to_owned()
+        } else {
+            pixels.to_string()
+        }
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::app::{
+        Command,
+        charts::products::absorption::dip_rows,
+        open::resolve,
+        products::ModelledLight,
+        studies::paper::{Claims, truth_table},
+    };
+
+    fn about(key: &str) -> App {
+        let mut app = App::new();
+        app.apply(Command::Show(Arc::new(resolve(key, None, None).unwrap())));
+        app
+    }
+
+    #[test]
+    fn dark_lines_are_counted_only_when_they_are_looked_for() {
+        let mut app = about("solar_astm_g173/ASTM G173-03 global tilt AM1.5G");
+        assert!(dark_lines(&app, &dip_rows(&app)).contains("not looked for"));
+        let mut settings = app.document().settings;
+        settings.dips = true;
+        settings.threshold_percent = 0.1;
+        app.apply(Command::Edit(settings));
+        let dips = dip_rows(&app);
+        assert!(dips.len() > 1);
+        let words = dark_lines(&app, &dips);
+        assert!(
+            words.contains(&format!("{} dark lines", dips.len())),
+            "{words}"
+        );
+    }
+
+    #[test]
+    fn a_chain_says_what_passes_and_whether_the_model_is_seen() {
+        let app = App::new();
+        let light = ModelledLight::of(&app);
+        let chain = &app.document().products.chain;
+        assert!(!chain.is_empty());
+        let words = super::chain("FL2", &Told::of(&app, &light, chain));
+        assert!(words.contains("% of FL2 comes through"), "{words}");
+        assert!(words.contains("cannot be told apart"), "{words}");
+        let none = super::chain("FL2", &Told::of(&app, &light, &[]));
+        assert_eq!(none, "Put glass or a surface behind FL2: add a factor.");
+    }
+
+    #[test]
+    fn a_filter_over_a_line_tells_the_composite_ahead_of_the_others() {
+        let app = App::new();
+        let behind = Behind::of(&app);
+        let filter = Filter::Gaussian {
+            centre_nm: 546.0,
+            width_nm: 10.0,
+        };
+        let words = narrow(&behind, &behind.figures(&filter), &filter);
+        assert!(
+            words.starts_with("Behind 546 nm, 10 nm wide, 23 numbers as a composite"),
+            "{words}"
+        );
+    }
+
+    #[test]
+    fn the_claims_that_are_counted_are_all_claims() {
+        let claims = Claims::of(&App::new());
+        let rows = truth_table(&claims);
+        let words = paper(&claims.subject, &rows);
+        assert!(words.starts_with("On FL2 "), "{words}");
+        let counted: usize = words
+            .replace("of the paper's 6", "")
+            .split_whitespace()
+            .filter_map(|word| word.parse::<usize>().ok())
+            .sum();
+        assert_eq!(counted, rows.len(), "{words}");
+    }
+}
