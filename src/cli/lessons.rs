@@ -19,7 +19,7 @@ use crate::{
         proof::play,
         shelf,
     },
-    io::{atomic::save_atomically, error::shown},
+    io::{atomic::save_atomically, error::shown, many::many},
 };
 
 /// Carries the command out.
@@ -88,17 +88,15 @@ fn of_lesson(lesson: &Lesson) -> Value {
 
 fn check(word: &str, out: &mut dyn Write) -> Result<(), Refusal> {
     let lesson = shelf::named(word).map_err(refused)?;
-    let lights = lesson.also.iter().map(|light| lesson.about(light));
-    let all = std::iter::once(Lesson::clone(&lesson)).chain(lights);
-    let mut count = 0;
-    for lesson in all {
-        play(&lesson, |_, _| ()).map_err(refused)?;
-        count += 1;
+    play(&lesson, |_, _| ()).map_err(refused)?;
+    for light in &lesson.also {
+        let other = lesson.about(light).map_err(refused)?;
+        play(&other, |_, _| ()).map_err(refused)?;
     }
     let (title, steps) = (&lesson.title, lesson.steps.len());
-    let with = match count {
-        1 => String::new(),
-        count => format!(", also with {} other lights", count - 1),
+    let with = match lesson.also.len() {
+        0 => String::new(),
+        count => format!(", also with {}", many(count, "other light", "other lights")),
     };
     print(
         out,

@@ -1,7 +1,13 @@
-//! The line at the bottom: what to notice, and a question to try; else what was said last.
+//! The line at the bottom: what to notice, a question to try and the lesson that answers it; else
+//! what was said last.
 
 use crate::{
-    app::{App, Settings, answers::not_seen_from, pages::Page},
+    app::{
+        App, Settings,
+        answers::not_seen_from,
+        lessons::{Lesson, shelf},
+        pages::Page,
+    },
     io::many::many,
 };
 
@@ -46,4 +52,47 @@ pub fn words(app: &App, page: Page) -> (String, String) {
         None => "Push Smoothness up: do the colours ever come right?".to_owned(),
     };
     (notice, question)
+}
+
+/// The lesson that answers what a page asks; none in Learn, where all of them are.
+pub fn lesson(app: &App, page: Page) -> Option<&'static Lesson> {
+    let family = app.told().and_then(|told| told.family);
+    let name = match page {
+        Page::Spectrum if family.is_some_and(|family| family.key == "sun") => "missing",
+        Page::Spectrum if app.derived().model.spikes.is_empty() => "colour",
+        Page::Spectrum => "waves",
+        Page::Absorption => "missing",
+        Page::Chain | Page::SameSurface | Page::Resampling | Page::Bounces => "filters",
+        Page::Narrow | Page::Race => "samples",
+        Page::TwoLights => "metamers",
+        Page::Quality | Page::Chromaticity | Page::Rendition | Page::QualityOrder => "quality",
+        Page::Mix | Page::Solve => "white",
+        Page::FromColour | Page::Image | Page::Relit => "recover",
+        Page::Coefficients => "colour",
+        Page::Tradeoff | Page::Auction | Page::KnownLamps | Page::Many => "spend",
+        Page::Prism | Page::Rainbow | Page::Gem => "prism",
+        Page::Lessons | Page::Teachers | Page::Glossary | Page::Truth => return None,
+    };
+    let lesson = shelf::shipped().iter().find(|lesson| lesson.name == name);
+    lesson.map(|lesson| &**lesson)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::pages::Place;
+
+    #[test]
+    fn every_page_but_those_of_learn_has_a_lesson_and_every_lesson_but_the_first_a_page() {
+        let app = App::new();
+        let mut offered: Vec<&str> = Vec::new();
+        for page in Page::all() {
+            let lesson = lesson(&app, page);
+            assert_eq!(lesson.is_none(), page.place() == Place::Learn, "{page:?}");
+            offered.extend(lesson.map(|lesson| lesson.name.as_str()));
+        }
+        for lesson in shelf::shipped().iter().skip(1) {
+            assert!(offered.contains(&lesson.name.as_str()), "{}", lesson.name);
+        }
+    }
 }

@@ -1,4 +1,4 @@
-//! The three ways to begin, over the first screen; Escape leaves what is below them.
+//! The ways to begin, over the first screen; Escape leaves what is below them.
 
 use eframe::egui;
 use egui::{Context, Key, RichText, Ui, vec2};
@@ -25,8 +25,33 @@ const TILES: [(&str, &str, Page); 3] = [
     ),
 ];
 
-/// Draws the tiles; gives the page that was chosen, and whether they are to go.
-pub fn show(context: &Context, theme: Theme) -> (Option<Page>, bool) {
+/// How to begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beginning {
+    /// On a page.
+    Page(Page),
+    /// With a lamp whose every knob is live.
+    Live,
+    /// With a spectrum of one's own.
+    Own,
+}
+
+/// The ways below the tiles.
+const BUTTONS: [(&str, &str, Beginning); 2] = [
+    (
+        "Move N and watch",
+        "Shows FL11, a lamp of many lines: pull Smoothness and Lines, and everything follows.",
+        Beginning::Live,
+    ),
+    (
+        "Open my own spectrum",
+        "Opens a file; it can also be dropped on the window.",
+        Beginning::Own,
+    ),
+];
+
+/// Draws the tiles; gives the way that was chosen, and whether they are to go.
+pub fn show(context: &Context, theme: Theme) -> (Option<Beginning>, bool) {
     let mut chosen = None;
     let modal = egui::Modal::new(egui::Id::unique("greeting")).show(context, |ui| {
         ui.set_max_width((720.0 * theme.scale).min(ui.ctx().content_rect().width() - 48.0));
@@ -37,11 +62,11 @@ pub fn show(context: &Context, theme: Theme) -> (Option<Page>, bool) {
         let mut tiles = |ui: &mut Ui, width: f32| {
             for (title, words, page) in TILES {
                 if tile(ui, title, words, width) {
-                    chosen = Some(page);
+                    chosen = Some(Beginning::Page(page));
                 }
             }
         };
-        let most = (ui.ctx().content_rect().height() - 128.0).max(64.0);
+        let most = (ui.ctx().content_rect().height() - 168.0).max(64.0);
         egui::ScrollArea::vertical()
             .max_height(most)
             .show(ui, |ui| {
@@ -52,6 +77,14 @@ pub fn show(context: &Context, theme: Theme) -> (Option<Page>, bool) {
                     ui.vertical(|ui| tiles(ui, room));
                 }
             });
+        ui.add_space(8.0);
+        ui.horizontal_wrapped(|ui| {
+            for (words, meaning, way) in BUTTONS {
+                if ui.button(words).on_hover_text(meaning).clicked() {
+                    chosen = Some(way);
+                }
+            }
+        });
         ui.add_space(8.0);
         let leave = "Esc: begin with what is on the screen. Help brings this back.";
         ui.add(egui::Label::new(RichText::new(leave).weak()).wrap());

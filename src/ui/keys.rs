@@ -44,7 +44,7 @@ pub enum Act {
     Reset,
     /// Finds lights, places and acts by a few letters.
     Palette,
-    /// The three ways to begin.
+    /// The ways to begin.
     Greeting,
     /// Larger.
     ZoomIn,

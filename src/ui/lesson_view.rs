@@ -5,13 +5,15 @@ use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::{
     kit::{framed, named, warning},
-    theme::Theme,
+    theme::{Theme, Wake},
+    trial_view::TrialView,
 };
 use crate::app::{
     App,
     lessons::{Run, run::Shown},
     memo::Memo,
     pages::PageMemory,
+    studies::Studies,
 };
 
 /// What the column asks for.
@@ -38,6 +40,7 @@ const TYPE: [f32; 2] = [18.0, 28.0];
 #[derive(Default)]
 pub struct LessonView {
     shown: Memo<(u64, PageMemory, usize, bool), Shown>,
+    trial: TrialView,
 }
 
 impl LessonView {
@@ -47,9 +50,11 @@ impl LessonView {
         ui: &mut Ui,
         run: &Run,
         (app, memory): (&App, &PageMemory),
+        (studies, wake): (&mut Studies, &Wake),
         theme: Theme,
     ) -> Vec<Wish> {
         let key = (app.revision(), memory.clone(), run.index(), run.is_told());
+        let trial = &mut self.trial;
         let shown = &*self.shown.get(key, |_| run.shown(app, memory));
         let mut wishes = Vec::new();
         let size = TYPE[usize::from(theme.scale > 1.0)];
@@ -66,6 +71,10 @@ impl LessonView {
             .show(ui, |ui| {
                 ui.set_max_width(ui.available_width() - 10.0);
                 body(ui, run, shown, theme, &mut wishes);
+                if run.is_last() && run.is_told() {
+                    ui.add_space(8.0);
+                    trial.show(ui, run.lesson(), (app, studies, wake), theme);
+                }
             });
         ui.add_space(6.0);
         foot_line(ui, run, &mut wishes);

@@ -24,6 +24,7 @@ pub mod painter;
 pub mod palette_view;
 pub mod patches_view;
 pub mod picture;
+pub mod pointing;
 pub mod rail_view;
 pub mod saver;
 pub mod shell;
@@ -32,6 +33,7 @@ pub mod spikes_view;
 pub mod swatch;
 pub mod theme;
 pub mod top_view;
+pub mod trial_view;
 pub mod verdict_view;
 pub mod window;
 

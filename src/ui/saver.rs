@@ -1,7 +1,7 @@
 //! Keeps the workspace on disk, on a thread of its own: the window never waits for it.
 
 use std::{
-    path::PathBuf,
+    path::{Path, PathBuf},
     sync::mpsc::{Receiver, Sender, channel},
     thread::JoinHandle,
 };
@@ -19,11 +19,13 @@ pub struct Saver {
     sender: Option<Sender<Kept>>,
     troubles: Receiver<String>,
     thread: Option<JoinHandle<()>>,
+    path: PathBuf,
 }
 
 impl Saver {
     /// A saver for one file.
     pub fn new(path: PathBuf) -> Self {
+        let kept_at = path.clone();
         let (sender, jobs) = channel::<Kept>();
         let (trouble, troubles) = channel();
         let thread = std::thread::spawn(move || {
@@ -44,7 +46,13 @@ impl Saver {
             sender: Some(sender),
             troubles,
             thread: Some(thread),
+            path: kept_at,
         }
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Hands over what is to be kept.

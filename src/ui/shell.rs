@@ -152,8 +152,11 @@ fn open(start: Start) -> eframe::Result {
             let saver = place.as_ref().map(|p| Saver::new(p.path().to_owned()));
             let mut window = Window::new(app, preferences, system_picker(), saver);
             // What is named first is shown: it comes last, as on the command line.
-            for entry in start.presets.into_iter().rev() {
+            for entry in start.presets.iter().rev().cloned() {
                 window.app.apply(Command::Show(entry));
+            }
+            if start.presets.is_empty() && start.files.is_empty() {
+                window.greet();
             }
             window.bring_back(images, &creation.egui_ctx);
             window.open_files(start.files, waker(&creation.egui_ctx));

@@ -1,5 +1,7 @@
 //! The top bar: the light, undo, files in and out, how the window looks.
 
+use std::path::Path;
+
 use eframe::egui;
 use egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, vec2};
 
@@ -32,8 +34,21 @@ pub enum Wish {
     SaveWindowPng,
     /// Copy something as text.
     Copy(Export),
+    /// Copies the path of the folder of own lessons.
+    LessonsFolder,
     /// About, with the licences.
     About,
+}
+
+/// What the menus need to know.
+#[derive(Clone, Copy, Debug)]
+pub struct Menus<'a> {
+    /// Whether a file dialog is open: a second one cannot be.
+    pub dialog_open: bool,
+    /// Whether files were opened together.
+    pub has_summary: bool,
+    /// Where own lessons are kept.
+    pub lessons: Option<&'a Path>,
 }
 
 /// How the drawer stands.
@@ -51,7 +66,7 @@ pub fn show(
     app: &App,
     preferences: &Preferences,
     drawer: &mut Drawer,
-    (dialog_open, has_summary): (bool, bool),
+    menus: Menus<'_>,
     wishes: &mut Vec<Wish>,
 ) {
     let theme = Theme::of(preferences);
@@ -64,10 +79,10 @@ pub fn show(
             if room == Room::Much {
                 ui.separator();
             }
-            ui.menu_button("Save", |ui| save_menu(ui, dialog_open, wishes))
+            ui.menu_button("Save", |ui| save_menu(ui, menus.dialog_open, wishes))
                 .response
                 .on_hover_text("Save or copy spectrum, model, tables and pictures.");
-            files(ui, preferences, (dialog_open, has_summary), wishes);
+            files(ui, preferences, menus, wishes);
             if room == Room::Much {
                 ui.separator();
             }
@@ -183,12 +198,12 @@ fn steps(ui: &mut Ui, app: &App, wishes: &mut Vec<Wish>) {
     }
 }
 
-fn files(
-    ui: &mut Ui,
-    preferences: &Preferences,
-    (dialog_open, has_summary): (bool, bool),
-    wishes: &mut Vec<Wish>,
-) {
+fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut Vec<Wish>) {
+    let Menus {
+        dialog_open,
+        has_summary,
+        lessons,
+    } = menus;
     ui.menu_button("Open", |ui| {
         if ui
             .add_enabled(!dialog_open, egui::Button::new("Open files…"))
@@ -225,6 +240,16 @@ fn files(
         {
             wishes.push(Wish::Summary);
             ui.close();
+        }
+        if let Some(folder) = lessons {
+            let copy = ui.button("Folder of your lessons").on_hover_text(format!(
+                "{}: lessons in it are in the list of Learn. Click to copy the path.",
+                folder.display()
+            ));
+            if copy.clicked() {
+                wishes.push(Wish::LessonsFolder);
+                ui.close();
+            }
         }
         if !preferences.recent.is_empty() {
             ui.separator();

@@ -56,7 +56,7 @@ fn a_check_says_file_step_and_reason() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("mine.json");
     let file = path.to_str().expect("UTF-8");
-    let text = shelf::text_of("samples").expect("shipped");
+    let text = &shelf::named("samples").expect("shipped").text;
     for (from, to, reason) in [
         (
             "\"say\"",
@@ -143,7 +143,7 @@ fn the_document_builds_a_lesson_that_ships_and_tells_every_figure() {
         let (piece, _) = piece.split_once("```").expect("an end");
         built += piece;
     }
-    assert_eq!(built, shelf::text_of("samples").expect("shipped"));
+    assert_eq!(built, shelf::named("samples").expect("shipped").text);
     let rows = rows(section(&document, "## Figures"));
     let told: Vec<&str> = rows.iter().flat_map(|row| quoted(row[0])).collect();
     let of_quality = |meaning: &str| meaning == "of light quality";

@@ -1,13 +1,20 @@
 //! Lessons in the window: begun by a click, taken with the keyboard alone, left without a trace.
 
-use eframe::egui::Key;
-use egui_kittest::kittest::Queryable as _;
+use std::{path::PathBuf, sync::Arc};
+
+use eframe::egui::{self, Key, Rect, Role, Shape};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
-    app::{App, lessons::shelf, pages::Page, workspace::Preferences},
-    ui::Window,
+    app::{
+        App,
+        lessons::{Lesson, point::Aim, shelf},
+        pages::{AskedLesson, Page},
+        workspace::Preferences,
+    },
+    ui::{Window, files::Picked, saver::Saver},
 };
 
-use crate::driver::{Ui, app, assert_written, at_rest, click, no_files};
+use crate::driver::{Ui, app, assert_written, at_rest, click, is_written, no_files, wait_until};
 
 fn at(page: Page) -> Ui {
     let mut preferences = Preferences::default();
@@ -73,7 +80,7 @@ fn a_lesson_that_was_finished_has_a_tick() {
 #[test]
 fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
     let folder = tempfile::tempdir().expect("a folder");
-    let text = shelf::text_of("samples").expect("shipped");
+    let text = &shelf::named("samples").expect("shipped").text;
     let put = |name: &str, text: String| {
         let path = folder.path().join(name);
         std::fs::write(&path, text).expect("a file");
@@ -99,4 +106,297 @@ fn a_file_of_a_lesson_joins_the_list_and_one_with_a_fault_says_where() {
         ui.query_by_label("Lesson: Mine: where samples go wrong")
             .is_some()
     );
+}
+
+/// The window at a step of a lesson.
+fn begun(ui: &mut Ui, lesson: &Lesson, step: usize) {
+    ui.state_mut().preferences.pages.lesson_asked = Some(AskedLesson {
+        name: lesson.name.clone(),
+        step,
+    });
+    ui.run();
+}
+
+/// Where the first control of a name stands, or the first whose name begins so, or else words.
+fn place(ui: &Ui, name: &str) -> Option<Rect> {
+    let fits = |whole: bool, is_control: bool| {
+        let nodes = ui.root().children_recursive();
+        let named = nodes.filter(|node| {
+            let node = node.accesskit_node();
+            if (node.role() != Role::Label) != is_control {
+                return false;
+            }
+            let names = [node.label(), node.value()];
+            names.into_iter().flatten().any(|word| match whole {
+                true => word == name,
+                false => word.starts_with(name),
+            })
+        });
+        let rects: Vec<Rect> = named.map(|node| node.rect()).collect();
+        rects.into_iter().min_by(|a, b| {
+            (a.top(), a.left())
+                .partial_cmp(&(b.top(), b.left()))
+                .unwrap()
+        })
+    };
+    let ways = [(true, true), (true, false), (false, true), (false, false)];
+    ways.into_iter()
+        .find_map(|(whole, is_control)| fits(whole, is_control))
+}
+
+/// Whether a ring is painted around a place.
+fn is_ringed(ui: &Ui, around: Rect) -> bool {
+    let mut shapes = ui.output().shapes.iter();
+    shapes.any(|clipped| match &clipped.shape {
+        Shape::Rect(ring) => {
+            ring.fill == egui::Color32::TRANSPARENT
+                && ring.stroke.width >= 3.0
+                && ring.rect.contains_rect(around)
+                && ring.rect.width() < around.width() + 24.0
+        }
+        _ => false,
+    })
+}
+
+#[test]
+fn a_ring_is_drawn_around_everything_that_a_step_points_at() {
+    let screen = Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0));
+    let mut rings = 0;
+    for lesson in shelf::shipped() {
+        let mut ui = at(Page::Lessons);
+        for (index, step) in lesson.steps.iter().enumerate() {
+            let Some(point) = &step.point else { continue };
+            let what = format!("{}, step {}: {point:?}", lesson.name, index + 1);
+            begun(&mut ui, lesson, index);
+            let memory = &ui.state().preferences.pages;
+            let around = match point.aim(app(&ui), memory).expect(&what) {
+                Aim::Named(name) => place(&ui, &name).unwrap_or_else(|| panic!("{what}")),
+                Aim::Nm(nm) => {
+                    let plot = ui.state().look.spectrum.transform.expect("a plot");
+                    let x = plot.position_from_point_x(nm);
+                    Rect::from_x_y_ranges(x - 2.0..=x + 2.0, plot.frame().y_range())
+                }
+            };
+            assert!(screen.contains_rect(around), "{what} is at {around:?}");
+            assert!(is_ringed(&ui, around), "{what} has no ring");
+            let spoken = ui.get_by_label(&format!("Here: {}", point.label));
+            assert!(spoken.rect().contains_rect(around), "{what}");
+            rings += 1;
+        }
+        // Out of the lesson there is nothing to point at.
+        click(&mut ui, "Leave the lesson");
+        assert!(!is_written(&ui, "Here: "), "{}", lesson.name);
+    }
+    assert!(rings >= 24, "{rings}");
+}
+
+#[test]
+fn a_control_below_the_edge_is_brought_into_view_and_a_task_that_is_done_needs_no_ring() {
+    let lesson = shelf::named("waves").expect("shipped");
+    let mut lesson = Lesson::clone(&lesson);
+    lesson.name = "long".to_owned();
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = lesson.text.replacen(
+        r#""control": "Smoothness: order N""#,
+        r#""control": "Copy the patches as CSV""#,
+        1,
+    );
+    let text = text.replacen(
+        r#""light": "CIE D65","#,
+        r#""light": "CIE D65", "page": "two-lights","#,
+        1,
+    );
+    let path = folder.path().join("long.json");
+    std::fs::write(&path, text).expect("a file");
+    let mut ui = at(Page::Lessons);
+    ui.state_mut().open_files(vec![path], Arc::new(|| {}));
+    ui.run();
+    begun(&mut ui, &lesson, 0);
+    let around = place(&ui, "Copy the patches as CSV").expect("it is on the page");
+    assert!(is_ringed(&ui, around), "{around:?}");
+    let first = shelf::named("waves").expect("shipped");
+    begun(&mut ui, &first, 0);
+    assert!(is_written(&ui, "Here: "));
+    press(&mut ui, Key::Space);
+    watch(&mut ui);
+    assert!(!is_written(&ui, "Here: "));
+}
+
+/// The sizes of all words that the lesson's column shows, with those words, and whether all of
+/// them stand within its sides.
+fn column(ui: &Ui) -> (f32, bool, Vec<(f32, String)>) {
+    let below = place(ui, "Next").expect("a column").top();
+    let left = place(ui, "Step 1 of").expect("a column").left() - 12.0;
+    let right = place(ui, "Leave the lesson").expect("a column").right() + 12.0;
+    let mut within = true;
+    let mut words = Vec::new();
+    for clipped in &ui.output().shapes {
+        let Shape::Text(text) = &clipped.shape else {
+            continue;
+        };
+        let rect = text.visual_bounding_rect();
+        let is_of_column = left <= rect.left() && rect.left() < right && rect.top() > 50.0;
+        if !is_of_column || text.galley.text().trim().is_empty() || clipped.clip_rect.left() > right
+        {
+            continue;
+        }
+        let is_foot = ["Back", "Next"].contains(&text.galley.text());
+        within &= rect.right() <= right && (is_foot || rect.bottom() <= below);
+        let sizes = text
+            .galley
+            .job
+            .sections
+            .iter()
+            .map(|s| s.format.font_id.size);
+        let least = sizes.fold(f32::INFINITY, f32::min);
+        words.push((least, text.galley.text().to_owned()));
+    }
+    (right - left, within, words)
+}
+
+#[test]
+fn every_first_step_is_large_enough_to_read_and_stays_within_its_column() {
+    for (present, least) in [(false, 18.0), (true, 28.0)] {
+        for lesson in shelf::shipped() {
+            let mut ui = at(Page::Lessons);
+            ui.state_mut().preferences.present = present;
+            begun(&mut ui, lesson, 0);
+            let what = format!("{} (present {present})", lesson.name);
+            let presents = ui.state().preferences.presents();
+            let least = if presents { least } else { 18.0 };
+            let (width, within, words) = column(&ui);
+            assert!(within && width >= 340.0, "{what}: {words:?}");
+            assert!(words.len() >= 6, "{what}: {words:?}");
+            for (size, word) in words {
+                assert!(size >= least, "{what}: {size} points for {word:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_lesson_is_begun_taken_and_finished_without_a_mouse() {
+    let lesson = shelf::named("waves").expect("shipped");
+    let mut ui = at(Page::Lessons);
+    let card = format!("Lesson: {}", lesson.title);
+    for _ in 0..80 {
+        if ui.get_by_label(&card).is_focused() {
+            break;
+        }
+        press(&mut ui, Key::Tab);
+    }
+    assert!(ui.get_by_label(&card).is_focused());
+    press(&mut ui, Key::Enter);
+    for (index, step) in lesson.steps.iter().enumerate() {
+        assert_written(
+            &ui,
+            &format!("Step {} of {}", index + 1, lesson.steps.len()),
+        );
+        if let Some(ask) = &step.ask {
+            press(&mut ui, Key::Num2);
+            assert!(!is_written(&ui, &ask.answers[1].because));
+            press(&mut ui, Key::Space);
+            watch(&mut ui);
+            assert_written(&ui, &ask.answers[1].because);
+        } else {
+            press(&mut ui, Key::Space);
+            watch(&mut ui);
+            assert_written(&ui, "✔");
+        }
+        // Arrows and a clicker's keys take turns.
+        press(&mut ui, [Key::ArrowRight, Key::PageDown][index % 2]);
+    }
+    assert_written(&ui, "1 of 12 lessons finished");
+}
+
+/// A window whose workspace and lessons are kept in a folder.
+fn kept_in(folder: &std::path::Path, page: Page) -> Ui {
+    let mut preferences = Preferences::default();
+    preferences.pages.page = page;
+    let saver = Saver::new(folder.join("workspace.json"));
+    at_rest(Window::new(
+        App::new(),
+        preferences,
+        no_files(),
+        Some(saver),
+    ))
+}
+
+#[test]
+fn a_lesson_of_ones_own_is_there_again_after_a_restart_and_the_menu_names_its_folder() {
+    let (home, other) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let text = &shelf::named("samples").expect("shipped").text;
+    let mine = other.path().join("mine.json");
+    std::fs::write(&mine, text.replace("Where samples", "Mine: where samples")).unwrap();
+    let mut ui = kept_in(home.path(), Page::Spectrum);
+    ui.state_mut()
+        .open_files(vec![mine.clone()], Arc::new(|| {}));
+    ui.run();
+    drop(ui);
+    std::fs::remove_file(mine).unwrap();
+    let lessons = home.path().join("lessons");
+    std::fs::write(
+        lessons.join("wrong.json"),
+        text.replacen("\"say\"", "\"sya\"", 1),
+    )
+    .unwrap();
+    let mut ui = kept_in(home.path(), Page::Lessons);
+    assert!(
+        ui.query_by_label("Lesson: Mine: where samples go wrong")
+            .is_some()
+    );
+    assert_written(&ui, "wrong.json: step 1: found the field `sya`");
+    assert_written(&ui, &lessons.display().to_string());
+    click(&mut ui, "Open");
+    click(&mut ui, "Folder of your lessons");
+    assert_written(&ui, &format!("Copied: {}", lessons.display()));
+}
+
+#[test]
+fn a_shipped_lesson_is_written_out_as_a_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let path: PathBuf = folder.path().join("my.json");
+    let picked = path.clone();
+    let picker = Arc::new(move |_: &_| Picked::Paths(vec![picked.clone()]));
+    let mut preferences = Preferences::default();
+    preferences.pages.page = Page::Teachers;
+    let mut ui = at_rest(Window::new(App::new(), preferences, picker, None));
+    click(&mut ui, "Copy as a start");
+    wait_until(&mut ui, "the file", |ui| is_written(ui, "Saved "));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(text, shelf::shipped()[0].text);
+}
+
+#[test]
+fn another_lamp_is_tried_and_the_claims_that_fail_are_told() {
+    let mut ui = at(Page::Teachers);
+    let number = shelf::shipped().iter().position(|l| l.name == "samples");
+    let title = format!("{}. Where samples go wrong", number.unwrap() + 1);
+    click(&mut ui, &title);
+    for (light, verdict) in [
+        ("FL3", "With FL3 everything holds"),
+        ("CIE D65", "With CIE D65, 1 of 2 steps fail."),
+    ] {
+        ui.get_by_role_and_label(Role::ComboBox, "Try another lamp")
+            .click();
+        ui.run();
+        ui.event(egui::Event::Text(light.to_owned()));
+        ui.run();
+        click(&mut ui, light);
+        wait_until(&mut ui, verdict, |ui| is_written(ui, verdict));
+    }
+    assert_written(&ui, "Step 1: its own show does not meet its task");
+}
+
+#[test]
+fn the_bottom_line_leads_to_the_lesson_about_a_page_and_back_to_the_page() {
+    let mut ui = at(Page::Prism);
+    click(&mut ui, "Lesson about this page");
+    assert_written(&ui, "Step 1 of 3");
+    assert!(ui.query_by_label("Lesson about this page").is_none());
+    click(&mut ui, "Leave the lesson");
+    assert_eq!(ui.state().preferences.pages.page, Page::Prism);
+    let mut ui = at(Page::Spectrum);
+    click(&mut ui, "Lesson about this page");
+    assert_written(&ui, "Draw a lamp with waves");
 }

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::{
-    figures::{Scene, figure, is_known},
+    figures::{Scene, Told, figure, is_known},
     names::{entry, find},
 };
 use crate::app::pages::Page;
@@ -74,6 +74,46 @@ impl Condition {
         let told = figure(scene, self.figure.as_ref()?, self.of.as_deref());
         let told = told.ok()?;
         Some(format!("{} {}", told.title, told.words))
+    }
+
+    /// What is there and what was wanted instead, in words.
+    pub fn unmet(&self, scene: &Scene<'_>) -> String {
+        if let Some(key) = &self.figure {
+            return match figure(scene, key, self.of.as_deref()) {
+                Ok(told) => format!(
+                    "found {} ({key}) {}, expected {}",
+                    told.title,
+                    told.words,
+                    self.bounds(&told)
+                ),
+                Err(why) => why,
+            };
+        }
+        let names = [&self.light, &self.surface, &self.overlay, &self.page];
+        let names = names
+            .into_iter()
+            .flatten()
+            .chain(self.chain.iter().flatten());
+        let names: Vec<&str> = names.map(String::as_str).collect();
+        format!("found other things shown, expected {}", names.join(", "))
+    }
+
+    /// The bounds of its figure in words.
+    fn bounds(&self, told: &Told) -> String {
+        let at = |value: Option<f64>, word: &str| {
+            value.map(|value| format!("{word}{}", told.bound(value)))
+        };
+        let between = self
+            .between
+            .map(|[least, most]| format!("{} to {}", told.bound(least), told.bound(most)));
+        let bounds = [
+            at(self.above, "above "),
+            at(self.below, "below "),
+            at(self.equals, ""),
+            between,
+        ];
+        let bounds: Vec<String> = bounds.into_iter().flatten().collect();
+        bounds.join(" and ")
     }
 
     fn is_within(&self, value: f64) -> bool {

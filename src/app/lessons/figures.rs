@@ -44,6 +44,16 @@ pub struct Told {
     pub value: Option<f64>,
     /// The value with its unit and digits, a dash where there is none.
     pub words: String,
+    /// What the value is multiplied by in words, and what stands behind it there.
+    pub unit: (f64, String),
+}
+
+impl Told {
+    /// A bound of the figure, as the figure itself is told.
+    pub fn bound(&self, value: f64) -> String {
+        let (factor, tail) = &self.unit;
+        format!("{}{tail}", three_digits(value * factor))
+    }
 }
 
 /// A figure of the document.
@@ -297,10 +307,12 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
     }
     if let Some(measure) = Measure::ALL.into_iter().find(|m| m.figure().key == key) {
         let value = app.derived().figures[measure];
+        let unit = measure.figure().unit;
         return Ok(Told {
             title: measure.figure().title,
             value,
             words: measure.figure().brief(value),
+            unit: (unit.factor, unit.tail.to_owned()),
         });
     }
     is_known(key)?;
@@ -321,11 +333,13 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
         title: "",
         value: None,
         words: "–".to_owned(),
+        unit: (1.0, String::new()),
     };
     Ok(row.map_or(none, |row| Told {
         title: row.title,
         value: row.value.clone().ok(),
         words: Row::shown(row),
+        unit: (1.0, format!(" {}", row.unit).trim_end().to_owned()),
     }))
 }
 
@@ -340,6 +354,7 @@ fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
         title,
         value,
         words,
+        unit: (unit.factor, unit.tail.to_owned()),
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::{condition::Condition, parsed::parsed, stage::Stage};
+use super::{condition::Condition, parsed::parsed, point::Point, stage::Stage};
 
 /// The word that marks a file of a lesson.
 pub const FORMAT: &str = "spectral-explorer-lesson";
@@ -50,6 +50,8 @@ struct Head {
     next: String,
     notes_for_teachers: String,
     #[serde(default)]
+    about: Option<String>,
+    #[serde(default)]
     also: Vec<String>,
     #[serde(default)]
     sources: Vec<String>,
@@ -78,12 +80,16 @@ pub struct Lesson {
     pub next: String,
     /// What a teacher prepares, and watches for.
     pub notes_for_teachers: String,
-    /// Other lights that its first one may be exchanged for.
+    /// The light that may be exchanged for another; its first one where it names none.
+    pub about: Option<String>,
+    /// Other lights that it may be exchanged for: the lesson is played with each of them.
     pub also: Vec<String>,
     /// Where its claims come from.
     pub sources: Vec<String>,
     /// The walk.
     pub steps: Vec<Step>,
+    /// The file as it was read.
+    pub text: String,
 }
 
 /// A step of a lesson.
@@ -95,6 +101,9 @@ pub struct Step {
     /// What is set before.
     #[serde(default)]
     pub stage: Option<Stage>,
+    /// What has a ring around it.
+    #[serde(default)]
+    pub point: Option<Point>,
     /// What is asked.
     #[serde(default)]
     pub ask: Option<Ask>,
@@ -104,6 +113,9 @@ pub struct Step {
     /// What is said once it was answered or done.
     #[serde(default)]
     pub explain: String,
+    /// What must hold at its end for its words to be true.
+    #[serde(default)]
+    pub claims: Vec<Condition>,
 }
 
 /// A question that wants a prediction.
@@ -208,9 +220,11 @@ impl Lesson {
             remember: head.remember,
             next: head.next,
             notes_for_teachers: head.notes_for_teachers,
+            about: head.about,
             also: head.also,
             sources: head.sources,
             steps: steps.collect::<Result<_, _>>()?,
+            text: text.to_owned(),
         })
     }
 
@@ -225,25 +239,45 @@ impl Lesson {
         words.join(", ")
     }
 
-    /// The same with its first light exchanged for another one, wherever it stands.
-    #[must_use]
-    pub fn about(&self, other: &str) -> Self {
-        let mut lesson = self.clone();
-        let first = self
-            .steps
-            .iter()
-            .find_map(|s| s.stage.as_ref()?.light.clone());
-        let Some(first) = first else { return lesson };
-        lesson.name = format!("{} with {other}", self.name);
-        for step in &mut lesson.steps {
-            let show = step.task.iter_mut().flat_map(|task| &mut task.show);
-            for stage in step.stage.iter_mut().chain(show) {
-                if stage.light.as_ref() == Some(&first) {
-                    stage.light = Some(other.to_owned());
-                }
-            }
+    /// How many things its tasks and claims ask for.
+    pub fn checks(&self) -> usize {
+        let of = |step: &Step| step.claims.len() + step.task.as_ref().map_or(0, |t| t.until.len());
+        self.steps.iter().map(of).sum()
+    }
+
+    /// The light that may be exchanged for another.
+    pub fn light(&self) -> Option<&str> {
+        let stages = self.steps.iter().filter_map(|step| step.stage.as_ref());
+        let first = || stages.clone().find_map(|stage| stage.light.as_deref());
+        self.about.as_deref().or_else(first)
+    }
+
+    /// The same with its light exchanged for another one, wherever the steps name it: in stages, in
+    /// what they make, in tasks and in the figures of sentences.
+    ///
+    /// # Errors
+    /// [`Fault`] where it is no lesson any more.
+    pub fn about(&self, other: &str) -> Result<Self, Fault> {
+        let name = format!("{} with {other}", self.name);
+        let mut value: Value = serde_json::from_str(&self.text).unwrap_or_default();
+        if let (Some(light), Some(steps)) = (self.light(), value.get_mut("steps")) {
+            exchange(steps, light, other);
         }
-        lesson
+        let lesson = Self::read(&name, &value.to_string())?;
+        Ok(Self { name, ..lesson })
+    }
+}
+
+/// Exchanges a light's name wherever a value names it.
+fn exchange(value: &mut Value, light: &str, other: &str) {
+    match value {
+        Value::String(text) if text == light => other.clone_into(text),
+        Value::String(text) => {
+            *text = text.replace(&format!(" of {light}}}"), &format!(" of {other}}}"));
+        }
+        Value::Array(items) => items.iter_mut().for_each(|v| exchange(v, light, other)),
+        Value::Object(fields) => fields.values_mut().for_each(|v| exchange(v, light, other)),
+        Value::Null | Value::Bool(_) | Value::Number(_) => {}
     }
 }
 
@@ -302,6 +336,33 @@ mod tests {
         let lesson = Lesson::read("lessons/my first.json", SMALL).expect("a lesson");
         assert_eq!((lesson.name.as_str(), lesson.steps.len()), ("my first", 2));
         assert!(Lesson::is_one(SMALL) && !Lesson::is_one("{}"));
+    }
+
+    #[test]
+    fn another_light_stands_wherever_the_first_one_was_named() {
+        let steps = r#"[{"say":"{ra of CIE D65} and {ra of CIE A}","stage":{"light":"Mine",
+            "make":[{"mix":{"name":"Mine","channels":[],"like":"CIE D65"}}],
+            "overlays":["CIE D65","CIE A"]}}]"#;
+        let whole = SMALL.replace(r#"[{"say":"One."},{"say":"Two."}]"#, steps);
+        let first = Lesson::read("a", &whole).expect("a lesson");
+        assert_eq!(first.light(), Some("Mine"));
+        let about = whole.replace(r#""minutes""#, r#""about":"CIE D65","minutes""#);
+        let lesson = Lesson::read("a", &about).expect("a lesson");
+        let other = lesson.about("FL2").expect("a lesson");
+        assert_eq!(other.name, "a with FL2");
+        let step = &other.steps[0];
+        assert_eq!(step.say, "{ra of FL2} and {ra of CIE A}");
+        let stage = step.stage.as_ref().expect("a stage");
+        assert_eq!(stage.light.as_deref(), Some("Mine"));
+        let overlays: Vec<&str> = stage
+            .overlays
+            .iter()
+            .flatten()
+            .map(String::as_str)
+            .collect();
+        assert_eq!(overlays, ["FL2", "CIE A"]);
+        assert!(format!("{:?}", stage.make).contains("like: \"FL2\""));
+        assert!(other.text.contains("FL2") && lesson.text == about);
     }
 
     #[test]

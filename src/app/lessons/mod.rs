@@ -10,7 +10,9 @@
 //! words     sentences with figures in them
 //! condition when a task is done
 //! run       a lesson that is being taken: its step, predictions, tasks
+//! point     what a step points at
 //! proof     a lesson checked and played through without a window
+//! trial     a lesson's claims tried on another light
 //! handout   a sheet for a class
 //! shelf     the shipped ones, and a person's own files
 //! ```
@@ -22,10 +24,12 @@ pub mod handout;
 mod making;
 mod names;
 mod parsed;
+pub mod point;
 pub mod proof;
 pub mod run;
 pub mod shelf;
 pub mod stage;
+pub mod trial;
 pub mod words;
 
 pub use format::{Lesson, Step};

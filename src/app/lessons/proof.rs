@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::{
-    figures::{Scene, figure},
+    condition::Condition,
+    figures::Scene,
     format::{Fault, Lesson, Step},
     names::find,
     run::Run,
@@ -51,43 +52,61 @@ pub struct PlayedAnswer {
 /// [`Fault`]: the step, what was found and what was expected.
 pub fn play<T>(
     lesson: &Lesson,
-    mut see: impl FnMut(&App, &PageMemory) -> T,
+    see: impl FnMut(&App, &PageMemory) -> T,
 ) -> Result<Vec<Played<T>>, Fault> {
-    let fault = |step: Option<usize>, what: String| Fault {
-        file: lesson.name.clone(),
+    walk(lesson, App::new(), see)?.collect()
+}
+
+/// Checks a lesson and gives its steps one by one as they are played, each as it was or with what is
+/// wrong with it; `app` is what is there before.
+///
+/// # Errors
+/// [`Fault`] where it is no lesson that can be played at all.
+pub fn walk<T>(
+    lesson: &Lesson,
+    mut app: App,
+    mut see: impl FnMut(&App, &PageMemory) -> T,
+) -> Result<impl Iterator<Item = Result<Played<T>, Fault>>, Fault> {
+    let file = lesson.name.clone();
+    let fault = move |step: Option<usize>, what: String| Fault {
+        file: file.clone(),
         step: step.map(|index| index + 1),
         what,
     };
     of_lesson(lesson).map_err(|what| fault(None, what))?;
-    let made = names_made(lesson);
+    let own = app.document().own.clone();
+    let own = own.iter().map(|own| own.name());
+    let known: Vec<&str> = names_made(lesson).into_iter().chain(own).collect();
     for (index, step) in lesson.steps.iter().enumerate() {
-        of_step(step, &made).map_err(|what| fault(Some(index), what))?;
+        of_step(step, &known).map_err(|what| fault(Some(index), what))?;
     }
-    let (mut app, mut memory) = (App::new(), PageMemory::default());
+    let mut memory = PageMemory::default();
     let mut run = Run::start(Arc::new(lesson.clone()), &mut app, &mut memory);
-    let mut played = Vec::new();
-    for (index, step) in lesson.steps.iter().enumerate() {
+    let count = lesson.steps.len();
+    Ok((0..count).map(move |index| {
         if index > 0 {
             run.go(index, &mut app, &mut memory);
         }
-        let one = play_step(step, &mut run, (&mut app, &mut memory), &mut see);
-        played.push(one.map_err(|what| fault(Some(index), what))?);
-    }
-    Ok(played)
+        play_step(&mut run, (&mut app, &mut memory), &mut see)
+            .map_err(|what| fault(Some(index), what))
+    }))
 }
 
 fn play_step<T>(
-    step: &Step,
     run: &mut Run,
     (app, memory): (&mut App, &mut PageMemory),
     see: &mut impl FnMut(&App, &PageMemory) -> T,
 ) -> Result<Played<T>, String> {
+    let step = run.step().clone();
     let trouble = |run: &Run| run.trouble().map(str::to_owned).map_or(Ok(()), Err);
     trouble(run)?;
     let in_it = |text: &str, app: &App, memory: &PageMemory| filled(text, &Scene { app, memory });
     let say = in_it(&step.say, app, memory)?;
     let seen = see(app, memory);
     let page = memory.page;
+    if let Some(point) = &step.point {
+        point.aim(app, memory)?;
+    }
     let task = step.task.as_ref();
     let task = task
         .map(|task| in_it(&task.words, app, memory))
@@ -100,19 +119,21 @@ fn play_step<T>(
     let question = question
         .map(|ask| in_it(&ask.question, app, memory))
         .transpose()?;
-    if step.task.is_some() {
+    if let Some(task) = &step.task {
         run.show_me();
         while run.show_next(app, memory) {}
         trouble(run)?;
         run.look(app, memory);
         if !run.is_done() {
-            return Err(format!(
-                "found a task that its own show does not meet{}, expected one that it meets",
-                unmet(step, &Scene { app, memory })
-            ));
+            let unmet = unmet(&task.until, &Scene { app, memory });
+            return Err(format!("its own show does not meet its task: {unmet}"));
         }
     }
     run.tell();
+    let unmet = unmet(&step.claims, &Scene { app, memory });
+    if !unmet.is_empty() {
+        return Err(format!("its claim does not hold: {unmet}"));
+    }
     let mut answers = Vec::new();
     for answer in step.ask.iter().flat_map(|ask| &ask.answers) {
         answers.push(PlayedAnswer {
@@ -131,21 +152,13 @@ fn play_step<T>(
     })
 }
 
-/// The figures of a task that are not where they were to be.
-fn unmet(step: &Step, scene: &Scene<'_>) -> String {
-    let until = step.task.iter().flat_map(|task| &task.until);
-    let unmet: Vec<String> = until
-        .filter(|condition| !condition.holds(scene))
-        .filter_map(|condition| {
-            let key = condition.figure.as_ref()?;
-            let told = figure(scene, key, condition.of.as_deref()).ok()?;
-            Some(format!("{key} is {}", told.words))
-        })
-        .collect();
-    if unmet.is_empty() {
-        return String::new();
-    }
-    format!(" ({})", unmet.join(", "))
+/// What does not hold, in words; empty where everything does.
+fn unmet(conditions: &[Condition], scene: &Scene<'_>) -> String {
+    let unmet = conditions
+        .iter()
+        .filter(|condition| !condition.holds(scene));
+    let unmet: Vec<String> = unmet.map(|condition| condition.unmet(scene)).collect();
+    unmet.join("; ")
 }
 
 /// Names of the spectra that a lesson makes.
@@ -184,7 +197,9 @@ fn of_lesson(lesson: &Lesson) -> Result<(), String> {
     if lesson.steps[0].stage.is_none() {
         return Err("found a first step without a stage, expected one to begin with".to_owned());
     }
-    lesson.also.iter().try_for_each(|light| find(light, &[]))
+    let about = lesson.about.iter();
+    let mut lights = about.chain(&lesson.also);
+    lights.try_for_each(|light| find(light, &[]))
 }
 
 fn of_step(step: &Step, made: &[&str]) -> Result<(), String> {
@@ -220,6 +235,8 @@ fn of_step(step: &Step, made: &[&str]) -> Result<(), String> {
             );
         }
     }
+    let mut claims = step.claims.iter();
+    claims.try_for_each(|claim| claim.fault(made))?;
     let Some(task) = &step.task else {
         return Ok(());
     };
@@ -250,7 +267,9 @@ mod tests {
     fn every_shipped_lesson_plays_through_also_with_other_lights() {
         assert_eq!(shelf::shipped().len(), 12);
         for lesson in shelf::shipped() {
+            assert!(lesson.also.len() >= 3, "{}", lesson.name);
             let others = lesson.also.iter().map(|light| lesson.about(light));
+            let others = others.map(|other| other.expect("a lesson"));
             for lesson in std::iter::once(Lesson::clone(lesson)).chain(others) {
                 let played = play(&lesson, |_, _| ()).unwrap_or_else(|why| panic!("{why}"));
                 assert_eq!(played.len(), lesson.steps.len());
@@ -286,7 +305,8 @@ mod tests {
             (r#"{"figure":"order","equals":7}"#, "done before it begins"),
             (
                 r#"{"figure":"order","above":30}"#,
-                "its own show does not meet (order is 20)",
+                "its own show does not meet its task: found order N of the smooth part (order) 20, \
+                 expected above 30",
             ),
             (
                 r#"{"figure":"ordr","above":30}"#,

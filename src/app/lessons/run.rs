@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{
     figures::Scene,
     format::{Lesson, Step},
+    point::Aim,
     stage::Stage,
     words::filled,
 };
@@ -124,6 +125,12 @@ impl Run {
     /// What could not be set.
     pub fn trouble(&self) -> Option<&str> {
         self.trouble.as_deref()
+    }
+
+    /// What the step points at, with the words beside it; nothing once its task is done.
+    pub fn aim(&self, app: &App, memory: &PageMemory) -> Option<(Aim, &str)> {
+        let point = self.step().point.as_ref().filter(|_| !self.is_done())?;
+        Some((point.aim(app, memory).ok()?, &point.label))
     }
 
     /// The step's words with their figures; what is not told yet is empty.

@@ -6,6 +6,7 @@ use std::{
 };
 
 use super::format::{Fault, Lesson};
+use crate::io::atomic::save_atomically;
 
 /// Files of the shipped lessons by their names, in the order of the list.
 pub const FILES: [(&str, &str); 12] = [
@@ -32,12 +33,6 @@ pub fn shipped() -> &'static [Arc<Lesson>] {
     &SHIPPED
 }
 
-/// The text of a shipped lesson's file.
-pub fn text_of(name: &str) -> Option<&'static str> {
-    let found = FILES.iter().find(|(known, _)| *known == name);
-    found.map(|(_, text)| *text)
-}
-
 /// A lesson of a file; longer ones than a few books are none.
 ///
 /// # Errors
@@ -59,6 +54,36 @@ pub fn read_file(path: &Path) -> Result<Lesson, Fault> {
     let text = std::fs::read_to_string(path)
         .map_err(|why| fault(format!("found a file that cannot be read ({why})")))?;
     Lesson::read(&file, &text)
+}
+
+/// The lessons of a folder in the order of their files' names, and what is wrong with the others.
+pub fn of_folder(folder: &Path) -> (Vec<Lesson>, Vec<Fault>) {
+    let files = std::fs::read_dir(folder).into_iter().flatten();
+    let mut paths: Vec<_> = files.filter_map(|file| Some(file.ok()?.path())).collect();
+    paths.retain(|path| {
+        path.extension()
+            .is_some_and(|end| end.eq_ignore_ascii_case("json"))
+    });
+    paths.sort();
+    let (mut lessons, mut faults) = (Vec::new(), Vec::new());
+    for path in paths {
+        match read_file(&path) {
+            Ok(lesson) => lessons.push(lesson),
+            Err(why) => faults.push(why),
+        }
+    }
+    (lessons, faults)
+}
+
+/// Keeps a lesson in a folder, under its name.
+///
+/// # Errors
+/// Why it cannot be written, a sentence.
+pub fn keep(folder: &Path, lesson: &Lesson) -> Result<(), String> {
+    let not_kept = |why: String| format!("{} is not kept: {why}.", lesson.title);
+    std::fs::create_dir_all(folder).map_err(|why| not_kept(why.to_string()))?;
+    let path = folder.join(format!("{}.json", lesson.name));
+    save_atomically(&path, lesson.text.as_bytes()).map_err(|why| not_kept(why.to_string()))
 }
 
 /// A shipped lesson by its name, or one of a file.
@@ -100,5 +125,26 @@ mod tests {
             titles.push(&known.expect("shipped").title);
         }
         assert!(named("no such lesson").is_err());
+    }
+
+    #[test]
+    fn a_folder_gives_back_what_it_was_to_keep_and_says_what_is_no_lesson() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let own = folder.path().join("lessons");
+        assert_eq!(of_folder(&own), (Vec::new(), Vec::new()));
+        let lessons: Vec<&Lesson> = shipped().iter().take(2).map(|l| &**l).collect();
+        for lesson in &lessons {
+            keep(&own, lesson).expect("kept");
+        }
+        std::fs::write(own.join("wrong.json"), "{}").expect("a file");
+        std::fs::write(own.join("notes.txt"), "no lesson").expect("a file");
+        let (found, faults) = of_folder(&own);
+        assert_eq!(found.iter().collect::<Vec<_>>(), lessons);
+        let words: Vec<String> = faults.iter().map(Fault::to_string).collect();
+        assert!(
+            words.len() == 1 && words[0].contains("found no format"),
+            "{words:?}"
+        );
+        assert!(keep(&own.join("notes.txt"), lessons[0]).is_err());
     }
 }

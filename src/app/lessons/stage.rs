@@ -123,14 +123,10 @@ impl Stage {
             }
         }
         fresh.next_own = now.next_own;
-        let kept = PageMemory {
+        let mut kept = PageMemory {
             image: memory.image.clone(),
             lessons_finished: memory.lessons_finished.clone(),
             ..PageMemory::default()
-        };
-        let mut kept = PageMemory {
-            page: memory.page,
-            ..kept
         };
         let mut scratch = app.clone();
         scratch.apply(Command::Replace(Box::new(fresh)));
@@ -268,6 +264,11 @@ mod tests {
         );
         app.apply(Command::Undo);
         assert!(app.document().is_same_as(&before));
+        let fresh = Stage::default();
+        fresh
+            .set(&mut app, &mut memory, &mut Vec::new())
+            .expect("it is right");
+        assert_eq!(memory.page, Page::Spectrum);
     }
 
     #[test]

@@ -23,6 +23,7 @@ use super::{
     charts::products::bounces::Bounced,
     dispersion::{GemFilm, GemPass, NoiseAsk},
     document::Document,
+    lessons::trial::{Trial, TrialAsk},
     memo::ByAddress,
     pages::FieldChoice,
     picture::{Raster, RasterAsk, RegionAsk, RegionSpectrum},
@@ -209,6 +210,8 @@ pub struct Studies {
     pub gem_noise: Job<NoiseAsk, Noise>,
     /// A picture in few numbers, under a light.
     pub relit: RelitJobs,
+    /// A lesson tried on another light.
+    pub trial: Job<TrialAsk, Trial>,
 }
 
 impl Studies {
@@ -231,6 +234,7 @@ impl Studies {
             gem,
             gem_noise,
             relit,
+            trial,
         } = self;
         let Surfaces { pairs, ranking } = surfaces;
         let RelitJobs {
@@ -242,7 +246,7 @@ impl Studies {
         } = relit;
         vec![
             sweep, many, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces,
-            quality, raster, region, gem, gem_noise, look, fit, turn, store, peers, front,
+            quality, raster, region, gem, gem_noise, look, fit, turn, store, peers, front, trial,
         ]
     }
 

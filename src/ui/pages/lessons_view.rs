@@ -1,6 +1,9 @@
 //! The pages "Lessons" and "For teachers".
 
-use std::sync::Arc;
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 use eframe::egui;
 use egui::{Align, Label, Layout, RichText, Sense, Ui, vec2};
@@ -8,21 +11,38 @@ use egui::{Align, Label, Layout, RichText, Sense, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
-        lessons::{Lesson, shelf},
+        lessons::{Lesson, format::Fault, shelf},
         pages::AskedLesson,
     },
-    ui::kit::{framed, headline, scrolled},
+    ui::{
+        kit::{framed, headline, scrolled, warning},
+        theme::Theme,
+        trial_view::TrialView,
+    },
 };
 
 /// What the pages keep from frame to frame.
 #[derive(Default)]
 pub struct LessonsView {
-    /// Lessons of a person's own files, until the program ends.
+    /// Lessons of a person's own files.
     own: Vec<Arc<Lesson>>,
+    /// The folder that they are kept in, and what in it cannot be read and why.
+    folder: Option<PathBuf>,
+    faults: Vec<Fault>,
     /// The lesson that teachers look at.
     chosen: usize,
-    /// The lesson whose sheet is to be saved, once.
-    pub wants_handout: Option<Arc<Lesson>>,
+    trial: TrialView,
+    /// The lesson whose sheet or file is to be saved, once.
+    pub wants: Option<(Arc<Lesson>, LessonFile)>,
+}
+
+/// What is saved of a lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LessonFile {
+    /// A sheet for the class.
+    Handout,
+    /// Its file, to begin one's own with.
+    Start,
 }
 
 /// Width of a page from which lessons stand two in a row.
@@ -45,6 +65,14 @@ impl LessonsView {
     pub fn take(&mut self, lesson: Arc<Lesson>) {
         self.own.retain(|one| one.name != lesson.name);
         self.own.push(lesson);
+    }
+
+    /// Takes in the lessons of a folder.
+    pub fn read_folder(&mut self, folder: &Path) {
+        let (lessons, faults) = shelf::of_folder(folder);
+        lessons.into_iter().map(Arc::new).for_each(|l| self.take(l));
+        self.folder = Some(folder.to_owned());
+        self.faults = faults;
     }
 
     /// The list, to begin one.
@@ -90,12 +118,25 @@ impl LessonsView {
                 });
             }
             ui.add_space(6.0);
-            ui.weak("A lesson of your own: drop its file on the window, or choose it with Open.");
+            self.of_own_ones(ui, context.theme);
         });
         if let Some(name) = asked {
             context.memory.lesson_asked = Some(AskedLesson { name, step: 0 });
             ui.ctx().request_repaint();
         }
+    }
+
+    /// How one's own come to the list, and which files cannot.
+    fn of_own_ones(&self, ui: &mut Ui, theme: Theme) {
+        for fault in &self.faults {
+            warning(ui, theme, fault.to_string());
+        }
+        let mut words =
+            "A lesson of your own: drop its file on the window, or choose it with Open.".to_owned();
+        if let Some(folder) = &self.folder {
+            words += &format!(" It is kept in {}.", folder.display());
+        }
+        ui.add(Label::new(RichText::new(words).weak()).wrap());
     }
 
     /// What each teaches, what to prepare, handouts, how to write one.
@@ -109,7 +150,7 @@ impl LessonsView {
         headline(ui, context.theme, words);
         ui.add_space(6.0);
         self.chosen = self.chosen.min(all.len() - 1);
-        let (chosen, wants) = (&mut self.chosen, &mut self.wants_handout);
+        let (chosen, wants, trial) = (&mut self.chosen, &mut self.wants, &mut self.trial);
         scrolled(ui, "teachers", |ui| {
             ui.horizontal_top(|ui| {
                 let width = (0.36 * ui.available_width()).min(320.0 * context.theme.scale);
@@ -127,18 +168,23 @@ impl LessonsView {
                     }
                 });
                 ui.vertical(|ui| {
-                    if of_teachers(ui, &all[*chosen], context) {
-                        *wants = Some(all[*chosen].clone());
-                    }
+                    let lesson = &all[*chosen];
+                    let copy = of_teachers(ui, lesson, trial, context);
+                    *wants = copy.map(|copy| (lesson.clone(), copy)).or(wants.take());
                 });
             });
         });
     }
 }
 
-/// One lesson, for who teaches it; whether its sheet is to be saved.
-fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) -> bool {
-    let mut saves = false;
+/// One lesson, for who teaches it; what of it is to be saved.
+fn of_teachers(
+    ui: &mut Ui,
+    lesson: &Arc<Lesson>,
+    trial: &mut TrialView,
+    context: &mut PageContext<'_>,
+) -> Option<LessonFile> {
+    let mut copy = None;
     let strong = ui.visuals().strong_text_color();
     let said = |ui: &mut Ui, head: &str, words: &str| {
         if !words.is_empty() {
@@ -177,17 +223,16 @@ fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) -> b
                 "A sheet for the class, one page of HTML: words, questions and pictures, the \
                  answers on a page of their own.",
             );
-            saves = save.clicked();
-            if let Some(text) = shelf::text_of(&lesson.name) {
-                let copy = ui.button("Copy as a start").on_hover_text(
-                    "Copies the lesson's own file: paste it into a file that ends in .json and \
-                     change it.",
-                );
-                if copy.clicked() {
-                    ui.ctx().copy_text(text.to_owned());
-                }
-            }
+            let start = ui.button("Copy as a start").on_hover_text(
+                "Saves the lesson's own file under another name: change it, and drop it on this \
+                 window.",
+            );
+            copy = save.clicked().then_some(LessonFile::Handout);
+            copy = start.clicked().then_some(LessonFile::Start).or(copy);
         });
+        ui.add_space(6.0);
+        let parts = (context.app, &mut *context.studies, context.wake);
+        trial.show(ui, lesson, parts, context.theme);
     });
     ui.add_space(6.0);
     said(
@@ -198,7 +243,7 @@ fn of_teachers(ui: &mut Ui, lesson: &Lesson, context: &mut PageContext<'_>) -> b
          check FILE\" plays it and says what is wrong, with the step; then drop the file on \
          this window.",
     );
-    saves
+    copy
 }
 
 /// A lesson of the list, laid out.

@@ -163,6 +163,13 @@ impl Window {
                     Err(why) => self.app.say(Tone::Problem, why),
                 }
             }
+            Wish::LessonsFolder => {
+                if let Some(folder) = &self.lessons_folder {
+                    let path = folder.display().to_string();
+                    self.app.say(Tone::Info, format!("Copied: {path}."));
+                    context.copy_text(path);
+                }
+            }
             Wish::About => self.dialog = Some(Dialog::About(None)),
         }
     }

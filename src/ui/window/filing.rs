@@ -11,6 +11,7 @@ use super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::{self, Dialog, Outcome},
         files::{Ask, NO_DIALOG, Picked},
+        pages::lessons_view::LessonFile,
         picture,
         saver::Saver,
         theme::{Wake, waker},
@@ -49,7 +50,7 @@ pub(super) enum Saving {
     Chart(ChartWish),
     Gem(Box<GemFile>),
     Picture(PictureWish),
-    Handout(Arc<Lesson>),
+    Lesson(Arc<Lesson>, LessonFile),
 }
 
 /// A file dialog that is open on another thread.
@@ -356,7 +357,8 @@ impl Window {
             Saving::Chart(wish) => wish.form.extension(),
             Saving::Gem(gem) => gem.extension(),
             Saving::Picture(wish) => wish.form.ending(),
-            Saving::Handout(_) => "html",
+            Saving::Lesson(_, LessonFile::Handout) => "html",
+            Saving::Lesson(_, LessonFile::Start) => "json",
         };
         self.ask(
             Ask::Save {
@@ -391,7 +393,8 @@ impl Window {
             Saving::Chart(wish) => wish.file_name(),
             Saving::Gem(gem) => gem.file_name(),
             Saving::Picture(wish) => wish.file_name(),
-            Saving::Handout(lesson) => format!("{}.html", lesson.name),
+            Saving::Lesson(lesson, LessonFile::Handout) => format!("{}.html", lesson.name),
+            Saving::Lesson(lesson, LessonFile::Start) => format!("my-{}.json", lesson.name),
         }
     }
 
@@ -446,15 +449,18 @@ impl Window {
                     let _ = said.send(message);
                     return wake();
                 }
-                Saving::Handout(lesson) => handout(lesson, Form::Html, &lesson.name)
-                    .map(|sheet| sheet.text.into_bytes())
-                    .map_err(|why| why.to_string()),
+                Saving::Lesson(lesson, LessonFile::Start) => Ok(lesson.text.clone().into_bytes()),
+                Saving::Lesson(lesson, LessonFile::Handout) => {
+                    handout(lesson, Form::Html, &lesson.name)
+                        .map(|sheet| sheet.text.into_bytes())
+                        .map_err(|why| why.to_string())
+                }
             };
             let written =
                 bytes.and_then(|bytes| save_atomically(&path, &bytes).map_err(|e| e.to_string()));
             let message = match (written, saving) {
                 // The axes of a chart name their own units, the others have none.
-                (Ok(()), Saving::Chart(_) | Saving::Gem(_) | Saving::Handout(_)) => {
+                (Ok(()), Saving::Chart(_) | Saving::Gem(_) | Saving::Lesson(..)) => {
                     (Tone::Info, format!("Saved {}.", path.display()))
                 }
                 (Ok(()), saving) => {

@@ -3,16 +3,20 @@
 use std::{path::PathBuf, sync::Arc};
 
 use eframe::egui;
-use egui::{Context, Key, Margin, Modifiers, Panel, Ui};
+use egui::{Context, Key, Margin, Modifiers, Panel, Rect, Ui};
 
 use super::{
-    super::{lesson_view::Wish, theme::Theme},
+    super::{
+        lesson_view::Wish,
+        pointing,
+        theme::{Theme, waker},
+    },
     Window,
     panels::{Shape, in_its_size, plain},
 };
 use crate::app::{
-    lessons::{Lesson, Run, shelf},
-    pages::Page,
+    lessons::{Lesson, Run, point::Aim, shelf},
+    pages::{Page, Place},
     state::Tone,
 };
 
@@ -23,6 +27,9 @@ const MOST_OF_WINDOW: f32 = 0.42;
 
 /// How long each thing that the program shows stands, seconds.
 const PACE: f64 = 0.9;
+
+/// Half the width of a ring around a wavelength, points.
+const AT_NM: f32 = 12.0;
 
 /// A larger file is no lesson, bytes.
 const MOST_BYTES: u64 = 4 << 20;
@@ -43,6 +50,7 @@ impl Window {
 
     /// Begins a lesson that was asked for, and shows the next thing where one is being shown.
     pub(super) fn lesson_goes_on(&mut self, context: &Context) {
+        self.read_own_lessons();
         if let Some(asked) = self.preferences.pages.lesson_asked.take()
             && let Some(lesson) = self.pages.lessons.find(&asked.name)
         {
@@ -70,6 +78,15 @@ impl Window {
         run.look(&self.app, pages);
     }
 
+    /// Reads the folder of own lessons whenever their list comes into sight.
+    fn read_own_lessons(&mut self) {
+        let in_sight = self.preferences.pages.page.place() == Place::Learn;
+        let comes = in_sight && !std::mem::replace(&mut self.lists_lessons, in_sight);
+        if let Some(folder) = self.lessons_folder.as_ref().filter(|_| comes) {
+            self.pages.lessons.read_folder(folder);
+        }
+    }
+
     /// The lesson's column.
     pub(super) fn lesson_panel(&mut self, ui: &mut Ui, theme: Theme) {
         let width = self.lesson_width(ui.ctx().content_rect().width(), theme);
@@ -77,7 +94,8 @@ impl Window {
             return;
         };
         let scene = (&self.app, &self.preferences.pages);
-        let view = &mut self.lesson_view;
+        let (view, wake) = (&mut self.lesson_view, waker(ui.ctx()));
+        let studies = &mut self.studies;
         let mut wishes = Vec::new();
         let frame = plain(ui, Margin::same(12)).fill(ui.visuals().window_fill);
         Panel::left("lesson")
@@ -85,24 +103,49 @@ impl Window {
             .resizable(false)
             .exact_size(width)
             .show(ui, |ui| {
-                in_its_size(ui, |ui| wishes = view.show(ui, run, scene, theme));
+                in_its_size(ui, |ui| {
+                    wishes = view.show(ui, run, scene, (&mut *studies, &wake), theme)
+                });
             });
         for wish in wishes {
             self.fulfil_of_lesson(wish, ui.ctx());
         }
     }
 
+    /// The ring around what the step points at.
+    pub(super) fn lesson_ring(&self, context: &Context, theme: Theme) {
+        let aim = self.lesson.as_ref().filter(|_| !self.plot_alone);
+        let aim = aim.and_then(|run| run.aim(&self.app, &self.preferences.pages));
+        let name = match &aim {
+            Some((Aim::Named(name), _)) => Some(name.as_str()),
+            _ => None,
+        };
+        let named = pointing::find(context, name);
+        let Some((aim, label)) = aim else { return };
+        let around = match aim {
+            Aim::Named(_) => named,
+            Aim::Nm(nm) => self.look.spectrum.transform.and_then(|plot| {
+                let x = plot.position_from_point_x(nm);
+                let strip = Rect::from_x_y_ranges(x - AT_NM..=x + AT_NM, plot.frame().y_range());
+                plot.frame().x_range().contains(x).then_some(strip)
+            }),
+        };
+        if let Some(around) = around {
+            pointing::ring(context, around, label, theme);
+        }
+    }
+
     /// The keys of a lesson, which go before those of the pages.
     pub(super) fn lesson_keys(&mut self, context: &Context) {
         let Some(run) = &self.lesson else { return };
-        let is_busy = context.memory(|m| m.focused().is_some())
-            || self.palette.is_open()
-            || self.drawer.open
-            || self.menu_open;
-        if is_busy {
+        let is_over = self.palette.is_open() || self.drawer.open || self.menu_open;
+        if is_over || context.text_edit_focused() {
             return;
         }
+        // A slider that was just moved has the arrows and the digits, never a clicker's keys.
+        let is_free = context.memory(|m| m.focused().is_none());
         let (index, has_task) = (run.index(), run.step().task.is_some());
+        let ends = run.is_last() && run.is_told();
         let last = run.lesson().steps.len() - 1;
         let mut wishes = Vec::new();
         context.input_mut(|input| {
@@ -110,11 +153,22 @@ impl Window {
                 keys.iter()
                     .any(|key| input.consume_key(Modifiers::NONE, *key))
             };
-            if pressed(&[Key::ArrowRight, Key::PageDown]) && index < last {
-                wishes.push(Wish::Go(index + 1));
+            let both = |arrow: Key, page: Key| match is_free {
+                true => vec![arrow, page],
+                false => vec![page],
+            };
+            if pressed(&both(Key::ArrowRight, Key::PageDown)) {
+                if index < last {
+                    wishes.push(Wish::Go(index + 1));
+                } else if ends {
+                    wishes.push(Wish::Leave);
+                }
             }
-            if pressed(&[Key::ArrowLeft, Key::PageUp]) && index > 0 {
+            if pressed(&both(Key::ArrowLeft, Key::PageUp)) && index > 0 {
                 wishes.push(Wish::Go(index - 1));
+            }
+            if !is_free {
+                return;
             }
             if pressed(&[Key::Space]) {
                 wishes.push(if has_task { Wish::ShowMe } else { Wish::Tell });
@@ -152,7 +206,6 @@ impl Window {
     fn leave_lesson(&mut self) {
         if let Some(run) = self.lesson.take() {
             run.leave(&mut self.app, &mut self.preferences.pages);
-            self.preferences.pages.page = Page::Lessons;
         }
     }
 
@@ -170,6 +223,11 @@ impl Window {
                 Ok(lesson) => {
                     let words = format!("{} is among the lessons now.", lesson.title);
                     self.app.say(Tone::Info, words);
+                    if let Some(folder) = &self.lessons_folder
+                        && let Err(why) = shelf::keep(folder, &lesson)
+                    {
+                        self.app.say(Tone::Problem, why);
+                    }
                     self.pages.lessons.take(Arc::new(lesson));
                     self.preferences.pages.page = Page::Lessons;
                 }

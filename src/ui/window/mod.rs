@@ -9,7 +9,10 @@ mod lesson;
 mod panels;
 mod status;
 
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::{
+    path::PathBuf,
+    sync::mpsc::{Receiver, Sender, channel},
+};
 
 use eframe::egui;
 use egui::{Context, Ui};
@@ -90,7 +93,7 @@ pub struct Window {
     /// Revision and preferences on disk, and when something newer was first seen.
     kept: (u64, Preferences),
     changed_at: Option<f64>,
-    /// The three ways to begin stand over the first screen.
+    /// The ways to begin stand over the first screen.
     greets: bool,
     /// Leaves out what changes from run to run (the time taken), for pictures in tests.
     pub quiet: bool,
@@ -106,6 +109,10 @@ pub struct Window {
     lesson: Option<Run>,
     lesson_view: LessonView,
     shows_next_at: f64,
+    /// Where own lessons are kept; `None` keeps none.
+    lessons_folder: Option<PathBuf>,
+    /// Whether the list of lessons was in sight in the last frame.
+    lists_lessons: bool,
 }
 
 impl Window {
@@ -113,6 +120,8 @@ impl Window {
     pub fn new(app: App, preferences: Preferences, picker: Picker, saver: Option<Saver>) -> Self {
         Self {
             kept: (app.revision(), preferences.clone()),
+            lessons_folder: saver.as_ref().map(|s| s.path().with_file_name("lessons")),
+            lists_lessons: false,
             app,
             preferences,
             picker,
@@ -207,6 +216,7 @@ impl Window {
         if !self.side_alone(shape) {
             centre = self.page_panel(ui, shape, theme);
         }
+        self.lesson_ring(&context, theme);
         self.palette(&context);
         self.greeting(&context, theme);
         // What lies above the summary has the keys first.

@@ -5,7 +5,9 @@ use egui::{Context, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, 
 
 use super::{
     super::{
-        foot_view, greeting_view,
+        foot_view,
+        greeting_view::{self, Beginning},
+        keys::Act,
         look_view::{self, Scene},
         pages::{self, PageContext},
         palette_view::Chosen,
@@ -38,6 +40,8 @@ const PAGE_MARGIN: Margin = Margin::symmetric(16, 12);
 const LINE_BESIDE: f32 = 820.0;
 /// Least width of what is on a page beside the spectrum: a narrower window scrolls it.
 const LEAST_WIDTH: f32 = 400.0;
+/// The lamp to play with at a first start: three bands, many lines.
+const LIVE: &str = "cie_fluorescent_1nm/FL11";
 /// Least height of a page: a lower window scrolls it.
 const LEAST_PAGE: f32 = 540.0;
 
@@ -99,9 +103,13 @@ impl Window {
             .exact_size(height)
             .show(ui, |ui| {
                 in_its_size(ui, |ui| {
-                    let busy = (self.waiting.is_some(), self.batch.has_summary());
+                    let menus = top_view::Menus {
+                        dialog_open: self.waiting.is_some(),
+                        has_summary: self.batch.has_summary(),
+                        lessons: self.lessons_folder.as_deref(),
+                    };
                     let drawer = &mut self.drawer;
-                    top_view::show(ui, &self.app, &self.preferences, drawer, busy, &mut wishes);
+                    top_view::show(ui, &self.app, &self.preferences, drawer, menus, &mut wishes);
                 });
             });
         for wish in wishes {
@@ -120,7 +128,8 @@ impl Window {
                 in_its_size(ui, |ui| {
                     let page = self.preferences.pages.page;
                     let words = foot_view::words(&self.app, page);
-                    self.status(ui, theme, words);
+                    let offered = foot_view::lesson(&self.app, page);
+                    self.status(ui, theme, words, offered.filter(|_| self.lesson.is_none()));
                 });
             });
     }
@@ -341,8 +350,8 @@ impl Window {
         if let Some(wish) = self.pages.wants_save() {
             self.save(Saving::Picture(wish), &context);
         }
-        if let Some(lesson) = self.pages.lessons.wants_handout.take() {
-            self.save(Saving::Handout(lesson), &context);
+        if let Some((lesson, copy)) = self.pages.lessons.wants.take() {
+            self.save(Saving::Lesson(lesson, copy), &context);
         }
         if !commands.is_empty() {
             // The right panel was drawn before the page's click.
@@ -364,22 +373,35 @@ impl Window {
         }
     }
 
-    /// The three ways to begin.
+    /// The ways to begin.
     pub(super) fn greeting(&mut self, context: &Context, theme: Theme) {
         if !self.greets {
             return;
         }
-        let (page, leaves) = greeting_view::show(context, theme);
-        if let Some(page) = page {
-            self.preferences.pages.page = page;
-        }
+        let (chosen, leaves) = greeting_view::show(context, theme);
         if leaves {
             self.greets = false;
             self.preferences.greeted = true;
         }
+        match chosen {
+            None => {}
+            Some(Beginning::Page(page)) => self.preferences.pages.page = page,
+            Some(Beginning::Own) => self.act(Act::Open, context),
+            Some(Beginning::Live) => {
+                self.preferences.pages.page = Page::Spectrum;
+                if let Some(lamp) = self.app.entry(LIVE) {
+                    self.app.apply(Command::Show(lamp));
+                    self.app.end_gesture();
+                }
+            }
+        }
+        if chosen.is_some() {
+            // The page was drawn before.
+            context.request_repaint();
+        }
     }
 
-    /// Shows the three ways to begin to who was never here.
+    /// Shows the ways to begin to who was never here.
     pub fn greet(&mut self) {
         self.greets = !self.preferences.greeted;
     }

@@ -4,17 +4,26 @@ use eframe::egui;
 use egui::Ui;
 
 use super::{
-    super::{batch_view, theme::Theme},
+    super::{batch_view, kit::named, theme::Theme},
     WATCH_EVERY, Window,
 };
-use crate::app::state::Tone;
+use crate::app::{lessons::Lesson, pages::AskedLesson, state::Tone};
 
 /// Messages that the status line's tooltip tells.
 const MESSAGES_SHOWN: usize = 12;
+/// Width from which the button to a lesson has room for its title, points.
+const ROOM_FOR_TITLE: f32 = 900.0;
 
 impl Window {
-    /// `otherwise`: what is to be noticed and a question, where nothing was said just now.
-    pub(super) fn status(&mut self, ui: &mut Ui, theme: Theme, otherwise: (String, String)) {
+    /// `otherwise`: what is to be noticed and a question, where nothing was said just now;
+    /// `lesson` answers it.
+    pub(super) fn status(
+        &mut self,
+        ui: &mut Ui,
+        theme: Theme,
+        otherwise: (String, String),
+        lesson: Option<&Lesson>,
+    ) {
         let mut wants_summary = false;
         ui.horizontal_centered(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -24,6 +33,9 @@ impl Window {
                     ui.weak(format!("recomputed in {ms:.2} ms")).on_hover_text(
                         "Time for fit, errors, colours, patches and the order curve.",
                     );
+                }
+                if let Some(lesson) = lesson {
+                    self.offer_lesson(ui, lesson);
                 }
                 if let Some(progress) = self.loader.progress() {
                     // What was read is fetched in the next frame; until then it goes on.
@@ -82,6 +94,25 @@ impl Window {
         });
         if wants_summary {
             self.batch.show();
+        }
+    }
+
+    /// A button to the lesson that answers the page's question.
+    fn offer_lesson(&mut self, ui: &mut Ui, lesson: &Lesson) {
+        let words = match ui.available_width() >= ROOM_FOR_TITLE {
+            true => format!("Lesson: {}", lesson.title),
+            false => "Lesson".to_owned(),
+        };
+        let button = ui.small_button(words);
+        named(&button, egui::Role::Button, "Lesson about this page");
+        let hover = format!(
+            "{} {} ({} minutes)",
+            lesson.title, lesson.sentence, lesson.minutes
+        );
+        if button.on_hover_text(hover).clicked() {
+            let name = lesson.name.clone();
+            self.preferences.pages.lesson_asked = Some(AskedLesson { name, step: 0 });
+            ui.ctx().request_repaint();
         }
     }
 

@@ -1,0 +1,147 @@
+//! A lesson's claims tried on another light: where do they fail?
+
+use super::{
+    format::{Fault, Lesson},
+    proof::walk,
+};
+use crate::{
+    app::{App, Command, Entry, memo::ByAddress},
+    io::many::many,
+    study::Progress,
+};
+
+/// Which lesson is tried on which light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrialAsk {
+    /// The lesson.
+    pub lesson: ByAddress<Lesson>,
+    /// The light: a shipped one or one of the person's own.
+    pub light: ByAddress<Entry>,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Trial {
+    /// What holds for how many steps, a sentence.
+    pub headline: String,
+    /// Where a claim fails and why, a sentence a step.
+    pub faults: Vec<String>,
+}
+
+impl TrialAsk {
+    /// The answer; `None` when it was cancelled.
+    pub fn answer(&self, progress: &Progress) -> Option<Trial> {
+        let (lesson, light) = (&*self.lesson.0, &self.light.0);
+        let mut app = App::new();
+        let name = if app.bundled().iter().any(|e| e.key == light.key) {
+            &light.key
+        } else {
+            app.apply(Command::Adopt(vec![light.spectrum.clone()]));
+            light.name()
+        };
+        progress.expect(lesson.steps.len());
+        let walked = match lesson.about(name) {
+            Ok(lesson) => walked(&lesson, app, progress)?,
+            Err(why) => Err(why),
+        };
+        Some(Trial::of(lesson, light.name(), walked))
+    }
+}
+
+/// What is wrong with each step; `None` when it was cancelled.
+fn walked(lesson: &Lesson, app: App, progress: &Progress) -> Option<Result<Vec<Fault>, Fault>> {
+    let steps = match walk(lesson, app, |_, _| ()) {
+        Ok(steps) => steps,
+        Err(why) => return Some(Err(why)),
+    };
+    let mut faults = Vec::new();
+    for step in steps {
+        if progress.is_cancelled() {
+            return None;
+        }
+        faults.extend(step.err());
+        progress.step();
+    }
+    Some(Ok(faults))
+}
+
+impl Trial {
+    fn of(lesson: &Lesson, light: &str, walked: Result<Vec<Fault>, Fault>) -> Self {
+        let (steps, count) = (lesson.steps.len(), lesson.checks());
+        let said = |fault: &Fault| match fault.step {
+            Some(step) => format!("Step {step}: {}.", fault.what),
+            None => format!("{}.", fault.what),
+        };
+        match walked {
+            Err(why) => Self {
+                headline: format!("The lesson cannot be taken with {light}."),
+                faults: vec![said(&why)],
+            },
+            Ok(faults) if faults.is_empty() => Self {
+                headline: format!(
+                    "With {light} everything holds: {} in {}.",
+                    many(count, "check", "checks"),
+                    many(steps, "step", "steps")
+                ),
+                faults: Vec::new(),
+            },
+            Ok(faults) => Self {
+                headline: format!(
+                    "With {light}, {} of {} fail.",
+                    faults.len(),
+                    many(steps, "step", "steps")
+                ),
+                faults: faults.iter().map(said).collect(),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::app::lessons::{names::entry, shelf};
+
+    fn tried(lesson: &str, light: &str) -> Trial {
+        let ask = TrialAsk {
+            lesson: ByAddress(shelf::named(lesson).expect("shipped")),
+            light: ByAddress(entry(&App::new(), light).expect("shipped")),
+        };
+        ask.answer(&Progress::default()).expect("not cancelled")
+    }
+
+    #[test]
+    fn a_lesson_about_lines_holds_for_a_tube_and_fails_on_daylight_where_the_lines_are() {
+        let tube = tried("samples", "FL3");
+        assert!(
+            tube.headline.starts_with("With FL3 everything holds: "),
+            "{tube:?}"
+        );
+        assert!(tube.faults.is_empty());
+        let daylight = tried("samples", "CIE D65");
+        assert_eq!(daylight.headline, "With CIE D65, 1 of 2 steps fail.");
+        let fault = &daylight.faults[0];
+        assert!(
+            fault.starts_with("Step 1: ") && fault.contains("filter_delta_e_samples"),
+            "{fault}"
+        );
+    }
+
+    #[test]
+    fn a_light_of_ones_own_is_tried_like_a_shipped_one() {
+        let mut own = Entry::clone(&entry(&App::new(), "FL3").expect("shipped"));
+        own.key = "file/mine".to_owned();
+        own.spectrum.name = "My tube".to_owned();
+        let ask = TrialAsk {
+            lesson: ByAddress(shelf::named("samples").expect("shipped")),
+            light: ByAddress(Arc::new(own)),
+        };
+        let trial = ask.answer(&Progress::default()).expect("not cancelled");
+        assert!(
+            trial.headline.starts_with("With My tube everything holds"),
+            "{trial:?}"
+        );
+    }
+}

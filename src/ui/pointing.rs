@@ -1,0 +1,163 @@
+//! A ring around what a lesson points at: found by the name that it has for screen readers, brought
+//! into view, and never in the way of the pointer.
+
+use eframe::egui;
+use egui::{
+    Align2, Context, FullOutput, Id, LayerId, Order, Plugin, RawInput, Rect, Stroke, StrokeKind,
+    accesskit::{Action, ActionRequest, Node, NodeId, Role, TreeId},
+};
+
+use super::theme::Theme;
+
+/// Thickness of the ring and the room between it and what it is around, points.
+const RING: f32 = 3.0;
+const ROOM: f32 = 4.0;
+/// Size of the words beside it, points.
+const TYPE: f32 = 15.0;
+
+/// Finds what is called a name among all that was drawn last.
+#[derive(Default)]
+struct Finder {
+    wanted: Option<String>,
+    found: Option<(NodeId, Rect)>,
+    /// It was brought into view once; whoever scrolls away afterwards is not held back.
+    scrolled: bool,
+}
+
+impl Finder {
+    /// How well a node fits, the best first: what is called so before what only begins so, and a
+    /// control before the words beside it.
+    fn fits(&self, node: &Node) -> Option<(bool, bool)> {
+        let wanted = self.wanted.as_deref()?;
+        let names = [node.label(), node.value()].into_iter().flatten();
+        let fitting = names.filter(|name| name.starts_with(wanted));
+        let is_words = node.role() == Role::Label;
+        fitting.map(|name| (name != wanted, is_words)).min()
+    }
+}
+
+impl Plugin for Finder {
+    fn debug_name(&self) -> &'static str {
+        "what a lesson points at"
+    }
+
+    fn input_hook(&mut self, context: &Context, input: &mut RawInput) {
+        let Some((target_node, _)) = self.found.filter(|_| !self.scrolled) else {
+            return;
+        };
+        self.scrolled = true;
+        let request = ActionRequest {
+            action: Action::ScrollIntoView,
+            target_tree: TreeId::ROOT,
+            target_node,
+            data: None,
+        };
+        input
+            .events
+            .push(egui::Event::AccessKitActionRequest(request));
+        context.request_repaint();
+    }
+
+    fn output_hook(&mut self, context: &Context, output: &mut FullOutput) {
+        let Some(update) = &output.platform_output.accesskit_update else {
+            return;
+        };
+        let nodes = update.nodes.iter();
+        let fitting = nodes.filter_map(|(id, node)| Some((self.fits(node)?, *id, rect_of(node)?)));
+        // Of several with a name the first from above is meant: a slider, not the number beside it.
+        let order =
+            |(fits, _, rect): &((bool, bool), NodeId, Rect)| (*fits, rect.top(), rect.left());
+        let first = fitting.min_by(|a, b| {
+            let order = order(a).partial_cmp(&order(b));
+            order.unwrap_or(std::cmp::Ordering::Equal)
+        });
+        let found = first.map(|(_, id, rect)| (id, rect));
+        if found != self.found {
+            self.found = found;
+            context.request_repaint();
+        }
+    }
+}
+
+fn rect_of(node: &Node) -> Option<Rect> {
+    let bounds = node.bounds()?;
+    let corner = |x: f64, y: f64| egui::pos2(x as f32, y as f32);
+    let rect = Rect::from_min_max(corner(bounds.x0, bounds.y0), corner(bounds.x1, bounds.y1));
+    rect.is_positive().then_some(rect)
+}
+
+/// Where the thing of a name stands, as of the last frame; brought into view once it is wanted.
+pub fn find(context: &Context, name: Option<&str>) -> Option<Rect> {
+    let finder = context.plugin_or_default::<Finder>();
+    let mut finder = finder.lock();
+    if finder.wanted.as_deref() != name {
+        *finder = Finder {
+            wanted: name.map(str::to_owned),
+            ..Finder::default()
+        };
+    }
+    if name.is_some() {
+        // Names are told to screen readers alone, unless they are asked for.
+        context.enable_accesskit();
+    }
+    finder.found.map(|(_, rect)| rect)
+}
+
+/// Draws the ring around a place and the words beside it.
+pub fn ring(context: &Context, around: Rect, label: &str, theme: Theme) {
+    let screen = context.content_rect();
+    let rect = around.expand(ROOM + RING / 2.0);
+    if !screen.intersects(around) {
+        return;
+    }
+    // Over the pages, below lists and windows; it is painted and takes no click.
+    let id = Id::unique("ring of a lesson");
+    let painter = context.layer_painter(LayerId::new(Order::Middle, id));
+    painter.rect_stroke(
+        rect,
+        6.0,
+        Stroke::new(RING, theme.warning),
+        StrokeKind::Middle,
+    );
+    let font = egui::FontId::proportional(TYPE * theme.scale);
+    let words = painter.layout_no_wrap(label.to_owned(), font, theme.ground);
+    let size = words.size() + egui::vec2(12.0, 6.0);
+    let card = Rect::from_min_size(beside(rect, size, screen), size);
+    painter.rect_filled(card, 4.0, theme.warning);
+    let at = Align2::CENTER_CENTER.align_size_within_rect(words.size(), card);
+    painter.galley(at.min, words, theme.ground);
+    context.accesskit_node_builder(id, |node| {
+        node.set_role(Role::Label);
+        node.set_label(format!("Here: {label}"));
+        node.set_bounds(egui::accesskit::Rect {
+            x0: rect.left().into(),
+            y0: rect.top().into(),
+            x1: rect.right().into(),
+            y1: rect.bottom().into(),
+        });
+    });
+}
+
+/// Where words of a size stand beside a ring: below it or above it, and at the side of a tall one,
+/// whose ends are at the edges of a plot, and of one in the top bar, below which there is text.
+fn beside(ring: Rect, size: egui::Vec2, screen: Rect) -> egui::Pos2 {
+    const TALL: f32 = 160.0;
+    const BAR: f32 = 48.0;
+    let gap = RING + 1.0;
+    let is_tall = ring.height() > TALL;
+    let at_side = is_tall || ring.center().y < screen.top() + BAR;
+    let x = match at_side {
+        true if ring.right() + gap + size.x <= screen.right() => ring.right() + gap,
+        true => ring.left() - gap - size.x,
+        false => ring.center().x - size.x / 2.0,
+    };
+    let y = match at_side {
+        true if is_tall => ring.top() + size.y,
+        true => ring.center().y - size.y / 2.0,
+        false if ring.bottom() + gap + size.y <= screen.bottom() => ring.bottom() + gap,
+        false => ring.top() - gap - size.y,
+    };
+    let least = screen.min + egui::Vec2::splat(ROOM);
+    let most = (screen.max - size - egui::Vec2::splat(ROOM)).max(least);
+    egui::pos2(x, y).clamp(least, most)
+}

@@ -1,0 +1,60 @@
+//! "Try another lamp": a lesson's claims tried on any light of the library.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{Label, Ui};
+
+use super::{
+    kit::{Chooser, lights, warning},
+    pages::progress,
+    theme::{Theme, Wake},
+};
+use crate::app::{
+    App, Entry,
+    lessons::{Lesson, trial::TrialAsk},
+    memo::ByAddress,
+    studies::Studies,
+};
+
+/// The light that was chosen last.
+#[derive(Default)]
+pub struct TrialView {
+    chosen: Option<Arc<Entry>>,
+}
+
+impl TrialView {
+    /// Draws the list of lights and what came of the trial.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        lesson: &Arc<Lesson>,
+        (app, studies, wake): (&App, &mut Studies, &Wake),
+        theme: Theme,
+    ) {
+        let chooser = Chooser {
+            name: "Try another lamp",
+            meaning: "Takes the lesson with another light in place of its own, out of sight, and \
+                      says where its claim fails.",
+            says: "Try another lamp…",
+            offers: lights,
+            width: ui.available_width().min(260.0 * theme.scale),
+        };
+        let chosen = chooser.show(ui, app);
+        self.chosen = chosen.or_else(|| self.chosen.take());
+        let Some(light) = &self.chosen else { return };
+        let ask = TrialAsk {
+            lesson: ByAddress(lesson.clone()),
+            light: ByAddress(light.clone()),
+        };
+        studies.trial.ask_by(&ask, wake, TrialAsk::answer);
+        progress(ui, &mut studies.trial, "The trial");
+        let Some(trial) = studies.trial.result_for(&ask) else {
+            return;
+        };
+        ui.add(Label::new(&trial.headline).wrap());
+        for fault in &trial.faults {
+            warning(ui, theme, fault.as_str());
+        }
+    }
+}
