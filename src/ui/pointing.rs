@@ -65,8 +65,9 @@ impl Plugin for Finder {
         let nodes = update.nodes.iter();
         let fitting = nodes.filter_map(|(id, node)| Some((self.fits(node)?, *id, rect_of(node)?)));
         // Of several with a name the first from above is meant: a slider, not the number beside it.
-        let order =
-            |(fits, _, rect): &((bool, bool), NodeId, Rect)| (*fits, rect.top(), rect.left());
+        let order = |(fits, id, rect): &((bool, bool), NodeId, Rect)| {
+            (*fits, rect.top(), rect.left(), id.0)
+        };
         let first = fitting.min_by(|a, b| {
             let order = order(a).partial_cmp(&order(b));
             order.unwrap_or(std::cmp::Ordering::Equal)

@@ -81,7 +81,7 @@ fn a_check_says_file_step_and_reason() {
         (
             "\"above\": 5",
             "\"above\": 5000",
-            "step 1: found a task that its own show does not meet",
+            "step 1: its own show does not meet its task: found error of plain samples",
         ),
         (
             "spectral-explorer-lesson",
