@@ -150,7 +150,7 @@ fn beside(ring: Rect, size: egui::Vec2, screen: Rect) -> egui::Pos2 {
     let x = match at_side {
         true if ring.right() + gap + size.x <= screen.right() => ring.right() + gap,
         true => ring.left() - gap - size.x,
-        false => ring.center().x - size.x / 2.0,
+        false => ring.left(),
     };
     let y = match at_side {
         true if is_tall => ring.top() + size.y,
