@@ -9,6 +9,7 @@ use super::{
     products::Products, scale::Scale, settings::Settings,
 };
 use crate::{
+    color::Adaptation,
     preset::Preset,
     spectrum::{Composite, SpikeEdits},
 };
@@ -76,6 +77,17 @@ pub enum Height {
     Root,
     /// By their logarithms.
     Log,
+}
+
+impl View {
+    /// What the eye that looks at patches and pictures is used to.
+    pub fn adaptation(&self) -> Adaptation {
+        if self.adapt_patches {
+            Adaptation::ToLight
+        } else {
+            Adaptation::None
+        }
+    }
 }
 
 impl Default for View {

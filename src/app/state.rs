@@ -23,7 +23,7 @@ use super::{
     undo_words::difference,
 };
 use crate::{
-    color::{Adaptation, Observer, Xyz, xyz::xyz_from_nm_values},
+    color::{Observer, Xyz, xyz::xyz_from_nm_values},
     spectrum::{Band, Basis, Kind, SpikeEdits},
 };
 
@@ -528,11 +528,7 @@ pub fn derive(document: &Document, tables: &Tables) -> Derived {
             settings,
             edits: &edits,
             given: document.as_given().map(|given| &**given),
-            adaptation: if document.view.adapt_patches {
-                Adaptation::ToLight
-            } else {
-                Adaptation::None
-            },
+            adaptation: document.view.adaptation(),
         },
         tables,
     )

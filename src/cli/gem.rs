@@ -9,13 +9,14 @@ use super::{
     print,
     prism::light_of,
     refusal::Refusal,
+    room_words::Lamps,
     subject::{self, USUAL_LIGHT, named_light},
     target::{Replaces, Target},
     words::extension,
 };
 use crate::{
     app::ticks::short,
-    color::Observer,
+    color::{Adaptation, Observer},
     io::{atomic::save_atomically, error::shown},
     optics::{
         Absorption, Brilliant, Film, FilmSettings, GemReport, Light, Material, Picture, Scene,
@@ -35,8 +36,13 @@ pub fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Result<()
         target.path()?;
     }
     let is_png = target.as_ref().is_some_and(|t| extension(t.path) == "png");
-    if options.stops.is_some() && !is_png {
-        inputs.note("--stops is not used: no PNG is written");
+    for (option, is_given) in [
+        ("--stops", options.stops.is_some()),
+        ("--seen", options.seen.is_some()),
+    ] {
+        if is_given && !is_png {
+            inputs.note(format!("{option} is not used: no PNG is written"));
+        }
     }
     let (light, observer) = light(options, inputs)?;
     let material = material(&options.material, inputs)?;
@@ -71,7 +77,11 @@ pub fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Result<()
     let Some(target) = target else {
         return print(out, &text);
     };
-    let file = picture_file(target.path, &film, &picture, &light, options)?;
+    let file = match is_png {
+        true => screen_file(&picture, options, inputs),
+        false => spectral_file(&film, &light, options),
+    };
+    let file = file.map_err(|why| Refusal::File(format!("{}: {why}", shown(target.path))))?;
     save_atomically(target.path()?, &file).map_err(|why| Refusal::File(why.to_string()))?;
     let (path, size) = (shown(target.path), options.size);
     let line = format!("Wrote {path}, {size} x {size} px.");
@@ -171,7 +181,10 @@ fn film(
     };
     let scene = Scene {
         view: view(options.view),
-        ..Scene::default()
+        ..match options.lamps {
+            Lamps::Studio => Scene::default(),
+            Lamps::Jeweller => Scene::jeweller(),
+        }
     };
     let solid = cut.solid().map_err(usage)?;
     let studio = Studio::new(solid, material, absorption, scene).map_err(usage)?;
@@ -242,19 +255,23 @@ fn words(report: &GemReport) -> String {
     )
 }
 
-/// The picture's file: what a screen shows, or every plane.
-fn picture_file(
-    path: &Path,
-    film: &Film,
-    picture: &Picture,
-    light: &Light,
-    options: &Gem,
-) -> Result<Vec<u8>, Refusal> {
-    if extension(path) == "png" {
-        let pixels = picture.shown(options.stops.unwrap_or(0.0)).pixels;
-        return png(picture.size, &pixels)
-            .ok_or_else(|| Refusal::File(format!("{}: found no picture", shown(path))));
+/// The picture as a screen shows it.
+fn screen_file(picture: &Picture, options: &Gem, inputs: &mut Inputs) -> Result<Vec<u8>, String> {
+    let by_eye = options.seen != Some(Adaptation::None);
+    let adapted = by_eye.then(|| picture.adapted());
+    if adapted == Some(None) {
+        inputs.note(
+            "no eye adapts to so narrow a light: the picture is as a daylight camera sees it",
+        );
     }
+    let adapted = adapted.flatten();
+    let picture = adapted.as_ref().unwrap_or(picture);
+    let pixels = picture.shown(options.stops.unwrap_or(0.0)).pixels;
+    png(picture.size, &pixels).ok_or_else(|| "found no picture".to_owned())
+}
+
+/// Every plane of the picture.
+fn spectral_file(film: &Film, light: &Light, options: &Gem) -> Result<Vec<u8>, String> {
     let facts = [
         ("light", light.name.clone()),
         ("gem", film.studio().material().name.clone()),
@@ -262,6 +279,5 @@ fn picture_file(
         ("view", format!("{:?}", film.studio().scene().view)),
         ("rays", options.rays.to_string()),
     ];
-    spectral_exr(film, light, &facts)
-        .map_err(|why| Refusal::File(format!("{}: {why}", shown(path))))
+    spectral_exr(film, light, &facts).map_err(|why| why.to_string())
 }

@@ -7,7 +7,10 @@ use std::{
 
 use super::{inputs::Inputs, refusal::Refusal, words};
 use crate::{
-    app::open::Wanted,
+    app::{
+        dispersion::{is_index, material_of},
+        open::Wanted,
+    },
     io::{
         Choices,
         error::{quoted, shown},
@@ -45,20 +48,13 @@ pub fn material(word: &OsStr, inputs: &mut Inputs) -> Result<Material, Refusal> 
 fn of_file(path: &Path, inputs: &mut Inputs) -> Result<Material, Refusal> {
     let reading = inputs.reading(path, &Choices::default());
     let reading = reading.map_err(|why| Refusal::File(format!("--material: {why}")))?;
-    let is_index = |name: &str| name == "n" || name.ends_with(" n");
-    let curve = reading
-        .spectra
-        .iter()
-        .find(|s| s.kind == Kind::Other && is_index(&s.name));
-    let Some(curve) = curve else {
+    let Some(curve) = reading.spectra.iter().find(|s| is_index(s)) else {
         return Err(Refusal::File(format!(
             "--material: {}: found no curve of n, expected one",
             shown(path)
         )));
     };
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    Material::from_table(&name, &curve.source, &curve.samples, false)
-        .map_err(|why| Refusal::File(format!("--material: {}: {why}", shown(path))))
+    material_of(curve).map_err(|why| Refusal::File(format!("--material: {}: {why}", shown(path))))
 }
 
 /// What a filter of a thickness absorbs a unit of length; nothing without a filter.

@@ -7,7 +7,7 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 
 use super::words::{number, one_of, refused, with_extension};
 use crate::{
-    color::Srgb,
+    color::{Adaptation, Srgb},
     design::{
         recover::Method,
         solve::{Against, Favour},
@@ -174,6 +174,33 @@ pub fn view(word: &str) -> Result<View, String> {
         "A" | "a" => Ok(View::A),
         _ => Err(refused(word, "A (or --from X,Y,Z)")),
     }
+}
+
+/// What shines on a gem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lamps {
+    /// The scene that is compared with other programs.
+    Studio,
+    /// The window's.
+    Jeweller,
+}
+
+/// `--lamps`.
+pub fn lamps(word: &str) -> Result<Lamps, String> {
+    let name = |lamps| match lamps {
+        Lamps::Studio => "studio",
+        Lamps::Jeweller => "jeweller",
+    };
+    one_of(word, &[Lamps::Studio, Lamps::Jeweller], name)
+}
+
+/// `--seen`.
+pub fn seen(word: &str) -> Result<Adaptation, String> {
+    let name = |seen| match seen {
+        Adaptation::ToLight => "eye",
+        Adaptation::None => "camera",
+    };
+    one_of(word, &[Adaptation::ToLight, Adaptation::None], name)
 }
 
 /// `--out` of a traced picture.

@@ -32,20 +32,48 @@ pub enum Adaptation {
     ToLight,
 }
 
-/// The colour that corresponds to `xyz` when the eye's white moves from `from_white` to
-/// `to_white` (each in any scale; each white's own Y counts as 1).
-///
-/// `None` when `from_white` leaves one of the eye's signals practically dark (a single line,
-/// low-pressure sodium), because no gain can restore what is not there.
-pub fn adapted(xyz: Xyz, from_white: Xyz, to_white: Xyz) -> Option<Xyz> {
-    let from = times_vector(&CONES_FROM_XYZ, from_white.with_y(1.0)?.to_array());
-    let to = times_vector(&CONES_FROM_XYZ, to_white.with_y(1.0)?.to_array());
-    if from.iter().any(|signal| *signal < SMALLEST_SIGNAL) {
-        return None;
+impl Adaptation {
+    /// In words for people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::None => "as a daylight camera sees it",
+            Self::ToLight => "as the eye sees it after a minute",
+        }
     }
-    let cones = times_vector(&CONES_FROM_XYZ, xyz.to_array());
-    let moved = std::array::from_fn(|k| cones[k] * to[k] / from[k]);
-    Some(Xyz::from_array(times_vector(&XYZ_FROM_CONES, moved)))
+}
+
+/// An eye whose white moves: many colours follow it.
+#[derive(Clone, Copy, Debug)]
+pub struct Adapter {
+    from: [f64; 3],
+    to: [f64; 3],
+}
+
+impl Adapter {
+    /// The white moves from `from_white` to `to_white` (each in any scale; each white's own Y
+    /// counts as 1).
+    ///
+    /// `None` when `from_white` leaves one of the eye's signals practically dark (a single line,
+    /// low-pressure sodium), because no gain can restore what is not there.
+    pub fn new(from_white: Xyz, to_white: Xyz) -> Option<Self> {
+        let from = times_vector(&CONES_FROM_XYZ, from_white.with_y(1.0)?.to_array());
+        let to = times_vector(&CONES_FROM_XYZ, to_white.with_y(1.0)?.to_array());
+        let is_seen = from.iter().all(|signal| *signal >= SMALLEST_SIGNAL);
+        is_seen.then_some(Self { from, to })
+    }
+
+    /// The colour that corresponds to another one.
+    pub fn moved(&self, xyz: Xyz) -> Xyz {
+        let cones = times_vector(&CONES_FROM_XYZ, xyz.to_array());
+        let moved = std::array::from_fn(|k| cones[k] * self.to[k] / self.from[k]);
+        Xyz::from_array(times_vector(&XYZ_FROM_CONES, moved))
+    }
+}
+
+/// The colour that corresponds to `xyz` when the eye's white moves from `from_white` to
+/// `to_white`; `None` where there is no [`Adapter`] for them.
+pub fn adapted(xyz: Xyz, from_white: Xyz, to_white: Xyz) -> Option<Xyz> {
+    Some(Adapter::new(from_white, to_white)?.moved(xyz))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::picture::Picture;
 use crate::color::{
     Srgb, Xyz,
+    adaptation::Adapter,
     srgb::{WHITE, linear_from_xyz},
 };
 
@@ -20,7 +21,7 @@ pub struct Shown {
 }
 
 /// Share of the pixels that automatic exposure leaves below the screen's full brightness.
-const EXPOSED_SHARE: f64 = 0.98;
+const EXPOSED_SHARE: f64 = 0.95;
 
 /// How far below 0 a channel may be and still count as inside, of the largest.
 const SLACK: f64 = 1e-6;
@@ -49,14 +50,29 @@ pub fn into_gamut(xyz: Xyz) -> ([f64; 3], bool) {
 }
 
 impl Picture {
-    /// The picture as a screen shows it, `stops` brighter than the exposure that leaves 98 % of
+    /// The picture as an eye sees it that is adapted to the light: its white is the screen's
+    /// (Bradford). `None` where the light is too narrow for an eye to adapt to.
+    pub fn adapted(&self) -> Option<Self> {
+        let eye = Adapter::new(self.white, WHITE)?;
+        let moved = |xyz: &[f32; 3]| {
+            let xyz = eye.moved(Xyz::from_array(xyz.map(f64::from)));
+            xyz.to_array().map(|v| v as f32)
+        };
+        Some(Self {
+            xyz: self.xyz.iter().map(moved).collect(),
+            white: WHITE * self.white.y,
+            ..self.clone()
+        })
+    }
+
+    /// The picture as a screen shows it, `stops` brighter than the exposure that leaves 95 % of
     /// the pixels below full brightness.
     pub fn shown(&self, stops: f64) -> Shown {
         let gain = self.automatic_gain() * stops.clamp(-20.0, 20.0).exp2();
         self.shown_with(gain)
     }
 
-    /// The gain, over a white of Y 1, that leaves 98 % of the pixels below full brightness.
+    /// The gain, over a white of Y 1, that leaves 95 % of the pixels below full brightness.
     pub fn automatic_gain(&self) -> f64 {
         let mut levels: Vec<f32> = self.xyz.iter().map(|xyz| xyz[1]).collect();
         let place = (EXPOSED_SHARE * (levels.len().max(1) - 1) as f64) as usize;
@@ -103,6 +119,26 @@ impl Picture {
 mod tests {
     use super::*;
     use crate::color::Observer;
+
+    #[test]
+    fn an_eye_makes_the_light_white_and_a_line_is_none_to_adapt_to() {
+        let bulb = Xyz::new(1.0985, 1.0, 0.35585) * 7.0;
+        let of = |white: Xyz| Picture {
+            size: 1,
+            xyz: vec![(white * 0.5).to_array().map(|v| v as f32)],
+            white,
+            stand_ins_nm: Vec::new(),
+            unfinished: false,
+        };
+        let as_it_is = of(bulb).shown_with(1.0).pixels[0];
+        assert!(as_it_is[0] > as_it_is[2] + 50, "{as_it_is:?}");
+        let seen = of(bulb).adapted().unwrap();
+        let [r, g, b] = seen.shown_with(1.0).pixels[0];
+        assert!(r.abs_diff(g) <= 1 && g.abs_diff(b) <= 1, "{r} {g} {b}");
+        assert!((seen.white.y - bulb.y).abs() < 1e-12);
+        let sodium = Xyz::from_array(Observer::Cie1931.table().at(589.3));
+        assert_eq!(of(sodium).adapted(), None);
+    }
 
     #[test]
     fn what_a_screen_can_show_is_left_and_the_rest_keeps_its_luminance() {

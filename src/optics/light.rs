@@ -122,6 +122,17 @@ impl Light {
         )
     }
 
+    /// The light without its smooth part; `None` where no spike of it is seen.
+    pub fn lines_alone(&self) -> Option<Self> {
+        let smooth = vec![0.0; self.smooth.len()];
+        Self::new(&self.name, self.band, smooth, self.spikes.clone()).ok()
+    }
+
+    /// The light without its spikes; `None` where nothing else of it is seen.
+    pub fn smooth_alone(&self) -> Option<Self> {
+        Self::new(&self.name, self.band, self.smooth.clone(), Vec::new()).ok()
+    }
+
     /// The smooth part at a wavelength, straight between whole nm and zero outside the band.
     pub fn smooth_at(&self, at_nm: f64) -> f64 {
         self.band.interpolate(&self.smooth, at_nm)
@@ -237,6 +248,20 @@ mod tests {
         assert_eq!(pieces(5.0, 5.0).count(), 0);
         assert_eq!(pieces(6.0, 5.0).count(), 0);
         assert_eq!(pieces(5.0, 7.0).count(), 2);
+    }
+
+    #[test]
+    fn both_parts_make_the_whole() {
+        let band = Band::VISIBLE;
+        let spike = Spike {
+            at_nm: 546.1,
+            weight: 40.0,
+        };
+        let whole = Light::new("both", band, vec![1.0; band.points()], vec![spike]).unwrap();
+        let (lines, smooth) = (whole.lines_alone().unwrap(), whole.smooth_alone().unwrap());
+        let white = |light: &Light| light.white(Observer::Cie1931).y;
+        assert!((white(&lines) + white(&smooth) - white(&whole)).abs() < 1e-9 * white(&whole));
+        assert!(smooth.lines_alone().is_none() && lines.smooth_alone().is_none());
     }
 
     #[test]

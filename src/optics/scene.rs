@@ -140,7 +140,49 @@ impl Default for Scene {
     }
 }
 
+impl Scene {
+    /// As jewellers show gems: soft boxes low all around and small ones above them, many lamps as
+    /// small as points that make the fire, all before a dark room. All stand further away than the
+    /// camera of view A, so that it looks past them from everywhere.
+    pub fn jeweller() -> Self {
+        let around = |count: u32, from_deg: f64| {
+            (0..count).map(move |k| f64::from(k) * 360.0 / f64::from(count) + from_deg)
+        };
+        let low = around(5, 30.0).map(|turn| Lamp::towards_gem([turn, 36.0], [3.0, 1.25], 1.0));
+        let high = around(5, 66.0).map(|turn| Lamp::towards_gem([turn, 62.0], [1.1, 1.1], 1.2));
+        let points = around(9, 11.0).zip([40.0, 53.0, 66.0].into_iter().cycle());
+        let points =
+            points.map(|(turn, height)| Lamp::towards_gem([turn, height], [0.22, 0.22], 30.0));
+        Self {
+            dome: 0.02,
+            lamps: low.chain(high).chain(points).collect(),
+            view: View::A,
+        }
+    }
+}
+
+/// How far away a jeweller's lamps are.
+const LAMPS_AWAY: f64 = 10.0;
+
 impl Lamp {
+    /// A lamp that faces the gem, by its turn from the front and its height above the girdle in
+    /// degrees, half its width and half its height.
+    fn towards_gem([turn, height]: [f64; 2], [wide, high]: [f64; 2], radiance: f64) -> Self {
+        let (turn, height) = (turn.to_radians(), height.to_radians());
+        let away = [
+            height.cos() * turn.sin(),
+            -height.cos() * turn.cos(),
+            height.sin(),
+        ];
+        let level = [turn.cos(), turn.sin(), 0.0];
+        Self {
+            centre: away.map(|v| LAMPS_AWAY * v),
+            half_edge_u: level.map(|v| wide * v),
+            half_edge_v: cross(level, away).map(|v| high * v),
+            radiance,
+        }
+    }
+
     /// Its normal on the bright side; `None` when it is no rectangle.
     pub(super) fn normal(&self) -> Option<Vec3> {
         unit(cross(self.half_edge_u, self.half_edge_v))
@@ -287,6 +329,36 @@ mod tests {
             camera.film_point([1.0, 0.0, 0.0]).unwrap()[0] > 0.0,
             "right is right"
         );
+    }
+
+    #[test]
+    fn a_jewellers_lamps_face_the_gem_and_hide_it_from_nowhere() {
+        let scene = Scene::jeweller();
+        for lamp in &scene.lamps {
+            let normal = lamp.normal().unwrap();
+            let towards = unit(lamp.centre.map(|v| -v)).unwrap();
+            assert!((dot(normal, towards) - 1.0).abs() < 1e-12, "{lamp:?}");
+        }
+        let usual = View::A;
+        let off = minus(usual.from, usual.towards);
+        let distance = dot(off, off).sqrt();
+        for turn in 0..36 {
+            for height in [15.0, 30.0, 45.0, 60.0, 75.0, 89.0_f64] {
+                let (turn, height) = (f64::from(10 * turn).to_radians(), height.to_radians());
+                let way = [
+                    height.cos() * turn.sin(),
+                    -height.cos() * turn.cos(),
+                    height.sin(),
+                ];
+                let from = plus(usual.towards, way, distance);
+                let view = View { from, ..usual };
+                let scene = Scene {
+                    view,
+                    ..scene.clone()
+                };
+                assert!(scene.camera(&cube()).is_ok(), "{from:?}");
+            }
+        }
     }
 
     #[test]

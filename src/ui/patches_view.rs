@@ -3,8 +3,12 @@
 use eframe::egui;
 use egui::{Ui, vec2};
 
-use super::{kit::Choice, swatch, theme::Theme};
-use crate::app::{App, Command, View, answers::Seen, derived::PatchComparison, library::Library};
+use super::{
+    kit::{Choice, seen_choice},
+    swatch,
+    theme::Theme,
+};
+use crate::app::{App, Command, answers::Seen, derived::PatchComparison, library::Library};
 
 /// Most patches in one row: the ColorChecker makes two rows.
 const PER_ROW: usize = 12;
@@ -25,7 +29,6 @@ pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &
 
 /// The row above the patches: the set, what lies outside the screen's colours, how they are seen.
 pub fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
-    let document = app.document();
     let choice = Choice {
         name: "Patch set",
         meaning: "Whose reflectances the light falls on.",
@@ -50,32 +53,8 @@ pub fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
         }
     }
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let mut adapt = document.view.adapt_patches;
-        let choice = Choice {
-            name: "How patches are seen",
-            meaning: "It changes the colours on screen, not the errors. Adaptation after Bradford.",
-            width: 220.0_f32.min(ui.available_width()),
-        };
-        choice.cut(ui, seen_words(adapt), |ui| {
-            for way in [true, false] {
-                ui.selectable_value(&mut adapt, way, seen_words(way));
-            }
-        });
-        if adapt != document.view.adapt_patches {
-            commands.push(Command::View(View {
-                adapt_patches: adapt,
-                ..document.view
-            }));
-        }
+        seen_choice(ui, app, ("How patches are seen", 220.0), commands);
     });
-}
-
-fn seen_words(adapted: bool) -> &'static str {
-    if adapted {
-        "as the eye sees it after a minute"
-    } else {
-        "as a daylight camera sees it"
-    }
 }
 
 /// The patches themselves, on a ground that is equal to none of them.

@@ -216,6 +216,8 @@ fn what_is_no_gem_is_refused_in_one_line() {
         (&["--from", "0,0,0"], "outside the gem"),
         (&["--from", "1,2"], "three numbers"),
         (&["--view", "B"], "--view: found"),
+        (&["--seen", "me"], "eye or camera"),
+        (&["--lamps", "sun"], "studio or jeweller"),
         (&["--absorption", "-1"], "--absorption: "),
         (&["--wavelength", "900"], "380 and 780 nm"),
         (&["--out", "gem.jpg"], ".png or .exr"),
@@ -237,8 +239,52 @@ fn what_is_no_gem_is_refused_in_one_line() {
 }
 
 #[test]
+fn a_gem_under_a_bulb_is_white_to_the_eye_and_orange_to_a_camera() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let corner = |seen: &[&str]| {
+        let png = folder.path().join("gem.png");
+        let more = [&["--light", "CIE A", "--out", word(&png)], seen].concat();
+        let (code, _, err) = told_of_gem(&more);
+        assert_eq!(code, 0, "{err}");
+        let file = fs::read(&png).expect("a picture");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file))
+            .read_info()
+            .expect("PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+        reader.next_frame(&mut pixels).expect("a frame");
+        // The dome alone.
+        [pixels[0], pixels[2]]
+    };
+    let [red, blue] = corner(&[]);
+    assert!(red.abs_diff(blue) < 6, "{red} {blue}");
+    assert_eq!(corner(&["--seen", "eye"]), [red, blue]);
+    let [red, blue] = corner(&["--seen", "camera"]);
+    assert!(red > blue + 40, "{red} {blue}");
+}
+
+#[test]
+fn a_gem_of_a_colour_takes_light_away() {
+    let bright = |more: &[&str]| {
+        let words = gem(&[&["--wavelength", "650", "--json"], more].concat());
+        let told = json(&words.iter().map(String::as_str).collect::<Vec<_>>());
+        told["mean"].as_f64().expect("a radiance")
+    };
+    let clear = bright(&[]);
+    let grey = bright(&["--absorption", "0.5"]);
+    let green = "isuzu IVG550 (Green filter) 2 mm";
+    let green = bright(&["--filter", green, "--thickness", "2"]);
+    assert!(
+        grey < 0.8 * clear && green < 0.8 * clear,
+        "{clear} {grey} {green}"
+    );
+    assert_eq!(bright(&["--absorption", "0"]), clear);
+}
+
+#[test]
 fn what_changes_nothing_is_said() {
     let (_, _, err) = told_of_gem(&["--wavelength", "589.3", "--order", "3", "--stops", "1"]);
     assert!(err.contains("--stops is not used"), "{err}");
+    let (_, _, err) = told_of_gem(&["--seen", "camera"]);
+    assert!(err.contains("--seen is not used"), "{err}");
     assert!(err.contains("the model's options are not used"), "{err}");
 }

@@ -11,7 +11,10 @@ use spectral_explorer::{
             mix::{Mix, MixChannel, Snapshot},
             wish::MixWish,
         },
-        dispersion::{Beside, DispersionMemory, GemMemory, PrismMemory, RainbowMemory},
+        dispersion::{
+            Beside, DispersionMemory, GemColour, GemMemory, LightPart, PrismMemory, RainbowMemory,
+            Substance,
+        },
         document::FIRST_LIGHT,
         document::Height,
         pages::{FieldChoice, ManyMemory, Page, PageMemory, WaysShown, WordsMemory},
@@ -35,7 +38,7 @@ use spectral_explorer::{
         recover::Method,
         solve::{Against, Favour, Floors},
     },
-    optics::{Brilliant, Stuff},
+    optics::Brilliant,
     spectrum::{Band, Basis, Kind, NamedSpectrum, Rect, Sampled, Sampling},
     study::{Goal, Measure},
 };
@@ -290,21 +293,34 @@ pub fn full_preferences() -> Preferences {
             },
             dispersion: DispersionMemory {
                 prism: PrismMemory {
-                    stuff: Stuff::NBk7,
+                    made_of: Substance::Numbers {
+                        n_d: 1.6,
+                        v_d: 40.0,
+                    },
                     apex_deg: 45.5,
                     at_minimum: false,
+                    minimum_nm: 589.3,
                     incidence_deg: 33.3,
                     slit_mm: 1.25,
+                    screen_mm: 750.0,
                     stops: 0.5,
                     beside: Beside::Overlaid,
                 },
                 rainbow: RainbowMemory {
                     disc: false,
+                    impact: 0.5,
+                    twice: true,
                     stops: -0.5,
                     beside: Beside::Nothing,
                 },
                 gem: GemMemory {
-                    stuff: Stuff::Zirconia,
+                    made_of: Substance::Own {
+                        index: "own/1".to_owned(),
+                    },
+                    colour: GemColour::Filter {
+                        key: "own/2".to_owned(),
+                        thickness: 4.0,
+                    },
                     cut: Brilliant {
                         table: 0.61,
                         ..Brilliant::default()
@@ -314,6 +330,7 @@ pub fn full_preferences() -> Preferences {
                     size: 240,
                     rays: 16,
                     stops: 1.0,
+                    part: LightPart::Lines,
                     under: None,
                 },
             },

@@ -3,13 +3,18 @@
 //! A film holds transport and no light. A light that changes is summed anew over the film that is
 //! there; only places of spikes that it has no rays for yet are traced.
 
-use std::sync::Arc;
+use std::{sync::Arc, time::Instant};
 
-use super::memory::{GemMemory, stuff_title};
+use super::gem_memory::{GemColour, GemMemory};
 use crate::{
-    app::{answers::Seen, memo::ByAddress},
+    app::{answers::Seen, memo::ByAddress, state::App},
     color::Observer,
-    optics::{Brilliant, Film, FilmSettings, Light, MOST_LINES, Noise, Scene, Studio, Stuff, View},
+    io::many::{capitalised, many},
+    optics::{
+        Absorption, Brilliant, Film, FilmSettings, Light, MOST_LINES, Material, Noise, Scene,
+        Studio, View,
+    },
+    spectrum::Kind,
     study::Progress,
 };
 
@@ -18,6 +23,9 @@ const QUICK: (usize, u32) = (96, 4);
 
 /// Rays a pixel of the first picture of the size asked for.
 const FIRST_RAYS: u32 = 2;
+
+/// How wide the camera looks, degrees: the gem fills the picture.
+const ANGLE_DEG: f64 = 15.0;
 
 /// Places of spikes that only the second light has get one ray in so many of the light's.
 const SHARE_OF_OTHERS: u32 = 8;
@@ -28,7 +36,8 @@ const MOST_PLACES: usize = 2 * MOST_LINES;
 /// What the camera looks at.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GemScene {
-    stuff: Stuff,
+    material: Material,
+    absorption: Absorption,
     cut: Brilliant,
     turn_deg: f64,
     height_deg: f64,
@@ -54,18 +63,31 @@ pub struct GemFilm {
     pub film: Film,
     /// What it answers.
     pub pass: GemPass,
+    /// How long all of it was traced, s.
+    pub seconds: f64,
 }
 
 impl GemScene {
     /// As the page remembers it.
-    pub fn of(memory: &GemMemory) -> Self {
-        Self {
-            stuff: memory.stuff,
+    ///
+    /// # Errors
+    /// Why there is no such gem, a sentence.
+    pub fn of(app: &App, memory: &GemMemory) -> Result<Self, String> {
+        let scene = Self {
+            material: memory.made_of.material(app)?,
+            absorption: memory.colour.absorption(app)?,
             cut: memory.cut,
             turn_deg: memory.turn_deg,
             height_deg: memory.height_deg,
             size: memory.size,
-        }
+        };
+        scene.studio()?;
+        Ok(scene)
+    }
+
+    /// How it is cut.
+    pub fn cut(&self) -> &Brilliant {
+        &self.cut
     }
 
     /// The gem before the camera.
@@ -73,9 +95,8 @@ impl GemScene {
     /// # Errors
     /// Why there is no such gem, a sentence.
     pub fn studio(&self) -> Result<Studio, String> {
-        let said = |why: &dyn std::fmt::Display| {
-            crate::io::many::capitalised(&format!("{why}; the last gem stays."))
-        };
+        let said =
+            |why: &dyn std::fmt::Display| capitalised(&format!("{why}; the last gem stays."));
         let solid = self.cut.solid().map_err(|why| said(&why))?;
         let usual = View::A;
         let off = |k: usize| usual.from[k] - usual.towards[k];
@@ -88,11 +109,15 @@ impl GemScene {
             usual.towards[2] + distance * height.sin(),
         ];
         let scene = Scene {
-            view: View { from, ..usual },
-            ..Scene::default()
+            view: View {
+                from,
+                angle_deg: ANGLE_DEG,
+                ..usual
+            },
+            ..Scene::jeweller()
         };
-        let absorption = crate::optics::Absorption::None;
-        Studio::new(solid, self.stuff.material(), absorption, scene).map_err(|why| said(&why))
+        let (material, absorption) = (self.material.clone(), self.absorption.clone());
+        Studio::new(solid, material, absorption, scene).map_err(|why| said(&why))
     }
 
     /// The same in a picture of another size.
@@ -106,6 +131,28 @@ impl GemScene {
     /// Whether two scenes differ in the size of the picture alone.
     fn is_like(&self, other: &Self) -> bool {
         self.sized(other.size) == *other
+    }
+}
+
+impl GemColour {
+    /// What of the light is lost on the way.
+    ///
+    /// # Errors
+    /// A sentence where there is no such filter.
+    pub fn absorption(&self, app: &App) -> Result<Absorption, String> {
+        let said = |why: crate::optics::AbsorptionError| capitalised(&format!("{why}."));
+        match self {
+            Self::Clear => Ok(Absorption::None),
+            Self::Grey { per_radius } => Absorption::even(*per_radius).map_err(said),
+            Self::Filter { key, thickness } => {
+                let entry = app.entry(key);
+                let filter = entry.filter(|entry| entry.kind() == Kind::Transmittance);
+                let filter = filter.ok_or_else(|| {
+                    "The filter that colours the gem is not open: choose another one.".to_owned()
+                })?;
+                Absorption::of_filter(&filter.spectrum.samples, *thickness).map_err(said)
+            }
+        }
     }
 }
 
@@ -157,7 +204,10 @@ impl GemPass {
         progress: &Progress,
     ) -> Option<GemFilm> {
         let from = from.filter(|from| self.goes_on_from(&from.pass));
-        let before = from.as_ref().map_or(0, |from| from.pass.rays);
+        let start = Instant::now();
+        let (before, seconds) = from
+            .as_ref()
+            .map_or((0, 0.0), |from| (from.pass.rays, from.seconds));
         let mut film = match from {
             Some(from) => from.film.clone(),
             None => {
@@ -198,6 +248,7 @@ impl GemPass {
         Some(GemFilm {
             film,
             pass: self.clone(),
+            seconds: seconds + start.elapsed().as_secs_f64(),
         })
     }
 
@@ -257,12 +308,11 @@ fn noise_words(noise: &Noise) -> String {
 }
 
 /// What the page shows, a sentence.
-pub fn sentence(memory: &GemMemory, light: &str, noise: Option<&Noise>) -> String {
-    let gem = stuff_title(memory.stuff);
-    let gem = gem.split(',').next().unwrap_or(gem);
+pub fn sentence(app: &App, memory: &GemMemory, light: &str, noise: Option<&Noise>) -> String {
+    let gem = memory.made_of.in_words(app);
     let facets = memory.cut.facets();
-    let material = memory.stuff.material();
-    let fire = material.abbe().map_or_else(String::new, |figures| {
+    let figures = memory.made_of.material(app).ok().and_then(|m| m.abbe());
+    let fire = figures.map_or_else(String::new, |figures| {
         format!(
             ", fire {:.3} (how far apart it bends red and violet)",
             figures.fire
@@ -287,8 +337,27 @@ pub fn facts_of(film: &GemFilm, light: &Light) -> Vec<String> {
     if missing > 0 {
         facts.push(format!(
             "{} of {} stand in coarse wavelengths until their rays are traced.",
-            crate::io::many::many(missing, "line", "lines"),
+            many(missing, "line", "lines"),
             light.name
+        ));
+    }
+    let more = light.seen_spikes().count().saturating_sub(MOST_LINES);
+    if more > 0 {
+        facts.push(format!(
+            "The {MOST_LINES} strongest lines of {} have rays of their own; {} in coarse \
+             wavelengths.",
+            light.name,
+            many(more, "other stands", "others stand")
+        ));
+    }
+    if film.film.studio().absorption().is_floored() {
+        facts.push("What the filter lets less than a millionth of through counts as that.".into());
+    }
+    let cut = film.film.traced().cut;
+    if cut > 0 {
+        facts.push(format!(
+            "{} at the last of 512 faces.",
+            many(cut as usize, "ray was cut", "rays were cut")
         ));
     }
     let material = film.film.studio().material();
@@ -317,9 +386,13 @@ mod tests {
         }
     }
 
+    fn scene() -> GemScene {
+        GemScene::of(&App::new(), &small()).expect("a gem")
+    }
+
     #[test]
     fn the_picture_grows_finer_and_then_rests() {
-        let scene = GemScene::of(&small());
+        let scene = scene();
         let (mut held, mut steps) = (None, Vec::new());
         while let Some(next) = next_pass(held.as_ref(), &scene, 8, &[546.1], false) {
             steps.push((next.scene.size, next.rays));
@@ -332,7 +405,7 @@ mod tests {
 
     #[test]
     fn another_light_asks_for_its_new_lines_alone() {
-        let scene = GemScene::of(&small());
+        let scene = scene();
         let held = next_pass(None, &scene, 8, &[546.1], true).expect("a film");
         let next = next_pass(Some(&held), &scene, 8, &[435.8, 546.1], true).expect("a line");
         assert_eq!((next.rays, next.lines.as_slice()), (8, &[435.8, 546.1][..]));
@@ -343,7 +416,7 @@ mod tests {
 
     #[test]
     fn a_film_forgets_the_lines_of_lights_long_gone() {
-        let scene = GemScene::of(&small());
+        let scene = scene();
         let mut held = next_pass(None, &scene, 8, &[546.1], true).expect("a film");
         held.lines = (0..MOST_PLACES).map(|i| 400.0 + i as f64).collect();
         let next = next_pass(Some(&held), &scene, 8, &[435.8], true).expect("a line");
@@ -354,7 +427,7 @@ mod tests {
     #[test]
     fn a_light_that_changes_is_summed_anew_over_the_same_film() {
         let mut app = App::new();
-        let scene = GemScene::of(&small()).sized(16);
+        let scene = scene().sized(16);
         let light = document_light(&app).expect("it shines");
         let pass = next_pass(None, &scene, 2, &places(&light), true).expect("a film");
         let film = pass
@@ -378,18 +451,48 @@ mod tests {
 
     #[test]
     fn a_cut_that_is_none_says_which_facets_vanish() {
+        let app = App::new();
         let mut memory = small();
-        assert!(GemScene::of(&memory).studio().is_ok());
         memory.cut.table = 0.85;
         memory.cut.crown_deg = 20.0;
         memory.cut.star = 0.2;
-        let why = GemScene::of(&memory).studio().expect_err("no table");
+        let why = GemScene::of(&app, &memory).expect_err("no table");
         assert_eq!(
             why,
             "The table vanishes with this table and crown; the last gem stays."
         );
         memory.cut.crown_deg = f64::NAN;
-        let why = GemScene::of(&memory).studio().expect_err("no angle");
+        let why = GemScene::of(&app, &memory).expect_err("no angle");
         assert!(why.ends_with("the last gem stays."), "{why}");
+    }
+
+    #[test]
+    fn a_filter_colours_the_gem_and_a_lost_one_is_said() {
+        let app = App::new();
+        let [_, grey, filter] = GemColour::first_of_each();
+        let clear = scene();
+        let green = GemMemory {
+            colour: filter,
+            ..small()
+        };
+        let coloured = GemScene::of(&app, &green).expect("a gem");
+        assert!(coloured != clear && !coloured.is_like(&clear));
+        let loss = |nm: f64| coloured.absorption.at(nm);
+        assert!(
+            loss(650.0) > 3.0 * loss(530.0),
+            "green glass takes red away"
+        );
+        assert_eq!(
+            grey.absorption(&app),
+            Absorption::even(0.1).map_err(|_| String::new())
+        );
+        let lost = GemColour::Filter {
+            key: "cie_illuminants/CIE D65".to_owned(),
+            thickness: 1.0,
+        };
+        assert!(
+            lost.absorption(&app)
+                .is_err_and(|why| why.contains("choose another"))
+        );
     }
 }

@@ -2,11 +2,13 @@
 
 use crate::{
     app::memo::ByAddress,
-    color::Observer,
     optics::{Light, png, spectral_exr},
 };
 
-use super::gem::GemFilm;
+use super::{
+    gem::GemFilm,
+    gem_shown::{GemLook, GemShown},
+};
 
 /// As what a picture is saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,10 +26,8 @@ pub struct GemFile {
     pub film: ByAddress<GemFilm>,
     /// The light on it.
     pub light: Light,
-    /// Who looks.
-    pub observer: Observer,
-    /// Exposure, stops.
-    pub stops: f64,
+    /// How it is looked at.
+    pub look: GemLook,
     /// As what.
     pub form: GemForm,
 }
@@ -57,17 +57,17 @@ impl GemFile {
     /// # Errors
     /// Why it cannot be made, in words.
     pub fn bytes(&self) -> Result<Vec<u8>, String> {
-        let GemFilm { film, pass } = &*self.film.0;
+        let GemFilm { film, pass, .. } = &*self.film.0;
         match self.form {
             GemForm::Png => {
-                let picture = film.picture(&self.light, self.observer);
-                let pixels = picture.shown(self.stops).pixels;
-                png(picture.size, &pixels).ok_or_else(|| "There is no picture.".to_owned())
+                let shown = GemShown::of(&self.film.0, &self.light, self.look)?;
+                png(shown.size, &shown.pixels).ok_or_else(|| "There is no picture.".to_owned())
             }
             GemForm::Exr => {
                 let facts = [
                     ("light", self.light.name.clone()),
                     ("gem", film.studio().material().name.clone()),
+                    ("cut", format!("{:?}", pass.scene.cut())),
                     ("view", format!("{:?}", film.studio().scene().view)),
                     ("rays", pass.rays.to_string()),
                 ];

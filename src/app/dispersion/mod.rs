@@ -1,24 +1,36 @@
 //! Light through a prism, drops of water and a gem, as the place "Picture" shows it.
 
 mod drawing;
+mod drop;
 mod gem;
 mod gem_file;
+mod gem_memory;
+mod gem_shown;
 mod lights;
 mod memory;
 mod prism;
 mod rainbow;
+mod ranges;
 mod strip;
+mod substance;
 mod words;
 
-pub use drawing::{BenchDrawing, DrawnRay};
+pub use drawing::{BenchDrawing, DrawnRay, Grip};
+pub use drop::{DropDrawing, DropRay};
 pub use gem::{GemFilm, GemPass, GemScene, NoiseAsk, facts_of, next_pass, places, sentence};
 pub use gem_file::{GemFile, GemForm};
+pub use gem_memory::{
+    CROWNS_DEG, CutSlider, GIRDLES, GREYS, GemColour, GemMemory, LightPart, PAVILIONS_DEG,
+    RAYS_SHOWN, SIZES_SHOWN, THICKNESSES,
+};
+pub use gem_shown::{GemLook, GemShown};
 pub use lights::{document_light, modelled};
 pub use memory::{
-    APEXES_DEG, Beside, CROWNS_DEG, CutSlider, DispersionMemory, GIRDLES, GemMemory,
-    INCIDENCES_DEG, PAVILIONS_DEG, PrismMemory, RAYS_SHOWN, RainbowMemory, SIZES_SHOWN, SLITS_MM,
-    STOPS, stuff_title,
+    APEXES_DEG, Beside, DispersionMemory, Handle, IMPACTS, INCIDENCES_DEG, PrismMemory,
+    RainbowMemory, SCREENS_MM, SLITS_MM,
 };
 pub use prism::{PrismShown, StripShown};
 pub use rainbow::{RainbowShown, sky};
+pub use ranges::STOPS;
 pub use strip::Colours;
+pub use substance::{ABBES, INDICES, Substance, is_index, material_of, own_indices, stuff_title};

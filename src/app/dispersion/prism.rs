@@ -3,14 +3,14 @@
 use super::{
     drawing::BenchDrawing,
     lights::document_light,
-    memory::{PrismMemory, stuff_title},
+    memory::PrismMemory,
     strip::Colours,
     words::{Line, lines_of, listed, nm, touching},
 };
 use crate::{
     app::state::App,
     io::many::{capitalised, many},
-    optics::{Bench, BenchSettings, Incidence, Landing, Light, Screen, prism_csv},
+    optics::{Bench, BenchSettings, Incidence, Landing, Light, Screen, Strip, prism_csv},
 };
 
 /// Columns of the screen.
@@ -35,8 +35,11 @@ pub struct PrismShown {
     pub strips: Vec<StripShown>,
     /// The lines: name, nm, n, turned by, place, width, through, tells apart.
     pub rows: Vec<Vec<String>>,
+    /// All figures of each line, a sentence.
+    pub told: Vec<String>,
     /// The same figures with more digits.
     pub csv: String,
+    bench: Option<Bench>,
 }
 
 /// A strip of the screen.
@@ -48,6 +51,27 @@ pub struct StripShown {
     pub colours: Colours,
     /// Where named lines stand and how they are called.
     pub marks: Vec<(f64, String)>,
+    /// What falls on each column, by the root of its share of the most: by all of the light, and by
+    /// its smooth part alone. Empty where it is not drawn.
+    pub heights: Vec<[f64; 2]>,
+    /// Places that rest on an index outside the range it was published for, from and to.
+    pub doubtful: Vec<[f64; 2]>,
+}
+
+/// What falls on the columns of a screen, for [`StripShown::heights`].
+fn heights(strip: &Strip) -> Vec<[f64; 2]> {
+    let both = || strip.smooth.iter().zip(&strip.lines);
+    let most = both()
+        .map(|(smooth, line)| smooth + line)
+        .fold(0.0, f64::max);
+    let root = |value: f64| (value / most).max(0.0).sqrt();
+    if most > 0.0 {
+        both()
+            .map(|(smooth, line)| [root(smooth + line), root(*smooth)])
+            .collect()
+    } else {
+        Vec::new()
+    }
 }
 
 /// The bench that the page asks for.
@@ -56,11 +80,12 @@ fn settings(memory: &PrismMemory) -> BenchSettings {
     BenchSettings {
         apex_deg: memory.apex_deg,
         incidence: if memory.at_minimum {
-            Incidence::MinimumFor(usual.reference_nm)
+            Incidence::MinimumFor(memory.minimum_nm)
         } else {
             Incidence::Degrees(memory.incidence_deg)
         },
         slit_mm: memory.slit_mm,
+        screen_mm: memory.screen_mm,
         ..usual
     }
 }
@@ -68,16 +93,15 @@ fn settings(memory: &PrismMemory) -> BenchSettings {
 impl PrismShown {
     /// Of the state.
     pub fn of(app: &App, memory: &PrismMemory) -> Self {
-        let material = memory.stuff.material();
         let made = document_light(app).and_then(|light| {
-            let bench = Bench::new(settings(memory), material)
+            let bench = Bench::new(settings(memory), memory.made_of.material(app)?)
                 .map_err(|why| capitalised(&format!("{why}.")))?;
             let screen = bench.whole_screen(&light, COLUMNS);
             let screen = screen.ok_or_else(|| "No light reaches the screen.".to_owned())?;
             Ok((light, bench, screen))
         });
         match made {
-            Ok((light, bench, screen)) => Self::found(app, memory, &light, &bench, screen),
+            Ok((light, bench, screen)) => Self::found(app, memory, &light, bench, screen),
             Err(sentence) => Self {
                 sentence,
                 notes: Vec::new(),
@@ -87,70 +111,151 @@ impl PrismShown {
                 scale: Vec::new(),
                 strips: Vec::new(),
                 rows: Vec::new(),
+                told: Vec::new(),
                 csv: String::new(),
+                bench: None,
             },
         }
     }
 
-    fn found(
-        app: &App,
-        memory: &PrismMemory,
-        light: &Light,
-        bench: &Bench,
-        screen: Screen,
-    ) -> Self {
+    fn found(app: &App, memory: &PrismMemory, light: &Light, bench: Bench, screen: Screen) -> Self {
         let observer = app.document().settings.observer;
         let lines = lines_of(app, light);
         let landings: Vec<(&Line, Option<Landing>)> = lines
             .iter()
             .map(|line| (line, bench.landing(line.at_nm).ok().flatten()))
             .collect();
-        let strip = bench.strip(light, screen, observer);
         let mark = |(line, landing): &(&Line, Option<Landing>)| {
             Some((landing.as_ref()?.x_mm, line.name.clone()))
         };
-        let mut notes: Vec<String> = Vec::new();
-        if let Some(words) = bench.reflected_words() {
-            notes.push(format!("{words}."));
-        }
-        if strip.extrapolated {
-            notes.push(format!(
-                "Part of it rests on the index of {} outside the range it was published for.",
-                bench.material().name
-            ));
-        }
-        let mut strips = vec![StripShown {
-            name: light.name.clone(),
-            colours: Colours::of(&strip.xyz, memory.stops),
-            marks: landings.iter().filter_map(mark).collect(),
-        }];
+        let scale = scale(&bench);
+        let doubtful = doubtful(&bench);
+        let on_screen = |light: &Light, marks: Vec<(f64, String)>| {
+            let strip = bench.strip(light, screen, observer);
+            StripShown {
+                name: light.name.clone(),
+                colours: Colours::of(&strip.xyz, memory.stops),
+                marks,
+                heights: heights(&strip),
+                doubtful: doubtful.clone(),
+            }
+        };
+        let mut notes = notes(&bench, !doubtful.is_empty());
+        let mut strips = vec![on_screen(light, landings.iter().filter_map(mark).collect())];
         match memory.beside.light(app) {
             None => {}
             Some(Err(why)) => notes.push(why),
-            Some(Ok(other)) => {
-                let strip = bench.strip(&other, screen, observer);
-                strips.push(StripShown {
-                    name: other.name.clone(),
-                    colours: Colours::of(&strip.xyz, memory.stops),
-                    marks: Vec::new(),
-                });
-            }
+            Some(Ok(other)) => strips.push(on_screen(&other, Vec::new())),
         }
         Self {
-            sentence: sentence(memory, light, bench, screen, &landings),
+            sentence: sentence(app, memory, light, &bench, screen, &landings),
             notes,
-            drawing: BenchDrawing::of(bench, light, &lines, observer),
+            drawing: BenchDrawing::of(&bench, light, &lines, observer),
             incidence_deg: Some(bench.prism().incidence_deg()),
             ends_mm: screen.ends_mm,
-            scale: scale(bench),
+            scale,
             strips,
             rows: landings
                 .iter()
                 .map(|(line, at)| row(line, at.as_ref()))
                 .collect(),
-            csv: prism_csv(bench, light, &[]),
+            told: landings
+                .iter()
+                .map(|(_, at)| at.as_ref().map_or_else(String::new, told))
+                .collect(),
+            csv: prism_csv(&bench, light, &[]),
+            bench: Some(bench),
         }
     }
+
+    /// Every figure of the wavelength that lands at a place, mm; `None` where none does.
+    pub fn told(&self, x_mm: f64) -> Option<String> {
+        let bench = self.bench.as_ref()?;
+        let pair = self.scale.windows(2).find(|pair| {
+            let along = (x_mm - pair[0][1]) / (pair[1][1] - pair[0][1]);
+            (0.0..=1.0).contains(&along)
+        })?;
+        // Between two that enclose it, halved until no pointer tells them apart.
+        let [mut low, mut high] = [pair[0], pair[1]];
+        for _ in 0..20 {
+            let nm = 0.5 * (low[0] + high[0]);
+            let x = bench.landing(nm).ok().flatten()?.x_mm;
+            let is_above = (x - x_mm) * (low[1] - x_mm) > 0.0;
+            *(if is_above { &mut low } else { &mut high }) = [nm, x];
+        }
+        let landing = bench.landing(0.5 * (low[0] + high[0])).ok().flatten()?;
+        Some(told(&landing))
+    }
+}
+
+/// What must be said of a bench.
+fn notes(bench: &Bench, is_doubtful: bool) -> Vec<String> {
+    let mut notes: Vec<String> = Vec::new();
+    if let Some(words) = bench.reflected_words() {
+        notes.push(format!("{words}."));
+    }
+    let settings = bench.settings();
+    let on_face = 0.5 * settings.slit_mm / bench.prism().incidence_deg().to_radians().cos();
+    if on_face > settings.entry_mm {
+        notes.push(
+            "The beam is wider than the prism: what passes beside its apex is counted as if the \
+             prism went on."
+                .to_owned(),
+        );
+    }
+    if is_doubtful {
+        notes.push(format!(
+            "Hatched: the index of {} outside the range it was published for.",
+            bench.material().name
+        ));
+    }
+    notes
+}
+
+/// Every figure of a wavelength, a sentence.
+fn told(at: &Landing) -> String {
+    let least = at
+        .minimum_deviation_deg
+        .map_or_else(String::new, |least| format!(" (at least {least:.3}\u{b0})"));
+    format!(
+        "{:.1} nm: n {:.5}, turned by {:.3}\u{b0}{least}, {:+.4}\u{b0} a nm; {:.1} % pass; it lands \
+         at {:.2} mm, {:.3} mm wide; lines {:.2} nm apart are told apart (resolving power {:.0}, \
+         by the {}).",
+        at.at_nm,
+        at.n,
+        at.deviation_deg,
+        at.d_deviation_d_nm,
+        100.0 * at.transmittance,
+        at.x_mm,
+        at.width_mm,
+        at.at_nm / at.resolving.power(),
+        at.resolving.power(),
+        at.resolving.limit(),
+    )
+}
+
+/// Step of what is hatched, nm.
+const HATCH_NM: usize = 2;
+
+/// Places whose wavelengths have an index outside the range it was published for.
+fn doubtful(bench: &Bench) -> Vec<[f64; 2]> {
+    let place = |nm: f64| Some(bench.landing(nm).ok()??.x_mm);
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    for nm in (380..780).step_by(HATCH_NM) {
+        let [a, b] = [nm, nm + HATCH_NM].map(|nm| nm as f64);
+        let ends = bench
+            .material()
+            .is_extrapolated(0.5 * (a + b))
+            .then(|| (place(a), place(b)));
+        let Some((Some(a), Some(b))) = ends else {
+            continue;
+        };
+        match found.last_mut() {
+            Some(last) if last[1] == a => last[1] = b,
+            _ => found.push([a, b]),
+        }
+    }
+    found
 }
 
 /// Where every tenth wavelength lands.
@@ -163,14 +268,14 @@ fn scale(bench: &Bench) -> Vec<[f64; 2]> {
 
 /// What the prism does to the light.
 fn sentence(
+    app: &App,
     memory: &PrismMemory,
     light: &Light,
     bench: &Bench,
     screen: Screen,
     landings: &[(&Line, Option<Landing>)],
 ) -> String {
-    let glass = stuff_title(memory.stuff);
-    let glass = glass.split(',').next().unwrap_or(glass);
+    let glass = memory.made_of.in_words(app);
     let through = format!(
         "{} through {:.0}\u{b0} of {glass}",
         light.name,
@@ -242,7 +347,10 @@ fn row(line: &Line, landing: Option<&Landing>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{Command, Settings};
+    use crate::{
+        app::{Command, Settings, dispersion::Substance},
+        optics::Stuff,
+    };
 
     fn usual() -> PrismMemory {
         PrismMemory::default()
@@ -306,7 +414,7 @@ mod tests {
         let app = App::new();
         for memory in [
             PrismMemory {
-                stuff: crate::optics::Stuff::Diamond,
+                made_of: Substance::Shipped(Stuff::Diamond),
                 ..usual()
             },
             PrismMemory {
@@ -333,5 +441,79 @@ mod tests {
                 .any(|note| note.contains("totally reflected"))
         );
         assert!(shown.rows.iter().any(|row| row[2] == "-"));
+    }
+
+    #[test]
+    fn the_pointer_is_told_all_of_the_wavelength_that_lands_there() {
+        let app = App::new();
+        let shown = PrismShown::of(&app, &usual());
+        // The reference lands in the middle, at its least deviation.
+        let words = shown.told(0.0).expect("546.075 nm");
+        for part in [
+            "546.1 nm: n 1.79192",
+            "67.264\u{b0} (at least 67.264\u{b0})",
+            "by the slit",
+        ] {
+            assert!(words.contains(part), "{words}");
+        }
+        assert_eq!(shown.told(1e6), None);
+        assert_eq!(shown.told.len(), shown.rows.len());
+        let line = &shown.rows[0];
+        assert!(shown.told[0].contains(&line[2]), "{}", shown.told[0]);
+    }
+
+    #[test]
+    fn lines_tower_over_the_smooth_part_and_never_enter_it() {
+        let app = App::new();
+        let shown = PrismShown::of(&app, &usual());
+        let [tube, bulb] = &shown.strips[..] else {
+            panic!("two strips");
+        };
+        let most = |k: usize| tube.heights.iter().map(|h| h[k]).fold(0.0, f64::max);
+        assert!(
+            (most(0) - 1.0).abs() < 1e-12 && most(1) < 0.8,
+            "{}",
+            most(1)
+        );
+        assert!(bulb.heights.iter().all(|[all, smooth]| all == smooth));
+        assert_eq!(tube.heights.len(), COLUMNS);
+    }
+
+    #[test]
+    fn what_rests_on_an_extrapolated_index_is_hatched() {
+        let app = App::new();
+        assert!(PrismShown::of(&app, &usual()).strips[0].doubtful.is_empty());
+        let diamond = PrismMemory {
+            made_of: Substance::Shipped(Stuff::Diamond),
+            apex_deg: 30.0,
+            ..usual()
+        };
+        let shown = PrismShown::of(&app, &diamond);
+        // Published to 760 nm.
+        let [[from, to]] = shown.strips[0].doubtful[..] else {
+            panic!("{:?}", shown.strips[0].doubtful);
+        };
+        let place = |nm: f64| {
+            let scale = shown.scale.iter().find(|at| at[0] == nm);
+            scale.expect("every tenth nm")[1]
+        };
+        assert!((from - place(760.0)).abs() < 1e-9 && (to - place(780.0)).abs() < 1e-9);
+        assert!(shown.notes.iter().any(|note| note.contains("Hatched")));
+    }
+
+    #[test]
+    fn two_numbers_are_a_glass_too() {
+        let app = App::new();
+        let memory = PrismMemory {
+            made_of: Substance::NUMBERS,
+            ..usual()
+        };
+        let shown = PrismShown::of(&app, &memory);
+        assert!(
+            shown.sentence.contains("two numbers (n 1.5168"),
+            "{}",
+            shown.sentence
+        );
+        assert!(shown.drawing.is_some());
     }
 }

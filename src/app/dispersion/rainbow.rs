@@ -1,6 +1,7 @@
 //! The rainbow of a light: two bows, in which every line is a stripe of its own.
 
 use super::{
+    drop::DropDrawing,
     lights::document_light,
     memory::RainbowMemory,
     prism::StripShown,
@@ -30,6 +31,8 @@ pub struct RainbowShown {
     pub notes: Vec<String>,
     /// Ends of the strips, degrees from the point opposite the sun.
     pub ends_deg: [f64; 2],
+    /// A drop in section, with rays of the light.
+    pub drop: Option<DropDrawing>,
     /// The sky under the light and under another one.
     pub strips: Vec<StripShown>,
     /// The lines: name, nm, n, primary, secondary, its polarisation.
@@ -43,6 +46,7 @@ impl RainbowShown {
             sentence: String::new(),
             notes: Vec::new(),
             ends_deg: SKY_DEG,
+            drop: None,
             strips: Vec::new(),
             rows: Vec::new(),
         };
@@ -70,6 +74,8 @@ impl RainbowShown {
                 name: light.name.clone(),
                 colours: Colours::of(&strip.xyz, memory.stops),
                 marks,
+                heights: Vec::new(),
+                doubtful: Vec::new(),
             }
         };
         let mut marks = Vec::new();
@@ -77,6 +83,8 @@ impl RainbowShown {
             let angles = [bows.primary, bows.secondary].into_iter().flatten();
             marks.extend(angles.map(|bow| (bow.from_antisolar_deg, line.name.clone())));
         }
+        let lines: Vec<Line> = bows.iter().map(|(line, _)| line.clone()).collect();
+        shown.drop = Some(DropDrawing::of(sky.material(), &light, &lines, memory));
         shown.sentence = sentence(&light, &bows, sky, memory.disc);
         shown.strips.push(strip(&light, marks));
         match memory.beside.light(app) {

@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::{
     cli::{options::ModelOptions, room_words},
+    color::Adaptation,
     optics::View,
 };
 
@@ -114,6 +115,11 @@ pub struct Gem {
     /// Where it is looked at from.
     #[command(flatten)]
     pub view: ViewOptions,
+    /// What shines on it: four soft boxes and two small lamps before a dim dome (studio), or many
+    /// lamps before a dark room, as in the window (jeweller).
+    #[arg(long, value_name = "LAMPS", default_value = "studio",
+        value_parser = room_words::lamps)]
+    pub lamps: room_words::Lamps,
     /// How much it absorbs a unit of length at every wavelength; a unit is the girdle's radius.
     #[arg(long, value_name = "PER_UNIT", conflicts_with = "filter",
         allow_hyphen_values = true, value_parser = room_words::finite)]
@@ -144,6 +150,10 @@ pub struct Gem {
     /// How much brighter a PNG is than its own exposure, in stops from -20 to 20 [default: 0].
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true, value_parser = room_words::stops)]
     pub stops: Option<f64>,
+    /// How a PNG is seen: by an eye that is used to the light after a minute, or by a daylight
+    /// camera [default: eye].
+    #[arg(long, value_name = "BY", value_parser = room_words::seen)]
+    pub seen: Option<Adaptation>,
     /// The model, whose spikes are traced.
     #[command(flatten)]
     pub model: ModelOptions,

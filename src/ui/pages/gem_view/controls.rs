@@ -5,19 +5,21 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{CollapsingHeader, Slider, Ui};
 
+use super::colour;
 use crate::{
     app::{
         dispersion::{
-            CutSlider, GemFile, GemFilm, GemForm, GemMemory, RAYS_SHOWN, SIZES_SHOWN, stuff_title,
+            CutSlider, GemFile, GemFilm, GemForm, GemLook, LightPart, RAYS_SHOWN, SIZES_SHOWN,
+            places,
         },
         memo::ByAddress,
     },
-    optics::{Brilliant, Light, Stuff},
+    optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{
-        kit::{Choice, Chooser, lights},
+        kit::{Choice, Chooser, lights, seen_choice},
         pages::{
             PageContext,
-            prism_view::{exposure, model},
+            prism_view::{exposure, model, substance},
         },
     },
 };
@@ -25,6 +27,12 @@ use crate::{
 /// What people and tests call the controls.
 pub mod names {
     pub const MATERIAL: &str = "Made of";
+    pub const COLOUR: &str = "Colour";
+    pub const FILTER: &str = "Filter";
+    pub const THICKNESS: &str = "as thick as";
+    pub const ABSORBS: &str = "Takes away";
+    pub const SEEN: &str = "How gems are seen";
+    pub const PART: &str = "Under";
     pub const SIZE: &str = "Picture";
     pub const RAYS: &str = "Rays a pixel";
     pub const UNDER: &str = "Also under";
@@ -46,24 +54,20 @@ pub(super) fn show(
     both: &[Light],
 ) {
     ui.spacing_mut().slider_width = 84.0 * context.theme.scale;
-    let memory = &mut context.memory.dispersion.gem;
-    ui.horizontal(|ui| {
-        ui.label(names::MATERIAL);
-        let choice = Choice {
-            name: names::MATERIAL,
-            meaning: "Diamond bends light most and spreads its colours; zirconia spreads them \
-                      further, glass much less.",
-            width: 130.0,
-        };
-        choice.show(ui, stuff_title(memory.stuff), |ui| {
-            for stuff in Stuff::ALL {
-                ui.selectable_value(&mut memory.stuff, stuff, stuff_title(stuff));
-            }
-        });
-    });
-    cut(ui, &mut memory.cut);
+    substance(
+        ui,
+        context.app,
+        (
+            names::MATERIAL,
+            "Diamond bends light most and spreads its colours; zirconia spreads them further, \
+             glass much less.",
+        ),
+        &mut context.memory.dispersion.gem.made_of,
+    );
+    colour::show(ui, context);
+    cut(ui, &mut context.memory.dispersion.gem.cut);
     ui.separator();
-    looks(ui, memory);
+    looks(ui, context, both);
     ui.separator();
     other_light(ui, context, both.get(1));
     model::knobs(ui, context);
@@ -122,18 +126,38 @@ fn slider(ui: &mut Ui, cut: &mut Brilliant, of: &CutSlider) {
     ui.end_row();
 }
 
-fn looks(ui: &mut Ui, memory: &mut GemMemory) {
+fn looks(ui: &mut Ui, context: &mut PageContext<'_>, both: &[Light]) {
+    let (app, wide) = (context.app, 225.0 * context.theme.scale);
+    seen_choice(ui, app, (names::SEEN, wide), context.commands);
+    let memory = &mut context.memory.dispersion.gem;
+    ui.horizontal(|ui| {
+        ui.label(names::PART);
+        let choice = Choice {
+            name: names::PART,
+            meaning: "The lines' picture and the smooth part's, each as bright as it is in the \
+                      whole: together they are the whole.",
+            width: 150.0,
+        };
+        choice.show(ui, memory.part.title(), |ui| {
+            for part in LightPart::ALL {
+                ui.selectable_value(&mut memory.part, part, part.title());
+            }
+        });
+    });
     exposure(ui, &mut memory.stops);
     ui.horizontal(|ui| {
         ui.label(names::SIZE);
         let choice = Choice {
             name: names::SIZE,
-            meaning: "Columns and rows of the picture.",
+            meaning: "Columns and rows of the picture, and the memory that its film takes.",
             width: 60.0,
         };
+        let planes = FilmSettings::default().strata + both.iter().flat_map(places).count();
         choice.show(ui, format!("{} px", memory.size), |ui| {
             for size in SIZES_SHOWN {
-                ui.selectable_value(&mut memory.size, size, format!("{size} px"));
+                let megabytes = film_bytes(size, planes).div_ceil(1 << 20);
+                let words = format!("{size} px, {megabytes} MB");
+                ui.selectable_value(&mut memory.size, size, words);
             }
         });
         ui.label("rays");
@@ -154,6 +178,17 @@ fn looks(ui: &mut Ui, memory: &mut GemMemory) {
         .clicked()
     {
         memory.look_from_front();
+    }
+}
+
+/// How the pictures are looked at.
+pub(super) fn look(context: &PageContext<'_>) -> GemLook {
+    let (document, memory) = (context.app.document(), &context.memory.dispersion.gem);
+    GemLook {
+        observer: document.settings.observer,
+        stops: memory.stops,
+        adaptation: document.view.adaptation(),
+        part: memory.part,
     }
 }
 
@@ -204,8 +239,7 @@ fn save(ui: &mut Ui, context: &mut PageContext<'_>, film: Option<&Arc<GemFilm>>,
                 context.gems.push(GemFile {
                     film: ByAddress(film.clone()),
                     light: light.clone(),
-                    observer: context.app.document().settings.observer,
-                    stops: context.memory.dispersion.gem.stops,
+                    look: look(context),
                     form,
                 });
             }

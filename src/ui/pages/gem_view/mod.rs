@@ -1,6 +1,9 @@
 //! The page "Gem": a film traced in the background, summed anew for every light.
 
+mod colour;
 mod controls;
+
+pub use controls::names;
 
 use std::sync::Arc;
 
@@ -14,13 +17,12 @@ use super::{PageContext, prism_view::notes, progress};
 use crate::{
     app::{
         dispersion::{
-            GemFilm, GemPass, GemScene, NoiseAsk, document_light, facts_of, modelled, next_pass,
-            places, sentence,
+            GemFilm, GemLook, GemMemory, GemPass, GemScene, GemShown, NoiseAsk, document_light,
+            facts_of, modelled, next_pass, places, sentence,
         },
         memo::{ByAddress, Memo},
         studies::Stage,
     },
-    color::Observer,
     optics::{Light, Noise},
     study::Progress,
     ui::{
@@ -39,7 +41,7 @@ const WALL: u8 = 16;
 type Lit = Result<Light, String>;
 
 /// What a texture was made of.
-type DrawnOf = (ByAddress<GemFilm>, Light, Observer, f64);
+type DrawnOf = (ByAddress<GemFilm>, Light, GemLook);
 
 /// A picture on the graphics card.
 struct Drawn {
@@ -53,8 +55,8 @@ struct Drawn {
 pub struct GemView {
     light: Memo<u64, Lit>,
     other: Memo<(u64, Option<String>), Option<Lit>>,
-    /// Why there is no such gem.
-    refused: Memo<Option<GemScene>, Option<String>>,
+    /// What is to be traced, or why there is no such gem.
+    scene: Memo<(u64, GemMemory), Result<GemScene, String>>,
     asked: Option<GemPass>,
     drawn: [Option<Drawn>; 2],
 }
@@ -81,12 +83,12 @@ impl GemView {
             None => (None, None),
         };
         let lights: Vec<Light> = std::iter::once(light).chain(other).collect();
-        let scene = GemScene::of(&context.memory.dispersion.gem);
-        let refused = self
-            .refused
-            .get(Some(scene.clone()), |_| scene.studio().err());
-        let refused = refused.clone();
-        let film = self.film(context, &scene, &lights, refused.is_none());
+        let asked = context.memory.dispersion.gem.clone();
+        let scene = self
+            .scene
+            .get((revision, asked), |(_, memory)| GemScene::of(app, memory))
+            .clone();
+        let film = self.film(context, scene.as_ref().ok(), &lights);
         let noise = film
             .as_ref()
             .and_then(|film| noise(context, film, &lights[0]));
@@ -95,9 +97,9 @@ impl GemView {
         headline(
             ui,
             context.theme,
-            sentence(memory, &lights[0].name, noise.as_ref()),
+            sentence(app, memory, &lights[0].name, noise.as_ref()),
         );
-        for words in refused.iter().chain(&trouble) {
+        for words in scene.as_ref().err().into_iter().chain(&trouble) {
             warning(ui, context.theme, words.as_str());
         }
         ui.add_space(4.0);
@@ -120,13 +122,15 @@ impl GemView {
     fn film(
         &mut self,
         context: &mut PageContext<'_>,
-        scene: &GemScene,
+        scene: Option<&GemScene>,
         lights: &[Light],
-        is_sound: bool,
     ) -> Option<Arc<GemFilm>> {
         let rays = context.memory.dispersion.gem.rays;
         let job = &mut context.studies.gem;
         let held = job.result().cloned();
+        let Some(scene) = scene else {
+            return held;
+        };
         let mut lines: Vec<f64> = lights.iter().flat_map(places).collect();
         lines.sort_by(f64::total_cmp);
         lines.dedup();
@@ -139,7 +143,7 @@ impl GemView {
             .asked
             .clone()
             .filter(|asked| is_running && (asked.is_of(scene) || asked.is_quick()));
-        if let Some(ask) = under_way.or(next).filter(|_| is_sound) {
+        if let Some(ask) = under_way.or(next) {
             let from = held.clone();
             job.ask(&ask, context.wake, || {
                 let (ask, lights) = (ask.clone(), lights.to_vec());
@@ -160,20 +164,19 @@ impl GemView {
     ) {
         let room = ui.available_size();
         let text = ui.text_style_height(&egui::TextStyle::Small);
-        // Below the pictures: two lines of words each, progress, and notes.
-        let below = 4.0 * text + ui.spacing().interact_size.y + 30.0;
+        // Below the pictures: three lines of words each, progress, and notes.
+        let below = 5.0 * text + ui.spacing().interact_size.y + 30.0;
         let gap = 8.0;
         let count = lights.len() as f32;
         let side = ((room.x - gap * (count - 1.0)) / count).min(room.y - below);
         let side = side.max(80.0);
-        let observer = context.app.document().settings.observer;
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
             for (light, place) in lights.iter().zip(0..) {
                 let down = Layout::top_down(egui::Align::Min);
-                let size = vec2(side, side + 2.0 * text + 12.0);
+                let size = vec2(side, side + 3.0 * text + 12.0);
                 ui.allocate_ui_with_layout(size, down, |ui| {
-                    self.draw(ui, context, film, (light, observer), place);
+                    self.draw(ui, context, film, light, place);
                     self.picture(ui, context, light, place, side);
                 });
             }
@@ -193,6 +196,13 @@ impl GemView {
                 traced.segments_per_ray(),
                 film.film.bytes().div_ceil(1 << 20),
             ));
+            if !context.quiet && film.seconds > 0.0 {
+                said.push(format!(
+                    "Traced in {:.1} s, {:.2} million rays a second.",
+                    film.seconds,
+                    traced.rays as f64 / film.seconds / 1e6
+                ));
+            }
         }
         notes(ui, said.iter().map(String::as_str));
     }
@@ -203,32 +213,33 @@ impl GemView {
         ui: &Ui,
         context: &PageContext<'_>,
         film: Option<&Arc<GemFilm>>,
-        (light, observer): (&Light, Observer),
+        light: &Light,
         place: usize,
     ) {
         let Some(film) = film else {
             return;
         };
-        let stops = context.memory.dispersion.gem.stops;
-        let of: DrawnOf = (ByAddress(film.clone()), light.clone(), observer, stops);
+        let look = controls::look(context);
+        let of: DrawnOf = (ByAddress(film.clone()), light.clone(), look);
         if self.drawn[place]
             .as_ref()
             .is_some_and(|drawn| drawn.of == of)
         {
             return;
         }
-        let picture = film.film.picture(light, observer);
-        let shown = picture.shown(stops);
-        let colours = shown.pixels.iter();
-        let pixels = colours.map(|[r, g, b]| Color32::from_rgb(*r, *g, *b));
-        let image = ColorImage::new([picture.size; 2], pixels.collect());
+        let (image, words) = match GemShown::of(film, light, look) {
+            Ok(shown) => {
+                let colours = shown.pixels.iter();
+                let pixels = colours.map(|[r, g, b]| Color32::from_rgb(*r, *g, *b));
+                (
+                    ColorImage::new([shown.size; 2], pixels.collect()),
+                    shown.words,
+                )
+            }
+            Err(why) => (ColorImage::filled([1; 2], Color32::BLACK), why),
+        };
         let name = format!("gem {place}");
         let texture = ui.ctx().load_texture(name, image, TextureOptions::LINEAR);
-        let words = format!(
-            "{:.1} % brighter than the screen, {:.1} % purer than it shows",
-            100.0 * shown.share_too_bright,
-            100.0 * shown.share_outside
-        );
         self.drawn[place] = Some(Drawn { of, texture, words });
     }
 
@@ -266,7 +277,7 @@ impl GemView {
         let name = RichText::new(&light.name).strong();
         ui.add(egui::Label::new(name).truncate());
         let words = drawn.map_or("", |drawn| drawn.words.as_str());
-        ui.add(egui::Label::new(RichText::new(words).small().weak()).truncate());
+        ui.add(egui::Label::new(RichText::new(words).small().weak()).wrap());
     }
 }
 

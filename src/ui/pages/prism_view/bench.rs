@@ -6,7 +6,7 @@ use egui::{Color32, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, p
 use crate::{
     app::{
         chart::Rgb,
-        dispersion::{BenchDrawing, DrawnRay},
+        dispersion::{BenchDrawing, DrawnRay, Grip, Handle},
     },
     ui::{
         kit::named,
@@ -19,6 +19,12 @@ const DEGREES_A_POINT: f32 = 0.08;
 
 /// Free space around the drawing, points.
 const MARGIN: f32 = 14.0;
+
+/// Width of a handle, points.
+const HANDLE: f32 = 10.0;
+
+/// Least width of a beam whose edges are drawn, points.
+const WIDE_BEAM: f32 = 3.0;
 
 /// How dark the room is: colours of light are seen against it in both themes.
 pub(super) const ROOM: u8 = 16;
@@ -54,14 +60,33 @@ impl Mapping {
         }
     }
 
+    /// What lies so many points to the right of and below a place.
+    fn moved(&self, [x, y]: [f64; 2], by: Vec2) -> [f64; 2] {
+        let [right, down] = [by.x, by.y].map(|v| f64::from(v) / self.scale);
+        [x + right, y - down]
+    }
+
     fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         let [across, up] = [x - self.low[0], y - self.low[1]].map(|v| (v * self.scale) as f32);
         pos2(self.corner.x + across, self.corner.y - up)
     }
 }
 
-/// Draws the bench; how far a hand turned the prism in this frame, degrees.
-pub(super) fn show(ui: &mut Ui, drawing: Option<&BenchDrawing>, size: Vec2, theme: Theme) -> f64 {
+/// What a hand did to the bench in a frame.
+pub(super) enum Moved {
+    /// It turned the prism, degrees.
+    Turned(f64),
+    /// It moved a handle, to degrees or mm.
+    Set(Handle, f64),
+}
+
+/// Draws the bench; what a hand did to it in this frame.
+pub(super) fn show(
+    ui: &mut Ui,
+    drawing: Option<&BenchDrawing>,
+    size: Vec2,
+    theme: Theme,
+) -> Option<Moved> {
     let (area, response) = ui.allocate_exact_size(size, Sense::drag());
     named(
         &response,
@@ -70,9 +95,7 @@ pub(super) fn show(ui: &mut Ui, drawing: Option<&BenchDrawing>, size: Vec2, them
     );
     let painter = ui.painter().with_clip_rect(area);
     painter.rect_filled(area, 3.0, grey(ROOM));
-    let Some(drawing) = drawing else {
-        return 0.0;
-    };
+    let drawing = drawing?;
     let mapping = Mapping::new(drawing, area);
     light(&painter, drawing, &mapping, theme);
     let hint = "Angles are exact; the screen is drawn nearer than it is.";
@@ -84,7 +107,41 @@ pub(super) fn show(ui: &mut Ui, drawing: Option<&BenchDrawing>, size: Vec2, them
         ui.set_cursor_icon(egui::CursorIcon::ResizeHorizontal);
     }
     response.on_hover_text_at_pointer("Drag to turn the prism.");
-    f64::from(turned)
+    let mut moved = (turned != 0.0).then_some(Moved::Turned(f64::from(turned)));
+    for grip in &drawing.grips {
+        if let Some(by) = handle(ui, &painter, (grip, mapping.at(grip.at)), theme) {
+            let to = drawing.dragged(grip.handle, mapping.moved(grip.at, by));
+            moved = Some(Moved::Set(grip.handle, to));
+        }
+    }
+    moved
+}
+
+/// Draws a handle with what it is set to; how far a hand moved it.
+fn handle(ui: &Ui, painter: &Painter, (grip, at): (&Grip, Pos2), theme: Theme) -> Option<Vec2> {
+    let title = grip.handle.title();
+    let area = Rect::from_center_size(at, Vec2::splat(2.4 * HANDLE * theme.scale));
+    let response = ui.interact(area, ui.scope_id().with(title), Sense::drag());
+    named(&response, egui::Role::Slider, &format!("{title}, drawn"));
+    let is_held = response.hovered() || response.dragged();
+    let fill = if is_held { grey(235) } else { grey(90) };
+    let stroke = Stroke::new(1.5 * theme.scale, grey(220));
+    painter.circle(at, 0.5 * HANDLE * theme.scale, fill, stroke);
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let beside = at + vec2(0.0, 0.7 * HANDLE * theme.scale);
+    painter.text(
+        beside,
+        egui::Align2::CENTER_TOP,
+        &grip.words,
+        font,
+        grey(190),
+    );
+    let by = response.drag_delta();
+    if is_held {
+        ui.set_cursor_icon(egui::CursorIcon::Grab);
+    }
+    response.on_hover_text(format!("{title}: drag."));
+    (by != Vec2::ZERO).then_some(by)
 }
 
 fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Theme) {
@@ -92,7 +149,18 @@ fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Th
     let glass = Color32::from_rgb(38, 42, 46);
     painter.add(Shape::convex_polygon(corners.clone(), glass, Stroke::NONE));
     let [from, to] = drawing.incoming.map(|place| mapping.at(place));
-    painter.line_segment([from, to], (2.5 * theme.scale, colour(drawing.rgb, 1.0)));
+    let wide = (drawing.slit_mm * mapping.scale) as f32;
+    let beam = wide.max(2.5 * theme.scale);
+    let strength = if wide > WIDE_BEAM { 0.45 } else { 1.0 };
+    let jaws = drawing.jaws.map(|jaw| jaw.map(|place| mapping.at(place)));
+    let slit_at = jaws[0][0] + 0.5 * (jaws[1][0] - jaws[0][0]);
+    // As wide as the lamp before the slit, as wide as the slit behind it.
+    let lamp = Stroke::new(beam + 8.0 * theme.scale, colour(drawing.rgb, 0.25));
+    painter.line_segment([from, slit_at], lamp);
+    painter.line_segment([slit_at, to], (beam, colour(drawing.rgb, strength)));
+    for jaw in jaws {
+        painter.line_segment(jaw, (3.0 * theme.scale, grey(170)));
+    }
     let mut mesh = Mesh::default();
     for pair in drawing.smooth.windows(2) {
         for part in 0..2 {
@@ -102,6 +170,9 @@ fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Th
     painter.add(mesh);
     for ray in &drawing.lines {
         let stroke = Stroke::new(1.6 * theme.scale, colour(ray.rgb, ray.strength));
+        if let Some(edges) = ray.edges.filter(|_| wide > WIDE_BEAM) {
+            edge_rays(painter, mapping, edges, colour(ray.rgb, 0.5 * ray.strength));
+        }
         let points = ray.at.map(|place| mapping.at(place)).to_vec();
         painter.add(Shape::line(points, stroke));
     }
@@ -109,6 +180,19 @@ fn light(painter: &Painter, drawing: &BenchDrawing, mapping: &Mapping, theme: Th
     painter.add(Shape::closed_line(corners, edge));
     let screen = drawing.screen.map(|place| mapping.at(place));
     painter.line_segment(screen, (2.0 * theme.scale, grey(190)));
+}
+
+/// The rays through both edges of the slit, and what they enclose.
+fn edge_rays(painter: &Painter, mapping: &Mapping, edges: [[[f64; 2]; 3]; 2], ink: Color32) {
+    let [a, b] = edges.map(|way| way.map(|place| mapping.at(place)));
+    for part in 0..2 {
+        let between = vec![a[part], a[part + 1], b[part + 1], b[part]];
+        let fill = ink.gamma_multiply(0.35);
+        painter.add(Shape::convex_polygon(between, fill, Stroke::NONE));
+    }
+    for way in [a, b] {
+        painter.add(Shape::line(way.to_vec(), Stroke::new(0.8, ink)));
+    }
 }
 
 /// What lies between two neighbouring rays of the smooth part, in the glass (0) or behind it (1).

@@ -1,23 +1,28 @@
 //! The pages "Prism" and "Rainbow": a bench and a sky that the light is sent through.
 
 mod bench;
+mod controls;
+mod drop;
 pub mod model;
 mod sky;
 mod strips;
+mod substance;
 
+pub use substance::substance;
+
+use std::sync::LazyLock;
+
+use bench::Moved;
 use eframe::egui;
 use egui::{Align, Color32, Layout, RichText, Slider, Ui, Vec2, vec2};
 
 use super::PageContext;
 use crate::{
     app::{
-        dispersion::{
-            APEXES_DEG, Beside, INCIDENCES_DEG, PrismMemory, PrismShown, RainbowMemory,
-            RainbowShown, SLITS_MM, STOPS, sky, stuff_title,
-        },
+        dispersion::{IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, sky},
         memo::Memo,
     },
-    optics::{Sky, Stuff},
+    optics::Sky,
     ui::kit::{Choice, Column, Row, Table, copy_button, headline, scrolled},
 };
 
@@ -27,7 +32,11 @@ pub mod names {
     pub const APEX: &str = "Apex angle";
     pub const MINIMUM: &str = "least deviation";
     pub const INCIDENCE: &str = "Light meets it at";
+    pub const GREEN: &str = "for";
     pub const SLIT: &str = "Slit";
+    pub const SCREEN: &str = "Screen";
+    pub const IMPACT: &str = "Rays meet the drop at";
+    pub const BOW: &str = "Drawn";
     pub const EXPOSURE: &str = "Exposure";
     pub const BESIDE: &str = "Beside it";
     pub const DISC: &str = "as wide as the sun";
@@ -94,20 +103,6 @@ pub(super) fn exposure(ui: &mut Ui, stops: &mut f64) {
     slider(ui, (names::EXPOSURE, meaning), of);
 }
 
-/// The light of the second strip.
-fn beside(ui: &mut Ui, chosen: &mut Beside) {
-    let choice = Choice {
-        name: names::BESIDE,
-        meaning: "A second light in the same place: what is missing in this one is seen.",
-        width: 150.0,
-    };
-    named_choice(ui, choice, chosen.title(), |ui| {
-        for one in Beside::ALL {
-            ui.selectable_value(chosen, one, one.title());
-        }
-    });
-}
-
 /// What must be said beside a picture, in small type.
 pub(super) fn notes<'a>(ui: &mut Ui, notes: impl Iterator<Item = &'a str>) {
     let words: Vec<&str> = notes.filter(|words| !words.is_empty()).collect();
@@ -121,17 +116,23 @@ pub(super) fn notes<'a>(ui: &mut Ui, notes: impl Iterator<Item = &'a str>) {
 fn lines(
     ui: &mut Ui,
     context: &PageContext<'_>,
-    (columns, rows): (&[Column], &[Vec<String>]),
+    (columns, rows, notes): (&[Column], &[Vec<String>], &[String]),
     copy: impl FnOnce() -> String,
 ) {
     if rows.is_empty() {
         return;
     }
+    let notes = notes
+        .iter()
+        .cloned()
+        .chain(std::iter::repeat(String::new()));
     let rows: Vec<Row> = rows
         .iter()
-        .map(|cells| Row {
+        .zip(notes)
+        .map(|(cells, note)| Row {
             name: cells.join(", "),
             cells: cells.clone(),
+            note,
             ..Row::default()
         })
         .collect();
@@ -149,27 +150,28 @@ fn lines(
 impl PrismView {
     /// Draws the prism's page.
     pub fn prism(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
-        let key = (context.app.revision(), context.memory.dispersion.prism);
+        let memory = context.memory.dispersion.prism.clone();
+        let key = (context.app.revision(), memory);
         let app = context.app;
         let shown = &*self
             .prism
             .get(key, |(_, memory)| PrismShown::of(app, memory));
         headline(ui, context.theme, &shown.sentence);
         ui.add_space(4.0);
-        prism_controls(ui, context);
+        controls::prism(ui, context);
         ui.add_space(4.0);
         let room = ui.available_size();
         scrolled(ui, "prism", |ui| {
             let width = ui.available_width();
             // What the strips leave, and no less than a drawing needs.
-            let left = room.y - strips::height(&shown.strips, &axis_of(shown), context.theme);
+            let tells = |x_mm: f64| told(shown, x_mm);
+            let axis = axis_of(shown, &tells);
+            let left = room.y - strips::height(&shown.strips, &axis, context.theme);
             let height = left.min(0.7 * width).max(LEAST);
             if width < WIDE * context.theme.scale {
                 drawn(ui, context, shown, vec2(width, height));
                 screen(ui, context, shown);
-                lines(ui, context, (&prism_columns(), &shown.rows), || {
-                    shown.csv.clone()
-                });
+                lines(ui, context, table_of(shown), || shown.csv.clone());
                 return;
             }
             ui.horizontal_top(|ui| {
@@ -177,9 +179,7 @@ impl PrismView {
                 let beside = vec2(ui.available_width(), height);
                 ui.allocate_ui_with_layout(beside, Layout::top_down(Align::Min), |ui| {
                     scrolled(ui, "lines of the prism", |ui| {
-                        lines(ui, context, (&prism_columns(), &shown.rows), || {
-                            shown.csv.clone()
-                        });
+                        lines(ui, context, table_of(shown), || shown.csv.clone());
                     });
                 });
             });
@@ -205,7 +205,8 @@ impl PrismView {
                  line is as sharp as a drop makes it.",
             );
             exposure(ui, &mut memory.stops);
-            beside(ui, &mut memory.beside);
+            controls::beside(ui, &mut memory.beside);
+            controls::drop(ui, memory);
             model::knobs(ui, context);
         });
         ui.add_space(4.0);
@@ -217,6 +218,7 @@ impl PrismView {
                 ends: shown.ends_deg,
                 label: "\u{b0} from the point opposite the sun",
                 nm: &[],
+                tells: &|angle| format!("{angle:.2}\u{b0} from the point opposite the sun"),
             };
             let width = ui.available_width();
             let table = if shown.rows.is_empty() {
@@ -224,61 +226,68 @@ impl PrismView {
             } else {
                 (shown.rows.len() as f32 + 2.5) * 20.0 * theme.scale
             };
-            let left = room.y - table - strips::height(&shown.strips, &axis, theme);
-            if let Some(strip) = shown.strips.first() {
-                let size = vec2(width, left.min(0.45 * width).max(LEAST));
-                picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size);
-            }
+            let words = 20.0 * theme.scale;
+            let left = room.y - table - words - strips::height(&shown.strips, &axis, theme);
+            let high = left.min(0.45 * width).max(LEAST);
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = 6.0;
+                if let Some(drawing) = &shown.drop {
+                    let wide = high.max(240.0 * theme.scale).min(0.4 * width);
+                    let moved = drop::show(ui, drawing, vec2(wide, high), theme);
+                    let impact = &mut context.memory.dispersion.rainbow.impact;
+                    *impact =
+                        moved.map_or(*impact, |to| to.clamp(*IMPACTS.start(), *IMPACTS.end()));
+                }
+                if let Some(strip) = shown.strips.first() {
+                    let size = vec2(ui.available_width(), high);
+                    picture.show(ui, (&strip.colours.rgb, shown.ends_deg), size);
+                }
+            });
+            notes(ui, shown.drop.iter().map(|drawing| drawing.words.as_str()));
             strips::show(ui, &shown.strips, &axis, theme);
             let said = shown.notes.iter().map(String::as_str);
             let always = "The sky from 35\u{b0} to 60\u{b0} from the point opposite the sun, by rays \
                           alone: no supernumerary bows, as in drops above 0.5 mm.";
             notes(ui, said.chain([always]));
             ui.add_space(4.0);
-            let columns = [
-                Column::words(
-                    "line",
-                    "What it is named after, by all lines together.",
-                    2.2,
-                ),
-                Column::numbers("wavelength", "In air.", 1.0),
-                Column::numbers("n", "Index of refraction of water there.", 1.0),
-                Column::numbers("first bow \u{b0}", "After one reflection in the drop.", 1.0),
-                Column::numbers(
-                    "second bow \u{b0}",
-                    "After two reflections in the drop.",
-                    1.0,
-                ),
-                Column::numbers("polarised %", "Of the first bow's light.", 1.0),
-            ];
-            lines(ui, context, (&columns, &shown.rows), || shown.csv());
+            lines(ui, context, (&*RAINBOW_COLUMNS, &shown.rows, &[]), || {
+                shown.csv()
+            });
         });
     }
 }
 
-/// The bench; a hand turns the prism.
+/// The bench; a hand turns the prism and moves its handles.
 fn drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &PrismShown, size: Vec2) {
-    let turned = bench::show(ui, shown.drawing.as_ref(), size, context.theme);
-    if turned != 0.0 {
-        let memory = &mut context.memory.dispersion.prism;
-        let from = shown.incidence_deg.unwrap_or(memory.incidence_deg);
-        let [least, most] = [*INCIDENCES_DEG.start(), *INCIDENCES_DEG.end()];
-        memory.incidence_deg = (from + turned).clamp(least, most);
-        memory.at_minimum = false;
+    let moved = bench::show(ui, shown.drawing.as_ref(), size, context.theme);
+    let memory = &mut context.memory.dispersion.prism;
+    match moved {
+        None => {}
+        Some(Moved::Turned(by)) => memory.turn(shown.incidence_deg, by),
+        Some(Moved::Set(handle, to)) => memory.set(handle, to),
     }
 }
 
-fn axis_of(shown: &PrismShown) -> strips::Axis<'_> {
+/// What is told of a place on the screen.
+fn told(shown: &PrismShown, x_mm: f64) -> String {
+    shown
+        .told(x_mm)
+        .unwrap_or_else(|| format!("{x_mm:.2} mm: no light from 380 to 780 nm lands there."))
+}
+
+fn axis_of<'a>(shown: &'a PrismShown, tells: &'a dyn Fn(f64) -> String) -> strips::Axis<'a> {
     strips::Axis {
         ends: shown.ends_mm,
         label: "mm on the screen, bent more \u{2192}",
         nm: &shown.scale,
+        tells,
     }
 }
 
 /// What lands on the screen, and what must be said of it.
 fn screen(ui: &mut Ui, context: &PageContext<'_>, shown: &PrismShown) {
-    strips::show(ui, &shown.strips, &axis_of(shown), context.theme);
+    let tells = |x_mm: f64| told(shown, x_mm);
+    strips::show(ui, &shown.strips, &axis_of(shown, &tells), context.theme);
     let words = shown.strips.first().map(|strip| strip.colours.words());
     let words = words.filter(|words| !words.is_empty());
     let words = words.map(|words| format!("Strip: {words}."));
@@ -287,52 +296,12 @@ fn screen(ui: &mut Ui, context: &PageContext<'_>, shown: &PrismShown) {
     ui.add_space(4.0);
 }
 
-fn prism_controls(ui: &mut Ui, context: &mut PageContext<'_>) {
-    ui.horizontal_wrapped(|ui| {
-        let memory = &mut context.memory.dispersion.prism;
-        ui.spacing_mut().slider_width = 90.0;
-        let choice = Choice {
-            name: names::GLASS,
-            meaning: "What the prism is made of: flint glass spreads colours twice as far as \
-                      crown glass.",
-            width: 150.0,
-        };
-        named_choice(ui, choice, stuff_title(memory.stuff), |ui| {
-            for stuff in Stuff::ALL {
-                ui.selectable_value(&mut memory.stuff, stuff, stuff_title(stuff));
-            }
-        });
-        let of = Slider::new(&mut memory.apex_deg, APEXES_DEG)
-            .step_by(0.5)
-            .suffix("\u{b0}");
-        let meaning = "The angle between the two faces that the light goes through.";
-        slider(ui, (names::APEX, meaning), of);
-        together(ui, names::MINIMUM, 30.0);
-        ui.checkbox(&mut memory.at_minimum, names::MINIMUM)
-            .on_hover_text(
-                "The light meets the prism so that green (546.1 nm) is bent least, as one sets a \
-                 spectroscope; else at an angle of your choice. Drag the drawing to turn it.",
-            );
-        if !memory.at_minimum {
-            let of = Slider::new(&mut memory.incidence_deg, INCIDENCES_DEG)
-                .fixed_decimals(1)
-                .suffix("\u{b0}");
-            let meaning = "Angle between the light and the normal of the first face.";
-            slider(ui, (names::INCIDENCE, meaning), of);
-        }
-        let of = Slider::new(&mut memory.slit_mm, SLITS_MM)
-            .logarithmic(true)
-            .fixed_decimals(2)
-            .suffix(" mm");
-        let meaning = "Width of the beam. Wide, lines run together and the middle turns white.";
-        slider(ui, (names::SLIT, meaning), of);
-        exposure(ui, &mut memory.stops);
-        beside(ui, &mut memory.beside);
-        model::knobs(ui, context);
-    });
+/// The table of the lines: its columns, its rows, and what is told of each.
+fn table_of(shown: &PrismShown) -> (&'static [Column], &[Vec<String>], &[String]) {
+    (&*PRISM_COLUMNS, &shown.rows, &shown.told)
 }
 
-fn prism_columns() -> [Column; 8] {
+static PRISM_COLUMNS: LazyLock<[Column; 8]> = LazyLock::new(|| {
     [
         Column::words(
             "line",
@@ -346,11 +315,7 @@ fn prism_columns() -> [Column; 8] {
             "Deviation: how far the ray is turned.",
             1.0,
         ),
-        Column::numbers(
-            "place mm",
-            "Where it lands on the screen, 500 mm away.",
-            1.0,
-        ),
+        Column::numbers("place mm", "Where it lands on the screen.", 1.0),
         Column::numbers("width mm", "How wide the image of the slit is.", 1.0),
         Column::numbers(
             "passed %",
@@ -364,4 +329,23 @@ fn prism_columns() -> [Column; 8] {
             1.4,
         ),
     ]
-}
+});
+
+static RAINBOW_COLUMNS: LazyLock<[Column; 6]> = LazyLock::new(|| {
+    [
+        Column::words(
+            "line",
+            "What it is named after, by all lines together.",
+            2.2,
+        ),
+        Column::numbers("wavelength", "In air.", 1.0),
+        Column::numbers("n", "Index of refraction of water there.", 1.0),
+        Column::numbers("first bow \u{b0}", "After one reflection in the drop.", 1.0),
+        Column::numbers(
+            "second bow \u{b0}",
+            "After two reflections in the drop.",
+            1.0,
+        ),
+        Column::numbers("polarised %", "Of the first bow's light.", 1.0),
+    ]
+});

@@ -1,7 +1,7 @@
 //! Strips of colour below each other over one axis, with the names of lines.
 
 use eframe::egui;
-use egui::{Align2, Color32, FontId, Mesh, Painter, Rect, Sense, TextStyle, Ui, pos2, vec2};
+use egui::{Align2, Color32, FontId, Mesh, Painter, Rect, Sense, Shape, TextStyle, Ui, pos2, vec2};
 
 use crate::{
     app::{dispersion::StripShown, ticks::short},
@@ -13,6 +13,12 @@ use crate::{
 
 /// Height of a strip, points.
 const STRIP: f32 = 60.0;
+
+/// Height of the plot of what falls on a strip, points.
+const PLOT: f32 = 44.0;
+
+/// How far apart hatching lines are, points.
+const HATCH: f32 = 7.0;
 
 /// Height of a row of names, points, and how many there are.
 const NAME_ROW: f32 = 15.0;
@@ -29,6 +35,8 @@ pub(super) struct Axis<'a> {
     pub label: &'a str,
     /// Wavelengths with their places, nm and the unit of the axis; empty where there are none.
     pub nm: &'a [[f64; 2]],
+    /// What is told of a value under the pointer.
+    pub tells: &'a dyn Fn(f64) -> String,
 }
 
 impl Axis<'_> {
@@ -36,20 +44,6 @@ impl Axis<'_> {
     fn share(&self, value: f64) -> f32 {
         let [from, to] = self.ends;
         ((value - from) / (to - from)) as f32
-    }
-
-    /// The value under the pointer, with its wavelength where there is one.
-    fn told(&self, share: f32) -> String {
-        let [from, to] = self.ends;
-        let value = from + f64::from(share) * (to - from);
-        let between = self.nm.windows(2).find_map(|pair| {
-            let along = (value - pair[0][1]) / (pair[1][1] - pair[0][1]);
-            (0.0..=1.0)
-                .contains(&along)
-                .then(|| pair[0][0] + along * (pair[1][0] - pair[0][0]))
-        });
-        let nm = between.map_or_else(String::new, |nm| format!("{nm:.0} nm, "));
-        format!("{nm}{value:.2} {}", self.label)
     }
 }
 
@@ -59,10 +53,15 @@ pub(super) fn height(strips: &[StripShown], axis: &Axis<'_>, theme: Theme) -> f3
         true => 1.0,
         false => NAME_ROWS as f32,
     };
-    let one = |strip: &StripShown| NAME_ROW * names(strip) + STRIP + 12.0;
+    let one = |strip: &StripShown| NAME_ROW * names(strip) + STRIP + plot_height(strip) + 12.0;
     let scales = if axis.nm.is_empty() { 1.0 } else { 2.0 };
     let words = 40.0;
     (strips.iter().map(one).sum::<f32>() + scales * SCALE + words) * theme.scale
+}
+
+/// Height of the plot below a strip, points.
+fn plot_height(strip: &StripShown) -> f32 {
+    if strip.heights.is_empty() { 0.0 } else { PLOT }
 }
 
 /// Draws the strips.
@@ -78,17 +77,26 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
             NAME_ROWS as f32
         };
         let above = names * NAME_ROW * scale;
-        let size = vec2(ui.available_width(), above + STRIP * scale);
+        let below = plot_height(strip) * scale;
+        let size = vec2(ui.available_width(), above + STRIP * scale + below);
         let (area, response) = ui.allocate_exact_size(size, Sense::hover());
         named(
             &response,
             egui::Role::Image,
             &format!("Strip of {}", strip.name),
         );
-        let field = area.with_min_y(area.top() + above);
+        let whole = area.with_min_y(area.top() + above);
+        let field = whole.with_max_y(whole.bottom() - below);
         let painter = ui.painter();
-        painter.rect_filled(field, 0.0, grey(super::bench::ROOM));
+        painter.rect_filled(whole, 0.0, grey(super::bench::ROOM));
         columns(painter, field, &strip.colours.rgb);
+        plot(
+            painter,
+            whole.with_min_y(field.bottom()),
+            strip,
+            font.clone(),
+        );
+        hatch(painter, whole, strip, axis);
         let taken = painter.text(
             area.left_top(),
             Align2::LEFT_TOP,
@@ -105,14 +113,60 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
             (&font, theme.faint, ground),
             taken,
         );
-        let pointed = response.hover_pos().filter(|at| field.contains(*at));
+        let pointed = response.hover_pos().filter(|at| whole.contains(*at));
         if let Some(at) = pointed {
-            let share = (at.x - field.left()) / field.width();
-            response.on_hover_text_at_pointer(axis.told(share));
+            let share = f64::from((at.x - field.left()) / field.width());
+            let [from, to] = axis.ends;
+            response.on_hover_text_at_pointer((axis.tells)(from + share * (to - from)));
         }
     }
     if !strips.is_empty() {
         ui.scope(|ui| ticks(ui, axis, &font, theme));
+    }
+}
+
+/// What falls on each place: all of the light in the strip's colours, the smooth part as a curve.
+fn plot(painter: &Painter, field: Rect, strip: &StripShown, font: FontId) {
+    if strip.heights.is_empty() {
+        return;
+    }
+    let width = field.width() / strip.heights.len() as f32;
+    let top = |height: f64| field.bottom() - (height as f32) * (field.height() - 3.0);
+    let mut mesh = Mesh::default();
+    let mut smooth = Vec::new();
+    for (index, ([all, part], [r, g, b])) in
+        strip.heights.iter().zip(&strip.colours.rgb).enumerate()
+    {
+        let left = field.left() + width * index as f32;
+        // As bright as the room at least: what is dim has its height too.
+        let ink = Color32::from_rgb((*r).max(70), (*g).max(70), (*b).max(70));
+        let bar = Rect::from_x_y_ranges(left..=left + width, top(*all)..=field.bottom());
+        mesh.add_colored_rect(bar, ink);
+        smooth.push(pos2(left + 0.5 * width, top(*part)));
+    }
+    painter.add(mesh);
+    painter.add(Shape::line(smooth, (1.0, grey(225))));
+    painter.line_segment([field.left_top(), field.right_top()], (1.0, grey(60)));
+    let at = field.right_top() + vec2(-6.0, 3.0);
+    let words = "irradiance E(x), heights by roots; the line is the smooth part";
+    painter.text(at, Align2::RIGHT_TOP, words, font, grey(150));
+}
+
+/// Hatches what rests on an extrapolated index.
+fn hatch(painter: &Painter, field: Rect, strip: &StripShown, axis: &Axis<'_>) {
+    for ends in &strip.doubtful {
+        let [a, b] = ends.map(|end| field.left() + axis.share(end) * field.width());
+        let part = Rect::from_x_y_ranges(a.min(b)..=a.max(b), field.y_range()).intersect(field);
+        let painter = painter.with_clip_rect(part.intersect(painter.clip_rect()));
+        let count = ((part.width() + part.height()) / HATCH).ceil().max(0.0) as usize;
+        for i in 0..count {
+            let foot = pos2(
+                part.left() - part.height() + HATCH * i as f32,
+                part.bottom(),
+            );
+            let head = foot + vec2(part.height(), -part.height());
+            painter.line_segment([foot, head], (1.0, grey(120)));
+        }
     }
 }
 

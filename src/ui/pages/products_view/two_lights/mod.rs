@@ -62,7 +62,7 @@ impl TwoLightsView {
     /// Draws the part.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, theme) = (context.app, context.chart_theme());
-        let (revision, adaptation) = (app.revision(), adaptation(context));
+        let (revision, adaptation) = (app.revision(), context.app.document().view.adaptation());
         let Some(sheet) = &*self.sheet.get(revision, |_| TwoLightsSheet::of(app)) else {
             let words = "Choose a second light to see the patches under both.";
             headline(ui, context.theme, words);
@@ -141,14 +141,6 @@ impl TwoLightsView {
 fn spectra(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, height: f32) {
     let size = vec2(ui.available_width(), height);
     context.chart(ui, &shown.chart, "two lights", size);
-}
-
-fn adaptation(context: &PageContext<'_>) -> Adaptation {
-    if context.app.document().view.adapt_patches {
-        Adaptation::ToLight
-    } else {
-        Adaptation::None
-    }
 }
 
 fn pairs_ask(context: &PageContext<'_>) -> Option<PairsAsk> {

@@ -1,0 +1,331 @@
+//! What the gem's page remembers; not part of undo.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    ranges::{clamped_stops, ends, moved},
+    substance::Substance,
+};
+use crate::optics::{Brilliant, Stuff};
+
+/// Sides of the gem's picture, pixels.
+pub const SIZES_SHOWN: [usize; 4] = [240, 360, 480, 720];
+
+/// Rays a pixel of the gem's picture.
+pub const RAYS_SHOWN: [u32; 5] = [8, 16, 32, 64, 256];
+
+/// Crown angles of the slider, degrees.
+pub const CROWNS_DEG: [f64; 2] = [20.0, 50.0];
+
+/// Pavilion angles of the slider, degrees.
+pub const PAVILIONS_DEG: [f64; 2] = [30.0, 55.0];
+
+/// Girdles of the slider, shares of the diameter.
+pub const GIRDLES: [f64; 2] = [0.005, 0.1];
+
+/// What a gem absorbs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum GemColour {
+    /// Nothing.
+    #[default]
+    Clear,
+    /// The same at every wavelength.
+    Grey {
+        /// How much for each radius of the girdle.
+        per_radius: f64,
+    },
+    /// What a filter of the library absorbs.
+    Filter {
+        /// Its key.
+        key: String,
+        /// How thick the filter is, radii of the girdle.
+        thickness: f64,
+    },
+}
+
+/// How much a grey gem may absorb for each radius.
+pub const GREYS: std::ops::RangeInclusive<f64> = 0.0..=2.0;
+
+/// How thick the filter may be, radii of the girdle.
+pub const THICKNESSES: std::ops::RangeInclusive<f64> = 0.5..=50.0;
+
+impl GemColour {
+    /// The kinds in the order of the menu, each as it is at first: a light grey, and green glass as
+    /// thick as ten radii, for the light goes to and fro in a gem.
+    pub fn first_of_each() -> [Self; 3] {
+        [
+            Self::Clear,
+            Self::Grey { per_radius: 0.1 },
+            Self::Filter {
+                key: "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm".to_owned(),
+                thickness: 10.0,
+            },
+        ]
+    }
+
+    /// The kind in words for people.
+    pub fn title(&self) -> &'static str {
+        match self {
+            Self::Clear => "clear",
+            Self::Grey { .. } => "grey",
+            Self::Filter { .. } => "that of a filter",
+        }
+    }
+
+    fn clamped(self) -> Self {
+        match self {
+            Self::Clear => Self::Clear,
+            Self::Grey { per_radius } => Self::Grey {
+                per_radius: moved(per_radius, ends(GREYS), 0.1),
+            },
+            Self::Filter { key, thickness } => Self::Filter {
+                key,
+                thickness: moved(thickness, ends(THICKNESSES), 10.0),
+            },
+        }
+    }
+}
+
+/// Which part of a light is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LightPart {
+    /// All of it.
+    #[default]
+    Whole,
+    /// Its lines alone.
+    Lines,
+    /// Its smooth part alone.
+    Smooth,
+}
+
+impl LightPart {
+    /// All parts in the order of the menu.
+    pub const ALL: [Self; 3] = [Self::Whole, Self::Lines, Self::Smooth];
+
+    /// In words for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Whole => "the whole light",
+            Self::Lines => "its lines alone",
+            Self::Smooth => "its smooth part alone",
+        }
+    }
+}
+
+/// The gem's page.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct GemMemory {
+    /// What it is made of.
+    #[serde(alias = "stuff")]
+    pub made_of: Substance,
+    /// What it absorbs.
+    pub colour: GemColour,
+    /// How it is cut.
+    pub cut: Brilliant,
+    /// How far the camera went round it, degrees.
+    pub turn_deg: f64,
+    /// How high the camera stands, degrees above the girdle.
+    pub height_deg: f64,
+    /// Side of the picture, pixels.
+    pub size: usize,
+    /// Rays a pixel.
+    pub rays: u32,
+    /// Exposure, stops.
+    pub stops: f64,
+    /// Which part of the light is shown.
+    pub part: LightPart,
+    /// Key of the light of the second picture.
+    pub under: Option<String>,
+}
+
+impl Default for GemMemory {
+    fn default() -> Self {
+        Self {
+            made_of: Substance::Shipped(Stuff::Diamond),
+            colour: GemColour::Clear,
+            cut: Brilliant::default(),
+            turn_deg: USUAL_TURN_DEG,
+            height_deg: USUAL_HEIGHT_DEG,
+            size: 360,
+            rays: 32,
+            stops: 0.0,
+            part: LightPart::Whole,
+            under: Some("cie_illuminants/CIE D65".to_owned()),
+        }
+    }
+}
+
+/// Degrees that the camera moves by for each point that a hand does.
+const DEGREES_A_POINT: f64 = 0.4;
+
+impl GemMemory {
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub(super) fn clamped(self) -> Self {
+        let usual = Self::default();
+        let mut cut = self.cut;
+        for slider in CutSlider::ALL {
+            let first = *(slider.of)(&mut usual.cut.clone());
+            let value = (slider.of)(&mut cut);
+            *value = moved(*value, slider.range, first);
+        }
+        Self {
+            made_of: self.made_of.clamped(),
+            colour: self.colour.clamped(),
+            cut,
+            turn_deg: moved(self.turn_deg, [-180.0, 180.0], USUAL_TURN_DEG),
+            height_deg: moved(self.height_deg, HEIGHTS_DEG, USUAL_HEIGHT_DEG),
+            size: nearest(&SIZES_SHOWN, usual.size, |size| {
+                size.abs_diff(self.size) as u64
+            }),
+            rays: nearest(&RAYS_SHOWN, usual.rays, |rays| {
+                u64::from(rays.abs_diff(self.rays))
+            }),
+            stops: clamped_stops(self.stops),
+            ..self
+        }
+    }
+
+    /// The camera follows a hand, which moved so many points to the right and down.
+    pub fn turn_by(&mut self, [right, down]: [f64; 2]) {
+        let turn = self.turn_deg - DEGREES_A_POINT * right + 180.0;
+        self.turn_deg = turn.rem_euclid(360.0) - 180.0;
+        let height = self.height_deg + DEGREES_A_POINT * down;
+        self.height_deg = height.clamp(HEIGHTS_DEG[0], HEIGHTS_DEG[1]);
+    }
+
+    /// The camera as it stands at first.
+    pub fn look_from_front(&mut self) {
+        (self.turn_deg, self.height_deg) = (USUAL_TURN_DEG, USUAL_HEIGHT_DEG);
+    }
+}
+
+/// Where the camera stands at first: down on the crown, almost from the front, degrees.
+const USUAL_TURN_DEG: f64 = 8.0;
+const USUAL_HEIGHT_DEG: f64 = 64.0;
+
+/// Heights of the camera, degrees: below it looks past the crown, straight above it has no up.
+const HEIGHTS_DEG: [f64; 2] = [15.0, 89.0];
+
+/// A part of the cut that a slider moves.
+#[derive(Clone, Copy, Debug)]
+pub struct CutSlider {
+    /// In words.
+    pub title: &'static str,
+    /// What it is, a sentence.
+    pub meaning: &'static str,
+    /// Least and largest value.
+    pub range: [f64; 2],
+    /// Whether it is an angle; else a share.
+    pub is_angle: bool,
+    /// The value.
+    pub of: fn(&mut Brilliant) -> &mut f64,
+}
+
+impl CutSlider {
+    /// Those that change the look most, then the others.
+    pub const ALL: [Self; 7] = [
+        Self {
+            title: "Pavilion",
+            meaning: "Slope of the lower facets. Near 41\u{b0} a diamond sends most light back up.",
+            range: PAVILIONS_DEG,
+            is_angle: true,
+            of: |cut| &mut cut.pavilion_deg,
+        },
+        Self {
+            title: "Crown",
+            meaning: "Slope of the upper facets, which spread white light into colours.",
+            range: CROWNS_DEG,
+            is_angle: true,
+            of: |cut| &mut cut.crown_deg,
+        },
+        Self {
+            title: "Table",
+            meaning: "Width of the flat top, as a share of the gem's.",
+            range: [0.3, 0.85],
+            is_angle: false,
+            of: |cut| &mut cut.table,
+        },
+        Self {
+            title: "Stars",
+            meaning: "How far the facets beside the table reach towards the edge.",
+            range: [0.2, 0.8],
+            is_angle: false,
+            of: |cut| &mut cut.star,
+        },
+        Self {
+            title: "Lower halves",
+            meaning: "How far the narrow facets below reach from the edge to the tip.",
+            range: [0.4, 0.95],
+            is_angle: false,
+            of: |cut| &mut cut.lower,
+        },
+        Self {
+            title: "Girdle",
+            meaning: "Height of the gem's edge, as a share of its width.",
+            range: GIRDLES,
+            is_angle: false,
+            of: |cut| &mut cut.girdle,
+        },
+        Self {
+            title: "Culet",
+            meaning: "Width of a facet in place of the tip, as a share of the gem's; 0 for a tip.",
+            range: [0.0, 0.2],
+            is_angle: false,
+            of: |cut| &mut cut.culet,
+        },
+    ];
+}
+
+/// The allowed value nearest to one.
+fn nearest<T: Copy>(allowed: &[T], usual: T, off: impl Fn(T) -> u64) -> T {
+    let best = allowed.iter().copied().min_by_key(|value| off(*value));
+    best.unwrap_or(usual)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_slider_moves_its_own_part_of_the_cut() {
+        for (index, slider) in CutSlider::ALL.iter().enumerate() {
+            let mut cut = Brilliant::default();
+            *(slider.of)(&mut cut) += 0.01;
+            for (other, of) in CutSlider::ALL.iter().enumerate() {
+                let moved = *(of.of)(&mut cut) != *(of.of)(&mut Brilliant::default());
+                assert_eq!(moved, index == other, "{}", slider.title);
+            }
+        }
+    }
+
+    #[test]
+    fn what_an_earlier_version_kept_is_understood() {
+        let kept: GemMemory = serde_json::from_str("{\"stuff\":\"zirconia\"}").expect("a memory");
+        assert_eq!(kept.made_of, Substance::Shipped(Stuff::Zirconia));
+    }
+
+    #[test]
+    fn colours_stay_within_what_can_be_set() {
+        let wild = GemMemory {
+            colour: GemColour::Grey {
+                per_radius: f64::NAN,
+            },
+            ..GemMemory::default()
+        };
+        assert_eq!(wild.clamped().colour, GemColour::first_of_each()[1]);
+        let thin = GemColour::Filter {
+            key: "x".to_owned(),
+            thickness: -1.0,
+        };
+        let least = *THICKNESSES.start();
+        let sound = thin.clamped();
+        assert!(matches!(sound, GemColour::Filter { thickness, .. } if thickness == least));
+        for colour in GemColour::first_of_each() {
+            assert_eq!(colour.clone().clamped(), colour);
+        }
+    }
+}

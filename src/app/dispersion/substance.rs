@@ -1,0 +1,220 @@
+//! What a prism or a gem is made of: a material of the program, an index that was opened, or two
+//! numbers.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::ranges::{ends, moved};
+use crate::{
+    app::{entry::Entry, state::App},
+    io::many::capitalised,
+    optics::{IndexError, Material, Stuff},
+    spectrum::{Kind, NamedSpectrum},
+};
+
+/// What a body is made of.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Substance {
+    /// A material that comes with the program.
+    Shipped(Stuff),
+    /// A curve of n that was opened.
+    Own {
+        /// The key of its spectrum.
+        index: String,
+    },
+    /// By hand.
+    Numbers {
+        /// Index at the line d.
+        n_d: f64,
+        /// Abbe number.
+        v_d: f64,
+    },
+}
+
+/// Indices at the line d that can be set by hand.
+pub const INDICES: std::ops::RangeInclusive<f64> = 1.05..=3.0;
+
+/// Abbe numbers that can be set by hand.
+pub const ABBES: std::ops::RangeInclusive<f64> = 10.0..=100.0;
+
+impl Substance {
+    /// Two numbers to begin with: those of crown glass.
+    pub const NUMBERS: Self = Self::Numbers {
+        n_d: 1.5168,
+        v_d: 64.17,
+    };
+
+    /// In words for people.
+    pub fn title(&self, app: &App) -> String {
+        match self {
+            Self::Shipped(stuff) => stuff_title(*stuff).to_owned(),
+            Self::Own { index } => app.entry(index).map_or_else(
+                || "an index that is not open".to_owned(),
+                |entry| material_name(&entry.spectrum).to_owned(),
+            ),
+            Self::Numbers { .. } => "two numbers".to_owned(),
+        }
+    }
+
+    /// The same in a sentence: "diamond", "a glass of n 1.5168 and V 64.2".
+    pub fn in_words(&self, app: &App) -> String {
+        match self {
+            Self::Numbers { n_d, v_d } => format!("two numbers (n {n_d:.4}, V {v_d:.1})"),
+            _ => {
+                let title = self.title(app);
+                title.split(',').next().unwrap_or_default().to_owned()
+            }
+        }
+    }
+
+    /// Its dispersion.
+    ///
+    /// # Errors
+    /// A sentence where the index is not open, or is none of a clear material.
+    pub fn material(&self, app: &App) -> Result<Material, String> {
+        let said = |why: IndexError| capitalised(&format!("{why}."));
+        match self {
+            Self::Shipped(stuff) => Ok(stuff.material()),
+            Self::Own { index } => {
+                let entry = app.entry(index).filter(|entry| is_index(&entry.spectrum));
+                let entry = entry.ok_or_else(|| {
+                    "The file of this material's index is not open: open it again, or choose \
+                     another material."
+                        .to_owned()
+                })?;
+                material_of(&entry.spectrum).map_err(said)
+            }
+            Self::Numbers { n_d, v_d } => Material::from_two_numbers(*n_d, *v_d).map_err(said),
+        }
+    }
+
+    /// With numbers that can be set by hand.
+    #[must_use]
+    pub(super) fn clamped(self) -> Self {
+        match self {
+            Self::Numbers { n_d, v_d } => Self::Numbers {
+                n_d: moved(n_d, ends(INDICES), 1.5168),
+                v_d: moved(v_d, ends(ABBES), 64.17),
+            },
+            other => other,
+        }
+    }
+}
+
+/// A material in words for people.
+pub fn stuff_title(stuff: Stuff) -> &'static str {
+    match stuff {
+        Stuff::Diamond => "diamond",
+        Stuff::Zirconia => "cubic zirconia",
+        Stuff::Sapphire => "sapphire",
+        Stuff::NBk7 => "N-BK7, crown glass",
+        Stuff::NSf11 => "N-SF11, heavy flint glass",
+        Stuff::NSf10 => "N-SF10, flint glass",
+        Stuff::Silica => "fused silica",
+        Stuff::Water => "water",
+    }
+}
+
+/// The curves of n among the user's own spectra, the newest first.
+pub fn own_indices(app: &App) -> impl Iterator<Item = &Arc<Entry>> {
+    let own = app.document().own.iter().rev();
+    own.filter(|entry| is_index(&entry.spectrum))
+}
+
+/// Whether a spectrum is a curve of n as the reader of refractive indices names it.
+pub fn is_index(spectrum: &NamedSpectrum) -> bool {
+    spectrum.kind == Kind::Other && stem_of(&spectrum.name).is_some()
+}
+
+/// "glass" of "glass n" and of "glass n by formula 2".
+fn stem_of(name: &str) -> Option<&str> {
+    let before = |mark: &str| name.split_once(mark).map(|(stem, _)| stem);
+    before(" n by ").or_else(|| name.strip_suffix(" n"))
+}
+
+fn material_name(spectrum: &NamedSpectrum) -> &str {
+    stem_of(&spectrum.name).unwrap_or(&spectrum.name)
+}
+
+/// The material that a curve of n tells of.
+///
+/// # Errors
+/// For values that are no index.
+pub fn material_of(spectrum: &NamedSpectrum) -> Result<Material, IndexError> {
+    Material::from_table(
+        material_name(spectrum),
+        &spectrum.source,
+        &spectrum.samples,
+        false,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        app::{Command, opened::Opened},
+        io::read_bytes,
+    };
+
+    const GLASS: &str = "REFERENCES: A. Author\nDATA:\n  - type: tabulated nk\n    data: |\n        \
+        0.3 1.65 0\n        0.5 1.60 0\n        0.9 1.58 0\n";
+
+    fn with_glass() -> App {
+        let mut app = App::new();
+        let reading = read_bytes("glass.yml", GLASS.as_bytes()).expect("a table");
+        let spectra = reading.spectra.into_iter();
+        let opened = spectra.map(|spectrum| Opened::alone(spectrum, Vec::new()));
+        app.apply(Command::Open(opened.collect()));
+        app
+    }
+
+    #[test]
+    fn an_opened_curve_of_n_is_a_material_and_that_of_k_is_none() {
+        let app = with_glass();
+        let found: Vec<_> = own_indices(&app).collect();
+        assert_eq!(found.len(), 1);
+        let own = Substance::Own {
+            index: found[0].key.clone(),
+        };
+        assert_eq!(own.title(&app), "glass");
+        let n = own.material(&app).expect("a glass").index(500.0);
+        assert!((n.expect("in its table") - 1.6).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_no_material_says_so() {
+        let app = App::new();
+        let gone = Substance::Own {
+            index: "own/7".to_owned(),
+        };
+        assert!(
+            gone.material(&app)
+                .is_err_and(|why| why.contains("not open"))
+        );
+        let light = Substance::Own {
+            index: app.document().light.key.clone(),
+        };
+        assert!(light.material(&app).is_err());
+        let none = Substance::Numbers { n_d: 0.5, v_d: 1.0 };
+        assert!(none.material(&app).is_err_and(|why| why.ends_with('.')));
+        assert!(none.clamped().material(&app).is_ok());
+    }
+
+    #[test]
+    fn words_of_earlier_versions_are_understood() {
+        let read = |text: &str| serde_json::from_str::<Substance>(text).expect("a substance");
+        assert_eq!(read("\"n-sf11\""), Substance::Shipped(Stuff::NSf11));
+        for one in [
+            Substance::NUMBERS,
+            Substance::Own {
+                index: "own/3".to_owned(),
+            },
+        ] {
+            let text = serde_json::to_string(&one).expect("JSON");
+            assert_eq!(read(&text), one);
+        }
+    }
+}

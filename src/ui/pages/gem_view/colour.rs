@@ -1,0 +1,73 @@
+//! What colours the gem.
+
+use eframe::egui;
+use egui::{Slider, Ui};
+
+use super::controls::names;
+use crate::{
+    app::{
+        Entry,
+        dispersion::{GREYS, GemColour, THICKNESSES},
+    },
+    spectrum::Kind,
+    ui::{
+        kit::{Choice, Chooser},
+        pages::{PageContext, prism_view::slider},
+    },
+};
+
+/// Draws the choice and what belongs to the kind chosen.
+pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let app = context.app;
+    let colour = &mut context.memory.dispersion.gem.colour;
+    ui.horizontal(|ui| {
+        ui.label(names::COLOUR);
+        let choice = Choice {
+            name: names::COLOUR,
+            meaning: "What the gem takes out of the light on its way, which goes to and fro in it \
+                      many times.",
+            width: 130.0,
+        };
+        choice.show(ui, colour.title(), |ui| {
+            for kind in GemColour::first_of_each() {
+                let is_now = kind.title() == colour.title();
+                if ui.selectable_label(is_now, kind.title()).clicked() && !is_now {
+                    *colour = kind;
+                }
+            }
+        });
+    });
+    match colour {
+        GemColour::Clear => {}
+        GemColour::Grey { per_radius } => {
+            let of = Slider::new(per_radius, GREYS).fixed_decimals(2);
+            let meaning = "Absorption for each radius of the girdle: 1 leaves 37 % of the light.";
+            slider(ui, (names::ABSORBS, meaning), of);
+        }
+        GemColour::Filter { key, thickness } => {
+            ui.horizontal(|ui| {
+                ui.label(names::FILTER);
+                let entry = app.entry(key);
+                let chooser = Chooser {
+                    name: names::FILTER,
+                    meaning: "The gem takes away what this glass takes away.",
+                    says: entry
+                        .as_ref()
+                        .map_or("choose a filter", |entry| entry.name()),
+                    offers: |entry: &Entry| entry.kind() == Kind::Transmittance,
+                    width: 170.0,
+                };
+                if let Some(entry) = chooser.show(ui, app) {
+                    key.clone_from(&entry.key);
+                }
+            });
+            let of = Slider::new(thickness, THICKNESSES)
+                .logarithmic(true)
+                .fixed_decimals(1)
+                .suffix(" radii");
+            let meaning = "How large the gem is against the filter: the filter's transmittance is \
+                           that of so many radii of the gem. Less makes it darker.";
+            slider(ui, (names::THICKNESS, meaning), of);
+        }
+    }
+}

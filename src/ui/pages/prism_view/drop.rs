@@ -1,0 +1,69 @@
+//! A drop of water in section, with rays of the light.
+
+use eframe::egui;
+use egui::{Color32, Painter, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
+
+use crate::{
+    app::dispersion::{DropDrawing, DropRay},
+    ui::{
+        kit::named,
+        theme::{Theme, grey},
+    },
+};
+
+/// What is seen to each side of the drop's middle, radii.
+const SEEN: f32 = 1.9;
+
+/// Draws the drop; where a hand moved the rays to, radii off its middle.
+pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme) -> Option<f64> {
+    let (area, response) = ui.allocate_exact_size(size, Sense::drag());
+    named(
+        &response,
+        egui::Role::Image,
+        "A drop with rays of the light",
+    );
+    let painter = ui.painter().with_clip_rect(area);
+    painter.rect_filled(area, 0.0, grey(super::bench::ROOM));
+    let scale = 0.5 * size.min_elem() / SEEN;
+    let middle = area.center();
+    painter.circle_filled(middle, scale, Color32::from_rgb(34, 40, 46));
+    let draw = |ray: &DropRay, wide: f32| {
+        let at = |[x, y]: [f64; 2]| middle + scale * vec2(x as f32, -y as f32);
+        let way: Vec<_> = ray.way.iter().map(|place| at(*place)).collect();
+        let [r, g, b] = ray.rgb;
+        let ink = Color32::from_rgb(r, g, b).gamma_multiply(ray.strength as f32);
+        painter.add(Shape::line(way, Stroke::new(wide * theme.scale, ink)));
+    };
+    drawing.fan.iter().for_each(|ray| draw(ray, 0.8));
+    drawing.smooth.iter().for_each(|ray| draw(ray, 1.0));
+    drawing.lines.iter().for_each(|ray| draw(ray, 1.6));
+    painter.circle_stroke(middle, scale, (1.2 * theme.scale, grey(150)));
+    let hand = middle + scale * vec2(-SEEN + 0.12, -drawing.impact as f32);
+    grip(
+        &painter,
+        hand,
+        response.hovered() || response.dragged(),
+        theme,
+    );
+    words(ui, &painter, area);
+    if response.hovered() {
+        ui.set_cursor_icon(egui::CursorIcon::ResizeVertical);
+    }
+    let moved = f64::from(-response.drag_delta().y / scale);
+    response.on_hover_text_at_pointer("Drag up and down: where the light meets the drop.");
+    (moved != 0.0).then_some(drawing.impact + moved)
+}
+
+fn grip(painter: &Painter, at: egui::Pos2, is_held: bool, theme: Theme) {
+    let fill = if is_held { grey(235) } else { grey(90) };
+    let stroke = Stroke::new(1.5 * theme.scale, grey(220));
+    painter.circle(at, 5.0 * theme.scale, fill, stroke);
+}
+
+/// What the drawing is, in a corner of it.
+fn words(ui: &Ui, painter: &Painter, area: Rect) {
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let at = pos2(area.left() + 8.0, area.top() + 6.0);
+    let said = "light from the left; thin: 555 nm all over the drop";
+    painter.text(at, egui::Align2::LEFT_TOP, said, font, grey(140));
+}

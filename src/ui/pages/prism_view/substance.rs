@@ -1,0 +1,59 @@
+//! What a body is made of: the program's materials, curves of n that were opened, two numbers.
+
+use eframe::egui;
+use egui::{Slider, Ui};
+
+use super::{named_choice, slider};
+use crate::{
+    app::{
+        App,
+        dispersion::{ABBES, INDICES, Substance, own_indices},
+    },
+    optics::Stuff,
+    ui::kit::Choice,
+};
+
+/// What people and tests call the two numbers.
+pub mod names {
+    pub const INDEX: &str = "n";
+    pub const ABBE: &str = "V";
+}
+
+/// Draws the choice by its name and what it is for, and two numbers where they are chosen.
+pub fn substance(ui: &mut Ui, app: &App, (name, meaning): (&str, &str), made_of: &mut Substance) {
+    let choice = Choice {
+        name,
+        meaning,
+        width: 150.0,
+    };
+    let now = made_of.title(app);
+    let list = |ui: &mut Ui| {
+        let shipped = Stuff::ALL.map(Substance::Shipped);
+        let own = own_indices(app).map(|entry| Substance::Own {
+            index: entry.key.clone(),
+        });
+        for one in shipped.into_iter().chain(own) {
+            let title = one.title(app);
+            ui.selectable_value(made_of, one, title);
+        }
+        let is_numbers = matches!(made_of, Substance::Numbers { .. });
+        let numbers = ui.selectable_label(is_numbers, Substance::NUMBERS.title(app));
+        if numbers.clicked() && !is_numbers {
+            *made_of = Substance::NUMBERS;
+        }
+        ui.weak("Files of refractiveindex.info that you open join the list.");
+    };
+    if ui.layout().main_wrap() {
+        named_choice(ui, choice, &now, list);
+    } else {
+        ui.horizontal(|ui| named_choice(ui, choice, &now, list));
+    }
+    if let Substance::Numbers { n_d, v_d } = made_of {
+        let of = Slider::new(n_d, INDICES).fixed_decimals(4);
+        let meaning = "Index of refraction at the yellow line d, 587.6 nm.";
+        slider(ui, (names::INDEX, meaning), of);
+        let of = Slider::new(v_d, ABBES).fixed_decimals(1);
+        let meaning = "Abbe number: the smaller, the further the colours are spread.";
+        slider(ui, (names::ABBE, meaning), of);
+    }
+}

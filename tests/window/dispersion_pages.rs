@@ -1,0 +1,103 @@
+//! The pages Prism, Rainbow and Gem in the real window, driven without a display.
+
+use crate::driver::{Ui, app, at_rest, no_files, words};
+use eframe::egui::{Role, vec2};
+use egui_kittest::kittest::Queryable as _;
+use spectral_explorer::{
+    app::{
+        App,
+        dispersion::{GemColour, Handle, PrismMemory},
+        pages::Page,
+        workspace::Preferences,
+    },
+    color::Adaptation,
+    ui::{Window, pages::gem_view::names},
+};
+
+fn page(page: Page) -> Ui {
+    let mut preferences = Preferences {
+        greeted: true,
+        ..Preferences::default()
+    };
+    preferences.pages.page = page;
+    preferences.pages.dispersion.gem.size = 240;
+    preferences.pages.dispersion.gem.rays = 8;
+    let mut ui = at_rest(Window::new(App::new(), preferences, no_files(), None));
+    settle(&mut ui);
+    ui
+}
+
+fn settle(ui: &mut Ui) {
+    for _ in 0..6 {
+        ui.step();
+        ui.state_mut().0.studies.finish();
+    }
+    ui.step();
+}
+
+fn drag(ui: &mut Ui, name: &str, by: [f32; 2]) {
+    let from = ui.get_by_label(name).rect().center();
+    let to = from + vec2(by[0], by[1]);
+    ui.hover_at(from);
+    ui.step();
+    ui.drag_at(from);
+    ui.step();
+    ui.hover_at(to);
+    ui.step();
+    ui.drop_at(to);
+    settle(ui);
+}
+
+fn prism(ui: &Ui) -> PrismMemory {
+    ui.state().0.preferences.pages.dispersion.prism.clone()
+}
+
+#[test]
+fn the_handles_of_the_bench_are_dragged() {
+    let mut ui = page(Page::Prism);
+    let usual = PrismMemory::default();
+    for handle in Handle::ALL {
+        let name = format!("{}, drawn", handle.title());
+        // To the lower right: outwards for all three.
+        drag(&mut ui, &name, [12.0, 9.0]);
+    }
+    let found = prism(&ui);
+    assert!(found.apex_deg > usual.apex_deg, "{found:?}");
+    assert!(found.slit_mm > usual.slit_mm, "{found:?}");
+    assert!(found.screen_mm > usual.screen_mm, "{found:?}");
+    assert!(found.at_minimum, "no handle turns the prism");
+    drag(&mut ui, "Drawing of the prism and the light", [30.0, 0.0]);
+    assert!(!prism(&ui).at_minimum);
+}
+
+#[test]
+fn a_gem_is_coloured_and_says_how_it_is_seen() {
+    let mut ui = page(Page::Gem);
+    let said = |ui: &Ui, part: &str| words(ui).join("\n").contains(part);
+    assert!(said(&ui, Adaptation::ToLight.words()));
+    ui.get_by_role_and_label(Role::ComboBox, names::COLOUR)
+        .click();
+    settle(&mut ui);
+    let [_, _, filter] = GemColour::first_of_each();
+    ui.get_by_label(filter.title()).click();
+    settle(&mut ui);
+    let memory = &ui.state().0.preferences.pages.dispersion.gem;
+    assert_eq!(memory.colour, filter);
+    ui.get_by_label(names::SEEN).click();
+    settle(&mut ui);
+    ui.get_by_label(Adaptation::None.words()).click();
+    settle(&mut ui);
+    assert!(!app(&ui).document().view.adapt_patches);
+    assert!(said(&ui, Adaptation::None.words()) && !said(&ui, Adaptation::ToLight.words()));
+}
+
+#[test]
+fn the_rays_of_the_drop_are_dragged() {
+    let mut ui = page(Page::Rainbow);
+    let impact = |ui: &Ui| ui.state().0.preferences.pages.dispersion.rainbow.impact;
+    let before = impact(&ui);
+    drag(&mut ui, "A drop with rays of the light", [0.0, 20.0]);
+    assert!(impact(&ui) < before, "{} {before}", impact(&ui));
+    let told = format!("Met at {:.2} of its radius", impact(&ui));
+    assert!(words(&ui).join("\n").contains(&told), "{told}");
+}
