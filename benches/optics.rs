@@ -16,7 +16,11 @@
 //!            whole nm again
 //! ```
 
-use std::{hint::black_box, num::NonZero, time::Duration};
+use std::{
+    hint::black_box,
+    num::NonZero,
+    time::{Duration, Instant},
+};
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use spectral_explorer::{
@@ -30,18 +34,26 @@ use spectral_explorer::{
     study::Progress,
 };
 
-fn studio() -> Studio {
+fn studio_in(scene: Scene) -> Studio {
     let solid = Brilliant::default().solid().expect("the default cut");
     let diamond = Stuff::Diamond.material();
-    Studio::new(solid, diamond, Absorption::None, Scene::default()).expect("the default scene")
+    Studio::new(solid, diamond, Absorption::None, scene).expect("a scene in order")
 }
 
-fn film(size: usize) -> Film {
+fn studio() -> Studio {
+    studio_in(Scene::default())
+}
+
+fn film_in(scene: Scene, size: usize) -> Film {
     let settings = FilmSettings {
         size,
         ..FilmSettings::default()
     };
-    Film::new(studio(), settings).expect("a size in range")
+    Film::new(studio_in(scene), settings).expect("a size in range")
+}
+
+fn film(size: usize) -> Film {
+    film_in(Scene::default(), size)
 }
 
 fn preset(name: &str) -> Light {
@@ -131,7 +143,7 @@ fn growth(criterion: &mut Criterion) {
 }
 
 fn pictures(criterion: &mut Criterion) {
-    let (fl11, fl2) = (preset("FL11"), preset("FL2"));
+    let fl11 = preset("FL11");
     let mut group = criterion.benchmark_group("pictures under FL11");
     group
         .sample_size(10)
@@ -169,19 +181,45 @@ fn pictures(criterion: &mut Criterion) {
             black_box(film.picture(&fl11, Observer::Cie1931).shown(0.0));
         });
     });
-    group.bench_function("turning, 96 x 96, 12 rays, two cores", |b| {
-        b.iter(|| {
-            let mut film = film(96);
-            film.trace(&fl11, 12, cores(2), &go()).expect("rays");
-            black_box(film.picture(&fl11, Observer::Cie1931).shown(0.0));
+    for (lamps, scene) in [
+        ("", Scene::default()),
+        (" under the window's lamps", Scene::jeweller()),
+    ] {
+        let name = format!("turning, 96 x 96, 12 rays, two cores{lamps}");
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let mut film = film_in(scene.clone(), 96);
+                film.trace(&fl11, 12, cores(2), &go()).expect("rays");
+                black_box(film.picture(&fl11, Observer::Cie1931).shown(0.0));
+            });
         });
-    });
+    }
+    group.finish();
+}
+
+fn relit(criterion: &mut Criterion) {
+    let (fl11, fl2) = (preset("FL11"), preset("FL2"));
+    let mut group = criterion.benchmark_group("a finished film");
+    group
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(5));
     let mut large = film(480);
-    large.trace(&fl11, 64, None, &go()).expect("rays");
+    // Once: ten times would take minutes.
+    let start = Instant::now();
+    large.trace(&fl11, 64, cores(2), &go()).expect("rays");
     println!(
-        "480 x 480, {} planes: {} MB",
+        "480 x 480, 64 rays, {} planes, {} MB: {:.2} s on two cores, the plain way to another light",
         large.planes().len(),
-        large.bytes() >> 20
+        large.bytes() >> 20,
+        start.elapsed().as_secs_f64()
+    );
+    let start = Instant::now();
+    film(480)
+        .trace_lines(&eight_new(), 16, cores(2), &go())
+        .expect("rays");
+    println!(
+        "eight new spikes on 480 x 480, 16 rays each: {:.2} s on two cores",
+        start.elapsed().as_secs_f64()
     );
     group.bench_function("another light on 480 x 480", |b| {
         b.iter(|| black_box(large.picture(&fl2, Observer::Cie1931)));
@@ -189,15 +227,20 @@ fn pictures(criterion: &mut Criterion) {
     group.bench_function(
         "eight new spikes on 480 x 480, 1 ray each, two cores",
         |b| {
-            let new: Vec<f64> = (0..8).map(|i| 400.5 + 40.0 * f64::from(i)).collect();
             b.iter(|| {
                 let mut film = film(480);
-                film.trace_lines(&new, 1, cores(2), &go()).expect("rays");
+                film.trace_lines(&eight_new(), 1, cores(2), &go())
+                    .expect("rays");
                 black_box(film.traced());
             });
         },
     );
     group.finish();
+}
+
+/// Places of spikes that no film has.
+fn eight_new() -> Vec<f64> {
+    (0..8).map(|i| 400.5 + 40.0 * f64::from(i)).collect()
 }
 
 fn twenty_spikes() -> Light {
@@ -260,5 +303,5 @@ fn bench_and_sky(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(all, bench_and_sky, tracer, growth, pictures);
+criterion_group!(all, bench_and_sky, tracer, growth, pictures, relit);
 criterion_main!(all);
