@@ -317,10 +317,10 @@ pub fn full_preferences() -> Preferences {
                     made_of: Substance::Own {
                         index: "own/1".to_owned(),
                     },
-                    colour: GemColour::Filter {
-                        key: "own/2".to_owned(),
-                        thickness: 4.0,
-                    },
+                    colour: GemColour::Filter,
+                    grey: 0.7,
+                    filter: "own/2".to_owned(),
+                    thickness: 4.0,
                     cut: Brilliant {
                         table: 0.61,
                         ..Brilliant::default()

@@ -75,7 +75,7 @@ impl GemScene {
     pub fn of(app: &App, memory: &GemMemory) -> Result<Self, String> {
         let scene = Self {
             material: memory.made_of.material(app)?,
-            absorption: memory.colour.absorption(app)?,
+            absorption: memory.absorption(app)?,
             cut: memory.cut,
             turn_deg: memory.turn_deg,
             height_deg: memory.height_deg,
@@ -134,23 +134,23 @@ impl GemScene {
     }
 }
 
-impl GemColour {
+impl GemMemory {
     /// What of the light is lost on the way.
     ///
     /// # Errors
     /// A sentence where there is no such filter.
     pub fn absorption(&self, app: &App) -> Result<Absorption, String> {
         let said = |why: crate::optics::AbsorptionError| capitalised(&format!("{why}."));
-        match self {
-            Self::Clear => Ok(Absorption::None),
-            Self::Grey { per_radius } => Absorption::even(*per_radius).map_err(said),
-            Self::Filter { key, thickness } => {
-                let entry = app.entry(key);
+        match self.colour {
+            GemColour::Clear => Ok(Absorption::None),
+            GemColour::Grey => Absorption::even(self.grey).map_err(said),
+            GemColour::Filter => {
+                let entry = app.entry(&self.filter);
                 let filter = entry.filter(|entry| entry.kind() == Kind::Transmittance);
                 let filter = filter.ok_or_else(|| {
                     "The filter that colours the gem is not open: choose another one.".to_owned()
                 })?;
-                Absorption::of_filter(&filter.spectrum.samples, *thickness).map_err(said)
+                Absorption::of_filter(&filter.spectrum.samples, self.thickness).map_err(said)
             }
         }
     }
@@ -469,13 +469,9 @@ mod tests {
     #[test]
     fn a_filter_colours_the_gem_and_a_lost_one_is_said() {
         let app = App::new();
-        let [_, grey, filter] = GemColour::first_of_each();
+        let of = |colour: GemColour| GemMemory { colour, ..small() };
         let clear = scene();
-        let green = GemMemory {
-            colour: filter,
-            ..small()
-        };
-        let coloured = GemScene::of(&app, &green).expect("a gem");
+        let coloured = GemScene::of(&app, &of(GemColour::Filter)).expect("a gem");
         assert!(coloured != clear && !coloured.is_like(&clear));
         let loss = |nm: f64| coloured.absorption.at(nm);
         assert!(
@@ -483,12 +479,12 @@ mod tests {
             "green glass takes red away"
         );
         assert_eq!(
-            grey.absorption(&app),
-            Absorption::even(0.1).map_err(|_| String::new())
+            of(GemColour::Grey).absorption(&app),
+            Ok(Absorption::Even(0.1))
         );
-        let lost = GemColour::Filter {
-            key: "cie_illuminants/CIE D65".to_owned(),
-            thickness: 1.0,
+        let lost = GemMemory {
+            filter: "cie_illuminants/CIE D65".to_owned(),
+            ..of(GemColour::Filter)
         };
         assert!(
             lost.absorption(&app)

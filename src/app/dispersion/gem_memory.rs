@@ -23,25 +23,31 @@ pub const PAVILIONS_DEG: [f64; 2] = [30.0, 55.0];
 /// Girdles of the slider, shares of the diameter.
 pub const GIRDLES: [f64; 2] = [0.005, 0.1];
 
-/// What a gem absorbs.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+/// What colours a gem.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum GemColour {
-    /// Nothing.
+    /// It takes nothing away.
     #[default]
     Clear,
-    /// The same at every wavelength.
-    Grey {
-        /// How much for each radius of the girdle.
-        per_radius: f64,
-    },
-    /// What a filter of the library absorbs.
-    Filter {
-        /// Its key.
-        key: String,
-        /// How thick the filter is, radii of the girdle.
-        thickness: f64,
-    },
+    /// It takes away the same at every wavelength.
+    Grey,
+    /// It takes away what a filter of the library does.
+    Filter,
+}
+
+impl GemColour {
+    /// All of them in the order of the menu.
+    pub const ALL: [Self; 3] = [Self::Clear, Self::Grey, Self::Filter];
+
+    /// In words for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Clear => "clear",
+            Self::Grey => "grey",
+            Self::Filter => "that of a filter",
+        }
+    }
 }
 
 /// How much a grey gem may absorb for each radius.
@@ -49,43 +55,6 @@ pub const GREYS: std::ops::RangeInclusive<f64> = 0.0..=2.0;
 
 /// How thick the filter may be, radii of the girdle.
 pub const THICKNESSES: std::ops::RangeInclusive<f64> = 0.5..=50.0;
-
-impl GemColour {
-    /// The kinds in the order of the menu, each as it is at first: a light grey, and green glass as
-    /// thick as ten radii, for the light goes to and fro in a gem.
-    pub fn first_of_each() -> [Self; 3] {
-        [
-            Self::Clear,
-            Self::Grey { per_radius: 0.1 },
-            Self::Filter {
-                key: "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm".to_owned(),
-                thickness: 10.0,
-            },
-        ]
-    }
-
-    /// The kind in words for people.
-    pub fn title(&self) -> &'static str {
-        match self {
-            Self::Clear => "clear",
-            Self::Grey { .. } => "grey",
-            Self::Filter { .. } => "that of a filter",
-        }
-    }
-
-    fn clamped(self) -> Self {
-        match self {
-            Self::Clear => Self::Clear,
-            Self::Grey { per_radius } => Self::Grey {
-                per_radius: moved(per_radius, ends(GREYS), 0.1),
-            },
-            Self::Filter { key, thickness } => Self::Filter {
-                key,
-                thickness: moved(thickness, ends(THICKNESSES), 10.0),
-            },
-        }
-    }
-}
 
 /// Which part of a light is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -121,8 +90,14 @@ pub struct GemMemory {
     /// What it is made of.
     #[serde(alias = "stuff")]
     pub made_of: Substance,
-    /// What it absorbs.
+    /// What colours it.
     pub colour: GemColour,
+    /// How much a grey gem absorbs for each radius of the girdle.
+    pub grey: f64,
+    /// Key of the filter that colours it.
+    pub filter: String,
+    /// How thick that filter is, radii of the girdle.
+    pub thickness: f64,
     /// How it is cut.
     pub cut: Brilliant,
     /// How far the camera went round it, degrees.
@@ -146,6 +121,10 @@ impl Default for GemMemory {
         Self {
             made_of: Substance::Shipped(Stuff::Diamond),
             colour: GemColour::Clear,
+            grey: 0.1,
+            filter: "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm".to_owned(),
+            // The light goes to and fro in a gem.
+            thickness: 10.0,
             cut: Brilliant::default(),
             turn_deg: USUAL_TURN_DEG,
             height_deg: USUAL_HEIGHT_DEG,
@@ -174,7 +153,8 @@ impl GemMemory {
         }
         Self {
             made_of: self.made_of.clamped(),
-            colour: self.colour.clamped(),
+            grey: moved(self.grey, ends(GREYS), usual.grey),
+            thickness: moved(self.thickness, ends(THICKNESSES), usual.thickness),
             cut,
             turn_deg: moved(self.turn_deg, [-180.0, 180.0], USUAL_TURN_DEG),
             height_deg: moved(self.height_deg, HEIGHTS_DEG, USUAL_HEIGHT_DEG),
@@ -310,22 +290,17 @@ mod tests {
 
     #[test]
     fn colours_stay_within_what_can_be_set() {
+        let usual = GemMemory::default();
         let wild = GemMemory {
-            colour: GemColour::Grey {
-                per_radius: f64::NAN,
-            },
-            ..GemMemory::default()
-        };
-        assert_eq!(wild.clamped().colour, GemColour::first_of_each()[1]);
-        let thin = GemColour::Filter {
-            key: "x".to_owned(),
+            grey: f64::NAN,
             thickness: -1.0,
+            ..usual.clone()
         };
-        let least = *THICKNESSES.start();
-        let sound = thin.clamped();
-        assert!(matches!(sound, GemColour::Filter { thickness, .. } if thickness == least));
-        for colour in GemColour::first_of_each() {
-            assert_eq!(colour.clone().clamped(), colour);
-        }
+        let sound = wild.clamped();
+        assert_eq!(
+            (sound.grey, sound.thickness),
+            (usual.grey, *THICKNESSES.start())
+        );
+        assert_eq!(usual.clone().clamped(), usual);
     }
 }

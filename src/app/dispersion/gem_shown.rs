@@ -100,7 +100,7 @@ mod tests {
             ..GemMemory::default()
         };
         let scene = GemScene::of(app, &memory).expect("a gem");
-        let pass = next_pass(None, &scene, 8, &places(light), true).expect("a film");
+        let pass = next_pass(None, &scene, 64, &places(light), true).expect("a film");
         let lights = std::slice::from_ref(light);
         pass.trace(None, lights, &Progress::default())
             .expect("traced")

@@ -13,9 +13,9 @@ use crate::{
     spectrum::{Kind, NamedSpectrum},
 };
 
-/// What a body is made of.
+/// What a body is made of; kept as a word: "diamond", "1.5168,64.17" or the key of a spectrum.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(from = "String", into = "String")]
 pub enum Substance {
     /// A material that comes with the program.
     Shipped(Stuff),
@@ -31,6 +31,30 @@ pub enum Substance {
         /// Abbe number.
         v_d: f64,
     },
+}
+
+impl From<String> for Substance {
+    fn from(word: String) -> Self {
+        let numbers = word.split_once(',').and_then(|(n_d, v_d)| {
+            let [n_d, v_d] = [n_d, v_d].map(|number| number.trim().parse().ok());
+            Some(Self::Numbers {
+                n_d: n_d?,
+                v_d: v_d?,
+            })
+        });
+        let shipped = Stuff::from_word(&word).map(Self::Shipped);
+        shipped.or(numbers).unwrap_or(Self::Own { index: word })
+    }
+}
+
+impl From<Substance> for String {
+    fn from(substance: Substance) -> Self {
+        match substance {
+            Substance::Shipped(stuff) => stuff.word().to_owned(),
+            Substance::Own { index } => index,
+            Substance::Numbers { n_d, v_d } => format!("{n_d},{v_d}"),
+        }
+    }
 }
 
 /// Indices at the line d that can be set by hand.

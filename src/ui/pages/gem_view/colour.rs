@@ -3,7 +3,7 @@
 use eframe::egui;
 use egui::{Slider, Ui};
 
-use super::controls::names;
+use super::names;
 use crate::{
     app::{
         Entry,
@@ -19,7 +19,7 @@ use crate::{
 /// Draws the choice and what belongs to the kind chosen.
 pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
     let app = context.app;
-    let colour = &mut context.memory.dispersion.gem.colour;
+    let memory = &mut context.memory.dispersion.gem;
     ui.horizontal(|ui| {
         ui.label(names::COLOUR);
         let choice = Choice {
@@ -28,26 +28,23 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
                       many times.",
             width: 130.0,
         };
-        choice.show(ui, colour.title(), |ui| {
-            for kind in GemColour::first_of_each() {
-                let is_now = kind.title() == colour.title();
-                if ui.selectable_label(is_now, kind.title()).clicked() && !is_now {
-                    *colour = kind;
-                }
+        choice.show(ui, memory.colour.title(), |ui| {
+            for colour in GemColour::ALL {
+                ui.selectable_value(&mut memory.colour, colour, colour.title());
             }
         });
     });
-    match colour {
+    match memory.colour {
         GemColour::Clear => {}
-        GemColour::Grey { per_radius } => {
-            let of = Slider::new(per_radius, GREYS).fixed_decimals(2);
+        GemColour::Grey => {
+            let of = Slider::new(&mut memory.grey, GREYS).fixed_decimals(2);
             let meaning = "Absorption for each radius of the girdle: 1 leaves 37 % of the light.";
             slider(ui, (names::ABSORBS, meaning), of);
         }
-        GemColour::Filter { key, thickness } => {
+        GemColour::Filter => {
             ui.horizontal(|ui| {
                 ui.label(names::FILTER);
-                let entry = app.entry(key);
+                let entry = app.entry(&memory.filter);
                 let chooser = Chooser {
                     name: names::FILTER,
                     meaning: "The gem takes away what this glass takes away.",
@@ -58,10 +55,10 @@ pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>) {
                     width: 170.0,
                 };
                 if let Some(entry) = chooser.show(ui, app) {
-                    key.clone_from(&entry.key);
+                    memory.filter.clone_from(&entry.key);
                 }
             });
-            let of = Slider::new(thickness, THICKNESSES)
+            let of = Slider::new(&mut memory.thickness, THICKNESSES)
                 .logarithmic(true)
                 .fixed_decimals(1)
                 .suffix(" radii");

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui;
 use egui::{CollapsingHeader, Slider, Ui};
 
-use super::colour;
+use super::{colour, names};
 use crate::{
     app::{
         dispersion::{
@@ -23,25 +23,6 @@ use crate::{
         },
     },
 };
-
-/// What people and tests call the controls.
-pub mod names {
-    pub const MATERIAL: &str = "Made of";
-    pub const COLOUR: &str = "Colour";
-    pub const FILTER: &str = "Filter";
-    pub const THICKNESS: &str = "as thick as";
-    pub const ABSORBS: &str = "Takes away";
-    pub const SEEN: &str = "How gems are seen";
-    pub const PART: &str = "Under";
-    pub const SIZE: &str = "Picture";
-    pub const RAYS: &str = "Rays a pixel";
-    pub const UNDER: &str = "Also under";
-    pub const NO_OTHER: &str = "one light";
-    pub const USUAL_CUT: &str = "usual cut";
-    pub const FRONT: &str = "from the front";
-    pub const PNG: &str = "Save PNG\u{2026}";
-    pub const EXR: &str = "Save OpenEXR\u{2026}";
-}
 
 /// How many sliders of the cut are always there.
 const ALWAYS: usize = 3;

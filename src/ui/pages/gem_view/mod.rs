@@ -2,8 +2,7 @@
 
 mod colour;
 mod controls;
-
-pub use controls::names;
+pub mod names;
 
 use std::sync::Arc;
 

@@ -128,14 +128,13 @@ fn handle(ui: &Ui, painter: &Painter, (grip, at): (&Grip, Pos2), theme: Theme) -
     let stroke = Stroke::new(1.5 * theme.scale, grey(220));
     painter.circle(at, 0.5 * HANDLE * theme.scale, fill, stroke);
     let font = egui::TextStyle::Small.resolve(ui.style());
-    let beside = at + vec2(0.0, 0.7 * HANDLE * theme.scale);
-    painter.text(
-        beside,
-        egui::Align2::CENTER_TOP,
-        &grip.words,
-        font,
-        grey(190),
-    );
+    let beside = 0.7 * HANDLE * theme.scale;
+    // Light comes from below the screen's handle.
+    let (at, align) = match grip.handle {
+        Handle::Screen => (at + vec2(beside, 0.0), egui::Align2::LEFT_CENTER),
+        Handle::Apex | Handle::Slit => (at + vec2(0.0, beside), egui::Align2::CENTER_TOP),
+    };
+    painter.text(at, align, &grip.words, font, grey(190));
     let by = response.drag_delta();
     if is_held {
         ui.set_cursor_icon(egui::CursorIcon::Grab);

@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// What is seen to each side of the drop's middle, radii.
-const SEEN: f32 = 1.9;
+const SEEN: f32 = 1.5;
 
 /// Draws the drop; where a hand moved the rays to, radii off its middle.
 pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme) -> Option<f64> {
@@ -64,6 +64,6 @@ fn grip(painter: &Painter, at: egui::Pos2, is_held: bool, theme: Theme) {
 fn words(ui: &Ui, painter: &Painter, area: Rect) {
     let font = egui::TextStyle::Small.resolve(ui.style());
     let at = pos2(area.left() + 8.0, area.top() + 6.0);
-    let said = "light from the left; thin: 555 nm all over the drop";
+    let said = "light from the left; thin: all of 555 nm";
     painter.text(at, egui::Align2::LEFT_TOP, said, font, grey(140));
 }
