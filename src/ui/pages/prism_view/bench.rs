@@ -20,6 +20,9 @@ const DEGREES_A_POINT: f32 = 0.08;
 /// Free space around the drawing, points.
 const MARGIN: f32 = 14.0;
 
+/// Ink of words in the room.
+const WORDS: Color32 = Color32::from_gray(160);
+
 /// Width of a handle, points.
 const HANDLE: f32 = 10.0;
 
@@ -99,26 +102,54 @@ pub(super) fn show(
     let mapping = Mapping::new(drawing, area);
     light(&painter, drawing, &mapping, theme);
     let hint = "Angles are exact; the screen is drawn nearer than it is.";
-    let font = egui::TextStyle::Small.resolve(ui.style());
-    let at = area.left_bottom() + vec2(8.0, -6.0);
-    painter.text(at, egui::Align2::LEFT_BOTTOM, hint, font, grey(140));
     let turned = response.drag_delta().x * DEGREES_A_POINT;
     if response.hovered() {
         ui.set_cursor_icon(egui::CursorIcon::ResizeHorizontal);
     }
     response.on_hover_text_at_pointer("Drag to turn the prism.");
     let mut moved = (turned != 0.0).then_some(Moved::Turned(f64::from(turned)));
+    let mut taken = Vec::new();
     for grip in &drawing.grips {
-        if let Some(by) = handle(ui, &painter, (grip, mapping.at(grip.at)), theme) {
+        let at = (grip, mapping.at(grip.at));
+        if let Some(by) = handle(ui, &painter, at, (theme, &mut taken)) {
             let to = drawing.dragged(grip.handle, mapping.moved(grip.at, by));
             moved = Some(Moved::Set(grip.handle, to));
         }
     }
+    let at = area.left_bottom() + vec2(8.0, -6.0);
+    write(
+        ui,
+        &painter,
+        (at, egui::Align2::LEFT_BOTTOM, hint),
+        &mut taken,
+    );
     moved
 }
 
+/// Writes words in small type where there is room for them: whole, and over no others.
+pub(super) fn write(
+    ui: &Ui,
+    painter: &Painter,
+    (at, align, words): (Pos2, egui::Align2, &str),
+    taken: &mut Vec<Rect>,
+) {
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let galley = painter.layout_no_wrap(words.to_owned(), font, WORDS);
+    let place = align.anchor_size(at, galley.size());
+    let is_free = taken.iter().all(|other| !other.intersects(place));
+    if is_free && painter.clip_rect().contains_rect(place) {
+        painter.galley(place.min, galley, WORDS);
+        taken.push(place);
+    }
+}
+
 /// Draws a handle with what it is set to; how far a hand moved it.
-fn handle(ui: &Ui, painter: &Painter, (grip, at): (&Grip, Pos2), theme: Theme) -> Option<Vec2> {
+fn handle(
+    ui: &Ui,
+    painter: &Painter,
+    (grip, at): (&Grip, Pos2),
+    (theme, taken): (Theme, &mut Vec<Rect>),
+) -> Option<Vec2> {
     let title = grip.handle.title();
     let area = Rect::from_center_size(at, Vec2::splat(2.4 * HANDLE * theme.scale));
     let response = ui.interact(area, ui.scope_id().with(title), Sense::drag());
@@ -127,14 +158,13 @@ fn handle(ui: &Ui, painter: &Painter, (grip, at): (&Grip, Pos2), theme: Theme) -
     let fill = if is_held { grey(235) } else { grey(90) };
     let stroke = Stroke::new(1.5 * theme.scale, grey(220));
     painter.circle(at, 0.5 * HANDLE * theme.scale, fill, stroke);
-    let font = egui::TextStyle::Small.resolve(ui.style());
     let beside = 0.7 * HANDLE * theme.scale;
     // Light comes from below the screen's handle.
     let (at, align) = match grip.handle {
         Handle::Screen => (at + vec2(beside, 0.0), egui::Align2::LEFT_CENTER),
         Handle::Apex | Handle::Slit => (at + vec2(0.0, beside), egui::Align2::CENTER_TOP),
     };
-    painter.text(at, align, &grip.words, font, grey(190));
+    write(ui, painter, (at, align, &grip.words), taken);
     let by = response.drag_delta();
     if is_held {
         ui.set_cursor_icon(egui::CursorIcon::Grab);

@@ -1,7 +1,7 @@
 //! A drop of water in section, with rays of the light.
 
 use eframe::egui;
-use egui::{Color32, Painter, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Color32, Painter, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::{
     app::dispersion::{DropDrawing, DropRay},
@@ -45,7 +45,10 @@ pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme)
         response.hovered() || response.dragged(),
         theme,
     );
-    words(ui, &painter, area);
+    let corner = pos2(area.left() + 8.0, area.top() + 6.0);
+    let said = "light from the left; thin: all of 555 nm";
+    let words = (corner, egui::Align2::LEFT_TOP, said);
+    super::bench::write(ui, &painter, words, &mut Vec::new());
     if response.hovered() {
         ui.set_cursor_icon(egui::CursorIcon::ResizeVertical);
     }
@@ -58,12 +61,4 @@ fn grip(painter: &Painter, at: egui::Pos2, is_held: bool, theme: Theme) {
     let fill = if is_held { grey(235) } else { grey(90) };
     let stroke = Stroke::new(1.5 * theme.scale, grey(220));
     painter.circle(at, 5.0 * theme.scale, fill, stroke);
-}
-
-/// What the drawing is, in a corner of it.
-fn words(ui: &Ui, painter: &Painter, area: Rect) {
-    let font = egui::TextStyle::Small.resolve(ui.style());
-    let at = pos2(area.left() + 8.0, area.top() + 6.0);
-    let said = "light from the left; thin: all of 555 nm";
-    painter.text(at, egui::Align2::LEFT_TOP, said, font, grey(140));
 }

@@ -90,12 +90,7 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
         let painter = ui.painter();
         painter.rect_filled(whole, 0.0, grey(super::bench::ROOM));
         columns(painter, field, &strip.colours.rgb);
-        plot(
-            painter,
-            whole.with_min_y(field.bottom()),
-            strip,
-            font.clone(),
-        );
+        plot(ui, whole.with_min_y(field.bottom()), strip);
         hatch(painter, whole, strip, axis);
         let taken = painter.text(
             area.left_top(),
@@ -126,7 +121,8 @@ pub(super) fn show(ui: &mut Ui, strips: &[StripShown], axis: &Axis<'_>, theme: T
 }
 
 /// What falls on each place: all of the light in the strip's colours, the smooth part as a curve.
-fn plot(painter: &Painter, field: Rect, strip: &StripShown, font: FontId) {
+fn plot(ui: &Ui, field: Rect, strip: &StripShown) {
+    let painter = ui.painter();
     if strip.heights.is_empty() {
         return;
     }
@@ -149,7 +145,13 @@ fn plot(painter: &Painter, field: Rect, strip: &StripShown, font: FontId) {
     painter.line_segment([field.left_top(), field.right_top()], (1.0, grey(60)));
     let at = field.right_top() + vec2(-6.0, 3.0);
     let words = "irradiance E(x), heights by roots; the line is the smooth part";
-    painter.text(at, Align2::RIGHT_TOP, words, font, grey(150));
+    let painter = painter.with_clip_rect(field.intersect(painter.clip_rect()));
+    super::bench::write(
+        ui,
+        &painter,
+        (at, Align2::RIGHT_TOP, words),
+        &mut Vec::new(),
+    );
 }
 
 /// Hatches what rests on an extrapolated index.
