@@ -20,9 +20,6 @@ const DEGREES_A_POINT: f32 = 0.08;
 /// Free space around the drawing, points.
 const MARGIN: f32 = 14.0;
 
-/// Ink of words in the room.
-const WORDS: Color32 = Color32::from_gray(160);
-
 /// Width of a handle, points.
 const HANDLE: f32 = 10.0;
 
@@ -120,7 +117,7 @@ pub(super) fn show(
     write(
         ui,
         &painter,
-        (at, egui::Align2::LEFT_BOTTOM, hint),
+        (at, egui::Align2::LEFT_BOTTOM, hint, grey(140)),
         &mut taken,
     );
     moved
@@ -130,15 +127,15 @@ pub(super) fn show(
 pub(super) fn write(
     ui: &Ui,
     painter: &Painter,
-    (at, align, words): (Pos2, egui::Align2, &str),
+    (at, align, words, ink): (Pos2, egui::Align2, &str, Color32),
     taken: &mut Vec<Rect>,
 ) {
     let font = egui::TextStyle::Small.resolve(ui.style());
-    let galley = painter.layout_no_wrap(words.to_owned(), font, WORDS);
+    let galley = painter.layout_no_wrap(words.to_owned(), font, ink);
     let place = align.anchor_size(at, galley.size());
     let is_free = taken.iter().all(|other| !other.intersects(place));
     if is_free && painter.clip_rect().contains_rect(place) {
-        painter.galley(place.min, galley, WORDS);
+        painter.galley(place.min, galley, ink);
         taken.push(place);
     }
 }
@@ -164,7 +161,7 @@ fn handle(
         Handle::Screen => (at + vec2(beside, 0.0), egui::Align2::LEFT_CENTER),
         Handle::Apex | Handle::Slit => (at + vec2(0.0, beside), egui::Align2::CENTER_TOP),
     };
-    write(ui, painter, (at, align, &grip.words), taken);
+    write(ui, painter, (at, align, &grip.words, grey(190)), taken);
     let by = response.drag_delta();
     if is_held {
         ui.set_cursor_icon(egui::CursorIcon::Grab);

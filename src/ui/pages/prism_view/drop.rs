@@ -47,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme)
     );
     let corner = pos2(area.left() + 8.0, area.top() + 6.0);
     let said = "light from the left; thin: all of 555 nm";
-    let words = (corner, egui::Align2::LEFT_TOP, said);
+    let words = (corner, egui::Align2::LEFT_TOP, said, grey(140));
     super::bench::write(ui, &painter, words, &mut Vec::new());
     if response.hovered() {
         ui.set_cursor_icon(egui::CursorIcon::ResizeVertical);

@@ -149,7 +149,7 @@ fn plot(ui: &Ui, field: Rect, strip: &StripShown) {
     super::bench::write(
         ui,
         &painter,
-        (at, Align2::RIGHT_TOP, words),
+        (at, Align2::RIGHT_TOP, words, grey(150)),
         &mut Vec::new(),
     );
 }
