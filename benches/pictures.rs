@@ -175,7 +175,15 @@ fn files(c: &mut Criterion) {
                 p95: BOUND_P95,
                 rms: BOUND_RMS,
             };
-            choose(pixels.bands(), &survey, None, &base, asked, &quiet).unwrap()
+            choose(
+                pixels.bands(),
+                &survey,
+                None,
+                (&base, &Wish::default()),
+                asked,
+                &quiet,
+            )
+            .unwrap()
         })
     });
 }

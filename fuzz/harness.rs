@@ -286,7 +286,14 @@ fn choices_of(bytes: &[u8]) -> Choices {
 
 /// Reads and sees that it took no more time and memory than a file of some bytes may take.
 fn in_bounds(bytes: usize, read: impl Fn() -> Answer) -> Answer {
-    let memory = MEMORY_FLOOR + MEMORY_TIMES * bytes;
+    within(MEMORY_FLOOR + MEMORY_TIMES * bytes, bytes, read)
+}
+
+/// Carries out what takes no more than so much memory, nor more time than a file of some bytes may.
+///
+/// # Panics
+/// When it takes more.
+pub fn within<T>(memory: usize, bytes: usize, read: impl Fn() -> T) -> T {
     let time = TIME_FLOOR + TIME_PER_MIB.mul_f64(bytes as f64 / f64::from(1 << 20));
     let mut slow = 0;
     loop {

@@ -78,6 +78,14 @@ pub fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Result<()
     save_atomically(target.path()?, text.as_bytes())
         .map_err(|why| Refusal::File(why.to_string()))?;
     let worst = fitted.relative_rms.iter().copied().fold(0.0, f64::max);
+    if options.json {
+        let json = serde_json::json!({
+            "spectra": spectra.len(),
+            "numbers": fitted.operator.numbers(),
+            "relative_rms": worst,
+        });
+        return print(out, &format!("{json:#}\n"));
+    }
     print(
         out,
         &format!(

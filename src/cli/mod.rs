@@ -45,6 +45,7 @@ mod subject;
 mod sweep;
 mod target;
 mod viewing;
+mod watch;
 mod window;
 mod words;
 

@@ -10,19 +10,22 @@ use super::{
     refusal::Refusal,
     room_words::Lines,
     target::{Replaces, Target},
+    watch::watched,
 };
 use crate::{
     app::ticks::short,
     io::{Choices, envi, error::shown},
     pictures::{
-        About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Half, Light,
-        OfImage, Operator, Peer, PictureError, Pixels, Plan, Precision, Reference, ReferenceKind,
-        Survey, Trust, choose, compact_plan, exact_bytes, find_lines, lines_at, measure, peers,
+        About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Half, InMemory,
+        Light, OfImage, Operator, Peer, PictureError, Pixels, Plan, Precision, ReferenceKind,
+        Scene, Survey, Trust, Wish, WishedLines, choose, compact_plan, exact_bytes, measure, peers,
         peers_json, picture_json, save_compact, save_full, white_y_of,
     },
     study::Progress,
 };
 
+/// The word for the wall of paints, which needs no file.
+const WALL: &str = "wall";
 /// The light whose relighting is said how far to trust.
 const TRUSTED_UNDER: &str = "A";
 
@@ -43,16 +46,20 @@ pub fn run(options: &Picture, out: &mut dyn Write, inputs: &mut Inputs) -> Resul
         Some(word) => Some(light_of("--light", word, inputs)?),
         None => None,
     };
-    with_pixels(options, inputs, |pixels, about, inputs| {
-        of_pixels(
-            options,
-            pixels,
-            about,
-            light.as_ref(),
-            target.as_ref(),
-            out,
-            inputs,
-        )
+    let light = light.as_ref();
+    with_pixels(options, light, inputs, |pixels, about, inputs| {
+        let target = target.as_ref();
+        let told =
+            watched(|progress| of_pixels(options, pixels, about, light, target, inputs, progress))?;
+        let Some(target) = target else {
+            return print(out, &told);
+        };
+        let wrote = format!("Wrote {}.", shown(target.path));
+        if options.json {
+            inputs.note(wrote);
+            return print(out, &told);
+        }
+        print(out, &format!("{told}{wrote}\n"))
     })
 }
 
@@ -71,13 +78,23 @@ fn target<'a>(options: &'a Picture, path: &'a Path) -> Target<'a> {
     ])
 }
 
-/// Opens the picture: a cube on disk stays there, others are read whole.
+/// Opens the picture: a cube on disk stays there, others are read whole, and the wall is made.
 fn with_pixels(
     options: &Picture,
+    light: Option<&Light>,
     inputs: &mut Inputs,
     work: impl FnOnce(&dyn Pixels, About, &mut Inputs) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     let path = options.input.as_path();
+    if path == Path::new(WALL) && !path.exists() {
+        let wall = Scene::at_hand(light).map_err(about(path))?;
+        let said = About {
+            source: wall.name().to_owned(),
+            ..About::default()
+        };
+        let pixels = InMemory::of(&wall).map_err(about(path))?;
+        return work(&pixels, said, inputs);
+    }
     let source = shown(path);
     if envi::pair_of(path).is_some() {
         let file = EnviFile::open(path, options.all_bands).map_err(about(path))?;
@@ -106,121 +123,87 @@ fn with_pixels(
     work(&pixels, about, inputs)
 }
 
+/// Carries the command out on pixels; what it prints.
 fn of_pixels(
     options: &Picture,
     pixels: &dyn Pixels,
     said: About,
     light: Option<&Light>,
     target: Option<&Target>,
-    out: &mut dyn Write,
     inputs: &mut Inputs,
-) -> Result<(), Refusal> {
+    progress: &Progress,
+) -> Result<String, Refusal> {
     let refused = about(&options.input);
-    let progress = Progress::default();
-    let survey = Survey::of(pixels, &progress).map_err(&refused)?;
-    let plan = plan(options, pixels, &survey, light, inputs).map_err(|why| match why {
-        PictureError::Numbers { .. } => Refusal::Usage(format!("--numbers: {why}")),
-        PictureError::LineOutside { .. } => Refusal::Usage(format!("--lines: {why}")),
-        why => refused(why),
-    })?;
+    let survey = Survey::of(pixels, progress).map_err(&refused)?;
+    let plan =
+        plan(options, pixels, &survey, light, (inputs, progress)).map_err(|why| match why {
+            PictureError::Numbers { .. } => Refusal::Usage(format!("--numbers: {why}")),
+            PictureError::LineOutside { .. } | PictureError::TooManyLines { .. } => {
+                Refusal::Usage(format!("--lines: {why}"))
+            }
+            PictureError::NoRelighting(_) => Refusal::Usage(format!("--reference: {why}")),
+            why => refused(why),
+        })?;
     let operator = Operator::steady(pixels.bands(), &plan).map_err(&refused)?;
     if options.peers {
-        let peers = peers(pixels, &operator, &survey, &progress).map_err(&refused)?;
-        let text = if options.json {
-            format!("{:#}\n", peers_json(&peers))
-        } else {
-            peers_words(&peers)
-        };
-        return print(out, &text);
+        let peers = peers(pixels, &operator, &survey, progress).map_err(&refused)?;
+        return Ok(match options.json {
+            true => format!("{:#}\n", peers_json(&peers)),
+            false => peers_words(&peers),
+        });
     }
     let noise = survey.usual_noise();
-    let said = About { noise, ..said };
-    let kept = kept(options, pixels, &operator, &survey, said, target).map_err(&refused)?;
+    let said = (&operator, About { noise, ..said });
+    let kept = kept(options, pixels, said, &survey, target, progress).map_err(&refused)?;
     let trust = trust(&operator, &survey, light);
-    let text = if options.json {
+    if options.json {
         let json = picture_json(&operator, kept.bytes, &kept.error, noise, trust.as_ref());
-        format!("{json:#}\n")
-    } else {
-        words(&operator, &kept, trust.as_ref())
-    };
-    let wrote = target.map(|target| format!("Wrote {}.", shown(target.path)));
-    match wrote {
-        Some(line) if options.json => {
-            inputs.note(line);
-            print(out, &text)
-        }
-        Some(line) => print(out, &format!("{text}{line}\n")),
-        None => print(out, &text),
+        return Ok(format!("{json:#}\n"));
     }
+    Ok(words(&operator, &kept, trust.as_ref()))
 }
 
-/// What is kept of every pixel: what is best within the bound or of so many numbers, or what was
+/// What is kept of every pixel: the best within the bound or of so many numbers, but for what is
 /// told by hand.
 fn plan(
     options: &Picture,
     pixels: &dyn Pixels,
     survey: &Survey,
     light: Option<&Light>,
-    inputs: &mut Inputs,
+    (inputs, progress): (&mut Inputs, &Progress),
 ) -> Result<Plan, PictureError> {
     let bands = pixels.bands();
-    let mut base = Plan::new(bands, options.numbers.unwrap_or(3));
-    let known = light.filter(|_| !bands.is_factor());
-    if let Some(light) = light.filter(|_| bands.is_factor()) {
+    let is_factor = bands.is_factor();
+    let mut base = Plan::new(bands, 3);
+    if let Some(light) = light.filter(|_| is_factor) {
         base.own = Some(light.clone());
     }
-    if options.reference.is_none() && options.lines.is_none() {
-        let asked = match options.numbers {
-            Some(numbers) => Asked::Budget(numbers),
-            None => Asked::Bound {
-                p95: options.bound.unwrap_or(BOUND_P95),
-                rms: BOUND_RMS,
-            },
-        };
-        let choice = choose(bands, survey, known, &base, asked, &Progress::default())?;
-        if !choice.is_reached && options.numbers.is_none() {
-            inputs.note(format!(
-                "the bound is not reached: the nearest is {:.3} with {} numbers",
-                choice.chosen.p95, choice.chosen.numbers
-            ));
-        }
-        return Ok(choice.plan);
-    }
-    let most = bands.len() - 1;
-    let numbers = options.numbers.unwrap_or(3);
-    if !(3..=most).contains(&numbers) {
-        return Err(PictureError::Numbers {
-            found: numbers,
-            most,
-        });
-    }
-    base.reference = match (options.reference, known) {
-        (Some(ReferenceKind::Mean), _) => Reference::of_mean(&survey.mean)?,
-        (Some(ReferenceKind::Light), Some(light)) => {
-            base.noise = base.noise.max(survey.relative_noise());
-            Reference::of_light(bands, light)?
-        }
-        (Some(ReferenceKind::Light), None) => {
-            return Err(PictureError::NoRelighting(
-                "--reference light: found no light that lit the picture, expected --light and a \
-                 picture of light"
-                    .to_owned(),
-            ));
-        }
-        _ => Reference::one(bands),
+    let wish = Wish {
+        reference: options.reference,
+        lines: match &options.lines {
+            None => WishedLines::Best,
+            Some(Lines::None) => WishedLines::None,
+            Some(Lines::Auto) => WishedLines::Found,
+            Some(Lines::At(places)) => WishedLines::At(places.clone()),
+        },
     };
-    let lines = match &options.lines {
-        Some(Lines::At(places)) => {
-            let found = lines_at(bands, &survey.mean, places, None)?;
-            found.said.iter().for_each(|said| inputs.note(said));
-            found.lines
-        }
-        Some(Lines::None) => Vec::new(),
-        Some(Lines::Auto) | None => find_lines(bands, &survey.mean, None)?,
+    let asked = match options.numbers {
+        Some(numbers) => Asked::Budget(numbers),
+        None => Asked::Bound {
+            p95: options.bound.unwrap_or(BOUND_P95),
+            rms: BOUND_RMS,
+        },
     };
-    base.lines = lines.into_iter().take(numbers - 3).collect();
-    base.series = numbers - base.lines.len();
-    Ok(base)
+    let known = light.filter(|_| !is_factor);
+    let choice = choose(bands, survey, known, (&base, &wish), asked, progress)?;
+    choice.said.iter().for_each(|said| inputs.note(said));
+    if !choice.is_reached && options.numbers.is_none() {
+        inputs.note(format!(
+            "the bound is not reached: the nearest is {:.3} with {} numbers",
+            choice.chosen.p95, choice.chosen.numbers
+        ));
+    }
+    Ok(choice.plan)
 }
 
 /// What was kept, where, and what it is off by.
@@ -233,12 +216,11 @@ struct Kept {
 fn kept(
     options: &Picture,
     pixels: &dyn Pixels,
-    operator: &Operator,
+    (operator, said): (&Operator, About),
     survey: &Survey,
-    said: About,
     target: Option<&Target>,
+    progress: &Progress,
 ) -> Result<Kept, PictureError> {
-    let progress = Progress::default();
     let white_y = white_y_of(operator, &survey.sample);
     let sample: Vec<Vec<f64>> = survey
         .sample
@@ -246,10 +228,10 @@ fn kept(
         .map(|p| operator.numbers_of(p))
         .collect();
     let half = Half::of(&sample);
-    let error = measure(pixels, operator, &half, white_y, &progress)?;
+    let error = measure(pixels, operator, &half, white_y, progress)?;
     let bound = options.bound.unwrap_or(BOUND_P95);
     let plan: CompactPlan =
-        compact_plan(pixels, operator, &survey.sample, bound, white_y, &progress)?;
+        compact_plan(pixels, operator, &survey.sample, bound, white_y, progress)?;
     let path = target.map(|target| target.path);
     let is_compact = path.is_some_and(|path| path.to_string_lossy().ends_with(".png"));
     let folder = tempfile::tempdir()?;
@@ -263,11 +245,11 @@ fn kept(
         operator,
         (Precision::Half, half),
         (&said, error.clone()),
-        &progress,
+        progress,
     )?;
     let compact = place(is_compact, "compact.png");
-    let compact = save_compact(&compact, pixels, operator, &plan, &said, &progress)?;
-    let exact = exact_bytes(pixels, Precision::Half, &progress)?;
+    let compact = save_compact(&compact, pixels, operator, &plan, &said, progress)?;
+    let exact = exact_bytes(pixels, Precision::Half, progress)?;
     Ok(Kept {
         bytes: Bytes {
             full: Some(full),

@@ -17,7 +17,10 @@ pub fn light_of(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Light, 
     Ok(Light::new(entry.name(), &entry.spectrum.samples))
 }
 
-/// Words of an error about an input.
+/// Words of an error about an input; what was not saved names its own file.
 pub fn about(path: &Path) -> impl Fn(PictureError) -> Refusal + '_ {
-    move |why| Refusal::File(format!("{}: {why}", shown(path)))
+    move |why| match why {
+        PictureError::Unsaved(words) => Refusal::File(words),
+        why => Refusal::File(format!("{}: {why}", shown(path))),
+    }
 }

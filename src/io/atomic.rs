@@ -3,8 +3,10 @@
 //! Whoever looks sees the old file or the new one, also after a crash or a full disk.
 
 use std::fs;
-use std::io::{Error, ErrorKind, Write};
+use std::io::{Error, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
 
 use super::error::WriteError;
 use super::input::name_of;
@@ -20,52 +22,98 @@ pub const UNFINISHED: &str = ".saving-";
 /// # Errors
 /// [`WriteError`] in words: no such folder, read-only folder, disk full, ...
 pub fn save_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    save(path, bytes).map_err(|error| WriteError::new(&name_of(path), words(path, &error)))
+    save_by(path, |file| {
+        file.write_all(bytes).map_err(|error| refused(path, &error))
+    })
 }
 
-fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    if target.is_dir() {
-        return Err(Error::from(ErrorKind::IsADirectory));
-    }
-    let folder = folder_of(&target);
-    let about = fs::metadata(&target).ok();
-    if about.as_ref().is_some_and(|about| !about.is_file()) {
-        return write_into(&target, bytes);
-    }
-    let old = about.map(|about| about.permissions());
-    if old.as_ref().is_some_and(fs::Permissions::readonly) {
-        return Err(Error::new(
-            ErrorKind::PermissionDenied,
-            "the file is read-only",
-        ));
-    }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(UNFINISHED);
-    #[cfg(unix)]
-    let everyone = {
-        use std::os::unix::fs::PermissionsExt;
-        // As any new file: the user's mask takes away what it should.
-        fs::Permissions::from_mode(0o666)
-    };
-    #[cfg(unix)]
-    builder.permissions(everyone);
-    let mut file = builder.tempfile_in(&folder)?;
-    file.write_all(bytes)?;
-    if let Some(permissions) = old {
-        file.as_file().set_permissions(permissions)?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(&target).map_err(|refused| refused.error)?;
-    sync_folder(&folder);
-    Ok(())
+/// Saves what is written bit by bit, as [`save_atomically`] does. Where the writing fails nothing
+/// is left behind, and what was there stays.
+///
+/// # Errors
+/// Those of `write`, and [`WriteError`] in words.
+pub fn save_by<T, E: From<WriteError>>(
+    path: &Path,
+    write: impl FnOnce(&mut fs::File) -> Result<T, E>,
+) -> Result<T, E> {
+    let refused = |error: Error| E::from(refused(path, &error));
+    let place = Place::of(path).map_err(refused)?;
+    let mut file = place.beside().map_err(refused)?;
+    let written = write(file.as_file_mut())?;
+    place.keep(file).map_err(refused)?;
+    Ok(written)
 }
 
-/// Writes into a pipe or device: it takes what comes, and a file renamed over it would end it.
-fn write_into(target: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let mut taker = fs::OpenOptions::new().write(true).open(target)?;
-    taker.write_all(bytes)?;
-    taker.flush()
+fn refused(path: &Path, error: &Error) -> WriteError {
+    WriteError::new(&name_of(path), words(path, error))
+}
+
+/// Where a file goes.
+struct Place {
+    target: PathBuf,
+    /// Permissions of the file that is replaced.
+    old: Option<fs::Permissions>,
+    /// A pipe or device: it takes what comes, and a file renamed over it would end it.
+    is_taker: bool,
+}
+
+impl Place {
+    fn of(path: &Path) -> Result<Self, Error> {
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if target.is_dir() {
+            return Err(Error::from(ErrorKind::IsADirectory));
+        }
+        let about = fs::metadata(&target).ok();
+        let is_taker = about.as_ref().is_some_and(|about| !about.is_file());
+        let old = about.filter(|_| !is_taker).map(|about| about.permissions());
+        if old.as_ref().is_some_and(fs::Permissions::readonly) {
+            return Err(Error::new(
+                ErrorKind::PermissionDenied,
+                "the file is read-only",
+            ));
+        }
+        Ok(Self {
+            target,
+            old,
+            is_taker,
+        })
+    }
+
+    /// A file that nobody takes for a complete one.
+    fn beside(&self) -> Result<NamedTempFile, Error> {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(UNFINISHED);
+        #[cfg(unix)]
+        let everyone = {
+            use std::os::unix::fs::PermissionsExt;
+            // As any new file: the user's mask takes away what it should.
+            fs::Permissions::from_mode(0o666)
+        };
+        #[cfg(unix)]
+        builder.permissions(everyone);
+        match self.is_taker {
+            true => builder.tempfile(),
+            false => builder.tempfile_in(folder_of(&self.target)),
+        }
+    }
+
+    /// Puts a complete file into its place.
+    fn keep(self, mut file: NamedTempFile) -> Result<(), Error> {
+        if self.is_taker {
+            let mut taker = fs::OpenOptions::new().write(true).open(&self.target)?;
+            file.rewind()?;
+            std::io::copy(file.as_file_mut(), &mut taker)?;
+            return taker.flush();
+        }
+        if let Some(permissions) = self.old {
+            file.as_file().set_permissions(permissions)?;
+        }
+        file.as_file().sync_all()?;
+        file.persist(&self.target)
+            .map_err(|refused| refused.error)?;
+        sync_folder(&folder_of(&self.target));
+        Ok(())
+    }
 }
 
 fn folder_of(target: &Path) -> PathBuf {

@@ -4,11 +4,12 @@
 use std::sync::Arc;
 
 use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
 
 use crate::color::{Lab, Xyz, delta_e_2000, lab_from_xyz};
 use crate::study::Progress;
 
-use super::lines::{Line, find_lines};
+use super::lines::{Line, find_lines, lines_at};
 use super::measure::{Judge, white_y_of};
 use super::operator::MOST_NOISE_GAIN;
 use super::plan::MARGIN;
@@ -33,6 +34,31 @@ pub enum Asked {
     Bound { p95: f64, rms: f64 },
     /// The least error at a count of numbers.
     Budget(usize),
+}
+
+/// What is not left to the choice.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Wish {
+    /// What multiplies the series; `None` for what is best.
+    pub reference: Option<ReferenceKind>,
+    /// Which lines have a number of their own.
+    pub lines: WishedLines,
+}
+
+/// Which lines have a number of their own.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum WishedLines {
+    /// Those that are found, where they pay.
+    #[default]
+    Best,
+    /// None.
+    None,
+    /// Those that are found, the strongest first.
+    Found,
+    /// Those at these places, nm, every one of them.
+    At(Vec<f64>),
 }
 
 /// One way of storing a picture, and what it is off by.
@@ -72,6 +98,8 @@ pub struct Choice {
     pub tried: Vec<Candidate>,
     /// The bound on the rms in force: noise may raise it.
     pub bound_rms: f64,
+    /// What was merged of the lines that were wished for, a sentence each.
+    pub said: Vec<String>,
 }
 
 impl Choice {
@@ -91,10 +119,10 @@ pub fn plan_of(
     bands: &Bands,
     survey: &Survey,
     known: Option<&Light>,
-    base: &Plan,
+    (base, wish): (&Plan, &Wish),
     tried: &Candidate,
 ) -> Result<Plan, PictureError> {
-    Ok(Ways::new(bands, survey, known, base)?.plan(tried))
+    Ok(Ways::new(bands, survey, known, (base, wish))?.plan(tried))
 }
 
 /// What candidates are formed from.
@@ -103,25 +131,27 @@ struct Ways<'a> {
     base: Plan,
     references: Vec<Reference>,
     lines: Vec<Line>,
+    wished: &'a WishedLines,
+    said: Vec<String>,
     survey: &'a Survey,
     known: Option<&'a Light>,
     moments: DMatrix<f64>,
 }
 
 /// Chooses. `known` is the light on a picture that is light itself; `base` tells own light,
-/// observer and weighting.
+/// observer and weighting, `wish` what is not left to the choice.
 ///
 /// # Errors
-/// [`PictureError`] when no candidate can be formed at all.
+/// [`PictureError`] when no candidate can be formed at all, and for a wish that cannot be met.
 pub fn choose(
     bands: &Bands,
     survey: &Survey,
     known: Option<&Light>,
-    base: &Plan,
+    (base, wish): (&Plan, &Wish),
     asked: Asked,
     progress: &Progress,
 ) -> Result<Choice, PictureError> {
-    let ways = Ways::new(bands, survey, known, base)?;
+    let ways = Ways::new(bands, survey, known, (base, wish))?;
     let bases = ways.bases();
     let most = (bands.len() - 1).min(MOST_NUMBERS);
     let jobs: Vec<(usize, usize)> = (3..=most)
@@ -137,6 +167,7 @@ pub fn choose(
         Asked::Budget(numbers) => Some(numbers),
         Asked::Bound { .. } => None,
     };
+    ways.check(wanted.unwrap_or(most))?;
     progress.expect(jobs.len());
     let tried = over_parts(jobs.len(), 1 << 20, progress, |at| {
         let (numbers, base) = jobs[at];
@@ -155,7 +186,12 @@ pub fn choose(
             .cloned()
     };
     let chosen = match wanted {
-        Some(numbers) => best(&mut tried.iter().filter(|c| c.numbers == numbers)),
+        Some(numbers) => {
+            // Fewer where so many would amplify noise.
+            let counts = tried.iter().map(|c| c.numbers);
+            let nearest = counts.filter(|n| *n <= numbers).max();
+            best(&mut tried.iter().filter(|c| Some(c.numbers) == nearest))
+        }
         None => {
             let keeps = |c: &&Candidate| c.over(p95, rms) <= 1.0;
             let least = tried.iter().filter(keeps).map(|c| c.numbers).min();
@@ -177,6 +213,39 @@ pub fn choose(
         chosen,
         tried,
         bound_rms: rms,
+        said: ways.said,
+    })
+}
+
+/// What may multiply the series.
+fn references(
+    bands: &Bands,
+    survey: &Survey,
+    known: Option<&Light>,
+    wish: Option<ReferenceKind>,
+) -> Result<Vec<Reference>, PictureError> {
+    let light = || {
+        match known {
+        Some(light) => Reference::of_light(bands, light),
+        None => Err(PictureError::NoRelighting(
+            "expected a picture of light and the light that lit it for a light as reference, found \
+             none"
+                .to_owned(),
+        )),
+    }
+    };
+    Ok(match wish {
+        Some(ReferenceKind::One) => vec![Reference::one(bands)],
+        Some(ReferenceKind::Light) => vec![light()?],
+        Some(ReferenceKind::Mean) => vec![Reference::of_mean(&survey.mean)?],
+        None => {
+            let first = match known {
+                Some(_) => light()?,
+                None => Reference::one(bands),
+            };
+            let mean = Reference::of_mean(&survey.mean).ok();
+            std::iter::once(first).chain(mean).collect()
+        }
     })
 }
 
@@ -188,24 +257,28 @@ impl<'a> Ways<'a> {
         bands: &'a Bands,
         survey: &'a Survey,
         known: Option<&'a Light>,
-        base: &Plan,
+        (base, wish): (&Plan, &'a Wish),
     ) -> Result<Self, PictureError> {
         let known = known.filter(|_| !bands.is_factor());
-        let mut references = vec![Reference::one(bands)];
-        references.extend(Reference::of_mean(&survey.mean).ok());
         let mut source = survey.mean.clone();
         let mut plan = base.clone();
         if let Some(light) = known {
-            references[0] = Reference::of_light(bands, light)?;
-            source.clone_from(&references[0].values);
-            plan.noise = survey
-                .usual_noise_under(&references[0].values)
-                .max(super::plan::LEAST_NOISE);
+            source = light.on_bands(bands)?;
+            let noise = survey.usual_noise_under(&source);
+            plan.noise = noise.max(super::plan::LEAST_NOISE);
         }
-        let lines = if bands.is_factor() {
-            Vec::new()
-        } else {
-            find_lines(bands, &source, None)?
+        let references = references(bands, survey, known, wish.reference)?;
+        let mut said = Vec::new();
+        let lines = match &wish.lines {
+            WishedLines::None => Vec::new(),
+            // No lamp is in a reflectance.
+            WishedLines::Best if bands.is_factor() => Vec::new(),
+            WishedLines::Best | WishedLines::Found => find_lines(bands, &source, None)?,
+            WishedLines::At(places) => {
+                let found = lines_at(bands, &source, places, None)?;
+                said = found.said;
+                found.lines
+            }
         };
         let count = survey.sample.len().max(1) as f64;
         let all = DMatrix::from_fn(bands.len(), survey.sample.len(), |j, i| survey.sample[i][j]);
@@ -214,6 +287,8 @@ impl<'a> Ways<'a> {
             base: plan,
             references,
             lines,
+            wished: &wish.lines,
+            said,
             survey,
             known,
             moments: &all * all.transpose() / count,
@@ -221,12 +296,17 @@ impl<'a> Ways<'a> {
     }
 
     fn bases(&self) -> Vec<Base> {
+        let is_left_to_us = *self.wished == WishedLines::Best;
         let mut bases = Vec::new();
         for margin in [MARGIN, 0.0] {
             for (at, reference) in self.references.iter().enumerate() {
+                // A known light carries its lines itself.
                 let lit = reference.kind == ReferenceKind::Light;
-                bases.push((at, false, margin));
-                if !lit && !self.lines.is_empty() {
+                let has_lines = !self.lines.is_empty() && !(lit && is_left_to_us);
+                if is_left_to_us || !has_lines {
+                    bases.push((at, false, margin));
+                }
+                if has_lines {
                     bases.push((at, true, margin));
                 }
             }
@@ -234,10 +314,25 @@ impl<'a> Ways<'a> {
         bases
     }
 
+    /// How many lines so many numbers have room for: three at least are the series'.
+    fn room(numbers: usize) -> usize {
+        numbers.saturating_sub(3)
+    }
+
+    /// Whether lines by hand leave three numbers to the series.
+    fn check(&self, numbers: usize) -> Result<(), PictureError> {
+        let lines = self.lines.len();
+        match self.wished {
+            WishedLines::At(_) if lines > Self::room(numbers) => {
+                Err(PictureError::TooManyLines { lines, numbers })
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn form(&self, (reference, lines, margin): Base, numbers: usize) -> Plan {
-        // At least three numbers are left for the series.
         let lines = if lines {
-            self.lines.len().min(numbers.saturating_sub(3))
+            self.lines.len().min(Self::room(numbers))
         } else {
             0
         };
@@ -266,6 +361,7 @@ impl<'a> Ways<'a> {
     }
 
     fn try_one(&self, base: &Base, numbers: usize) -> Option<Candidate> {
+        self.check(numbers).ok()?;
         let plan = self.form(*base, numbers);
         let operator = Operator::new(self.bands, &plan).ok()?;
         if operator.noise_gain() > MOST_NOISE_GAIN {

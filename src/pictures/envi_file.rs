@@ -5,7 +5,7 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
-use crate::io::envi::{header::Header, meaning, pair};
+use crate::io::envi::{all_bytes, header::Header, meaning, pair};
 use crate::spectrum::cube::{Interleave, Number, is_missing};
 
 use super::{Bands, KeptBands, PictureError, Pixels};
@@ -44,13 +44,7 @@ impl EnviFile {
             })?
         };
         let header = pair::read_header(&header_path).map_err(trouble)?;
-        let numbers = header
-            .samples
-            .checked_mul(header.lines)
-            .and_then(|n| n.checked_mul(header.bands));
-        let need = numbers
-            .and_then(|n| n.checked_mul(header.number.bytes()))
-            .and_then(|n| n.checked_add(header.offset))
+        let need = all_bytes(&header)
             .ok_or_else(|| PictureError::broken("a size beyond counting", "a cube"))?;
         let data = pair::place_of_data(&header_path, need).ok_or_else(|| {
             PictureError::broken("an ENVI header by itself", "its data beside it")

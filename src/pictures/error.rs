@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::io::error::WriteError;
+
 /// Why a picture cannot be made, stored, opened or relit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PictureError {
@@ -35,6 +37,10 @@ pub enum PictureError {
     Memory { needs: usize, most: usize },
     /// Reading or writing failed.
     Trouble(String),
+    /// More lines by hand than numbers beside three of the series.
+    TooManyLines { lines: usize, numbers: usize },
+    /// A file that could not be saved; the words name it.
+    Unsaved(String),
     /// It was cancelled.
     Cancelled,
 }
@@ -92,13 +98,25 @@ impl fmt::Display for PictureError {
                 most >> 20,
                 needs >> 20
             ),
-            Self::Trouble(words) => f.write_str(words),
+            Self::Trouble(words) | Self::Unsaved(words) => f.write_str(words),
+            Self::TooManyLines { lines, numbers } => write!(
+                f,
+                "expected at most {} lines of {numbers} numbers a pixel, three of which are the \
+                 series', found {lines}",
+                numbers.saturating_sub(3)
+            ),
             Self::Cancelled => f.write_str("cancelled"),
         }
     }
 }
 
 impl std::error::Error for PictureError {}
+
+impl From<WriteError> for PictureError {
+    fn from(error: WriteError) -> Self {
+        Self::Unsaved(error.to_string())
+    }
+}
 
 impl From<std::io::Error> for PictureError {
     fn from(error: std::io::Error) -> Self {

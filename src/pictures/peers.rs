@@ -127,13 +127,6 @@ pub fn peers(
             said: "every band".to_owned(),
         });
     }
-    peers.push(Peer {
-        name: "Spectral JPEG XL",
-        numbers,
-        bytes: None,
-        error: None,
-        said: "not run here".to_owned(),
-    });
     Ok(peers)
 }
 
@@ -263,6 +256,7 @@ pub fn exact_bytes(
         |meta, writer| {
             let mut compressor = writer.sequential_blocks_compressor(&meta);
             let blocks: Vec<_> = meta.enumerate_ordered_header_block_indices().collect();
+            progress.expect(blocks.len());
             for (at, index) in blocks {
                 let (top, rows) = (index.pixel_position.y(), index.pixel_size.height());
                 let mut values = vec![0.0; width * rows * bands.len()];
@@ -286,6 +280,7 @@ pub fn exact_bytes(
                     }
                 }
                 compressor.compress_block(at, UncompressedBlock { index, data })?;
+                progress.step();
             }
             Ok(())
         },

@@ -3,6 +3,7 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
+use crate::io::atomic::save_by;
 use crate::study::Progress;
 
 use super::compact::{Coder, CompactPlan, write_compact};
@@ -12,24 +13,16 @@ use super::measure::Errors;
 use super::{Operator, PictureError, Pixels};
 
 /// Writes a file as a whole or not at all, and tells its bytes.
-fn whole<T>(
+fn whole(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<&mut std::fs::File>) -> Result<T, PictureError>,
+    write: impl FnOnce(&mut BufWriter<&mut std::fs::File>) -> Result<(), PictureError>,
 ) -> Result<u64, PictureError> {
-    let folder = path
-        .parent()
-        .filter(|p| !p.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    let mut out = BufWriter::new(file.as_file_mut());
-    write(&mut out)?;
-    out.flush()?;
-    drop(out);
-    file.as_file().sync_all()?;
-    let bytes = file.as_file().metadata()?.len();
-    file.persist(path)
-        .map_err(|error| PictureError::Trouble(error.to_string()))?;
-    Ok(bytes)
+    save_by(path, |file| {
+        let mut out = BufWriter::new(file);
+        write(&mut out)?;
+        out.flush()?;
+        Ok(out.get_ref().metadata()?.len())
+    })
 }
 
 /// Saves the full form; tells its bytes.

@@ -21,6 +21,9 @@ const TILES: f64 = 16.0;
 /// Where the noise of the camera starts in the hash.
 const NOISE_START: u32 = 0x9E37_79B9;
 
+/// Columns and rows of the wall that everybody has at hand.
+const AT_HAND: [usize; 2] = [256, 192];
+
 /// A 32-bit hash of an integer: every bit of the answer depends on every bit of the question.
 pub fn hash(seed: u32) -> u32 {
     let mut i = seed;
@@ -48,6 +51,20 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The wall that everybody has at hand: 256 x 192 pixels of 81 bands, as reflectances or as a
+    /// light shows it.
+    ///
+    /// # Errors
+    /// As [`Scene::lit`].
+    pub fn at_hand(light: Option<&Light>) -> Result<Self, PictureError> {
+        let nm = (0..81).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
+        let [width, height] = AT_HAND;
+        match light {
+            Some(light) => Self::lit(width, height, nm, std::slice::from_ref(light)),
+            None => Self::reflectance(width, height, nm),
+        }
+    }
+
     /// The wall's own reflectances, seen in even light.
     ///
     /// # Errors

@@ -13,8 +13,10 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Says how many steps there will be.
+    /// Says how many steps there will be from now on: what follows one another with the same
+    /// watcher counts anew each time.
     pub fn expect(&self, total: usize) {
+        self.done.store(0, Ordering::Relaxed);
         self.total.store(total, Ordering::Relaxed);
     }
 
@@ -58,6 +60,8 @@ mod tests {
         assert_eq!(progress.share(), 0.25);
         (0..9).for_each(|_| progress.step());
         assert_eq!(progress.share(), 1.0);
+        progress.expect(2);
+        assert_eq!(progress.share(), 0.0, "the next part of the work");
         assert!(!progress.is_cancelled());
         progress.cancel();
         assert!(progress.is_cancelled());

@@ -81,6 +81,140 @@ fn a_bound_is_kept_or_it_is_said_that_it_is_not() {
 }
 
 #[test]
+fn reference_and_lines_are_taken_as_told_with_a_bound_or_a_count() {
+    for (args, kind, lines) in [
+        (&["--numbers", "12"][..], "light", 0),
+        (
+            &["--numbers", "12", "--reference", "mean", "--lines", "none"],
+            "mean",
+            0,
+        ),
+        (
+            &["--bound", "3", "--reference", "mean", "--lines", "auto"],
+            "mean",
+            1,
+        ),
+        (
+            &["--numbers", "9", "--reference", "one", "--lines", "436,546"],
+            "one",
+            2,
+        ),
+    ] {
+        let told = json(&[&["picture", "wall", "--light", "FL11", "--json"], args].concat());
+        assert_eq!(told["reference"]["kind"], kind, "{args:?}");
+        let found = told["lines"].as_array().expect("lines").len();
+        // How many are found is the detector's matter.
+        assert_eq!(
+            found.min(lines + usize::from(lines != 1)),
+            lines,
+            "{args:?}"
+        );
+        if args.contains(&"12") {
+            assert_eq!(told["numbers"], 12, "{args:?}");
+        }
+    }
+    let (_, _, err) = tell(&[
+        "picture",
+        "wall",
+        "--numbers",
+        "9",
+        "--lines",
+        "500,501",
+        "--json",
+    ]);
+    assert!(err.contains("lines at 500 and 501 nm are one"), "{err}");
+}
+
+#[test]
+fn the_wall_of_paints_is_at_hand_under_any_light_of_the_library() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("wall.cspx.png");
+    let (code, out, err) = tell(&[
+        "picture",
+        "wall",
+        "--light",
+        "Mercury",
+        "--numbers",
+        "11",
+        "--out",
+        word(&file),
+    ]);
+    assert_eq!(code, 0, "{err}");
+    assert!(
+        out.contains("11 numbers a pixel, reference Mercury"),
+        "{out}"
+    );
+    let relit = folder.path().join("day.png");
+    let (code, out, err) = tell(&[
+        "picture",
+        word(&file),
+        "--relight",
+        "CIE D65",
+        "--out",
+        word(&relit),
+    ]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("256 x 192 px, under CIE D65"), "{out}");
+}
+
+#[test]
+fn a_photograph_becomes_a_spectral_picture_in_few_numbers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let photo = folder.path().join("photo.png");
+    let mut file = Vec::new();
+    let mut writer = png::Encoder::new(&mut file, 8, 6);
+    writer.set_color(png::ColorType::Rgb);
+    let mut writer = writer.write_header().expect("a header");
+    let pixels: Vec<u8> = (0..8 * 6 * 3).map(|i| (37 * i % 251) as u8).collect();
+    writer.write_image_data(&pixels).expect("pixels");
+    writer.finish().expect("an end");
+    fs::write(&photo, file).expect("a photograph");
+    let spectral = folder.path().join("photo.exr");
+    let (code, _, err) = tell(&["recover", "--image", word(&photo), "--out", word(&spectral)]);
+    assert_eq!(code, 0, "{err}");
+    let told = json(&["picture", word(&spectral), "--bound", "1", "--json"]);
+    let own = told["error"]["own"]["p95"].as_f64().expect("a figure");
+    let under_a = told["error"]["lights"]["A"]["p95"]
+        .as_f64()
+        .expect("a figure");
+    assert!(own < 0.5 && under_a < 1.5, "{told}");
+}
+
+#[test]
+fn data_beyond_what_is_read_whole_stay_on_disk() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let wall = wall(folder.path());
+    let (side, bands) = (2100_u64, 31);
+    let header = fs::read_to_string(&wall).expect("the header");
+    let header = header
+        .replace("samples = 48", &format!("samples = {side}"))
+        .replace("lines = 32", &format!("lines = {side}"));
+    fs::write(&wall, header).expect("a header");
+    // A hole of 547 MB in the disk: nothing but zeros, and that is what is said of it.
+    let data = fs::File::create(folder.path().join("wall.img")).expect("data");
+    data.set_len(side * side * bands * 4).expect("a hole");
+    let (err, code) = refusal(&["picture", &wall, "--numbers", "8"]);
+    assert_eq!(code, 1);
+    assert!(err.contains("found only zeros"), "{err}");
+}
+
+#[test]
+fn what_is_saved_has_the_rights_of_any_new_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let plain = folder.path().join("plain");
+    fs::write(&plain, "").expect("a file");
+    let out = folder.path().join("wall.cspx.png");
+    let (code, _, err) = tell(&["picture", "wall", "--numbers", "5", "--out", word(&out)]);
+    assert_eq!(code, 0, "{err}");
+    let rights = |path: &Path| fs::metadata(path).expect("there").permissions();
+    assert_eq!(rights(&out), rights(&plain));
+    let nowhere = folder.path().join("none").join("wall.exr");
+    let (err, code) = refusal(&["picture", "wall", "--numbers", "5", "--out", word(&nowhere)]);
+    assert_eq!(code, 1);
+    assert!(err.contains("found no folder"), "{err}");
+}
+
+#[test]
 fn what_cannot_be_kept_is_refused_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let wall = wall(folder.path());
@@ -92,7 +226,14 @@ fn what_cannot_be_kept_is_refused_in_one_line() {
             "--lines: expected a line between",
         ),
         (&["--numbers", "9", "--bound", "1"], "expected one of them"),
-        (&["--lines", "auto"], "--numbers"),
+        (
+            &["--numbers", "5", "--lines", "450,550,650"],
+            "--lines: expected at most 2 lines of 5 numbers",
+        ),
+        (
+            &["--reference", "light"],
+            "--reference: expected a picture of light",
+        ),
         (&["--out", "a.jpg"], ".png or .exr"),
     ] {
         let (err, code) = refusal(&[&["picture", &wall], more].concat());
@@ -127,6 +268,20 @@ fn a_table_becomes_a_row_of_numbers_for_each_spectrum() {
         assert!(text.contains("one") && text.contains("two"), "{text}");
         assert!(refusal(&args).0.contains("--force"));
     }
+    let out = folder.path().join("again.json");
+    let told = json(&[
+        "fit",
+        word(&table),
+        "--reference",
+        "mean",
+        "--out",
+        word(&out),
+        "--json",
+    ]);
+    assert_eq!(
+        (&told["spectra"], &told["numbers"]),
+        (&2.into(), &20.into())
+    );
     let (err, code) = refusal(&["fit", word(&table)]);
     assert_eq!(code, 2);
     assert!(err.contains("found no --out"), "{err}");
@@ -156,5 +311,76 @@ fn of_a_folder_every_spectrum_of_its_files_is_a_row() {
     let text = fs::read_to_string(&out).expect("numbers");
     for name in ["one", "two", "three", "four"] {
         assert!(text.contains(name), "{text}");
+    }
+}
+
+/// Lines of JSON, one a lamp.
+fn lamps() -> String {
+    (0..40)
+        .map(|i| {
+            let nm: Vec<u32> = (380..=780).step_by(5).collect();
+            let values: Vec<f64> = nm
+                .iter()
+                .map(|nm| 2.0 + (f64::from(*nm) / (60.0 + f64::from(i))).sin())
+                .collect();
+            let line = serde_json::json!({"name": format!("lamp {i}"), "nm": nm, "values": values});
+            format!("{line}\n")
+        })
+        .collect()
+}
+
+/// What a program makes of its standard input.
+fn piped(program: &str, args: &[&str], input: &str) -> Option<String> {
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(program)
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .ok()?;
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let input = input.to_owned();
+    let writer = std::thread::spawn(move || {
+        use std::io::Write;
+        stdin.write_all(input.as_bytes())
+    });
+    let output = child.wait_with_output().expect("an end");
+    writer.join().expect("no panic").expect("all was read");
+    assert!(output.status.success(), "{program} {args:?}");
+    Some(String::from_utf8(output.stdout).expect("UTF-8"))
+}
+
+#[test]
+fn lines_of_json_are_answered_line_by_line_wherever_they_are_cut() {
+    let program = env!("CARGO_BIN_EXE_spectral-explorer");
+    let fit = ["fit", "-", "--numbers", "12"];
+    let all = piped(program, &fit, &lamps()).expect("it runs");
+    assert_eq!(all.lines().count(), 40);
+    let first: Value = serde_json::from_str(all.lines().next().expect("a line")).expect("JSON");
+    assert_eq!(
+        (&first["name"], &first["numbers"]),
+        (&"lamp 0".into(), &12.into())
+    );
+    let odd = piped(program, &fit, "{}\nno JSON\n\n").expect("it runs");
+    assert_eq!(
+        odd.lines()
+            .filter(|line| line.contains("\"error\""))
+            .count(),
+        2
+    );
+    // GNU parallel cuts its input into blocks and starts a process for each, in order.
+    let command = format!("{program} fit - --numbers 12");
+    let spread = [
+        "--pipe",
+        "--keep-order",
+        "--block",
+        "4k",
+        "--will-cite",
+        &command,
+    ];
+    match piped("parallel", &spread, &lamps()) {
+        Some(spread) => assert_eq!(spread, all),
+        None => println!("GNU parallel is not installed: not run"),
     }
 }

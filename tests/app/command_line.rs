@@ -416,6 +416,18 @@ fn the_keys_of_a_picture_are_told() {
 }
 
 #[test]
+fn the_keys_of_a_fit_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rows: String = (380..=780)
+        .map(|nm| format!("{nm},{}\n", 1 + nm % 7))
+        .collect();
+    let table = put(folder.path(), "lamps.csv", format!("nm,lamp\n{rows}"));
+    let out = folder.path().join("numbers.json");
+    let out = out.to_str().expect("UTF-8");
+    holds("fit --json", &[&["fit", &table, "--out", out, "--json"]]);
+}
+
+#[test]
 fn the_keys_of_an_encoding_are_told() {
     let encode = ["encode", "FL2", "--json"];
     let portable = ["encode", "FL2", "--portable", "--json"];

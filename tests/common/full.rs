@@ -39,6 +39,7 @@ use spectral_explorer::{
         solve::{Against, Favour, Floors},
     },
     optics::Brilliant,
+    pictures::{ReferenceKind, Wish, WishedLines},
     spectrum::{Band, Basis, Kind, NamedSpectrum, Rect, Sampled, Sampling},
     study::{Goal, Measure},
 };
@@ -344,6 +345,11 @@ pub fn full_preferences() -> Preferences {
                 wall: true,
                 taken_under: Some(D65.to_owned()),
                 numbers: Some(11),
+                wish: Wish {
+                    reference: Some(ReferenceKind::Mean),
+                    lines: WishedLines::At(vec![435.8, 546.1]),
+                },
+                weighted: false,
                 second: Some("paper/Sodium".to_owned()),
                 second_percent: 30,
                 look: Look::Difference,

@@ -10,6 +10,7 @@ mod found;
 mod harness;
 mod large;
 mod mutate;
+mod pictures;
 mod pictures_memory;
 mod refusals;
 #[path = "../common/root.rs"]

@@ -3,7 +3,7 @@
 use crate::{
     app::{
         chart::{Chart, Dash, Inks, Marks, Palette, Scale, Series, Shape, Theme},
-        relit::{Fit, Looked},
+        relit::{Fit, Looked, Turned},
     },
     pictures::{BOUND_P95, Candidate, ReferenceKind},
 };
@@ -25,7 +25,7 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
     } else {
         100.0 * choice.bound_rms
     };
-    let most = looked.most_numbers() as f64;
+    let [least, most] = looked.numbers();
     let reference = looked.known.as_ref().map_or("light", |light| light.name());
     let ways = [
         (ReferenceKind::One, false, "series".to_owned(), inks.smooth),
@@ -58,12 +58,12 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
         Series::line(
             "",
             Palette::of(theme).axis,
-            vec![[3.0, bound], [most, bound]],
+            vec![[least as f64, bound], [most as f64, bound]],
         )
         .dashed(Dash::Dashed),
     ];
     for (kind, has_lines, name, ink) in ways {
-        let points: Vec<[f64; 2]> = (3..=looked.most_numbers())
+        let points: Vec<[f64; 2]> = (least..=most)
             .filter_map(|numbers| {
                 let tried = choice.tried.iter().filter(|c| {
                     c.numbers == numbers && c.reference == kind && (c.lines > 0) == has_lines
@@ -91,8 +91,60 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
             "Spectra: relative rms, %".to_owned()
         },
         x_label: "Numbers a pixel".to_owned(),
-        x_range: [2.0, most + 1.0],
+        x_range: [least as f64 - 1.0, most as f64 + 1.0],
         y_scale: Scale::Log10,
+        series,
+        theme,
+        ..Chart::default()
+    }
+}
+
+/// Boxes of the histogram.
+const BOXES: usize = 40;
+
+/// How many of the drawn pixels are off by how much under the light.
+pub fn difference_chart(turned: &Turned, theme: Theme) -> Chart {
+    let spread = turned.spread;
+    let is_none = spread.max < LEAST;
+    let most = if is_none { 1.0 } else { spread.max };
+    let width = most / BOXES as f64;
+    let mut counts = [0_usize; BOXES];
+    let found = turned.off.iter().filter(|off| off.is_finite());
+    found.for_each(|off| {
+        let at = (f64::from(*off) / width) as usize;
+        counts[at.min(BOXES - 1)] += 1;
+    });
+    let highest = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
+    let boxes = counts.iter().enumerate();
+    // A box of none has no height on an axis of ratios.
+    let boxes = boxes.filter(|(_, count)| **count > 0);
+    let points = boxes.map(|(i, count)| [(i as f64 + 0.5) * width, *count as f64]);
+    let inks = Inks::of(theme);
+    let mut series = Vec::new();
+    if !is_none {
+        let boxes = Series::bars("", inks.smooth, 0.9 * width, points.collect());
+        series.push(boxes);
+        for (name, at, ink, dash) in [
+            ("mean", spread.mean, inks.measured, Dash::Solid),
+            ("95 %", spread.p95, inks.spikes, Dash::Dashed),
+            ("most", spread.max, inks.product, Dash::Dotted),
+        ] {
+            let line = vec![[at, 0.5], [at, 2.0 * highest]];
+            series.push(Series::line(format!("{name} {at:.2}"), ink, line).dashed(dash));
+        }
+    }
+    Chart {
+        title: format!("Pixels by their difference under {}", turned.light),
+        x_label: "\u{394}E00".to_owned(),
+        x_range: [0.0, 1.04 * most],
+        y_label: "Pixels".to_owned(),
+        y_range: Some([0.5, 2.0 * highest]),
+        y_scale: Scale::Log10,
+        blank: if is_none {
+            "no pixel is off by 0.001".to_owned()
+        } else {
+            String::new()
+        },
         series,
         theme,
         ..Chart::default()

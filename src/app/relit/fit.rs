@@ -5,6 +5,8 @@ use super::{
     look::{Looked, light_of},
     told,
 };
+use std::time::{Duration, Instant};
+
 use crate::{
     app::{
         entry::Entry,
@@ -37,6 +39,8 @@ pub struct Fit {
     pub operator: Operator,
     /// The drawn pixels' numbers: `[number * pixels + pixel]`.
     pub planes: Vec<f32>,
+    /// How long it took to make them.
+    pub encoded_in: Duration,
 }
 
 impl FitAsk {
@@ -48,24 +52,29 @@ impl FitAsk {
     fn fit(&self) -> Result<Fit, PictureError> {
         let looked = &self.looked.0;
         let choice = &looked.choice;
-        let most = looked.most_numbers();
-        let tried = self.numbers.map(|n| n.min(most));
+        let [least, most] = looked.numbers();
+        let tried = self.numbers.map(|n| n.clamp(least, most));
         let tried = tried.and_then(|n| choice.with_numbers(n));
         let bands = looked.bands();
         let known = looked.known.as_ref();
         let plan = match tried {
-            Some(tried) => plan_of(bands, &looked.survey, known, &looked.base, tried)?,
+            Some(tried) => {
+                let with = (&looked.base, &looked.wish);
+                plan_of(bands, &looked.survey, known, with, tried)?
+            }
             None => choice.plan.clone(),
         };
         let operator = Operator::steady(bands, &plan)?;
         let pixels = looked.size().iter().product();
         let mut planes = vec![0.0; operator.numbers() * pixels];
         let encoder = operator.encoder();
+        let started = Instant::now();
         encoder.apply(looked.drawn.values(), pixels, &mut planes);
         Ok(Fit {
             looked: self.looked.clone(),
             operator,
             planes,
+            encoded_in: started.elapsed(),
         })
     }
 }
@@ -100,6 +109,8 @@ pub struct Turned {
     pub trust: Option<Trust>,
     /// Why it is in its own colour, not under the light; empty where it is.
     pub refused: String,
+    /// How long it took to turn the numbers of the drawn pixels into colours (XYZ).
+    pub turned_in: Duration,
 }
 
 /// From bands and from numbers to the same colours.
@@ -156,7 +167,8 @@ impl TurnAsk {
                 return Ok(Ends::as_taken(
                     operator,
                     "Nobody knows what lit this picture, so it is shown as it was taken. Choose \
-                     the light that it was taken under to see it under others."
+                     the light that it was taken under to see it under others, or take a white \
+                     place of it as spectrum on the page Spectral image and choose that."
                         .to_owned(),
                 ));
             }
@@ -214,7 +226,9 @@ impl TurnAsk {
         let (mut all, mut some) = (vec![0.0; 3 * pixels], vec![0.0; 3 * pixels]);
         let rows = exact.each_ref().map(Vec::as_slice);
         Kernel::of_rows(&rows).apply(looked.drawn.values(), pixels, &mut all);
+        let started = Instant::now();
         relit_into(&fit.planes, pixels, &few, &mut some);
+        let turned_in = started.elapsed();
         let at = |from: &[f32], i: usize| {
             Xyz::from_array(std::array::from_fn(|k| f64::from(from[k * pixels + i])))
         };
@@ -262,6 +276,7 @@ impl TurnAsk {
             worst,
             trust,
             refused,
+            turned_in,
         })
     }
 }

@@ -6,7 +6,7 @@ use crate::{
     color::Observer,
     pictures::{
         Asked, BOUND_P95, BOUND_RMS, Bands, Choice, InMemory, Light, OfImage, PictureError, Pixels,
-        Plan, Scene, Survey, choose, usual_weighting,
+        Plan, ReferenceKind, Scene, Survey, Wish, WishedLines, choose, usual_weighting,
     },
     spectrum::SpectralImage,
     study::Progress,
@@ -14,8 +14,6 @@ use crate::{
 
 use super::memory::RelitMemory;
 
-/// Columns and rows of the wall of paints.
-const WALL: [usize; 2] = [256, 192];
 /// Most pixels that are drawn, and most values that are kept of them.
 const MOST_DRAWN: usize = 1 << 18;
 const MOST_VALUES: usize = 1 << 24;
@@ -39,6 +37,10 @@ pub struct LookAsk {
     pub taken_under: Option<ByAddress<Entry>>,
     /// The observer.
     pub observer: Observer,
+    /// What is not left to the choice of reference and lines.
+    pub wish: Wish,
+    /// Whether a reflectance's numbers are weighed by the colours under many lights.
+    pub weighted: bool,
 }
 
 /// A picture with all that was found out about it.
@@ -62,6 +64,8 @@ pub struct Looked {
     pub step: usize,
     /// Own light, observer and weighting.
     pub base: Plan,
+    /// What was not left to the choice.
+    pub wish: Wish,
     /// The light that fell on it.
     pub known: Option<Light>,
 }
@@ -85,9 +89,19 @@ impl LookAsk {
             subject,
             taken_under: None,
             observer: document.settings.observer,
+            wish: memory.wish.clone(),
+            weighted: memory.weighted,
         };
+        let taken_under = taken_under.filter(|_| ask.asks_for_light());
+        // The light of one picture need not be known of the next.
+        let reference = ask.wish.reference;
+        let can_be = |kind: &ReferenceKind| *kind != ReferenceKind::Light || taken_under.is_some();
         Self {
-            taken_under: taken_under.filter(|_| ask.asks_for_light()).map(ByAddress),
+            wish: Wish {
+                reference: reference.filter(can_be),
+                ..ask.wish
+            },
+            taken_under: taken_under.map(ByAddress),
             ..ask
         }
     }
@@ -109,12 +123,7 @@ impl LookAsk {
         let known = self.taken_under.as_ref().map(|entry| light_of(&entry.0));
         match &self.subject {
             Subject::Wall => {
-                let nm = (0..81).map(|i| 380.0 + 5.0 * f64::from(i)).collect();
-                let [width, height] = WALL;
-                let wall = match &known {
-                    Some(light) => Scene::lit(width, height, nm, std::slice::from_ref(light))?,
-                    None => Scene::reflectance(width, height, nm)?,
-                };
+                let wall = Scene::at_hand(known.as_ref())?;
                 let pixels = InMemory::of(&wall)?;
                 let named = (wall.name().to_owned(), String::new());
                 self.found(&pixels, named, Vec::new(), known, progress)
@@ -132,18 +141,21 @@ impl LookAsk {
         &self,
         pixels: &dyn Pixels,
         (name, unit): (String, String),
-        said: Vec<String>,
+        mut said: Vec<String>,
         known: Option<Light>,
         progress: &Progress,
     ) -> Result<Looked, PictureError> {
         let bands = pixels.bands();
         let survey = Survey::of(pixels, progress)?;
-        let base = base(bands, self.observer);
+        let base = self.base(bands);
+        let wish = self.wish_within(bands, &mut said);
         let asked = Asked::Bound {
             p95: BOUND_P95,
             rms: BOUND_RMS,
         };
-        let choice = choose(bands, &survey, known.as_ref(), &base, asked, progress)?;
+        let with = (&base, &wish);
+        let choice = choose(bands, &survey, known.as_ref(), with, asked, progress)?;
+        said.extend(choice.said.iter().cloned());
         let step = step(pixels);
         Ok(Looked {
             ask: self.clone(),
@@ -155,16 +167,36 @@ impl LookAsk {
             choice,
             step,
             base,
+            wish,
             known,
         })
     }
-}
 
-fn base(bands: &Bands, observer: Observer) -> Plan {
-    Plan {
-        observer,
-        weighting: usual_weighting(bands, observer),
-        ..Plan::new(bands, 3)
+    fn base(&self, bands: &Bands) -> Plan {
+        let weighting = usual_weighting(bands, self.observer);
+        Plan {
+            observer: self.observer,
+            weighting: weighting.filter(|_| self.weighted),
+            ..Plan::new(bands, 3)
+        }
+    }
+
+    /// The wish, without lines that this picture has no bands for: they may be another picture's.
+    fn wish_within(&self, bands: &Bands, said: &mut Vec<String>) -> Wish {
+        let mut wish = self.wish.clone();
+        if let WishedLines::At(places) = &mut wish.lines {
+            let [first, last] = [bands.nm()[0], bands.nm()[bands.len() - 1]];
+            places.retain(|nm| {
+                let is_within = (first..=last).contains(nm);
+                if !is_within {
+                    said.push(format!(
+                        "The line at {nm} nm is left out: the bands reach from {first} to {last} nm."
+                    ));
+                }
+                is_within
+            });
+        }
+        wish
     }
 }
 
@@ -228,9 +260,9 @@ impl Looked {
         [width, height]
     }
 
-    /// Most numbers a pixel that can be asked for.
-    pub fn most_numbers(&self) -> usize {
-        let tried = self.choice.tried.iter().map(|tried| tried.numbers);
-        tried.max().unwrap_or(3)
+    /// Fewest and most numbers a pixel that can be asked for.
+    pub fn numbers(&self) -> [usize; 2] {
+        let tried = || self.choice.tried.iter().map(|tried| tried.numbers);
+        [tried().min(), tried().max()].map(|end| end.unwrap_or(3))
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::pictures::MOST_NUMBERS;
+use crate::pictures::{MOST_NUMBERS, Wish, WishedLines};
 
 /// What stands large on the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -47,6 +47,11 @@ impl Look {
     }
 }
 
+/// Most lines that are chosen by hand.
+pub const MOST_LINES: usize = 12;
+/// Where lines are, nm.
+pub const LINES_NM: std::ops::RangeInclusive<f64> = 100.0..=1e5;
+
 /// Picture, numbers, lights and looks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -58,6 +63,10 @@ pub struct RelitMemory {
     pub taken_under: Option<String>,
     /// Numbers a pixel; `None` for the fewest that are enough.
     pub numbers: Option<usize>,
+    /// What multiplies the series, and which lines there are.
+    pub wish: Wish,
+    /// Whether a reflectance's numbers are weighed by the colours under many lights.
+    pub weighted: bool,
     /// Key of a second light that shines beside the document's.
     pub second: Option<String>,
     /// How much of the brightness is the second light's, percent.
@@ -76,6 +85,8 @@ impl Default for RelitMemory {
             wall: false,
             taken_under: None,
             numbers: None,
+            wish: Wish::default(),
+            weighted: true,
             second: None,
             second_percent: 50,
             look: Look::Picture,
@@ -88,7 +99,11 @@ impl Default for RelitMemory {
 impl RelitMemory {
     /// Every value moved to the nearest one that is allowed.
     #[must_use]
-    pub fn clamped(self) -> Self {
+    pub fn clamped(mut self) -> Self {
+        if let WishedLines::At(places) = &mut self.wish.lines {
+            places.retain(|nm| LINES_NM.contains(nm));
+            places.truncate(MOST_LINES);
+        }
         Self {
             numbers: self.numbers.map(|n| n.clamp(3, MOST_NUMBERS)),
             second_percent: self.second_percent.min(100),
@@ -112,11 +127,16 @@ mod tests {
             numbers: Some(usize::MAX),
             second_percent: 400,
             split: f32::NAN,
+            wish: Wish {
+                lines: WishedLines::At(vec![f64::NAN, 546.1, -3.0]),
+                ..Wish::default()
+            },
             ..RelitMemory::default()
         };
         let sound = nonsense.clamped();
         assert_eq!(sound.numbers, Some(MOST_NUMBERS));
         assert_eq!((sound.second_percent, sound.split), (100, 0.5));
+        assert_eq!(sound.wish.lines, WishedLines::At(vec![546.1]));
         let usual = RelitMemory::default();
         assert_eq!(usual.clone().clamped(), usual);
     }

@@ -165,7 +165,10 @@ impl PictureWish {
             .stored
             .0
             .written(&self.fit.0, self.form, path, &progress);
-        let bytes = written.map_err(|why| format!("{}: {why}", path.display()))?;
+        let bytes = written.map_err(|why| match why {
+            PictureError::Unsaved(words) => words,
+            why => format!("{}: {why}", path.display()),
+        })?;
         Ok(format!(
             "Saved {}: {} numbers a pixel, {}.",
             path.display(),

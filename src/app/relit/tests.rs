@@ -6,11 +6,12 @@ use super::*;
 use crate::{
     app::{
         App, Command,
+        charts::relit::difference_chart,
         open::{Loaded, load_path},
         picture::ImageMemory,
     },
     color::Observer,
-    pictures::{InMemory, Light, Pixels, Scene, Verdict},
+    pictures::{InMemory, Light, Pixels, ReferenceKind, Scene, Verdict, Wish, WishedLines},
     spectrum::{
         Cube, Kind, SpectralImage,
         cube::{Interleave, Layout, Number},
@@ -54,11 +55,22 @@ fn image(lit: Option<&str>) -> Subject {
 }
 
 fn fit(subject: Subject, taken_under: Option<&str>, numbers: Option<usize>) -> ByAddress<Fit> {
+    fit_with(subject, taken_under, numbers, Wish::default())
+}
+
+fn fit_with(
+    subject: Subject,
+    taken_under: Option<&str>,
+    numbers: Option<usize>,
+    wish: Wish,
+) -> ByAddress<Fit> {
     let entry = taken_under.map(|key| App::new().entry(key).expect("shipped"));
     let ask = LookAsk {
         subject,
         taken_under: entry.map(ByAddress),
         observer: Observer::Cie1931,
+        wish,
+        weighted: true,
     };
     let looked = ask.answer(&Progress::default()).expect("not cancelled");
     let looked = looked.expect("a sound picture");
@@ -206,10 +218,6 @@ fn the_table_of_others_names_the_nearest_whoever_it_is() {
         .filter_map(|p| Some((p.name, p.lights()?.mean)));
     let nearest = measured.min_by(|a, b| a.1.total_cmp(&b.1)).expect("some");
     assert!(words.contains(nearest.0), "{words}");
-    assert!(
-        rows.iter()
-            .any(|row| row.contains(&"not run here".to_owned()))
-    );
 }
 
 #[test]
@@ -223,4 +231,77 @@ fn what_was_in_the_dark_is_not_shown_in_another_light() {
     assert!(daylight.0.trust.is_none());
     assert!(trust_line(&daylight.0).contains("was in the dark"));
     assert!(headline(&fit.0, &daylight.0, None).contains("Its own colours"));
+}
+
+#[test]
+fn reference_and_lines_by_hand_are_what_is_kept() {
+    let subject = image(Some("FL11"));
+    let by_hand = Wish {
+        reference: Some(ReferenceKind::Mean),
+        lines: WishedLines::At(vec![545.0, 611.0, 900.0]),
+    };
+    let fit = fit_with(subject.clone(), Some(FL11), Some(9), by_hand);
+    let plan = fit.0.operator.plan();
+    assert_eq!(plan.reference.kind, ReferenceKind::Mean);
+    let places: Vec<f64> = plan.lines.iter().map(|line| line.at_nm.round()).collect();
+    assert_eq!((plan.series, places.len()), (7, 2), "{places:?}");
+    assert!(
+        places
+            .iter()
+            .zip([545.0, 611.0])
+            .all(|(a, b)| (a - b).abs() < 6.0)
+    );
+    let said = fit.0.looked.0.said.join(" ");
+    assert!(said.contains("The line at 900 nm is left out"), "{said}");
+    assert_eq!(fit.0.looked.0.numbers(), [5, 30]);
+    let none = Wish {
+        reference: Some(ReferenceKind::One),
+        lines: WishedLines::None,
+    };
+    let bare = fit_with(subject, Some(FL11), Some(9), none);
+    let plan = bare.0.operator.plan();
+    assert_eq!(
+        (plan.reference.kind, plan.lines.len()),
+        (ReferenceKind::One, 0)
+    );
+}
+
+#[test]
+fn the_light_of_another_picture_is_not_asked_for() {
+    let memory = RelitMemory {
+        wish: Wish {
+            reference: Some(ReferenceKind::Light),
+            ..Wish::default()
+        },
+        ..RelitMemory::default()
+    };
+    let app = App::new();
+    let ask = LookAsk::of(&app, &memory, &ImageMemory::default());
+    assert_eq!(ask.wish.reference, None);
+    let lit = RelitMemory {
+        taken_under: Some(FL11.to_owned()),
+        ..memory
+    };
+    let ask = LookAsk::of(&app, &lit, &ImageMemory::default());
+    assert_eq!(ask.wish.reference, Some(ReferenceKind::Light));
+}
+
+#[test]
+fn the_histogram_counts_every_pixel_that_was_measured() {
+    let fit = fit(image(None), None, Some(6));
+    let under_a = turned(&fit, A, None);
+    let chart = difference_chart(&under_a.0, Default::default());
+    let counted: f64 = chart.series[0].marks.points().iter().map(|p| p[1]).sum();
+    assert_eq!(counted, (SIZE[0] * SIZE[1]) as f64);
+    let named = |word: &str, value: f64| {
+        let name = format!("{word} {value:.2}");
+        assert!(chart.series.iter().any(|s| s.name == name), "{name}");
+    };
+    let spread = under_a.0.spread;
+    named("mean", spread.mean);
+    named("95 %", spread.p95);
+    named("most", spread.max);
+    // Own colour is exact: there is nothing to count.
+    let own = difference_chart(&turned(&fit, D65, None).0, Default::default());
+    assert!(own.series.is_empty() && !own.blank.is_empty());
 }

@@ -68,6 +68,20 @@ pub fn trust_line(turned: &Turned) -> String {
     }
 }
 
+/// How fast it went, a sentence: the numbers made, and the light turned.
+pub fn speed_line(fit: &Fit, turned: &Turned) -> String {
+    let [width, height] = fit.looked.0.size();
+    let pixels = (width * height) as f64;
+    let seconds = fit.encoded_in.as_secs_f64().max(1e-9);
+    format!(
+        "One matrix made these numbers, {:.1} million pixels a second on this computer; another \
+         light takes {:.1} ms for the {} pixels that are drawn.",
+        1e-6 * pixels / seconds,
+        1e3 * turned.turned_in.as_secs_f64(),
+        width * height
+    )
+}
+
 /// How many numbers are enough, a sentence.
 pub fn fewer(looked: &Looked) -> String {
     let choice = &looked.choice;

@@ -13,7 +13,8 @@ use crate::{
 #[derive(Args, Debug)]
 pub struct Picture {
     /// A spectral picture: an ENVI cube (its header or its data) or a spectral OpenEXR; with
-    /// --relight one of few numbers (.exr or .cspx.png).
+    /// --relight one of few numbers (.exr or .cspx.png). The word wall is a wall of paints that the
+    /// program makes, with --light as that light shows it.
     #[arg(value_name = "IN")]
     pub input: PathBuf,
     /// Numbers a pixel, 3 or more and fewer than bands.
@@ -24,17 +25,16 @@ pub struct Picture {
     /// to 20 [default: 0.5].
     #[arg(long, value_name = "DE", allow_hyphen_values = true, value_parser = room_words::bound)]
     pub bound: Option<f64>,
-    /// What multiplies the series: one, light (--light) or mean; with --numbers
-    /// [default: what is best].
-    #[arg(long, value_name = "REFERENCE", value_parser = room_words::reference, requires = "numbers")]
+    /// What multiplies the series: one, light (--light) or mean [default: what is best].
+    #[arg(long, value_name = "REFERENCE", value_parser = room_words::reference)]
     pub reference: Option<ReferenceKind>,
     /// The light on a reflectance (then its own, CIE D65 without) or the one that lit a picture
     /// of light, a file or a preset.
     #[arg(long, value_name = "NAME")]
     pub light: Option<OsString>,
-    /// Lines with a number of their own: auto, none or places in nm with commas; with --numbers
+    /// Lines with a number of their own: auto, none or places in nm with commas
     /// [default: what is best].
-    #[arg(long, value_name = "LINES", value_parser = room_words::lines, requires = "numbers")]
+    #[arg(long, value_name = "LINES", value_parser = room_words::lines)]
     pub lines: Option<Lines>,
     /// Keep bands that nobody sees too.
     #[arg(long)]
@@ -44,7 +44,7 @@ pub struct Picture {
     pub peers: bool,
     /// Show a picture of few numbers under this light, into --out A.png.
     #[arg(long, value_name = "NAME", requires = "out",
-        conflicts_with_all = ["numbers", "bound", "all_bands"])]
+        conflicts_with_all = ["numbers", "bound", "reference", "lines", "all_bands"])]
     pub relight: Option<OsString>,
     /// The file to write: .exr holds every number, .cspx.png is small and opens as a picture; with
     /// --relight a .png.
@@ -82,4 +82,7 @@ pub struct Fit {
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
     pub force: bool,
+    /// Print JSON; its keys are stable. Lines of JSON are answered by such lines anyhow.
+    #[arg(long)]
+    pub json: bool,
 }

@@ -106,7 +106,8 @@ pub fn data_beside(path: &Path) -> Option<PathBuf> {
         return None;
     }
     let header = pair::read_header(path).ok()?;
-    let need = data_bytes(&header).ok()?;
+    // Data too large to be read whole are data all the same.
+    let need = all_bytes(&header)?;
     pair::place_of_data(path, need)
 }
 
@@ -163,11 +164,15 @@ pub fn needs(path: &Path) -> Result<Needs, ReadError> {
     })
 }
 
-/// Bytes that the data file must have, header offset included.
-fn data_bytes(header: &Header) -> Result<usize, ReadError> {
-    let bytes = bytes_of(header.samples, header.lines, header.bands, header.number)
+/// Bytes that the data file must have, header offset included; `None` beyond counting.
+pub fn all_bytes(header: &Header) -> Option<usize> {
+    bytes_of(header.samples, header.lines, header.bands, header.number)
         .and_then(|bytes| bytes.checked_add(header.offset))
-        .filter(|bytes| *bytes as u64 <= text::MOST_BYTES);
+}
+
+/// The same where they are few enough to be read whole.
+fn data_bytes(header: &Header) -> Result<usize, ReadError> {
+    let bytes = all_bytes(header).filter(|bytes| *bytes as u64 <= text::MOST_BYTES);
     bytes.ok_or_else(|| {
         header.error(
             "samples",

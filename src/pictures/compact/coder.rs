@@ -2,30 +2,13 @@
 //!
 //! Coder 0: the predictor MED of JPEG-LS, what it misses folded to positive numbers, low bytes
 //! then high bytes, zlib: any library reads it. Coder 1: a linear predictor of ten neighbours with
-//! whole weights fitted to the plane, what it misses in unary and Exp-Golomb bits by adaptive
+//! whole weights fitted to the plane ([`super::predictor`]), what it misses in unary and Exp-Golomb bits by adaptive
 //! chances in twelve contexts.
 
-use nalgebra::{SMatrix, SVector};
-
 use super::super::PictureError;
+use super::predictor::{COUNT, Framed, Misses, Weights};
 use super::range_coder::{Chance, Decoder, Encoder};
 
-/// Neighbours of the linear predictor: W N NW NE WW NN NEE NWW and two rows up, one left and right.
-const NEIGHBOURS: [(isize, isize); 10] = [
-    (-1, 0),
-    (0, -1),
-    (-1, -1),
-    (1, -1),
-    (-2, 0),
-    (0, -2),
-    (2, -1),
-    (-2, -1),
-    (-1, -2),
-    (1, -2),
-];
-const COUNT: usize = NEIGHBOURS.len();
-/// Denominator of the weights.
-const ONE: i64 = 1024;
 const CONTEXTS: usize = 12;
 /// Largest number in unary.
 const UNARY: u32 = 14;
@@ -35,8 +18,6 @@ const LENGTHS: usize = 34;
 pub(super) const MOST: i64 = 1 << 30;
 /// Bytes of a plane's parameters: mean, weights, thresholds.
 const HEAD: usize = 4 + 2 * COUNT + 4 * (CONTEXTS - 1);
-/// Rows and columns about a tile that count as its mean.
-const PAD: usize = 2;
 
 /// A plane of a tile.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,38 +48,11 @@ pub(super) fn checked(value: i64) -> Result<i32, PictureError> {
     Ok(value as i32)
 }
 
-/// A plane inside a frame of two rows and columns.
-struct Framed {
-    stride: usize,
-    values: Vec<i64>,
-    offsets: [isize; COUNT],
-}
-
-impl Framed {
-    fn new(width: usize, height: usize) -> Self {
-        let stride = width + 2 * PAD;
-        Self {
-            stride,
-            values: vec![0; stride * (height + PAD)],
-            offsets: NEIGHBOURS.map(|(dx, dy)| dy * stride as isize + dx),
-        }
-    }
-
-    fn at(&self, x: usize, y: usize) -> usize {
-        (y + PAD) * self.stride + x + PAD
-    }
-
-    fn neighbours(&self, at: usize) -> [i64; COUNT] {
-        self.offsets
-            .map(|offset| self.values[(at as isize + offset) as usize])
-    }
-}
-
 /// What a plane's coder 1 needs besides the bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Parameters {
     mean: i64,
-    weights: [i64; COUNT],
+    weights: Weights,
     thresholds: [i64; CONTEXTS - 1],
 }
 
@@ -134,85 +88,8 @@ impl Parameters {
         })
     }
 
-    fn predicted(&self, neighbours: &[i64; COUNT]) -> i64 {
-        let sum: i64 = self
-            .weights
-            .iter()
-            .zip(neighbours)
-            .map(|(w, v)| w * v)
-            .sum();
-        self.mean + (sum + ONE / 2).div_euclid(ONE)
-    }
-
     fn context(&self, activity: i64) -> usize {
         self.thresholds.iter().filter(|t| activity > **t).count()
-    }
-}
-
-/// Least squares over the plane, to whole 1024ths.
-fn fitted(framed: &Framed, width: usize, height: usize) -> [i64; COUNT] {
-    let mut normal = SMatrix::<f64, COUNT, COUNT>::zeros();
-    let mut right = SVector::<f64, COUNT>::zeros();
-    for y in 0..height {
-        for x in 0..width {
-            let at = framed.at(x, y);
-            let near = framed.neighbours(at).map(|v| v as f64);
-            let value = framed.values[at] as f64;
-            for i in 0..COUNT {
-                right[i] += near[i] * value;
-                for j in 0..=i {
-                    normal[(i, j)] += near[i] * near[j];
-                }
-            }
-        }
-    }
-    let ridge = 1e-6 * normal.trace() + 1e-3;
-    for i in 0..COUNT {
-        for j in 0..i {
-            normal[(j, i)] = normal[(i, j)];
-        }
-        normal[(i, i)] += ridge;
-    }
-    let solved = normal.cholesky().map(|c| c.solve(&right));
-    let weights = solved.unwrap_or_else(SVector::zeros);
-    let whole = |w: f64| {
-        if w.is_finite() {
-            (w * ONE as f64).round().clamp(-32767.0, 32767.0) as i64
-        } else {
-            0
-        }
-    };
-    std::array::from_fn(|k| whole(weights[k]))
-}
-
-/// Sizes of what the predictor missed, in a frame, of this plane and the one before.
-struct Misses {
-    stride: usize,
-    sizes: Vec<i64>,
-}
-
-/// A miss counts at most this much in a context.
-const MOST_MISS: i64 = 1 << 24;
-
-impl Misses {
-    fn new(width: usize, height: usize) -> Self {
-        let stride = width + 2 * PAD;
-        Self {
-            stride,
-            sizes: vec![0; stride * (height + PAD)],
-        }
-    }
-
-    fn activity(&self, at: usize, before: &[u32], pixel: usize) -> i64 {
-        let (e, s) = (&self.sizes, self.stride);
-        let of_plane_before = before.get(pixel).map_or(0, |miss| i64::from(*miss));
-        2 * e[at - 1]
-            + 2 * e[at - s]
-            + e[at - s - 1]
-            + e[at - s + 1]
-            + e[at - 2]
-            + e[at - 2 * s]
-            + 2 * of_plane_before
     }
 }
 
@@ -305,37 +182,28 @@ pub(super) fn encode_fitted(plane: &Plane, before: &mut Vec<u32>) -> Vec<u8> {
             framed.values[at] = i64::from(plane.values[y * width + x]) - mean;
         }
     }
-    let mut parameters = Parameters {
-        mean,
-        weights: fitted(&framed, width, height),
-        thresholds: [0; CONTEXTS - 1],
-    };
+    let weights = framed.fitted(before);
+    let missed = framed.missed(&weights);
     let mut misses = Misses::new(width, height);
-    let mut codes = Vec::with_capacity(plane.values.len());
-    for y in 0..height {
-        for x in 0..width {
-            let at = framed.at(x, y);
-            let error = framed.values[at] + mean - parameters.predicted(&framed.neighbours(at));
-            misses.sizes[at] = error.abs().min(MOST_MISS);
-            codes.push(folded(error));
-        }
-    }
-    let activity = |i: usize| misses.activity(framed.at(i % width, i / width), before, i);
-    let activities: Vec<i64> = (0..codes.len()).map(activity).collect();
-    parameters.thresholds = thresholds(&activities);
+    let sizes: Vec<u32> = missed
+        .iter()
+        .enumerate()
+        .map(|(i, missed)| misses.put(i % width, i / width, *missed))
+        .collect();
+    let activity = |i: usize| misses.activity(i % width, i / width, before);
+    let activities: Vec<i64> = (0..missed.len()).map(activity).collect();
+    let parameters = Parameters {
+        mean,
+        weights,
+        thresholds: thresholds(&activities),
+    };
     let mut encoder = Encoder::default();
     let mut chances = vec![Chances::default(); CONTEXTS];
-    for (code, activity) in codes.iter().zip(&activities) {
-        put(
-            &mut encoder,
-            &mut chances[parameters.context(*activity)],
-            *code,
-        );
+    for (missed, activity) in missed.iter().zip(&activities) {
+        let chances = &mut chances[parameters.context(*activity)];
+        put(&mut encoder, chances, folded(*missed));
     }
-    *before = codes
-        .iter()
-        .map(|code| unfolded(*code).unsigned_abs().min(MOST_MISS as u64) as u32)
-        .collect();
+    *before = sizes;
     let mut bytes = parameters.to_bytes();
     bytes.extend(encoder.finish());
     bytes
@@ -380,18 +248,14 @@ pub(super) fn decode_fitted(
         }
         for x in 0..width {
             let at = framed.at(x, y);
-            let activity = misses.activity(at, before, y * width + x);
+            let activity = misses.activity(x, y, before);
             let code =
                 get(&mut decoder, &mut chances[parameters.context(activity)]).ok_or_else(broken)?;
             let error = unfolded(code);
-            let value = checked(
-                parameters
-                    .predicted(&framed.neighbours(at))
-                    .saturating_add(error),
-            )?;
+            let expected = parameters.mean + framed.predicted(&parameters.weights, at);
+            let value = checked(expected.saturating_add(error))?;
             framed.values[at] = i64::from(value) - parameters.mean;
-            misses.sizes[at] = error.abs().min(MOST_MISS);
-            sizes.push(misses.sizes[at] as u32);
+            sizes.push(misses.put(x, y, error));
             values.push(value);
         }
     }

@@ -7,6 +7,7 @@
 
 mod coder;
 mod file;
+mod predictor;
 mod quantiser;
 mod range_coder;
 mod simple;

@@ -29,6 +29,11 @@ pub mod names {
     pub const ENOUGH: &str = "As few as needed";
     pub const SAVE: &str = "Save…";
     pub const WORST: &str = "Worst pixel";
+    pub const KEPT: &str = "What is kept of a pixel";
+    pub const WEIGHTED: &str = "Weighed by colours under many lights";
+    pub const BY_HAND: &str = "By hand";
+    pub const NEXT_LINE: &str = "Place of a line";
+    pub const ADD_LINE: &str = "Add line";
 }
 
 /// Lights at hand: title and key.
@@ -176,11 +181,11 @@ pub fn numbers(
 ) {
     let now = fit.map_or(looked.choice.chosen.numbers, |fit| fit.0.operator.numbers());
     let memory = &mut context.memory.relit;
-    let most = looked.most_numbers();
-    let mut count = memory.numbers.unwrap_or(now).clamp(3, most);
+    let [least, most] = looked.numbers();
+    let mut count = memory.numbers.unwrap_or(now).clamp(least, most);
     ui.label("Numbers a pixel");
     ui.spacing_mut().slider_width = 150.0 * context.theme.scale;
-    let slider = ui.add(egui::Slider::new(&mut count, 3..=most));
+    let slider = ui.add(egui::Slider::new(&mut count, least..=most));
     let slider = slider.on_hover_text(
         "How many numbers stand for each pixel. What multiplies the series, and which lines are \
          kept, is chosen for each count.",

@@ -3,6 +3,7 @@
 
 mod canvas;
 mod controls;
+mod kept;
 mod side;
 
 use eframe::egui;
@@ -15,7 +16,7 @@ use crate::{
         memo::{ByAddress, Memo},
         relit::{
             Fit, Look, Looked, PictureWish, Turned, difference_colours, headline, peer_rows,
-            trust_line,
+            speed_line, trust_line,
         },
         studies::{RelitShown, Stage},
     },
@@ -41,6 +42,7 @@ pub struct RelitView {
     pointed: Option<[usize; 2]>,
     pixel: Memo<(ByAddress<Fit>, [usize; 2], chart::Theme), Chart>,
     error: Memo<(ByAddress<Looked>, usize, chart::Theme), Chart>,
+    off: Memo<(ByAddress<Turned>, chart::Theme), Chart>,
     /// A picture that is to be saved.
     pub wants_save: Option<PictureWish>,
 }
@@ -277,6 +279,11 @@ fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
         progress(ui, job, "The comparison");
     }
     peers_table(ui, context, &peers.0);
+    if let Some((fit, turned)) = &shown.turned {
+        ui.add_space(4.0);
+        let words = RichText::new(speed_line(&fit.0, &turned.0)).weak();
+        ui.add(egui::Label::new(words).wrap());
+    }
 }
 
 fn peers_table(ui: &mut Ui, context: &PageContext<'_>, peers: &[Peer]) {

@@ -1,13 +1,14 @@
-//! Beside the picture: one pixel's spectrum, the error against numbers, the bytes.
+//! Beside the picture: one pixel's spectrum, the error against numbers or the histogram of
+//! differences, the bytes.
 
 use eframe::egui;
-use egui::{RichText, Ui, Vec2, vec2};
+use egui::{Ui, Vec2, vec2};
 
-use super::{RelitView, names};
+use super::{RelitView, kept, names};
 use crate::{
     app::{
-        charts::relit::{error_chart, pixel_chart},
-        relit::byte_rows,
+        charts::relit::{difference_chart, error_chart, pixel_chart},
+        relit::{Look, byte_rows},
         studies::{RelitShown, Stage},
     },
     ui::{
@@ -53,9 +54,7 @@ impl RelitView {
                     memory.pixel = None;
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let how = RichText::new(format!("Kept: {}", fit.0.how())).weak();
-                    ui.add(egui::Label::new(how).truncate())
-                        .on_hover_text("What stands for every pixel.");
+                    kept::menu(ui, context, &fit.0);
                 });
             });
         });
@@ -64,14 +63,21 @@ impl RelitView {
             pixel_chart(&fit.0, *pixel, *theme)
         });
         context.chart(ui, chart, "pixel in few numbers", size);
-        let now = fit.0.operator.numbers();
-        let key = (looked.clone(), now, theme);
-        let chart = self.error.get(key, |(looked, now, theme)| {
-            error_chart(&looked.0, *now, *theme)
-        });
-        let touched = context.chart(ui, chart, "error against numbers a pixel", size);
-        if let Some(hit) = touched.clicked {
-            context.memory.relit.numbers = Some(hit.at[0].round() as usize);
+        if context.memory.relit.look == Look::Difference {
+            let chart = self.off.get((turned.clone(), theme), |(turned, theme)| {
+                difference_chart(&turned.0, *theme)
+            });
+            context.chart(ui, chart, "pixels by their difference", size);
+        } else {
+            let now = fit.0.operator.numbers();
+            let key = (looked.clone(), now, theme);
+            let chart = self.error.get(key, |(looked, now, theme)| {
+                error_chart(&looked.0, *now, *theme)
+            });
+            let touched = context.chart(ui, chart, "error against numbers a pixel", size);
+            if let Some(hit) = touched.clicked {
+                context.memory.relit.numbers = Some(hit.at[0].round() as usize);
+            }
         }
         bytes(ui, context, shown);
     }
