@@ -1,9 +1,15 @@
-//! Spectral pictures against plain baselines in the same run.
+//! Spectral pictures against plain baselines in the same run, and against numpy and `cjxl` where
+//! they are installed (`PYTHON` names another python).
 
 use std::hint::black_box;
+use std::time::Instant;
+
+#[path = "pictures/peers.rs"]
+mod theirs;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::DMatrix;
+use spectral_explorer::app::picture::{Raster, exposed};
 use spectral_explorer::pictures::*;
 use spectral_explorer::study::Progress;
 
@@ -32,7 +38,82 @@ fn encode(c: &mut Criterion) {
         let by_pixel = DMatrix::from_row_slice(bands, count, pixels.values()).transpose();
         let matrix = DMatrix::from_fn(bands, 20, |j, n| operator.encode(n, j) as f32);
         group.bench_function("nalgebra", |b| b.iter(|| black_box(&by_pixel) * &matrix));
+        drop(group);
+        match theirs::numpy(bands, 20, count) {
+            Some(rate) => {
+                let mut best = f64::INFINITY;
+                for _ in 0..9 {
+                    let started = Instant::now();
+                    kernel.apply(black_box(pixels.values()), count, &mut out);
+                    best = best.min(started.elapsed().as_secs_f64());
+                }
+                let ours = 1e-6 * count as f64 / best;
+                println!(
+                    "{bands} to 20, one thread, best of 9: {ours:.1} Mpixel/s, numpy {rate:.1}"
+                );
+            }
+            None => println!("numpy is not installed: not run"),
+        }
     }
+}
+
+/// From the bytes of an ENVI file, masks included, on as many threads as there are.
+fn from_file(c: &mut Criterion) {
+    let wall = InMemory::of(&Scene::reflectance(512, 512, nm(400.0, 700.0, 31)).unwrap()).unwrap();
+    let count = 512 * 512;
+    let folder = tempfile::tempdir().unwrap();
+    let list: Vec<String> = wall.bands().nm().iter().map(f64::to_string).collect();
+    let mut group = c.benchmark_group("encode 31 to 20 from a file, 512 x 512");
+    group
+        .throughput(Throughput::Elements(count as u64))
+        .sample_size(10);
+    for interleave in ["bsq", "bil", "bip"] {
+        let at = |x: usize, y: usize, j: usize| wall.values()[j * count + y * 512 + x];
+        let mut bytes = Vec::with_capacity(2 * 31 * count);
+        let mut put = |x, y, j| {
+            let whole = (at(x, y, j) * 10_000.0).round().clamp(1.0, 65535.0) as u16;
+            bytes.extend(whole.to_le_bytes());
+        };
+        match interleave {
+            "bsq" => (0..31).for_each(|j| (0..count).for_each(|i| put(i % 512, i / 512, j))),
+            "bil" => (0..512).for_each(|y| (0..31 * 512).for_each(|i| put(i % 512, y, i / 512))),
+            _ => (0..count).for_each(|i| (0..31).for_each(|j| put(i % 512, i / 512, j))),
+        }
+        std::fs::write(folder.path().join(format!("{interleave}.img")), bytes).unwrap();
+        let header = format!(
+            "ENVI\nsamples = 512\nlines = 512\nbands = 31\nheader offset = 0\ndata type = 12\n\
+             interleave = {interleave}\nbyte order = 0\nwavelength units = Nanometers\n\
+             reflectance scale factor = 10000\ndata ignore value = 0\nwavelength = {{{}}}\n",
+            list.join(", ")
+        );
+        let path = folder.path().join(format!("{interleave}.hdr"));
+        std::fs::write(&path, header).unwrap();
+        let file = EnviFile::open(&path, false).unwrap();
+        let operator = Operator::new(file.bands(), &Plan::new(file.bands(), 20)).unwrap();
+        let kernel = operator.encoder();
+        group.bench_function(interleave, |b| {
+            b.iter(|| {
+                over_strips(&file, STRIP_ROWS, &Progress::default(), |strip| {
+                    let mut numbers = vec![0.0; 20 * strip.pixels];
+                    kernel.apply(strip.values, strip.pixels, &mut numbers);
+                    Ok(numbers)
+                })
+                .unwrap()
+            })
+        });
+    }
+    let operator = Operator::new(wall.bands(), &Plan::new(wall.bands(), 20)).unwrap();
+    let kernel = operator.encoder();
+    group.bench_function("from memory", |b| {
+        b.iter(|| {
+            over_strips(&wall, STRIP_ROWS, &Progress::default(), |strip| {
+                let mut numbers = vec![0.0; 20 * strip.pixels];
+                kernel.apply(strip.values, strip.pixels, &mut numbers);
+                Ok(numbers)
+            })
+            .unwrap()
+        })
+    });
 }
 
 fn relight(c: &mut Criterion) {
@@ -48,6 +129,21 @@ fn relight(c: &mut Criterion) {
     group.sample_size(10);
     group.bench_function("planes to XYZ", |b| {
         b.iter(|| relit_into(black_box(&planes), count, &relit, &mut out))
+    });
+    group.bench_function("and exposed to sRGB bytes", |b| {
+        b.iter(|| {
+            relit_into(black_box(&planes), count, &relit, &mut out);
+            let values = (0..count).map(|i| [out[i], out[count + i], out[2 * count + i]]);
+            let raster = Raster {
+                width: 1024,
+                height: 1024,
+                step: 1,
+                values: values.collect(),
+                is_xyz: true,
+                full: [1.0; 3],
+            };
+            exposed(&raster, 0.0)
+        })
     });
     group.bench_function("plane by plane", |b| {
         b.iter(|| {
@@ -100,36 +196,36 @@ fn files(c: &mut Criterion) {
         write_compact(&mut bytes, &pixels, &operator, &plan, &about, coder, &quiet).unwrap();
         bytes
     };
-    // Tiles only: what is measured in PICTURES.md is without the preview.
-    let tiles = |bytes: &[u8]| {
-        let (mut at, mut sum) = (8, 0);
-        while at + 8 <= bytes.len() {
-            let length = u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
-            sum += if &bytes[at + 4..at + 8] == b"csPT" {
-                length
-            } else {
-                0
-            };
-            at += length + 12;
-        }
-        sum as f64 / (512.0 * 512.0)
-    };
+    // Tiles only, without preview and header.
+    let per_pixel = |bytes: &[u8]| theirs::bytes_of(bytes, &[b"csPT"]) as f64 / (512.0 * 512.0);
     for coder in [Coder::Simple, Coder::Fitted] {
-        println!("bytes a pixel, {coder:?}: {:.3}", tiles(&compact(coder)));
-    }
-    for coder in [Coder::Simple, Coder::Fitted] {
+        println!(
+            "bytes a pixel, {coder:?}: {:.3}",
+            per_pixel(&compact(coder))
+        );
         let mut bytes = Vec::new();
         write_compact(
             &mut bytes, &pixels, &operator, &of_whole, &about, coder, &quiet,
         )
         .unwrap();
-        println!(
-            "bytes a pixel with c_ref 1, {coder:?}: {:.3}",
-            tiles(&bytes)
-        );
+        println!("the same with c_ref 1: {:.3}", per_pixel(&bytes));
     }
-    if let Ok(path) = std::env::var("PICTURES_PNG") {
-        std::fs::write(path, compact(Coder::Fitted)).unwrap();
+    let steps: Vec<Vec<i32>> = (0..512 * 512)
+        .map(|i| {
+            let numbers = operator.numbers_of(&pixels.pixel(i % 512, i / 512));
+            plan.quantiser.steps(&numbers).unwrap()
+        })
+        .collect();
+    let planes = (0..11).map(|n| {
+        let plane: Vec<i32> = steps.iter().map(|steps| steps[n]).collect();
+        theirs::lossless(512, 512, &plane)
+    });
+    match planes.sum::<Option<u64>>() {
+        Some(bytes) => println!(
+            "the planes by cjxl -d 0 -e 7: {:.3} bytes a pixel",
+            bytes as f64 / (512.0 * 512.0)
+        ),
+        None => println!("cjxl is not installed: not run"),
     }
     let mut group = c.benchmark_group("files 512 x 512 x 81, 11 numbers");
     group.sample_size(10);
@@ -188,6 +284,118 @@ fn files(c: &mut Criterion) {
     });
 }
 
+/// Some rows again and again: a picture as large as it is asked for.
+struct Repeated {
+    rows: InMemory,
+    height: usize,
+}
+
+impl Pixels for Repeated {
+    fn size(&self) -> (usize, usize) {
+        (self.rows.size().0, self.height)
+    }
+
+    fn bands(&self) -> &Bands {
+        self.rows.bands()
+    }
+
+    fn rows(&self, first: usize, count: usize, into: &mut [f32]) -> Result<(), PictureError> {
+        let (width, height) = self.rows.size();
+        let bands = self.bands().len();
+        for (j, band) in into.chunks_exact_mut(count * width).take(bands).enumerate() {
+            for (y, row) in band.chunks_exact_mut(width).enumerate() {
+                let from = (j * height + (first + y) % height) * width;
+                row.copy_from_slice(&self.rows.values()[from..from + width]);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A compact file of 4096 x 4096 pixels: its preview, and one tile.
+fn large(c: &mut Criterion) {
+    let quiet = Progress::default();
+    let rows = Scene::reflectance(4096, 64, nm(400.0, 700.0, 31)).unwrap();
+    let pixels = Repeated {
+        rows: InMemory::of(&rows).unwrap(),
+        height: 4096,
+    };
+    let operator = Operator::new(pixels.bands(), &Plan::new(pixels.bands(), 15)).unwrap();
+    let survey = Survey::of(&pixels, &quiet).unwrap();
+    let sample: Vec<Vec<f64>> = survey
+        .sample
+        .iter()
+        .map(|p| operator.numbers_of(p))
+        .collect();
+    let plan = CompactPlan {
+        quantiser: Quantiser::new(&operator, &sample, 1.0, None).unwrap(),
+        error: Errors::default(),
+    };
+    let mut file = Vec::new();
+    let (about, coder) = (About::default(), Coder::Fitted);
+    write_compact(&mut file, &pixels, &operator, &plan, &about, coder, &quiet).unwrap();
+    let mut group = c.benchmark_group("compact file of 4096 x 4096, 15 numbers");
+    group.sample_size(10);
+    group.bench_function("opened, with its preview", |b| {
+        b.iter(|| {
+            let opened = CompactFile::open(file.clone()).unwrap();
+            let png = png::Decoder::new(std::io::Cursor::new(&file));
+            let mut reader = png.read_info().unwrap();
+            let mut preview = vec![0; reader.output_buffer_size().unwrap()];
+            reader.next_frame(&mut preview).unwrap();
+            (opened, preview)
+        })
+    });
+    let opened = CompactFile::open(file.clone()).unwrap();
+    group.bench_function("one tile of 256 x 256", |b| {
+        b.iter(|| opened.tile(3, 5).unwrap())
+    });
+}
+
+/// The compact form beside a stand-in for the method of Spectral JPEG XL, at the same 95th
+/// percentile of own colour. It is not their authors' program.
+fn beside_the_stand_in(_: &mut Criterion) {
+    let bands = nm(380.0, 780.0, 81);
+    let light = Light::named("FL11").unwrap();
+    let wall = InMemory::of(&Scene::reflectance(128, 128, bands.clone()).unwrap()).unwrap();
+    let lit = Scene::lit(128, 128, bands, std::slice::from_ref(&light)).unwrap();
+    let lit = InMemory::of(&lit).unwrap();
+    let plans = [
+        (
+            "reflectance, 20 numbers",
+            &wall,
+            Plan::new(wall.bands(), 20),
+        ),
+        (
+            "FL11 known, 11 numbers",
+            &lit,
+            Plan::lit(lit.bands(), 11, &light, 0.004).unwrap(),
+        ),
+    ];
+    for (name, pixels, plan) in plans {
+        let operator = Operator::new(pixels.bands(), &plan).unwrap();
+        for distance in [0.1, 0.3, 1.0] {
+            let Some(theirs) = theirs::stand_in(pixels, &operator, distance) else {
+                println!("cjxl and djxl are not installed: not run");
+                return;
+            };
+            let (bytes, error) = theirs::composite_at(pixels, &operator, theirs.own.p95);
+            let a_pixel = |bytes: u64| bytes as f64 / (128.0 * 128.0);
+            println!(
+                "{name}: stand-in {:.2} bytes a pixel, own p95 {:.2}, rms {:.4}; composite {:.2}, \
+                 {:.2}, {:.4}; {:.2} of the bytes",
+                a_pixel(theirs.bytes),
+                theirs.own.p95,
+                theirs.relative_rms,
+                a_pixel(bytes),
+                error.own.p95,
+                error.relative_rms,
+                bytes as f64 / theirs.bytes as f64
+            );
+        }
+    }
+}
+
 fn tables(c: &mut Criterion) {
     let light = Light::named("FL11").unwrap();
     let pixels =
@@ -217,7 +425,44 @@ fn tables(c: &mut Criterion) {
             })
         });
     }
+    let by_spectrum = DMatrix::from_row_slice(81, 65536, pixels.values()).transpose();
+    let matrix = DMatrix::from_element(81, 20, 0.5_f32);
+    group.bench_function("the product alone, nalgebra, one thread", |b| {
+        b.iter(|| black_box(&by_spectrum) * &matrix)
+    });
+    group.bench_function("lines of JSON", |b| {
+        let ask = FitAsk {
+            numbers: 20,
+            reference: ReferenceKind::One,
+            lines: true,
+        };
+        let nm = pixels.bands().nm();
+        let line = |i: usize| {
+            let values = pixels.pixel(i % 256, i / 256);
+            serde_json::json!({ "nm": nm, "values": values }).to_string()
+        };
+        let lines: Vec<String> = (0..64).map(line).collect();
+        // Times 1024, to be told as a rate of as many.
+        b.iter_custom(|rounds| {
+            let started = Instant::now();
+            for _ in 0..rounds {
+                lines.iter().for_each(|line| {
+                    fit_line(line, ask).unwrap();
+                });
+            }
+            started.elapsed() * 1024
+        });
+    });
 }
 
-criterion_group!(benches, encode, relight, files, tables);
+criterion_group!(
+    benches,
+    encode,
+    from_file,
+    relight,
+    files,
+    large,
+    beside_the_stand_in,
+    tables
+);
 criterion_main!(benches);

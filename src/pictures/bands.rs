@@ -21,6 +21,7 @@ pub struct Bands {
     nm: Vec<f64>,
     weights_nm: Vec<f64>,
     kind: Kind,
+    bandwidth_nm: Option<f64>,
 }
 
 impl Bands {
@@ -46,7 +47,20 @@ impl Bands {
             nm,
             weights_nm,
             kind,
+            bandwidth_nm: None,
         })
+    }
+
+    /// The same, of an instrument whose bands are as wide as this at half of their height, nm.
+    #[must_use]
+    pub fn with_bandwidth(mut self, nm: Option<f64>) -> Self {
+        self.bandwidth_nm = nm.filter(|nm| nm.is_finite() && *nm > 0.0);
+        self
+    }
+
+    /// Width of a band at half of its height, nm, where the file has one.
+    pub fn bandwidth_nm(&self) -> Option<f64> {
+        self.bandwidth_nm
     }
 
     /// Wavelengths, nm.

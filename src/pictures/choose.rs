@@ -96,6 +96,8 @@ pub struct Choice {
     pub is_reached: bool,
     /// Every candidate, for the curve of error against numbers.
     pub tried: Vec<Candidate>,
+    /// The bound on the 95th percentile.
+    pub bound_p95: f64,
     /// The bound on the rms in force: noise may raise it.
     pub bound_rms: f64,
     /// What was merged of the lines that were wished for, a sentence each.
@@ -105,7 +107,7 @@ pub struct Choice {
 impl Choice {
     /// The best of all that was tried with so many numbers.
     pub fn with_numbers(&self, numbers: usize) -> Option<&Candidate> {
-        let over = |c: &Candidate| c.over(BOUND_P95, self.bound_rms);
+        let over = |c: &Candidate| c.over(self.bound_p95, self.bound_rms);
         let tried = self.tried.iter().filter(|c| c.numbers == numbers);
         tried.min_by(|a, b| over(a).total_cmp(&over(b)))
     }
@@ -212,6 +214,7 @@ pub fn choose(
         is_reached: chosen.over(p95, rms) <= 1.0,
         chosen,
         tried,
+        bound_p95: p95,
         bound_rms: rms,
         said: ways.said,
     })
@@ -273,9 +276,9 @@ impl<'a> Ways<'a> {
             WishedLines::None => Vec::new(),
             // No lamp is in a reflectance.
             WishedLines::Best if bands.is_factor() => Vec::new(),
-            WishedLines::Best | WishedLines::Found => find_lines(bands, &source, None)?,
+            WishedLines::Best | WishedLines::Found => find_lines(bands, &source)?,
             WishedLines::At(places) => {
-                let found = lines_at(bands, &source, places, None)?;
+                let found = lines_at(bands, &source, places)?;
                 said = found.said;
                 found.lines
             }

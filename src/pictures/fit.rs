@@ -43,7 +43,7 @@ pub struct Fitted {
 /// The operator for spectra on common bands.
 fn operator_for(bands: &Bands, mean: &[f64], ask: FitAsk) -> Result<Operator, PictureError> {
     let lines = if ask.lines {
-        find_lines(bands, mean, None)?
+        find_lines(bands, mean)?
     } else {
         Vec::new()
     };

@@ -37,8 +37,8 @@ pub struct HandLines {
 }
 
 /// The widest line that is looked for, nm.
-pub fn widest_nm(bands: &Bands, bandwidth_nm: Option<f64>) -> f64 {
-    let by_instrument = bandwidth_nm.filter(|w| w.is_finite()).unwrap_or(0.0) * WIDEST_BANDWIDTHS;
+pub fn widest_nm(bands: &Bands) -> f64 {
+    let by_instrument = bands.bandwidth_nm().unwrap_or(0.0) * WIDEST_BANDWIDTHS;
     let by_spacing = WIDEST_SPACINGS * bands.median_spacing_nm();
     WIDEST_NM.max(by_spacing).max(by_instrument)
 }
@@ -47,17 +47,13 @@ pub fn widest_nm(bands: &Bands, bandwidth_nm: Option<f64>) -> f64 {
 ///
 /// # Errors
 /// [`PictureError`] when the spectrum has not one finite value a band.
-pub fn find_lines(
-    bands: &Bands,
-    spectrum: &[f64],
-    bandwidth_nm: Option<f64>,
-) -> Result<Vec<Line>, PictureError> {
+pub fn find_lines(bands: &Bands, spectrum: &[f64]) -> Result<Vec<Line>, PictureError> {
     let Some((band, values)) = on_grid(bands, spectrum)? else {
         return Ok(Vec::new());
     };
     let settings = SpikeSettings {
         threshold: THRESHOLD,
-        max_width_nm: widest_nm(bands, bandwidth_nm),
+        max_width_nm: widest_nm(bands),
         dips: false,
     };
     let parts = detect(band, &values, settings);
@@ -75,12 +71,7 @@ pub fn find_lines(
 ///
 /// # Errors
 /// [`PictureError::LineOutside`] for a place beyond the bands.
-pub fn lines_at(
-    bands: &Bands,
-    spectrum: &[f64],
-    at_nm: &[f64],
-    bandwidth_nm: Option<f64>,
-) -> Result<HandLines, PictureError> {
+pub fn lines_at(bands: &Bands, spectrum: &[f64], at_nm: &[f64]) -> Result<HandLines, PictureError> {
     let (first_nm, last_nm) = (bands.nm()[0], bands.nm()[bands.len() - 1]);
     if let Some(at_nm) = at_nm.iter().find(|nm| !(first_nm..=last_nm).contains(*nm)) {
         return Err(PictureError::LineOutside {
@@ -106,7 +97,7 @@ pub fn lines_at(
         }
     }
     let grid = on_grid(bands, spectrum)?;
-    let widest = widest_nm(bands, bandwidth_nm);
+    let widest = widest_nm(bands);
     for place in kept {
         let window = grid
             .as_ref()
@@ -242,7 +233,7 @@ mod tests {
     #[test]
     fn lines_are_found_strongest_first_with_unit_area() {
         let (bands, values) = lamp();
-        let lines = find_lines(&bands, &values, None).unwrap();
+        let lines = find_lines(&bands, &values).unwrap();
         assert_eq!(lines.len(), 2);
         assert!((lines[0].at_nm - 545.0).abs() < 1.0 && lines[0].share > lines[1].share);
         for line in &lines {
@@ -257,9 +248,17 @@ mod tests {
     }
 
     #[test]
+    fn a_wide_instrument_widens_what_counts_as_a_line() {
+        let (bands, _) = lamp();
+        assert_eq!(widest_nm(&bands), 10.0);
+        assert_eq!(widest_nm(&bands.clone().with_bandwidth(Some(16.0))), 24.0);
+        assert_eq!(widest_nm(&bands.with_bandwidth(Some(f64::NAN))), 10.0);
+    }
+
+    #[test]
     fn a_line_by_hand_takes_the_shape_of_a_peak_or_the_tent_of_the_nearest_band() {
         let (bands, values) = lamp();
-        let found = lines_at(&bands, &values, &[545.5, 622.0], None).unwrap();
+        let found = lines_at(&bands, &values, &[545.5, 622.0]).unwrap();
         assert!((found.lines[0].at_nm - 545.0).abs() < 0.5);
         let tent = &found.lines[1];
         let touched: Vec<usize> = (0..81).filter(|j| tent.shape[*j] != 0.0).collect();
@@ -272,9 +271,9 @@ mod tests {
     #[test]
     fn lines_too_close_are_merged_and_said_and_outside_refused() {
         let (bands, values) = lamp();
-        let found = lines_at(&bands, &values, &[600.0, 602.0], None).unwrap();
+        let found = lines_at(&bands, &values, &[600.0, 602.0]).unwrap();
         assert_eq!((found.lines.len(), found.said.len()), (1, 1));
-        let refused = lines_at(&bands, &values, &[350.0], None).unwrap_err();
+        let refused = lines_at(&bands, &values, &[350.0]).unwrap_err();
         assert!(
             refused
                 .to_string()

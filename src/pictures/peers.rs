@@ -94,7 +94,7 @@ pub fn peers(
     if let Ok(series) = Operator::new(bands, &bare) {
         rows.push(("bare series", kept(0), series, ""));
     }
-    let mut lines = find_lines(bands, &survey.mean, None)?;
+    let mut lines = find_lines(bands, &survey.mean)?;
     lines.truncate(numbers.saturating_sub(3));
     let paper = Plan {
         series: numbers - lines.len(),

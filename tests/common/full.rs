@@ -344,12 +344,15 @@ pub fn full_preferences() -> Preferences {
             relit: RelitMemory {
                 wall: true,
                 taken_under: Some(D65.to_owned()),
+                own: Some("paper/Sodium".to_owned()),
                 numbers: Some(11),
+                bound: 1.25,
                 wish: Wish {
                     reference: Some(ReferenceKind::Mean),
                     lines: WishedLines::At(vec![435.8, 546.1]),
                 },
                 weighted: false,
+                between_series: true,
                 second: Some("paper/Sodium".to_owned()),
                 second_percent: 30,
                 look: Look::Difference,

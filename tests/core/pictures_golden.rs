@@ -220,7 +220,7 @@ fn the_mean_and_its_lines_are_the_studys() {
             .and_then(Value::as_array)
             .cloned()
             .unwrap_or_default();
-        let found = find_lines(&bands, &mean, None).unwrap();
+        let found = find_lines(&bands, &mean).unwrap();
         let mut seen = 0;
         for (expected, window) in expected.iter().zip(&windows) {
             let at_nm = expected["at_nm"].as_f64().unwrap();

@@ -265,8 +265,9 @@ fn envi(folder: &Path, interleave: &str, pixels: &InMemory) -> std::path::PathBu
     let header = format!(
         "ENVI\nsamples = {width}\nlines = {height}\nbands = {bands}\nheader offset = 0\ndata type = 12\n\
          interleave = {interleave}\nbyte order = 0\nwavelength units = Nanometers\nreflectance scale factor = 10000\n\
-         data ignore value = 0\nwavelength = {{{}}}\n",
-        list.join(", ")
+         data ignore value = 0\nwavelength = {{{}}}\nfwhm = {{{}}}\n",
+        list.join(", "),
+        vec!["12.5"; bands].join(", ")
     );
     let path = folder.join(format!("{interleave}.hdr"));
     std::fs::write(&path, header).unwrap();
@@ -283,6 +284,7 @@ fn a_file_on_disk_gives_the_same_pixels_in_every_interleave() {
         let file = EnviFile::open(&envi(folder.path(), interleave, &pixels), false).unwrap();
         let read = InMemory::of(&file).unwrap();
         assert_eq!((file.size(), file.bands().len()), ((70, 40), 31));
+        assert_eq!(file.bands().bandwidth_nm(), Some(12.5));
         let missing: Vec<usize> = (0..read.values().len())
             .filter(|i| read.values()[*i].is_nan())
             .collect();

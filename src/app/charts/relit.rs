@@ -5,7 +5,7 @@ use crate::{
         chart::{Chart, Dash, Inks, Marks, Palette, Scale, Series, Shape, Theme},
         relit::{Fit, Looked, Turned},
     },
-    pictures::{BOUND_P95, Candidate, ReferenceKind},
+    pictures::{Candidate, ReferenceKind},
 };
 
 /// The least error that is drawn.
@@ -21,7 +21,7 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
         if is_of_colour { c.p95 } else { 100.0 * c.rms }
     };
     let bound = if is_of_colour {
-        BOUND_P95
+        choice.bound_p95
     } else {
         100.0 * choice.bound_rms
     };

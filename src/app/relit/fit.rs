@@ -90,6 +90,8 @@ pub struct TurnAsk {
     pub second: Option<(ByAddress<Entry>, u32)>,
     /// Whether the light's colour becomes the screen's white.
     pub to_light: bool,
+    /// What stands between bands in the picture of few numbers.
+    pub between: Between,
 }
 
 /// The drawn pixels under a light.
@@ -161,7 +163,7 @@ impl TurnAsk {
         let (bands, plan) = (operator.bands(), operator.plan());
         let light = self.light();
         let known = looked.0.known.as_ref().filter(|_| !bands.is_factor());
-        let few = match operator.relit(&light, known, Between::Bands) {
+        let few = match operator.relit(&light, known, self.between) {
             Ok(few) => few,
             Err(PictureError::NoRelighting(_)) => {
                 return Ok(Ends::as_taken(

@@ -5,8 +5,8 @@ use crate::{
     app::{document::Document, entry::Entry, memo::ByAddress, picture::ImageMemory, state::App},
     color::Observer,
     pictures::{
-        Asked, BOUND_P95, BOUND_RMS, Bands, Choice, InMemory, Light, OfImage, PictureError, Pixels,
-        Plan, ReferenceKind, Scene, Survey, Wish, WishedLines, choose, usual_weighting,
+        Asked, BOUND_RMS, Bands, Choice, InMemory, Light, OfImage, PictureError, Pixels, Plan,
+        ReferenceKind, Scene, Survey, Wish, WishedLines, choose, usual_weighting,
     },
     spectrum::SpectralImage,
     study::Progress,
@@ -35,8 +35,12 @@ pub struct LookAsk {
     /// The light that fell on it when it was taken; `None` for reflectances, and where nobody
     /// knows.
     pub taken_under: Option<ByAddress<Entry>>,
+    /// A reflectance's own light, under which its colours are exact; `None` for daylight.
+    pub own: Option<ByAddress<Entry>>,
     /// The observer.
     pub observer: Observer,
+    /// What is enough: 95 % of the differences (ΔE00) are within.
+    pub bound: f64,
     /// What is not left to the choice of reference and lines.
     pub wish: Wish,
     /// Whether a reflectance's numbers are weighed by the colours under many lights.
@@ -88,7 +92,9 @@ impl LookAsk {
         let ask = Self {
             subject,
             taken_under: None,
+            own: None,
             observer: document.settings.observer,
+            bound: memory.bound,
             wish: memory.wish.clone(),
             weighted: memory.weighted,
         };
@@ -96,7 +102,9 @@ impl LookAsk {
         // The light of one picture need not be known of the next.
         let reference = ask.wish.reference;
         let can_be = |kind: &ReferenceKind| *kind != ReferenceKind::Light || taken_under.is_some();
+        let own = memory.own.as_deref().and_then(|key| app.entry(key));
         Self {
+            own: own.filter(|_| !ask.asks_for_light()).map(ByAddress),
             wish: Wish {
                 reference: reference.filter(can_be),
                 ..ask.wish
@@ -150,7 +158,7 @@ impl LookAsk {
         let base = self.base(bands);
         let wish = self.wish_within(bands, &mut said);
         let asked = Asked::Bound {
-            p95: BOUND_P95,
+            p95: self.bound,
             rms: BOUND_RMS,
         };
         let with = (&base, &wish);
@@ -174,10 +182,13 @@ impl LookAsk {
 
     fn base(&self, bands: &Bands) -> Plan {
         let weighting = usual_weighting(bands, self.observer);
+        let usual = Plan::new(bands, 3);
+        let own = self.own.as_ref().map(|entry| light_of(&entry.0));
         Plan {
             observer: self.observer,
             weighting: weighting.filter(|_| self.weighted),
-            ..Plan::new(bands, 3)
+            own: own.or(usual.own.clone()),
+            ..usual
         }
     }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::pictures::{MOST_NUMBERS, Wish, WishedLines};
+use crate::pictures::{BOUND_P95, MOST_NUMBERS, Wish, WishedLines};
 
 /// What stands large on the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -52,6 +52,9 @@ pub const MOST_LINES: usize = 12;
 /// Where lines are, nm.
 pub const LINES_NM: std::ops::RangeInclusive<f64> = 100.0..=1e5;
 
+/// What may be enough (ΔE00).
+pub const BOUNDS: std::ops::RangeInclusive<f64> = 0.05..=5.0;
+
 /// Picture, numbers, lights and looks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -61,12 +64,18 @@ pub struct RelitMemory {
     /// Key of the light that fell on the picture when it was taken; `None` where it holds
     /// reflectances, or nobody knows.
     pub taken_under: Option<String>,
+    /// Key of a reflectance's own light, under which its colours are exact; `None` for daylight.
+    pub own: Option<String>,
     /// Numbers a pixel; `None` for the fewest that are enough.
     pub numbers: Option<usize>,
+    /// What is enough: 95 % of the differences (ΔE00) are within.
+    pub bound: f64,
     /// What multiplies the series, and which lines there are.
     pub wish: Wish,
     /// Whether a reflectance's numbers are weighed by the colours under many lights.
     pub weighted: bool,
+    /// Whether the series itself stands between bands, not a straight line.
+    pub between_series: bool,
     /// Key of a second light that shines beside the document's.
     pub second: Option<String>,
     /// How much of the brightness is the second light's, percent.
@@ -84,9 +93,12 @@ impl Default for RelitMemory {
         Self {
             wall: false,
             taken_under: None,
+            own: None,
             numbers: None,
+            bound: BOUND_P95,
             wish: Wish::default(),
             weighted: true,
+            between_series: false,
             second: None,
             second_percent: 50,
             look: Look::Picture,
@@ -106,6 +118,11 @@ impl RelitMemory {
         }
         Self {
             numbers: self.numbers.map(|n| n.clamp(3, MOST_NUMBERS)),
+            bound: if BOUNDS.contains(&self.bound) {
+                self.bound
+            } else {
+                BOUND_P95
+            },
             second_percent: self.second_percent.min(100),
             split: if self.split.is_finite() {
                 self.split.clamp(0.0, 1.0)
@@ -127,6 +144,7 @@ mod tests {
             numbers: Some(usize::MAX),
             second_percent: 400,
             split: f32::NAN,
+            bound: f64::NAN,
             wish: Wish {
                 lines: WishedLines::At(vec![f64::NAN, 546.1, -3.0]),
                 ..Wish::default()
@@ -136,6 +154,7 @@ mod tests {
         let sound = nonsense.clamped();
         assert_eq!(sound.numbers, Some(MOST_NUMBERS));
         assert_eq!((sound.second_percent, sound.split), (100, 0.5));
+        assert_eq!(sound.bound, BOUND_P95);
         assert_eq!(sound.wish.lines, WishedLines::At(vec![546.1]));
         let usual = RelitMemory::default();
         assert_eq!(usual.clone().clamped(), usual);

@@ -11,9 +11,11 @@ mod words;
 pub use difference::{NAMED, difference_colours, place_of};
 pub use fit::{Fit, FitAsk, TurnAsk, Turned};
 pub use look::{LookAsk, Looked, Subject};
-pub use memory::{LINES_NM, Look, MOST_LINES, RelitMemory};
+pub use memory::{BOUNDS, LINES_NM, Look, MOST_LINES, RelitMemory};
 pub use store::{Form, PeersAsk, PictureWish, StoreAsk, Stored, bytes_words};
-pub use words::{Rows, byte_rows, fewer, headline, peer_rows, speed_line, trust_line};
+pub use words::{
+    Rows, byte_rows, fewer, headline, negative_words, peer_rows, speed_line, trust_line,
+};
 
 use std::sync::Arc;
 

@@ -6,8 +6,8 @@ use super::{Fit, Told, told};
 use crate::{
     app::memo::ByAddress,
     pictures::{
-        About, BOUND_P95, Bytes, CompactPlan, Errors, Half, Peer, PictureError, Precision,
-        compact_plan, exact_bytes, measure, peers, save_compact, save_full, white_y_of,
+        About, Bytes, CompactPlan, Errors, Half, Peer, PictureError, Precision, compact_plan,
+        exact_bytes, measure, peers, save_compact, save_full, white_y_of,
     },
     study::Progress,
 };
@@ -88,7 +88,14 @@ impl StoreAsk {
         let half = Half::of(&numbers);
         looked.with_pixels(|pixels| {
             let full = measure(pixels, operator, &half, white_y, progress)?;
-            let compact = compact_plan(pixels, operator, sample, BOUND_P95, white_y, progress)?;
+            let compact = compact_plan(
+                pixels,
+                operator,
+                sample,
+                looked.ask.bound,
+                white_y,
+                progress,
+            )?;
             let mut stored = Stored {
                 bytes: Bytes::default(),
                 full,

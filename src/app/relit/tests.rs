@@ -11,7 +11,9 @@ use crate::{
         picture::ImageMemory,
     },
     color::Observer,
-    pictures::{InMemory, Light, Pixels, ReferenceKind, Scene, Verdict, Wish, WishedLines},
+    pictures::{
+        Between, InMemory, Light, Pixels, ReferenceKind, Scene, Verdict, Wish, WishedLines,
+    },
     spectrum::{
         Cube, Kind, SpectralImage,
         cube::{Interleave, Layout, Number},
@@ -68,6 +70,8 @@ fn fit_with(
     let ask = LookAsk {
         subject,
         taken_under: entry.map(ByAddress),
+        own: None,
+        bound: 0.5,
         observer: Observer::Cie1931,
         wish,
         weighted: true,
@@ -87,6 +91,7 @@ fn turned(fit: &ByAddress<Fit>, key: &str, second: Option<(&str, u32)>) -> ByAdd
         light: entry(key),
         second: second.map(|(key, percent)| (entry(key), percent)),
         to_light: true,
+        between: Between::Bands,
     };
     let turned = ask.answer(&Progress::default()).expect("not cancelled");
     turned.expect("a light")
@@ -304,4 +309,57 @@ fn the_histogram_counts_every_pixel_that_was_measured() {
     // Own colour is exact: there is nothing to count.
     let own = difference_chart(&turned(&fit, D65, None).0, Default::default());
     assert!(own.series.is_empty() && !own.blank.is_empty());
+}
+
+#[test]
+fn own_colour_is_exact_under_the_light_that_is_chosen_for_it() {
+    let entry = App::new().entry(FL11).expect("shipped");
+    let ask = LookAsk {
+        subject: image(None),
+        taken_under: None,
+        own: Some(ByAddress(entry)),
+        bound: 2.0,
+        observer: Observer::Cie1931,
+        wish: Wish::default(),
+        weighted: false,
+    };
+    let looked = ask.answer(&Progress::default()).expect("not cancelled");
+    let looked = looked.expect("a sound picture");
+    assert!(
+        fewer(&looked.0).contains("within 2 in 95 %"),
+        "{}",
+        fewer(&looked.0)
+    );
+    let ask = FitAsk {
+        looked,
+        numbers: None,
+    };
+    let fit = ask.answer(&Progress::default()).expect("not cancelled");
+    let fit = fit.expect("enough bands");
+    assert!(fit.0.operator.plan().weighting.is_none());
+    assert!(turned(&fit, FL11, None).0.spread.max < 0.01);
+    assert!(turned(&fit, D65, None).0.spread.max > 0.01);
+}
+
+#[test]
+fn the_series_may_stand_between_bands_and_colours_move_a_little() {
+    let fit = fit(image(None), None, Some(12));
+    let app = App::new();
+    let under = |between| {
+        let ask = TurnAsk {
+            fit: fit.clone(),
+            light: ByAddress(app.entry(FL11).expect("shipped")),
+            second: None,
+            to_light: true,
+            between,
+        };
+        let turned = ask.answer(&Progress::default()).expect("not cancelled");
+        turned.expect("a light").0.spread.mean
+    };
+    let (bands, series) = (under(Between::Bands), under(Between::Series));
+    // Straight lines over 10 nm are off by about 0.1 themselves.
+    assert!(
+        bands != series && (bands - series).abs() < 0.3,
+        "{bands} {series}"
+    );
 }

@@ -4,7 +4,7 @@ use super::{Fit, Looked, Stored, Turned, store::bytes_words};
 use crate::{
     app::answers::Seen,
     io::many::{capitalised, many},
-    pictures::{BOUND_P95, Peer, Trust, Verdict},
+    pictures::{Errors, Peer, Trust, Verdict},
 };
 
 /// Cells of a table, row after row.
@@ -91,15 +91,15 @@ pub fn fewer(looked: &Looked) -> String {
     } else {
         "of its own colour"
     };
-    let rms = 100.0 * choice.bound_rms;
+    let (p95, rms) = (choice.bound_p95, 100.0 * choice.bound_rms);
     if choice.is_reached {
         format!(
-            "{count} are the fewest that keep ΔE00 {under} within {BOUND_P95} in 95 % of the \
+            "{count} are the fewest that keep ΔE00 {under} within {p95} in 95 % of the \
              pixels and the spectra within {rms:.1} % (rms)."
         )
     } else {
         format!(
-            "No count keeps ΔE00 {under} within {BOUND_P95} in 95 % of the pixels and the spectra \
+            "No count keeps ΔE00 {under} within {p95} in 95 % of the pixels and the spectra \
              within {rms:.1} % (rms); {} nearest.",
             if count == 1 {
                 "1 comes".to_owned()
@@ -135,6 +135,17 @@ pub fn byte_rows(fit: &Fit, stored: &Stored) -> Rows {
         ]
     };
     rows.into_iter().map(row).collect()
+}
+
+/// How many decoded values are below zero, a sentence; empty where none is.
+pub fn negative_words(errors: &Errors) -> String {
+    match errors.negative {
+        0 => String::new(),
+        count => format!(
+            "{} below zero when they are decoded: kept, and cut on the screen alone.",
+            many(count as usize, "value is", "values are")
+        ),
+    }
 }
 
 /// The ways of keeping a picture: cells row after row, and what they say, a sentence.

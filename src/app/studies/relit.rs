@@ -12,7 +12,7 @@ use crate::{
         },
         state::App,
     },
-    pictures::Peer,
+    pictures::{Between, Peer},
 };
 
 /// The jobs. A light that moves asks for a turn alone, a count of numbers for a fit and a turn.
@@ -94,6 +94,10 @@ impl RelitJobs {
             light: ByAddress(app.document().light.clone()),
             second: second.map(|entry| (ByAddress(entry), memory.second_percent)),
             to_light: app.document().view.adapt_patches,
+            between: match memory.between_series {
+                true => Between::Series,
+                false => Between::Bands,
+            },
         };
         self.turn.ask_by(&ask, wake, TurnAsk::answer);
         let turned = self.turn.answer().filter(|(k, _)| k.fit.0.looked == looked);

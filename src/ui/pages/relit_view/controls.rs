@@ -9,7 +9,7 @@ use crate::{
         document::View,
         memo::ByAddress,
         picture::shown,
-        relit::{Fit, Form, Look, LookAsk, Looked, PictureWish, fewer},
+        relit::{BOUNDS, Fit, Form, Look, LookAsk, Looked, PictureWish, fewer},
         studies::RelitShown,
     },
     ui::{
@@ -21,6 +21,8 @@ use crate::{
 /// What people and tests call the controls.
 pub mod names {
     pub const PICTURE: &str = "Picture in few numbers";
+    pub const OWN: &str = "Own light";
+    pub const BOUND: &str = "Within";
     pub const TAKEN: &str = "Photographed under";
     pub const LIGHT: &str = "Shown under";
     pub const SECOND: &str = "Second light";
@@ -31,6 +33,7 @@ pub mod names {
     pub const WORST: &str = "Worst pixel";
     pub const KEPT: &str = "What is kept of a pixel";
     pub const WEIGHTED: &str = "Weighed by colours under many lights";
+    pub const BETWEEN: &str = "The series between bands";
     pub const BY_HAND: &str = "By hand";
     pub const NEXT_LINE: &str = "Place of a line";
     pub const ADD_LINE: &str = "Add line";
@@ -84,7 +87,7 @@ pub fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
     }
     let ask = LookAsk::of(app, &context.memory.relit, &context.memory.image);
     if !ask.asks_for_light() {
-        return;
+        return own(ui, context);
     }
     let memory = &mut context.memory.relit;
     ui.label("Taken under");
@@ -109,6 +112,27 @@ pub fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
     };
     if cleared(ui, memory.taken_under.is_some(), meaning) {
         memory.taken_under = None;
+    }
+}
+
+/// Under which light the colours of a reflectance are exact.
+fn own(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let memory = &mut context.memory.relit;
+    ui.label("Own light");
+    let says = name_of(context.app, memory.own.as_deref(), "CIE D65");
+    let chooser = Chooser {
+        name: names::OWN,
+        meaning: "Under this light the colours in few numbers are exactly those of every band, \
+                  and the preview of a file shows it.",
+        says: &says,
+        offers: lights,
+        width: LIST,
+    };
+    if let Some(entry) = chooser.show(ui, context.app) {
+        memory.own = Some(entry.key.clone());
+    }
+    if cleared(ui, memory.own.is_some(), "Daylight, CIE D65.") {
+        memory.own = None;
     }
 }
 
@@ -199,6 +223,17 @@ pub fn numbers(
         by_itself = !by_itself;
         memory.numbers = (!by_itself).then_some(count);
     }
+    let bound = egui::DragValue::new(&mut memory.bound)
+        .range(BOUNDS)
+        .speed(0.01)
+        .max_decimals(2)
+        .prefix("ΔE ");
+    let bound = ui.add(bound);
+    crate::ui::kit::named(&bound, egui::Role::SpinButton, names::BOUND);
+    bound.on_hover_text(
+        "What is enough: 95 % of the pixels are within. The compact file keeps its own colours \
+         within it too.",
+    );
     ui.separator();
     for look in Look::ALL {
         ui.selectable_value(&mut memory.look, look, look.title())

@@ -43,14 +43,21 @@ pub fn menu(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
         reference(ui, context, fit);
         ui.separator();
         lines(ui, context, fit);
+        ui.separator();
+        let memory = &mut context.memory.relit;
         if fit.operator.bands().is_factor() {
-            ui.separator();
-            ui.checkbox(&mut context.memory.relit.weighted, names::WEIGHTED)
+            ui.checkbox(&mut memory.weighted, names::WEIGHTED)
                 .on_hover_text(
                     "The numbers are fitted so that colours are near under many lamps. Without, \
                      they are the plain least squares of the spectra.",
                 );
         }
+        ui.checkbox(&mut memory.between_series, names::BETWEEN)
+            .on_hover_text(
+                "What the picture in few numbers is between its bands: the series itself, not a \
+                 straight line. Where bands are 10 nm apart or more that is nearer to the truth, \
+                 and further from every band, which straight lines join.",
+            );
     });
     named(&response, egui::Role::Button, names::KEPT);
     response.on_hover_text("What stands for every pixel. Click to choose it by hand.");

@@ -8,7 +8,7 @@ use super::{RelitView, kept, names};
 use crate::{
     app::{
         charts::relit::{difference_chart, error_chart, pixel_chart},
-        relit::{Look, byte_rows},
+        relit::{Look, byte_rows, negative_words},
         studies::{RelitShown, Stage},
     },
     ui::{
@@ -102,11 +102,18 @@ fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
             0.8,
         ),
     ];
+    let notes = [
+        String::new(),
+        negative_words(&stored.0.full),
+        negative_words(&stored.0.compact.error),
+    ];
     let rows: Vec<Row> = byte_rows(&fit.0, &stored.0)
         .into_iter()
-        .map(|cells| Row {
+        .zip(notes)
+        .map(|(cells, note)| Row {
             name: cells.join(", "),
             cells,
+            note,
             ..Row::default()
         })
         .collect();
