@@ -133,7 +133,7 @@ fn the_wall_of_paints_is_at_hand_under_any_light_of_the_library() {
         "picture",
         "wall",
         "--light",
-        "Mercury",
+        "lamps_nist_traditional/Mercury",
         "--numbers",
         "11",
         "--out",

@@ -5,6 +5,8 @@
 //! a fixed number of changed miniature files. Large files are read by a child process, whose peak
 //! of memory the system counts.
 
+#[path = "../../fuzz/pictures.rs"]
+mod attacked;
 mod found;
 #[path = "../../fuzz/harness.rs"]
 mod harness;
@@ -114,6 +116,12 @@ fn seeds_are_written_for_the_fuzzer() {
             fs::write(path, seed(place, file)).expect("a seed");
         }
         words.extend(seeds.words);
+    }
+    let pictures = root().join("fuzz/corpus/pictures");
+    fs::create_dir_all(&pictures).expect("a folder");
+    for (place, (reader, file)) in pictures::seeds().iter().enumerate() {
+        assert_eq!(attacked::Reader::ALL[place], *reader);
+        fs::write(pictures.join(format!("{reader:?}")), seed(place, file)).expect("a seed");
     }
     let words: String = words.into_iter().map(entry).collect();
     fs::write(root().join("fuzz/corpus/readers.dict"), words).expect("a dictionary");

@@ -6,6 +6,7 @@ use crate::driver::{Ui, app, at_rest, words};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{App, pages::Page, relit::Look, workspace::Preferences},
+    pictures::{ReferenceKind, WishedLines},
     ui::{
         Window,
         files::{Ask, Picked},
@@ -63,8 +64,11 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     told(&ui, "Under CIE A its colours are off by ΔE00");
     click(&mut ui, "Difference");
     assert_eq!(ui.state().0.preferences.pages.relit.look, Look::Difference);
+    told(&ui, "Pixels by their difference under CIE A");
+    snap(&mut ui, "difference");
     click(&mut ui, "Other ways");
     told(&ui, "components of the picture");
+    snap(&mut ui, "others");
     click(&mut ui, names::SAVE);
     let form = "As .cspx.png";
     let button = words(&ui)
@@ -81,4 +85,34 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     }
     ui.state_mut().0.finish_writing();
     assert!(path.metadata().expect("saved").len() > 10_000);
+}
+
+#[test]
+fn what_is_kept_is_chosen_by_hand_in_its_menu() {
+    let mut ui = page(None);
+    ui.get_by_label(names::KEPT).click();
+    ui.step();
+    click(&mut ui, "The mean");
+    let relit = |ui: &Ui| ui.state().0.preferences.pages.relit.clone();
+    assert_eq!(relit(&ui).wish.reference, Some(ReferenceKind::Mean));
+    // The menu stays open for the next act.
+    click(&mut ui, names::BY_HAND);
+    click(&mut ui, names::ADD_LINE);
+    assert_eq!(relit(&ui).wish.lines, WishedLines::At(vec![546.1]));
+    let all = words(&ui).join("\n");
+    assert!(all.contains("546.1 nm"), "{all}");
+    snap(&mut ui, "menu");
+    click(&mut ui, "546.1 nm \u{d7}");
+    assert_eq!(relit(&ui).wish.lines, WishedLines::At(Vec::new()));
+    click(&mut ui, names::WEIGHTED);
+    assert!(!relit(&ui).weighted);
+}
+
+fn snap(ui: &mut Ui, name: &str) {
+    if let Ok(folder) = std::env::var("H17_SNAP") {
+        ui.render()
+            .unwrap()
+            .save(format!("{folder}/{name}.png"))
+            .unwrap();
+    }
 }

@@ -24,11 +24,8 @@ const PAD: usize = 2;
 /// A miss counts at most this much in a context.
 pub(super) const MOST_MISS: i64 = 1 << 24;
 
-/// Times that the least squares are weighed anew.
-const ROUNDS: usize = 8;
-/// Every third row tells the weights as well as all; with an even step a picture of tiles would be
-/// seen at their edges alone.
-const ROW_STEP: usize = 3;
+/// Times that the least squares are weighed anew; more gain less than a hundredth.
+const ROUNDS: usize = 6;
 
 /// Weights of the neighbours, in 1024ths.
 pub(super) type Weights = [i64; COUNT];
@@ -84,11 +81,11 @@ impl Framed {
     /// picture, whose squares are largest; bits grow with the logarithm of what is missed. So each
     /// place counts less the more is missed there and about it.
     pub(super) fn fitted(&self, before: &[u32]) -> Weights {
-        let mut weights = self.least_squares(1, |_| 1.0);
+        let mut weights = self.least_squares(|_| 1.0);
         for _ in 0..ROUNDS {
             let missed = self.missed(&weights);
             let misses = Misses::of(&missed, self.width, self.height);
-            let better = self.least_squares(ROW_STEP, |i| {
+            let better = self.least_squares(|i| {
                 // The sum has weights of 10.
                 let usual = misses.activity(i % self.width, i / self.width, before) as f64 / 10.0;
                 let usual = usual + 0.5;
@@ -102,11 +99,11 @@ impl Framed {
         weights
     }
 
-    /// Least squares over every so many rows, to whole 1024ths.
-    fn least_squares(&self, row_step: usize, counts: impl Fn(usize) -> f64) -> Weights {
+    /// Least squares over the plane, to whole 1024ths.
+    fn least_squares(&self, counts: impl Fn(usize) -> f64) -> Weights {
         let mut normal = SMatrix::<f64, COUNT, COUNT>::zeros();
         let mut right = SVector::<f64, COUNT>::zeros();
-        for y in (0..self.height).step_by(row_step) {
+        for y in 0..self.height {
             for x in 0..self.width {
                 let at = self.at(x, y);
                 let near = self.neighbours(at).map(|v| v as f64);
