@@ -193,6 +193,17 @@ pub struct KeptBands {
 }
 
 impl KeptBands {
+    /// The kept bands.
+    ///
+    /// # Errors
+    /// [`PictureError::NothingMeasured`] where none is left, and those of [`Bands::new`].
+    pub fn bands(&self, kind: Kind) -> Result<Bands, PictureError> {
+        if self.nm.is_empty() {
+            return Err(PictureError::NothingMeasured);
+        }
+        Bands::new(self.nm.clone(), kind)
+    }
+
     /// Decides about a file's bands (nm, rising). `missing` is each band's share of pixels without
     /// a value (1 for one flagged bad); `all` keeps what nobody sees.
     pub fn of_file(nm: &[f64], missing: &[f64], all: bool) -> Self {

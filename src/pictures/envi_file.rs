@@ -95,7 +95,7 @@ impl EnviFile {
         let values = meaning::values(&opened.header, &name, &sample).map_err(trouble)?;
         let kept = KeptBands::of_file(&nm, &gone, all);
         let width = bandwidth_nm(&opened.header, &nm, &stored);
-        opened.bands = Bands::new(kept.nm, values.kind)?.with_bandwidth(width);
+        opened.bands = kept.bands(values.kind)?.with_bandwidth(width);
         opened.of = kept
             .of
             .iter()

@@ -145,7 +145,7 @@ impl<'a> OfImage<'a> {
             })
             .collect();
         let kept = KeptBands::of_file(cube.nm(), &missing, all);
-        let bands = Bands::new(kept.nm.clone(), image.kind)?;
+        let bands = kept.bands(image.kind)?;
         Ok(Self { image, kept, bands })
     }
 

@@ -4,14 +4,29 @@
 use std::{fs, path::Path};
 
 use serde_json::Value;
-use spectral_explorer::pictures::{Pixels, Scene};
+use spectral_explorer::pictures::{Light, Pixels, Scene};
 
 use crate::tell::{json, refusal, tell};
 
 /// A wall of paints of 31 bands as an ENVI cube; the path of its header.
 pub fn wall(folder: &Path) -> String {
+    wall_under(folder, None)
+}
+
+/// The same as a light shows it.
+fn wall_under(folder: &Path, light: Option<&str>) -> String {
     let nm: Vec<f64> = (0..31).map(|j| 400.0 + 10.0 * f64::from(j)).collect();
-    let scene = Scene::reflectance(48, 32, nm.clone()).expect("a scene");
+    let (scene, kind) = match light.and_then(Light::named) {
+        Some(light) => (
+            Scene::lit(48, 32, nm.clone(), &[light]),
+            "data units = W m-2 sr-1 nm-1",
+        ),
+        None => (
+            Scene::reflectance(48, 32, nm.clone()),
+            "reflectance scale factor = 1",
+        ),
+    };
+    let scene = scene.expect("a scene");
     let mut values = vec![0.0_f32; 48 * 32 * 31];
     scene.rows(0, 32, &mut values).expect("rows");
     let bytes: Vec<u8> = values.iter().flat_map(|v| v.to_le_bytes()).collect();
@@ -20,7 +35,7 @@ pub fn wall(folder: &Path) -> String {
     let header = format!(
         "ENVI\nsamples = 48\nlines = 32\nbands = 31\nheader offset = 0\ndata type = 4\n\
          interleave = bsq\nbyte order = 0\nwavelength units = Nanometers\n\
-         reflectance scale factor = 1\nwavelength = {{{}}}\n",
+         {kind}\nwavelength = {{{}}}\n",
         list.join(", ")
     );
     let path = folder.join("wall.hdr");
@@ -82,6 +97,8 @@ fn a_bound_is_kept_or_it_is_said_that_it_is_not() {
 
 #[test]
 fn reference_and_lines_are_taken_as_told_with_a_bound_or_a_count() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lit = wall_under(folder.path(), Some("FL11"));
     for (args, kind, lines) in [
         (&["--numbers", "12"][..], "light", 0),
         (
@@ -100,7 +117,7 @@ fn reference_and_lines_are_taken_as_told_with_a_bound_or_a_count() {
             2,
         ),
     ] {
-        let told = json(&[&["picture", "wall", "--light", "FL11", "--json"], args].concat());
+        let told = json(&[&["picture", &lit, "--light", "FL11", "--json"], args].concat());
         assert_eq!(told["reference"]["kind"], kind, "{args:?}");
         let found = told["lines"].as_array().expect("lines").len();
         // How many are found is the detector's matter.
@@ -113,9 +130,10 @@ fn reference_and_lines_are_taken_as_told_with_a_bound_or_a_count() {
             assert_eq!(told["numbers"], 12, "{args:?}");
         }
     }
+    let wall = wall(folder.path());
     let (_, _, err) = tell(&[
         "picture",
-        "wall",
+        &wall,
         "--numbers",
         "9",
         "--lines",
@@ -203,13 +221,14 @@ fn what_is_saved_has_the_rights_of_any_new_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let plain = folder.path().join("plain");
     fs::write(&plain, "").expect("a file");
+    let wall = wall(folder.path());
     let out = folder.path().join("wall.cspx.png");
-    let (code, _, err) = tell(&["picture", "wall", "--numbers", "5", "--out", word(&out)]);
+    let (code, _, err) = tell(&["picture", &wall, "--numbers", "5", "--out", word(&out)]);
     assert_eq!(code, 0, "{err}");
     let rights = |path: &Path| fs::metadata(path).expect("there").permissions();
     assert_eq!(rights(&out), rights(&plain));
     let nowhere = folder.path().join("none").join("wall.exr");
-    let (err, code) = refusal(&["picture", "wall", "--numbers", "5", "--out", word(&nowhere)]);
+    let (err, code) = refusal(&["picture", &wall, "--numbers", "5", "--out", word(&nowhere)]);
     assert_eq!(code, 1);
     assert!(err.contains("found no folder"), "{err}");
 }
@@ -245,6 +264,96 @@ fn what_cannot_be_kept_is_refused_in_one_line() {
     let out = folder.path().join("a.png");
     let (err, code) = refusal(&["picture", &wall, "--relight", "CIE A", "--out", word(&out)]);
     assert_eq!(code, 1, "{err}");
+}
+
+/// A cube of 8 x 6 floats with some header fields more.
+fn cube(folder: &Path, nm: &[f64], more: &str, value: fn(usize) -> f32) -> String {
+    let bytes = (0..48 * nm.len()).flat_map(|i| value(i).to_le_bytes());
+    fs::write(folder.join("cube.img"), bytes.collect::<Vec<u8>>()).expect("data");
+    let list: Vec<String> = nm.iter().map(f64::to_string).collect();
+    let header = format!(
+        "ENVI\nsamples = 8\nlines = 6\nbands = {}\nheader offset = 0\ndata type = 4\n\
+         interleave = bsq\nbyte order = 0\nwavelength units = Nanometers\n{more}\n\
+         wavelength = {{{}}}\n",
+        nm.len(),
+        list.join(", ")
+    );
+    let path = folder.join("cube.hdr");
+    fs::write(&path, header).expect("a header");
+    word(&path).to_owned()
+}
+
+#[test]
+fn pictures_of_nothing_are_refused_by_what_they_are() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let seen: Vec<f64> = (0..12).map(|i| 400.0 + 25.0 * f64::from(i)).collect();
+    let unseen: Vec<f64> = seen.iter().map(|nm| nm + 700.0).collect();
+    let some = |i: usize| 0.2 + 0.01 * (i % 7) as f32;
+    let (factor, light) = (
+        "reflectance scale factor = 1",
+        "data units = W m-2 sr-1 nm-1",
+    );
+    type Case<'a> = (&'a [f64], &'a str, fn(usize) -> f32, &'a [&'a str], &'a str);
+    let cases: [Case<'_>; 6] = [
+        (
+            &seen[..2],
+            factor,
+            some,
+            &[],
+            "expected 3 bands or more, found 2",
+        ),
+        (
+            &seen,
+            factor,
+            |_| f32::NAN,
+            &[],
+            "expected a measured pixel",
+        ),
+        (&seen, factor, |_| 0.0, &[], "found only zeros"),
+        (
+            &unseen,
+            light,
+            some,
+            &["--light", "FL11"],
+            "a known light that overlaps the bands",
+        ),
+        (
+            &seen,
+            light,
+            some,
+            &["--reference", "light"],
+            "--reference: ",
+        ),
+        (
+            &seen,
+            factor,
+            some,
+            &["--numbers", "12"],
+            "expected 3 to 11 numbers",
+        ),
+    ];
+    for (nm, more, value, args, part) in cases {
+        let cube = cube(folder.path(), nm, more, value);
+        let (err, _) = refusal(&[&["picture", &cube][..], args].concat());
+        assert!(err.contains(part), "{part}: {err}");
+    }
+    // Nobody knows what lit it: it is kept, and not relit until the light is told.
+    let cube = cube(folder.path(), &seen, light, some);
+    let (kept, relit) = (folder.path().join("a.exr"), folder.path().join("a.png"));
+    let (code, _, err) = tell(&["picture", &cube, "--numbers", "6", "--out", word(&kept)]);
+    assert_eq!(code, 0, "{err}");
+    let args = [
+        "picture",
+        word(&kept),
+        "--relight",
+        "CIE A",
+        "--out",
+        word(&relit),
+    ];
+    let (err, code) = refusal(&args);
+    assert!(code == 1 && err.contains("choose the light"), "{err}");
+    let (code, _, err) = tell(&[&args[..], &["--light", "FL11"]].concat());
+    assert_eq!(code, 0, "{err}");
 }
 
 #[test]

@@ -65,10 +65,8 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     click(&mut ui, "Difference");
     assert_eq!(ui.state().0.preferences.pages.relit.look, Look::Difference);
     told(&ui, "Pixels by their difference under CIE A");
-    snap(&mut ui, "difference");
     click(&mut ui, "Other ways");
     told(&ui, "components of the picture");
-    snap(&mut ui, "others");
     click(&mut ui, names::SAVE);
     let form = "As .cspx.png";
     let button = words(&ui)
@@ -90,8 +88,7 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
 #[test]
 fn what_is_kept_is_chosen_by_hand_in_its_menu() {
     let mut ui = page(None);
-    ui.get_by_label(names::KEPT).click();
-    ui.step();
+    click(&mut ui, names::KEPT);
     click(&mut ui, "The mean");
     let relit = |ui: &Ui| ui.state().0.preferences.pages.relit.clone();
     assert_eq!(relit(&ui).wish.reference, Some(ReferenceKind::Mean));
@@ -101,18 +98,8 @@ fn what_is_kept_is_chosen_by_hand_in_its_menu() {
     assert_eq!(relit(&ui).wish.lines, WishedLines::At(vec![546.1]));
     let all = words(&ui).join("\n");
     assert!(all.contains("546.1 nm"), "{all}");
-    snap(&mut ui, "menu");
     click(&mut ui, "546.1 nm \u{d7}");
     assert_eq!(relit(&ui).wish.lines, WishedLines::At(Vec::new()));
     click(&mut ui, names::WEIGHTED);
     assert!(!relit(&ui).weighted);
-}
-
-fn snap(ui: &mut Ui, name: &str) {
-    if let Ok(folder) = std::env::var("H17_SNAP") {
-        ui.render()
-            .unwrap()
-            .save(format!("{folder}/{name}.png"))
-            .unwrap();
-    }
 }

@@ -4,6 +4,7 @@ use super::{Told, told};
 use crate::{
     app::{document::Document, entry::Entry, memo::ByAddress, picture::ImageMemory, state::App},
     color::Observer,
+    io::many::many,
     pictures::{
         Asked, BOUND_RMS, Bands, Choice, InMemory, Light, OfImage, PictureError, Pixels, Plan,
         ReferenceKind, Scene, Survey, Wish, WishedLines, choose, usual_weighting,
@@ -206,6 +207,15 @@ impl LookAsk {
                 }
                 is_within
             });
+            // Three numbers are the series', and one fewer than bands are all there are.
+            let room = bands.len().saturating_sub(4);
+            if places.len() > room {
+                places.truncate(room);
+                said.push(format!(
+                    "So few bands have room for {}.",
+                    many(room, "line", "lines")
+                ));
+            }
         }
         wish
     }

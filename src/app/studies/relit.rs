@@ -77,17 +77,38 @@ impl RelitJobs {
             return shown;
         };
         shown.looked = Some(looked.clone());
-        let ask = FitAsk {
+        let wanted = FitAsk {
             looked: looked.clone(),
             numbers: memory.numbers,
         };
-        self.fit.ask_by(&ask, wake, FitAsk::answer);
-        let Some((_, fit)) = self.fit.answer().filter(|(k, _)| k.looked == looked) else {
-            return shown;
+        self.fit.ask_by(&wanted, wake, FitAsk::answer);
+        let fit = self.fit.answer().filter(|(k, _)| k.looked == looked);
+        let fit = match fit.map(|(_, fit)| fit.clone()) {
+            Some(fit) => match shown.found(&fit) {
+                Some(fit) => Some(fit),
+                None => return shown,
+            },
+            None => None,
         };
-        let Some(fit) = shown.found(fit) else {
-            return shown;
-        };
+        if let Some(fit) = &fit {
+            self.turn_to(app, memory, fit, wake);
+        }
+        // Until there is a new one the last stays, so that what a hand is on stays where it is.
+        let of = |k: &TurnAsk| k.fit.0.looked.0.ask.subject == ask.subject;
+        let turned = self.turn.answer().filter(|(k, _)| of(k));
+        if let Some((key, turned)) = turned
+            && let Some(turned) = shown.found(turned)
+        {
+            shown.turned = Some((key.fit.clone(), turned));
+        }
+        if let Some(fit) = &fit {
+            self.beside(fit, memory.look, wake, &mut shown);
+        }
+        shown
+    }
+
+    /// Asks for a picture in few numbers under the document's light.
+    fn turn_to(&mut self, app: &App, memory: &RelitMemory, fit: &ByAddress<Fit>, wake: &Wake) {
         let second = memory.second.as_deref().and_then(|key| app.entry(key));
         let ask = TurnAsk {
             fit: fit.clone(),
@@ -100,14 +121,6 @@ impl RelitJobs {
             },
         };
         self.turn.ask_by(&ask, wake, TurnAsk::answer);
-        let turned = self.turn.answer().filter(|(k, _)| k.fit.0.looked == looked);
-        if let Some((key, turned)) = turned
-            && let Some(turned) = shown.found(turned)
-        {
-            shown.turned = Some((key.fit.clone(), turned));
-        }
-        self.beside(&fit, memory.look, wake, &mut shown);
-        shown
     }
 
     /// What is told beside the picture.
@@ -154,6 +167,24 @@ mod tests {
             parts.into_iter().for_each(|job| job.finish());
         }
         shown
+    }
+
+    #[test]
+    fn the_last_picture_stays_while_another_is_made_of_the_same() {
+        let (app, mut jobs) = (App::new(), RelitJobs::default());
+        let mut memory = RelitMemory {
+            numbers: Some(6),
+            ..RelitMemory::default()
+        };
+        let first = all(&mut jobs, &app, &memory);
+        memory.weighted = false;
+        let wake: Wake = Arc::new(|| {});
+        let image = ImageMemory::default();
+        // Asked for, not yet there.
+        let between = jobs.shown(&app, (&memory, &image), &wake);
+        assert!(between.turned.is_some() && between.turned == first.turned);
+        let second = all(&mut jobs, &app, &memory);
+        assert!(second.turned.is_some() && second.turned != first.turned);
     }
 
     #[test]

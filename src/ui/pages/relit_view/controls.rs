@@ -33,6 +33,7 @@ pub mod names {
     pub const WORST: &str = "Worst pixel";
     pub const KEPT: &str = "What is kept of a pixel";
     pub const WEIGHTED: &str = "Weighed by colours under many lights";
+    pub const LEAVE: &str = "Let reference and lines be chosen";
     pub const BETWEEN: &str = "The series between bands";
     pub const BY_HAND: &str = "By hand";
     pub const NEXT_LINE: &str = "Place of a line";

@@ -15,12 +15,12 @@ use crate::{
         chart::{self, Chart, Rgb},
         memo::{ByAddress, Memo},
         relit::{
-            Fit, Look, Looked, PictureWish, Turned, difference_colours, headline, peer_rows,
+            Fit, Look, Looked, PictureWish, Rows, Turned, difference_colours, headline, peer_rows,
             speed_line, trust_line,
         },
         studies::{RelitShown, Stage},
     },
-    pictures::{Peer, Verdict},
+    pictures::{Verdict, Wish},
     ui::kit,
 };
 
@@ -60,6 +60,11 @@ impl RelitView {
             controls::subject(ui, context);
             controls::light(ui, context);
         });
+        let wish = &mut context.memory.relit.wish;
+        if shown.trouble.is_some() && *wish != Wish::default() && ui.button(names::LEAVE).clicked()
+        {
+            *wish = Wish::default();
+        }
         let Some(looked) = shown.looked.clone() else {
             return waiting(ui, context);
         };
@@ -278,18 +283,17 @@ fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
     if job.stage() != Stage::Done {
         progress(ui, job, "The comparison");
     }
-    peers_table(ui, context, &peers.0);
+    let (rows, words) = peer_rows(&peers.0);
+    ui.add(egui::Label::new(words).wrap());
     if let Some((fit, turned)) = &shown.turned {
-        ui.add_space(4.0);
         let words = RichText::new(speed_line(&fit.0, &turned.0)).weak();
         ui.add(egui::Label::new(words).wrap());
     }
+    ui.add_space(4.0);
+    peers_table(ui, context, rows);
 }
 
-fn peers_table(ui: &mut Ui, context: &PageContext<'_>, peers: &[Peer]) {
-    let (rows, words) = peer_rows(peers);
-    ui.add(egui::Label::new(words).wrap());
-    ui.add_space(4.0);
+fn peers_table(ui: &mut Ui, context: &PageContext<'_>, rows: Rows) {
     let columns = [
         kit::Column::words("way", "How the picture is kept.", 3.0),
         kit::Column::numbers("numbers", "Numbers a pixel.", 1.0),
