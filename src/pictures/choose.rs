@@ -303,9 +303,14 @@ impl<'a> Ways<'a> {
         let mut bases = Vec::new();
         for margin in [MARGIN, 0.0] {
             for (at, reference) in self.references.iter().enumerate() {
-                // A known light carries its lines itself.
                 let lit = reference.kind == ReferenceKind::Light;
-                let has_lines = !self.lines.is_empty() && !(lit && is_left_to_us);
+                // A known light carries its lines itself.
+                let lines = if lit && is_left_to_us {
+                    0
+                } else {
+                    self.lines.len()
+                };
+                let has_lines = lines > 0;
                 if is_left_to_us || !has_lines {
                     bases.push((at, false, margin));
                 }

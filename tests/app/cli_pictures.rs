@@ -4,29 +4,14 @@
 use std::{fs, path::Path};
 
 use serde_json::Value;
-use spectral_explorer::pictures::{Light, Pixels, Scene};
+use spectral_explorer::pictures::{Pixels, Scene};
 
 use crate::tell::{json, refusal, tell};
 
 /// A wall of paints of 31 bands as an ENVI cube; the path of its header.
 pub fn wall(folder: &Path) -> String {
-    wall_under(folder, None)
-}
-
-/// The same as a light shows it.
-fn wall_under(folder: &Path, light: Option<&str>) -> String {
     let nm: Vec<f64> = (0..31).map(|j| 400.0 + 10.0 * f64::from(j)).collect();
-    let (scene, kind) = match light.and_then(Light::named) {
-        Some(light) => (
-            Scene::lit(48, 32, nm.clone(), &[light]),
-            "data units = W m-2 sr-1 nm-1",
-        ),
-        None => (
-            Scene::reflectance(48, 32, nm.clone()),
-            "reflectance scale factor = 1",
-        ),
-    };
-    let scene = scene.expect("a scene");
+    let scene = Scene::reflectance(48, 32, nm.clone()).expect("a scene");
     let mut values = vec![0.0_f32; 48 * 32 * 31];
     scene.rows(0, 32, &mut values).expect("rows");
     let bytes: Vec<u8> = values.iter().flat_map(|v| v.to_le_bytes()).collect();
@@ -35,7 +20,7 @@ fn wall_under(folder: &Path, light: Option<&str>) -> String {
     let header = format!(
         "ENVI\nsamples = 48\nlines = 32\nbands = 31\nheader offset = 0\ndata type = 4\n\
          interleave = bsq\nbyte order = 0\nwavelength units = Nanometers\n\
-         {kind}\nwavelength = {{{}}}\n",
+         reflectance scale factor = 1\nwavelength = {{{}}}\n",
         list.join(", ")
     );
     let path = folder.join("wall.hdr");
@@ -97,8 +82,6 @@ fn a_bound_is_kept_or_it_is_said_that_it_is_not() {
 
 #[test]
 fn reference_and_lines_are_taken_as_told_with_a_bound_or_a_count() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let lit = wall_under(folder.path(), Some("FL11"));
     for (args, kind, lines) in [
         (&["--numbers", "12"][..], "light", 0),
         (
@@ -117,7 +100,7 @@ fn reference_and_lines_are_taken_as_told_with_a_bound_or_a_count() {
             2,
         ),
     ] {
-        let told = json(&[&["picture", &lit, "--light", "FL11", "--json"], args].concat());
+        let told = json(&[&["picture", "wall", "--light", "FL11", "--json"], args].concat());
         assert_eq!(told["reference"]["kind"], kind, "{args:?}");
         let found = told["lines"].as_array().expect("lines").len();
         // How many are found is the detector's matter.
@@ -130,6 +113,7 @@ fn reference_and_lines_are_taken_as_told_with_a_bound_or_a_count() {
             assert_eq!(told["numbers"], 12, "{args:?}");
         }
     }
+    let folder = tempfile::tempdir().expect("a folder");
     let wall = wall(folder.path());
     let (_, _, err) = tell(&[
         "picture",

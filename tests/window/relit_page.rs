@@ -6,7 +6,6 @@ use crate::driver::{Ui, app, at_rest, words};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{App, pages::Page, relit::Look, workspace::Preferences},
-    pictures::{ReferenceKind, WishedLines},
     ui::{
         Window,
         files::{Ask, Picked},
@@ -83,23 +82,4 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     }
     ui.state_mut().0.finish_writing();
     assert!(path.metadata().expect("saved").len() > 10_000);
-}
-
-#[test]
-fn what_is_kept_is_chosen_by_hand_in_its_menu() {
-    let mut ui = page(None);
-    click(&mut ui, names::KEPT);
-    click(&mut ui, "The mean");
-    let relit = |ui: &Ui| ui.state().0.preferences.pages.relit.clone();
-    assert_eq!(relit(&ui).wish.reference, Some(ReferenceKind::Mean));
-    // The menu stays open for the next act.
-    click(&mut ui, names::BY_HAND);
-    click(&mut ui, names::ADD_LINE);
-    assert_eq!(relit(&ui).wish.lines, WishedLines::At(vec![546.1]));
-    let all = words(&ui).join("\n");
-    assert!(all.contains("546.1 nm"), "{all}");
-    click(&mut ui, "546.1 nm \u{d7}");
-    assert_eq!(relit(&ui).wish.lines, WishedLines::At(Vec::new()));
-    click(&mut ui, names::WEIGHTED);
-    assert!(!relit(&ui).weighted);
 }
