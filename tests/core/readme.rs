@@ -45,7 +45,7 @@ fn it_shows_every_picture_and_tells_the_command_that_draws_it() {
         .map(|(name, _)| name.to_owned())
         .collect();
     assert_eq!(shown, files_in("tests/pictures"));
-    assert_eq!(shown.len(), 3);
+    assert_eq!(shown.len(), 5);
     for name in shown {
         let end = format!(" --out tests/pictures/{name}");
         let draws =

@@ -71,5 +71,5 @@ fn every_picture_is_what_its_command_draws() {
             shown.len()
         );
     }
-    assert_eq!(pictures, 3);
+    assert_eq!(pictures, 5);
 }
