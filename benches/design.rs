@@ -7,11 +7,13 @@
 //! ```text
 //! one bounded recovery     target 100 us; the plain baseline is the least-slope reflectance without
 //!                          bounds (one dense system of 84 unknowns), which leaves 0-1
-//! a moved picker           every method, the band and the swatches under all shipped lights: 2 ms
+//! a moved picker           every method, the band and the swatches under all shipped lights: 2 ms;
+//!                          what the page shows of it, with a light of lines: 2 ms
 //! a picture of 256 x 256   target 4 s on two cores; every pixel another colour
 //! a solve of 8 channels    target 5 ms, for efficacy and for Rf
-//! a moved fader            all figures, target 2 ms; the baseline sums the tables anew
-//! a front of 20 points     four free lines, Rf against efficacy, target 5 s
+//! a moved fader            all figures, target 2 ms; the baseline sums the tables anew; and the whole
+//!                          desk of the window, everyday surfaces with it: 2 ms
+//! a front of 20 points     four free lines, Rf against efficacy, target 5 s; 12 points of eight
 //! ```
 
 use std::hint::black_box;
@@ -19,7 +21,16 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{DMatrix, DVector};
 use spectral_explorer::{
-    app::library::Library,
+    app::{
+        App, Command,
+        design::{
+            colour::{ColourSheet, FromColour},
+            desk::Desk,
+            mix::{Mix, MixChannel},
+            surfaces::{DeskSurfaces, beside},
+        },
+        library::Library,
+    },
     color::{Adaptation, Observer, Srgb, Xyz},
     design::{
         mixture::{Channel, mixed},
@@ -117,6 +128,11 @@ fn recover(c: &mut Criterion) {
             (band, looks)
         });
     });
+    let app = App::new();
+    let from = FromColour::default();
+    c.bench_function("a moved picker, all that the page shows", |b| {
+        b.iter(|| ColourSheet::of(black_box(&from), app.document()));
+    });
     let side = 256;
     let pixels: Vec<u8> = (0..side * side)
         .flat_map(|i| {
@@ -188,18 +204,35 @@ fn design(c: &mut Criterion) {
     c.bench_function("a moved fader, tables summed anew (baseline)", |b| {
         b.iter(|| MixFigures::new(&tables.sums(&mixed(&channels, black_box(&weights))), tables));
     });
+    let mut app = App::new();
+    app.apply(Command::Mix(Mix {
+        channels: channels
+            .iter()
+            .map(|channel| MixChannel::new(channel.spec.source.clone()))
+            .collect(),
+        gels: Vec::new(),
+    }));
+    c.bench_function("a moved fader, the whole desk of 8 channels", |b| {
+        b.iter(|| {
+            let desk = Desk::of(black_box(app.document()));
+            let surfaces = beside(&desk, DeskSurfaces::Everyday, app.document());
+            (desk, surfaces)
+        });
+    });
     let mut group = c.benchmark_group("front");
     group.sample_size(10);
-    let wish = FrontWish {
-        target: Target::of_kelvin(4000.0, 0.0).unwrap(),
-        against: Against::Rf,
-        lines: 4,
-        points: 20,
-        floors: None,
-    };
-    group.bench_function("20 points, four free lines, Rf", |b| {
-        b.iter(|| front(black_box(&wish), tables, &Progress::default()));
-    });
+    for (lines, points) in [(4, 20), (8, 12)] {
+        let wish = FrontWish {
+            target: Target::of_kelvin(4000.0, 0.0).unwrap(),
+            against: Against::Rf,
+            lines,
+            points,
+            floors: None,
+        };
+        group.bench_function(format!("{points} points, {lines} free lines, Rf"), |b| {
+            b.iter(|| front(black_box(&wish), tables, &Progress::default()));
+        });
+    }
     group.finish();
 }
 

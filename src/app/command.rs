@@ -21,6 +21,10 @@ use crate::spectrum::{Kind, NamedSpectrum, SpikeEdits};
 pub enum MadeFor {
     /// It is shown.
     Shown,
+    /// It is the last that the light meets.
+    Chain,
+    /// It stands behind the patches.
+    Patches,
     /// It is the light that may have come off a surface; what is shown stays.
     Outgoing,
 }
@@ -62,6 +66,11 @@ pub enum Command {
     PatchSet(String),
     /// The patch whose product is drawn.
     Patch(Option<usize>),
+    /// Puts one of the user's own surfaces behind the patches, or takes it away.
+    ToggleOwnPatch {
+        /// The entry's key.
+        key: String,
+    },
     /// The scale switch.
     Scale(Scale),
     /// What the weights of the paper's lamps are multiplied by, nm.

@@ -131,6 +131,8 @@ pub struct Document {
     pub edits: BTreeMap<String, SpikeEdits>,
     /// The group whose reflectances are the patches.
     pub patch_set: String,
+    /// Keys of the user's own surfaces that stand behind them.
+    pub own_patches: Vec<String>,
     /// The patch whose product is drawn.
     pub patch: Option<usize>,
     /// The scale switch.
@@ -150,6 +152,9 @@ pub const PAPER_WEIGHT_FACTOR: f64 = 300.0;
 
 /// Factors that may be asked for, nm.
 pub const WEIGHT_FACTORS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
+
+/// Most of the user's own surfaces behind the patches.
+pub const MOST_OWN_PATCHES: usize = 12;
 
 /// Most spectra laid over the subject: more curves hide one another and make every frame slow.
 pub const MOST_OVERLAYS: usize = 100;
@@ -176,10 +181,18 @@ impl Document {
             .group(&self.patch_set)
             .map(|g| &g.items[..]);
         let is_patch = |item: &&Preset| item.kind.is_factor() && item.spectrum().is_some();
-        let count = items.unwrap_or_default().iter().filter(is_patch).count();
+        let shipped = items.unwrap_or_default().iter().filter(is_patch).count();
+        let count = shipped + self.patches_of_own().count();
         if !self.is_about_light() || patch >= count {
             self.patch = None;
         }
+    }
+
+    /// The user's own surfaces that stand behind the patches.
+    pub fn patches_of_own(&self) -> impl Iterator<Item = &Arc<Entry>> {
+        let found = |key: &String| self.own.iter().find(|entry| entry.key == *key);
+        let all = self.own_patches.iter().filter_map(found);
+        all.filter(|entry| entry.kind().is_factor())
     }
 
     /// A fresh document about a light.
@@ -196,6 +209,7 @@ impl Document {
             given: None,
             edits: BTreeMap::new(),
             patch_set: FIRST_PATCH_SET.to_owned(),
+            own_patches: Vec::new(),
             patch: None,
             scale: Scale::default(),
             weight_factor: PAPER_WEIGHT_FACTOR,
@@ -223,6 +237,7 @@ impl Document {
             given,
             edits,
             patch_set,
+            own_patches,
             patch,
             scale,
             weight_factor,
@@ -245,6 +260,7 @@ impl Document {
             && *given == other.given
             && *edits == other.edits
             && *patch_set == other.patch_set
+            && *own_patches == other.own_patches
             && *patch == other.patch
             && *scale == other.scale
             && *weight_factor == other.weight_factor
@@ -290,6 +306,7 @@ impl Document {
         self.show_as_given();
         self.view = View::default();
         FIRST_PATCH_SET.clone_into(&mut self.patch_set);
+        self.own_patches.clear();
         self.patch = None;
     }
 

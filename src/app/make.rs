@@ -3,7 +3,10 @@
 use std::sync::Arc;
 
 use super::{
-    design::{light, recovered},
+    design::{
+        light,
+        recovered::{self, Shown},
+    },
     document::Document,
     entry::Entry,
     library::Library,
@@ -13,13 +16,12 @@ use super::{
         Link,
         two_lights::{Made, NoMetamer, TwoLightsSheet},
     },
-    recipe::{Given, Recipe},
+    recipe::{Gel, Given, Recipe},
 };
 use crate::{
-    color::Srgb,
     design::{
         mixture::{MixError, Source},
-        recover::{Method, RecoverError},
+        recover::RecoverError,
     },
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
@@ -86,60 +88,68 @@ pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNo
         }
         Recipe::Through { light, chain } => {
             let light = lamp(document, light)?;
-            let links = chain.iter().map(|(key, times)| {
-                let entry = entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.clone()))?;
-                if !entry.kind().is_factor() {
-                    let expected = "a reflectance or transmittance";
-                    return Err(WhyNot::OtherKind(key.clone(), entry.kind(), expected));
-                }
-                Ok(Link::new(entry, *times))
-            });
+            let links = chain
+                .iter()
+                .map(|(key, times)| Ok(Link::new(factor(document, key)?, *times)));
             through(&light, &links.collect::<Result<Vec<_>, _>>()?).ok_or(WhyNot::Nothing)
         }
-        Recipe::Mix { channels } => {
-            let lights = channels.iter().map(|(source, _)| {
-                if let Source::Named(key) = source {
-                    lamp(document, key)?;
-                }
-                light::channel(source, |key| table_of(document, key)).map_err(WhyNot::Mix)
-            });
-            let lights = lights.collect::<Result<Vec<_>, _>>()?;
-            let powers: Vec<f64> = channels.iter().map(|(_, power)| *power).collect();
-            light::spectrum(&lights, &powers).ok_or(WhyNot::Nothing)
-        }
+        Recipe::Mix { channels, gels } => of_channels(document, channels, gels),
         Recipe::Colour {
             given,
             light,
             method,
             lines,
-        } => of_colour(document, (given, lines), light, *method),
+            second,
+        } => {
+            let mut shown = vec![shown(document, given, light)?];
+            if let Some((given, light)) = second {
+                shown.push(self::shown(document, given, light)?);
+            }
+            recovered::spectrum(*method, &shown, lines).map_err(WhyNot::Colour)
+        }
     }
 }
 
-/// A spectrum that has a colour.
-fn of_colour(
+/// Channels mixed to a light, what stands before them with it.
+fn of_channels(
     document: &Document,
-    (given, lines): (&Given, &[f64]),
-    light: &str,
-    method: Method,
+    channels: &[(Source, f64)],
+    gels: &[Gel],
 ) -> Result<NamedSpectrum, WhyNot> {
-    let lamp = lamp(document, light)?;
-    let table = table_of(document, light).ok_or(WhyNot::Nothing)?;
-    let surface = match given {
-        Given::Of(key) => {
-            Some(entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.clone()))?)
+    for gel in gels {
+        factor(document, &gel.key)?;
+    }
+    let before = light::gels_on_nm(gels, |key| entry_of(document, key));
+    let lights = channels.iter().map(|(source, _)| {
+        if let Source::Named(key) = source {
+            lamp(document, key)?;
         }
-        Given::Srgb(_) | Given::Lab(_) => None,
-    };
-    let colour = match (given, &surface) {
-        (_, Some(surface)) => surface.name().to_owned(),
-        (Given::Lab([l, a, b]), _) => format!("L*a*b* {l:.1}, {a:.1}, {b:.1}"),
-        (Given::Srgb(rgb), _) => Srgb(*rgb).hex(),
-        (Given::Of(key), _) => key.clone(),
-    };
-    let surface = surface.as_ref().map(|entry| &entry.spectrum.samples);
-    let words = [colour.as_str(), lamp.name()];
-    recovered::spectrum(method, (given, lines), &table, surface, words).map_err(WhyNot::Colour)
+        light::channel(source, |key| table_of(document, key), before.as_deref())
+            .map_err(WhyNot::Mix)
+    });
+    let lights = lights.collect::<Result<Vec<_>, _>>()?;
+    let powers: Vec<f64> = channels.iter().map(|(_, power)| *power).collect();
+    light::spectrum(&lights, &powers, gels).ok_or(WhyNot::Nothing)
+}
+
+/// A given colour under a light, with the names of both.
+fn shown(document: &Document, given: &Given, light: &str) -> Result<Shown, WhyNot> {
+    let lamp = lamp(document, light)?;
+    let surface = given.surface().map(|key| {
+        let found = entry_of(document, key);
+        found.ok_or_else(|| WhyNot::Missing(key.to_owned()))
+    });
+    let surface = surface.transpose()?;
+    Ok(Shown {
+        given: given.clone(),
+        colour: match &surface {
+            Some(surface) => surface.name().to_owned(),
+            None => given.words(),
+        },
+        lamp: lamp.name().to_owned(),
+        light: table_of(document, light).ok_or(WhyNot::Nothing)?,
+        surface: surface.map(|entry| entry.spectrum.samples.clone()),
+    })
 }
 
 /// What a chain leaves of a light, over the light's own range at every nm: it serves under another
@@ -171,6 +181,17 @@ fn through(light: &Entry, chain: &[Link]) -> Option<NamedSpectrum> {
         )],
         source: format!("made from {} and {}", light.name(), names.join(", ")),
     })
+}
+
+fn factor(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
+    let entry = entry_of(document, key).ok_or_else(|| WhyNot::Missing(key.to_owned()))?;
+    match entry.kind() {
+        kind if kind.is_factor() => Ok(entry),
+        kind => {
+            let expected = "a reflectance or transmittance";
+            Err(WhyNot::OtherKind(key.to_owned(), kind, expected))
+        }
+    }
 }
 
 fn lamp(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {

@@ -5,6 +5,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    color::Srgb,
     design::{mixture::Source, recover::Method},
     spectrum::Rect,
 };
@@ -44,6 +45,9 @@ pub enum Recipe {
     Mix {
         /// What each is made of, named lights by their keys, and its power.
         channels: Vec<(Source, f64)>,
+        /// What stands before all of them.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        gels: Vec<Gel>,
     },
     /// A spectrum that has a colour.
     Colour {
@@ -57,7 +61,30 @@ pub enum Recipe {
         /// Places of the lines of a light of lines, nm.
         #[serde(default)]
         lines: Vec<f64>,
+        /// The same surface's colour under a second light, and that light's key.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        second: Option<(Given, String)>,
     },
+}
+
+/// A filter before a light.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gel {
+    /// Its key in the library.
+    pub key: String,
+    /// Its thickness as a multiple of the measured one (Beer-Lambert).
+    pub thickness: f64,
+}
+
+impl Gel {
+    /// Its name and thickness: "CTO x 0.5".
+    pub fn words(&self) -> String {
+        let name = self.key.rsplit('/').next().unwrap_or(&self.key);
+        match self.thickness {
+            1.0 => name.to_owned(),
+            thickness => format!("{name} \u{d7} {thickness:.2}"),
+        }
+    }
 }
 
 /// A colour as a person gives it.
@@ -66,10 +93,35 @@ pub enum Recipe {
 pub enum Given {
     /// As a screen shows it to an eye that is adapted to the light.
     Srgb([u8; 3]),
+    /// X, Y and Z where the light has Y = 100.
+    Xyz([f64; 3]),
     /// L*, a* and b* against the light.
     Lab([f64; 3]),
+    /// x, y and Y where the light has Y = 100.
+    Xyy([f64; 3]),
     /// That of a surface, by its key.
     Of(String),
+}
+
+impl Given {
+    /// Key of the surface, where it is that of one.
+    pub fn surface(&self) -> Option<&str> {
+        match self {
+            Self::Of(key) => Some(key),
+            Self::Srgb(_) | Self::Xyz(_) | Self::Lab(_) | Self::Xyy(_) => None,
+        }
+    }
+
+    /// The colour in words; of a surface its key.
+    pub fn words(&self) -> String {
+        match self {
+            Self::Srgb(rgb) => Srgb(*rgb).hex(),
+            Self::Xyz([x, y, z]) => format!("XYZ {x:.1}, {y:.1}, {z:.1}"),
+            Self::Lab([l, a, b]) => format!("L*a*b* {l:.1}, {a:.1}, {b:.1}"),
+            Self::Xyy([x, y, whole]) => format!("xyY {x:.4}, {y:.4}, {whole:.1}"),
+            Self::Of(key) => key.clone(),
+        }
+    }
 }
 
 impl Recipe {
@@ -81,20 +133,28 @@ impl Recipe {
             Self::Through { light, chain } => std::iter::once(light.as_str())
                 .chain(chain.iter().map(|(key, _)| key.as_str()))
                 .collect(),
-            Self::Mix { channels } => {
+            Self::Mix { channels, gels } => {
                 let sources = channels.iter().map(|(source, _)| source);
                 let keys = sources.filter_map(|source| match source {
                     Source::Named(key) => Some(key.as_str()),
                     _ => None,
                 });
-                keys.collect()
+                keys.chain(gels.iter().map(|gel| gel.key.as_str()))
+                    .collect()
             }
-            Self::Colour { given, light, .. } => {
-                let surface = match given {
-                    Given::Of(key) => Some(key.as_str()),
-                    Given::Srgb(_) | Given::Lab(_) => None,
-                };
-                std::iter::once(light.as_str()).chain(surface).collect()
+            Self::Colour {
+                given,
+                light,
+                second,
+                ..
+            } => {
+                let mut all = vec![light.as_str()];
+                all.extend(given.surface());
+                if let Some((given, light)) = second {
+                    all.push(light);
+                    all.extend(given.surface());
+                }
+                all
             }
         }
     }

@@ -18,7 +18,7 @@ use super::{
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
-    studies::about::reflectances,
+    studies::about::Patches,
     tables::{CURVE_ORDER, Tables, Viewing},
     undo_words::difference,
 };
@@ -36,7 +36,7 @@ struct TablesFor {
     basis: Basis,
     order: usize,
     observer: Observer,
-    patch_set: Option<String>,
+    patches: Option<Patches>,
     /// The light's key when the subject is looked at under it.
     under: Option<Arc<Entry>>,
 }
@@ -272,6 +272,7 @@ impl App {
                 self.document.patch = None;
             }
             Command::Patch(patch) => self.document.patch = patch,
+            Command::ToggleOwnPatch { key } => self.toggle_own_patch(&key),
             Command::Scale(scale) => self.document.scale = scale,
             Command::WeightFactor(factor) => {
                 if factor.is_finite() {
@@ -448,7 +449,7 @@ fn tables_for(document: &Document) -> TablesFor {
         basis: settings.basis,
         order: settings.effective_order().max(CURVE_ORDER),
         observer: settings.observer,
-        patch_set: is_light.then(|| document.patch_set.clone()),
+        patches: is_light.then(|| Patches::of(document)),
         under: (!is_light).then(|| document.light.clone()),
     }
 }
@@ -459,10 +460,8 @@ fn make_tables(wanted: &TablesFor) -> Tables {
         Some(light) => Viewing::under(&light.on_band(band), band, observer),
         None => Viewing::of_light(band, observer),
     };
-    let patches = wanted
-        .patch_set
-        .as_ref()
-        .map(|group| reflectances(group, band));
+    let patches = wanted.patches.as_ref();
+    let patches = patches.map(|patches| patches.reflectances(band));
     Tables::new(band, wanted.basis, wanted.order, observer, viewing, patches)
 }
 

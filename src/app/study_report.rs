@@ -75,7 +75,7 @@ fn about_json(about: &About) -> Value {
     json!({
         "range_nm": [about.band.min_nm(), about.band.max_nm()],
         "observer": about.observer.word(),
-        "patches": about.patch_set,
+        "patches": about.patches.set,
         "lines": lines_json(about.spikes),
     })
 }
@@ -98,7 +98,7 @@ fn head(app: &App, about: &About, title: &str, more: &str) -> String {
             about.band.min_nm(),
             about.band.max_nm(),
             about.observer.title(),
-            about.patch_set,
+            about.patches.set,
             lines_words(about.spikes),
         ),
         ..export::provenance(app)

@@ -39,6 +39,8 @@ pub fn difference(before: &Document, after: &Document) -> String {
     }
     if before.patch_set != after.patch_set {
         words.push("another set of surfaces".to_owned());
+    } else if before.own_patches != after.own_patches {
+        words.push("surfaces of my own among the patches".to_owned());
     } else if before.patch != after.patch {
         words.push("a surface chosen".to_owned());
     }

@@ -10,7 +10,7 @@ use crate::{
     color::{Adaptation, Srgb},
     design::{
         recover::Method,
-        solve::{Against, Favour},
+        solve::{Against, FREE_LINES, Favour},
     },
     optics::{self, View},
     pictures::ReferenceKind,
@@ -78,11 +78,7 @@ pub fn against(word: &str) -> Result<Against, String> {
 
 /// `--lines` of a front.
 pub fn free_lines(word: &str) -> Result<usize, String> {
-    match word.trim() {
-        "3" => Ok(3),
-        "4" => Ok(4),
-        _ => Err(refused(word, "3 or 4")),
-    }
+    whole(word, &FREE_LINES)
 }
 
 /// `--bound`.

@@ -24,6 +24,7 @@ pub mod cgats;
 pub mod cgats_tables;
 pub mod choices;
 pub mod colorimetry_json;
+pub mod colour_png;
 pub mod columns;
 pub mod composite_json;
 pub mod composite_line;

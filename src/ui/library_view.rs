@@ -513,6 +513,18 @@ impl LibraryView {
         if let Some(recipe) = entry.origin.recipe() {
             made_menu(ui, app, entry, recipe, &mut command);
         }
+        if entry.kind().is_factor() {
+            let is_patch = app.document().own_patches.contains(&entry.key);
+            let words = match is_patch {
+                true => "Take from the patches",
+                false => "Add to the patches",
+            };
+            if ui.button(words).clicked() {
+                let key = entry.key.clone();
+                command = Some(Command::ToggleOwnPatch { key });
+                ui.close();
+            }
+        }
         if ui.button("Rename").clicked() {
             self.renaming = Some((entry.key.clone(), entry.name().to_owned()));
             ui.close();

@@ -24,7 +24,35 @@ pub fn split(ui: &mut Ui, size: Vec2, left: &Swatch, right: &Swatch, name: &str)
     if !(left.in_gamut && right.in_gamut) {
         out_of_gamut_mark(ui, rect);
     }
+    menu(&response, [left.rgb8, right.rgb8]);
     response
+}
+
+/// Where the colour lies that was asked for in the menu of a swatch.
+fn place() -> egui::Id {
+    egui::Id::unique("colour of a swatch")
+}
+
+/// The menu of a swatch: its colours can be taken to the page "From a colour".
+pub fn menu(response: &Response, colours: [Srgb; 2]) {
+    response.context_menu(|ui| {
+        ui.label("Which surfaces have this colour?");
+        let parts: &[&str] = match colours[0] == colours[1] {
+            true => &[""],
+            false => &["left: ", "right: "],
+        };
+        for (part, colour) in parts.iter().zip(colours) {
+            if ui.button(format!("{part}{colour}")).clicked() {
+                ui.data_mut(|data| data.insert_temp(place(), colour.0));
+                ui.close();
+            }
+        }
+    });
+}
+
+/// The colour that was asked for in the menu of a swatch, once.
+pub fn asked_for(context: &egui::Context) -> Option<[u8; 3]> {
+    context.data_mut(|data| data.remove_temp(place()))
 }
 
 /// Fills a rectangle with two colours.

@@ -160,6 +160,7 @@ fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: bool) {
     let [left, right] = [exact, model].map(|c| swatch::colour(c.swatch.rgb8));
     swatch::paint_split(ui, inner, left, right);
     swatch::ticks(ui, inner, 8.0 * theme.scale);
+    swatch::menu(&response, [exact, model].map(|c| c.swatch.rgb8));
     if response.clicked() {
         let text = format!("{} {}", exact.swatch.hex(), model.swatch.hex());
         ui.ctx().copy_text(text);

@@ -235,9 +235,9 @@ fn what_cannot_be_mixed_is_refused_in_one_line() {
             "--floor",
         ),
         (
-            &["mix", "--front", "rf,ler", "--lines", "5"],
+            &["mix", "--front", "rf,ler", "--lines", "9"],
             2,
-            "expected 3 or 4",
+            "from 2 to 8",
         ),
         (
             &["mix", "--front", "rg,ler", "--lines", "3"],

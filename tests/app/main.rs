@@ -23,6 +23,7 @@ mod cli_pictures;
 mod cli_studies;
 mod command_line;
 mod commands;
+mod design;
 mod line_names;
 mod no_window;
 mod recipes;

@@ -9,6 +9,8 @@ use spectral_explorer::{
         design::{
             colour::FromColour,
             mix::{Mix, MixChannel, Snapshot},
+            surfaces::DeskSurfaces,
+            telling::Telling,
             wish::MixWish,
         },
         dispersion::{
@@ -26,7 +28,7 @@ use spectral_explorer::{
                 SameSurfaceMemory, TwoLightsMemory,
             },
         },
-        recipe::Given,
+        recipe::{Gel, Given},
         relit::{Look, RelitMemory},
         settings::Detector,
         spike_hand::SpikeAct,
@@ -45,6 +47,7 @@ use spectral_explorer::{
 };
 
 pub const D65: &str = "cie_illuminants/CIE D65";
+pub const GEL: &str = "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm";
 pub const RED: &str = "colorchecker_ohta/red";
 
 /// A shipped spectrum by `group/name`.
@@ -133,6 +136,8 @@ pub fn full_document() -> Document {
     }));
     app.apply(Command::ToggleOverlay(preset(&app, "paper/Sodium")));
     app.apply(Command::WeightFactor(123.4));
+    let key = app.document().own[1].key.clone();
+    app.apply(Command::ToggleOwnPatch { key });
     app.apply(Command::Scale(Scale::OneWatt));
     app.apply(Command::View(View {
         measured: false,
@@ -161,12 +166,17 @@ pub fn full_document() -> Document {
         outgoing: Some(own),
     }));
     app.apply(Command::Mix(Mix {
+        gels: vec![Gel {
+            key: GEL.to_owned(),
+            thickness: 0.1 + 0.2,
+        }],
         channels: vec![
             MixChannel {
                 level: 100.0 / 3.0,
                 mute: true,
                 solo: true,
                 lock: true,
+                group: 2,
                 ..MixChannel::new(Source::Line { at_nm: 546.1 })
             },
             MixChannel::new(Source::Named(RED.to_owned())),
@@ -258,6 +268,8 @@ pub fn full_preferences() -> Preferences {
                 method: Method::Lines,
                 lines: vec![1e3 / 3.0 + 100.0],
                 lamp: D65.to_owned(),
+                second: Some((Given::Xyy([0.3, 0.1 + 0.2, 20.0]), D65.to_owned())),
+                telling: Telling::Xyy,
             },
             kept: [
                 Some(Snapshot {
@@ -271,7 +283,8 @@ pub fn full_preferences() -> Preferences {
                 }),
             ],
             wish: MixWish {
-                light: Some(D65.to_owned()),
+                light: None,
+                xy: Some([0.1 + 0.2, 0.35]),
                 kelvin: 3000.0,
                 duv: 0.001,
                 alike: true,
@@ -281,8 +294,9 @@ pub fn full_preferences() -> Preferences {
                     ..Floors::default()
                 },
                 against: Against::Ra,
-                lines: 4,
+                lines: 8,
             },
+            desk_surfaces: DeskSurfaces::Everyday,
             image: ImageMemory {
                 key: Some("image/3".to_owned()),
                 selection: Some(Rect::pixel(2, 5)),

@@ -296,6 +296,95 @@ fn four_lines_are_never_worse_than_three() {
 }
 
 #[test]
+fn two_lines_of_a_colour_are_never_better_than_three_and_no_pair_is_better_than_theirs() {
+    let target = golden()["targets"]["P2700"]["target_xy"].clone();
+    let floors = vec![300.0, 400.0, 450.0, 500.0];
+    for against in [Against::Ra, Against::Rf] {
+        let two = front_at(&target, against, 2, floors.clone());
+        let three = front_at(&target, against, 3, floors.clone());
+        let worth = |point: &FrontPoint| match against {
+            Against::Ra => point.figures.ra.unwrap(),
+            Against::Rf => point.figures.rf.unwrap(),
+        };
+        for point in &two {
+            let above = three.iter().find(|three| three.floor == point.floor);
+            assert!(worth(point) <= worth(above.unwrap()) + 0.02, "{point:?}");
+            assert!(point.lines.len() <= 2 && point.figures.ler >= point.floor - 1e-6);
+            let [x, y] = point.figures.xy.unwrap();
+            let [tx, ty] = pair(&target);
+            assert!((x - tx).hypot(y - ty) < 1e-9, "{point:?}");
+        }
+        assert!(!two.is_empty());
+        // Pairs that the search did not look at: a channel each whole nm, solved for.
+        let best = two.iter().map(worth).fold(f64::NEG_INFINITY, f64::max);
+        for first in (405..=500).step_by(5) {
+            let specs = [format!("line:{first}.3"), "line:577.9".to_owned()];
+            let found = solved(
+                &channels(&specs),
+                Wish {
+                    target: Some(Target::of_xy(pair(&target)).unwrap()),
+                    ..Wish::default()
+                },
+            );
+            let figure = match against {
+                Against::Ra => found.figures.ra,
+                Against::Rf => found.figures.rf,
+            };
+            assert!(!found.reached || figure.unwrap() < best + 0.05);
+        }
+    }
+}
+
+#[test]
+fn each_line_more_is_no_worse_and_has_no_better_powers_than_those_it_found() {
+    let target = golden()["targets"]["D65"]["target_xy"].clone();
+    let floors = vec![250.0, 320.0, 380.0];
+    let colour = Target::of_xy(pair(&target)).unwrap();
+    for (against, favour) in [(Against::Ra, Favour::Ra), (Against::Rf, Favour::Rf)] {
+        let worth = |figures: &spectral_explorer::design::solve::MixFigures| match against {
+            Against::Ra => figures.ra.unwrap(),
+            Against::Rf => figures.rf.unwrap(),
+        };
+        let mut before = vec![f64::NEG_INFINITY; floors.len()];
+        for lines in [4, 5, 6, 8] {
+            let found = front_at(&target, against, lines, floors.clone());
+            assert_eq!(found.len(), floors.len());
+            for (point, before) in found.iter().zip(&mut before) {
+                assert!(worth(&point.figures) > *before - 1e-6, "{lines}: {point:?}");
+                *before = worth(&point.figures);
+                assert!(point.lines.len() <= lines);
+                assert!(point.figures.ler >= point.floor - 1e-6, "{point:?}");
+                let [x, y] = point.figures.xy.unwrap();
+                let [tx, ty] = pair(&target);
+                assert!((x - tx).hypot(y - ty) < 1e-9, "{point:?}");
+                // The same places with powers by the solver of the mixing desk.
+                let places = point
+                    .lines
+                    .iter()
+                    .map(|line| format!("line:{}", line.at_nm));
+                let again = solved(
+                    &channels(&places.collect::<Vec<_>>()),
+                    Wish {
+                        target: Some(colour),
+                        favour,
+                        floors: Floors {
+                            ler: Some(point.floor),
+                            ..Floors::default()
+                        },
+                        ..Wish::default()
+                    },
+                );
+                let missing = worth(&again.figures) - worth(&point.figures);
+                assert!(
+                    !again.reached || missing < 0.3,
+                    "{lines}: {missing} {point:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn the_known_trade_of_three_lines_comes_out_by_itself() {
     // Thornton 1971: three lines near 450, 540 and 610 nm give Ra about 80 at high efficacy.
     let wish = FrontWish {
@@ -342,11 +431,16 @@ fn the_same_front_is_the_same_bits_and_can_be_cancelled() {
     let progress = Progress::default();
     progress.cancel();
     assert_eq!(front(&wish, SampleTables::shipped(), &progress), Ok(None));
-    let five = FrontWish { lines: 5, ..wish };
-    assert_eq!(
-        front(&five, SampleTables::shipped(), &Progress::default()),
-        Err(MixError::Channels { found: 5 })
-    );
+    for lines in [1, 9] {
+        let wish = FrontWish {
+            lines,
+            ..wish.clone()
+        };
+        assert_eq!(
+            front(&wish, SampleTables::shipped(), &Progress::default()),
+            Err(MixError::Channels { found: lines })
+        );
+    }
 }
 
 const LEDS: [&str; 8] = [

@@ -4,7 +4,7 @@ use crate::{
     app::{
         chart::{Chart, Dash, Inks, Marks, Palette, Panel, Series, Theme},
         charts::products::chain::strip,
-        design::colour::{ColourSheet, method_name},
+        design::{colour::ColourSheet, colour_words::method_name},
     },
     color::wavelength_rgb::srgb_from_wavelength,
     design::recover::{BAND, LineLight, Method, Recovered, node_nm},
@@ -39,7 +39,7 @@ pub fn colour_chart(sheet: &ColourSheet, theme: Theme) -> Chart {
     }
     let mut ends = [0.0, 1.0];
     if let Ok(found) = &sheet.fourier {
-        let line = Series::line(method_name(Method::Fourier3), inks.spikes, curve(found));
+        let line = Series::line(method_name(found.method), inks.spikes, curve(found));
         series.push(line.dashed(Dash::Dashed));
         let [low, high] = found.reflectance.extent();
         ends = [low.min(ends[0]), high.max(ends[1])];

@@ -95,8 +95,9 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
         };
         let both = smooth.iter_mut().zip(&channel.values);
         both.for_each(|(sum, value)| *sum -= power * value);
-        if *power > 0.0 {
-            lines.push(([at_nm, power / SLIT_NM], *power));
+        let power = power * channel.power();
+        if power > 0.0 {
+            lines.push(([at_nm, power / SLIT_NM], power));
         }
     }
     let first = (band.min_nm() - f64::from(FIRST_NM)) as usize;
@@ -106,7 +107,7 @@ pub fn mixed_spectrum(desk: &Desk, theme: Theme) -> Chart {
         // What is left of a line by rounding is none.
         .map(|(nm, value)| [nm, value.max(0.0)])
         .collect();
-    let whole: f64 = powers.iter().sum();
+    let whole: f64 = desk.values.iter().sum();
     let area = Marks::Area {
         points: points.clone(),
         base: Vec::new(),

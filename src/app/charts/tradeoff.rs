@@ -103,7 +103,7 @@ pub fn origin(about: &About) -> Vec<String> {
         about.band.min_nm(),
         about.band.max_nm(),
         about.observer.title(),
-        about.patch_set,
+        about.patches.set,
         env!("CARGO_PKG_VERSION")
     ));
     notes

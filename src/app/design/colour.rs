@@ -1,22 +1,24 @@
 //! A colour and the spectra that have it: what the page "From a colour" shows.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use serde::{Deserialize, Serialize};
 
-use super::recovered::{Asked, OBSERVER, line_light};
+use super::{
+    recovered::{Asked, OBSERVER, line_light},
+    telling::Telling,
+};
 use crate::{
     app::{
         document::Document,
         entry::Entry,
+        library::Library,
         make::{entry_of, table_of},
         recipe::{Given, Recipe},
     },
-    color::{
-        Adaptation, Lab, Srgb, Swatch, Xyz, delta_e_of_xyz, lab_from_xyz, xyz_from_reflectance,
-    },
+    color::{Adaptation, Srgb, Swatch, Xyz, delta_e_of_xyz, xyz_from_reflectance},
     design::recover::{
-        LineLight, MetamerBand, Method, NODES, Recovered, Told, Viewing, metamers, node_nm, told,
+        LineLight, MetamerBand, Method, Recovered, Seen, Told, Viewing, metamers, told,
     },
     spectrum::Sampled,
 };
@@ -31,11 +33,19 @@ pub const UNDER: [&str; 6] = [
     "cie_led_1nm/LED-RGB1",
 ];
 
+/// Those lights with their names: shipped, so that they are prepared once.
+static LIGHTS: LazyLock<Vec<(String, Sampled, Viewing)>> = LazyLock::new(|| {
+    let one = |key: &&str| {
+        let preset = Library::bundled().find(key).ok()?;
+        let table = preset.spectrum()?.samples.clone();
+        let viewing = Viewing::to_look(&table, OBSERVER).ok()?;
+        Some((preset.name.clone(), table, viewing))
+    };
+    UNDER.iter().filter_map(one).collect()
+});
+
 /// Lines of mercury, where none are told.
 pub const MERCURY_NM: [f64; 4] = [405.0, 436.0, 546.0, 578.0];
-
-/// Where the band's width is told: the ends are hardly seen, nm.
-const TOLD_NM: std::ops::RangeInclusive<f64> = 420.0..=680.0;
 
 /// What the page asks about; not part of undo.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -51,6 +61,10 @@ pub struct FromColour {
     pub lines: Vec<f64>,
     /// Key of the lamp whose smooth part stands behind them.
     pub lamp: String,
+    /// The same surface's colour under a second light, and that light's key.
+    pub second: Option<(Given, String)>,
+    /// The way that colours are told on the page.
+    pub telling: Telling,
 }
 
 impl Default for FromColour {
@@ -61,6 +75,8 @@ impl Default for FromColour {
             method: Method::Smoothest,
             lines: MERCURY_NM.to_vec(),
             lamp: UNDER[2].to_owned(),
+            second: None,
+            telling: Telling::Srgb,
         }
     }
 }
@@ -69,17 +85,73 @@ impl FromColour {
     /// Every value moved to the nearest one that is allowed.
     #[must_use]
     pub fn clamped(mut self) -> Self {
-        if let Given::Lab(lab) = &mut self.given {
-            let within = |v: f64, [low, high]: [f64; 2]| v.max(low).min(high);
-            let ends = [[0.0, 100.0], [-200.0, 200.0], [-200.0, 200.0]];
-            *lab = std::array::from_fn(|k| within(lab[k], ends[k]));
-        }
+        self.given = self.given.clamped();
+        self.second = self.second.map(|(given, light)| (given.clamped(), light));
         self.lines.retain(|nm| nm.is_finite());
         self.lines.truncate(12);
-        if self.method == Method::Fourier6 {
-            self.method = Method::Fourier3;
-        }
+        // As many coefficients as there are numbers.
+        self.method = match self.method {
+            Method::Fourier3 | Method::Fourier6 => self.coefficients(),
+            method => method,
+        };
         self
+    }
+
+    /// The same about a screen's colour, by itself.
+    #[must_use]
+    pub fn about(self, rgb: [u8; 3]) -> Self {
+        Self {
+            given: Given::Srgb(rgb),
+            second: None,
+            telling: Telling::Srgb,
+            ..self
+        }
+        .clamped()
+    }
+
+    /// The paper's way for one colour, or for two.
+    fn coefficients(&self) -> Method {
+        match self.second {
+            None => Method::Fourier3,
+            Some(_) => Method::Fourier6,
+        }
+    }
+
+    /// The methods that the page shows.
+    pub fn methods(&self) -> [Method; 3] {
+        [Method::Smoothest, self.coefficients(), Method::Lines]
+    }
+
+    /// The same with one light.
+    #[must_use]
+    pub fn with_one(self) -> Self {
+        Self {
+            second: None,
+            ..self
+        }
+        .clamped()
+    }
+
+    /// The same with a second light: at first with the colour that the smoothest surface has under
+    /// it, or the surface's own.
+    #[must_use]
+    pub fn with_second(
+        self,
+        sheet: Option<&ColourSheet>,
+        light: &str,
+        document: &Document,
+    ) -> Self {
+        let found = || {
+            if self.given.surface().is_some() {
+                return Some(self.given.clone());
+            }
+            let table = table_of(document, light)?;
+            let viewing = Viewing::to_look(&table, OBSERVER).ok()?;
+            let xyz = sheet?.smoothest.reflectance.xyz(&viewing);
+            Some(Given::Xyz(xyz.to_array()))
+        };
+        let second = found().map(|given| (given, light.to_owned()));
+        Self { second, ..self }.clamped()
     }
 
     /// The spectrum of the method chosen as a spectrum of the library.
@@ -94,6 +166,7 @@ impl FromColour {
             } else {
                 Vec::new()
             },
+            second: self.second.clone().filter(|_| !lines),
         }
     }
 }
@@ -114,20 +187,29 @@ pub struct Under {
     pub differs: Option<f64>,
 }
 
-/// A colour with all that has it.
+/// A colour under a light, as the page shows it.
 #[derive(Clone, Debug)]
-pub struct ColourSheet {
-    /// The colour as a screen shows it, adapted to the light.
+pub struct SeenColour {
+    /// As a screen shows it, adapted to the light.
     pub swatch: Swatch,
-    /// The colour against the light.
-    pub lab: Lab,
+    /// Y = 100 for the light.
+    pub xyz: Xyz,
+    /// Of the light, Y = 100.
+    pub white: Xyz,
     /// The light's name.
     pub light: String,
+}
+
+/// A colour, or the same surface's colours under two lights, with all that has them.
+#[derive(Clone, Debug)]
+pub struct ColourSheet {
+    /// The colour, and that under the second light where there is one.
+    pub seen: Vec<SeenColour>,
     /// The surface that it started from.
     pub surface: Option<Arc<Entry>>,
     /// The smoothest reflectance.
     pub smoothest: Recovered,
-    /// Three Fourier coefficients, or why there are none.
+    /// Three Fourier coefficients, for two colours six; or why there are none.
     pub fourier: Result<Recovered, String>,
     /// A light of lines, or why there is none.
     pub lines: Result<LineLight, String>,
@@ -145,39 +227,27 @@ impl ColourSheet {
     /// # Errors
     /// Why there is nothing to show, a sentence.
     pub fn of(from: &FromColour, document: &Document) -> Result<Self, String> {
-        let missing = |key: &str| format!("The library has no {key} any more: choose another.");
-        let light = table_of(document, &from.light).ok_or_else(|| missing(&from.light))?;
-        let name = from.light.rsplit('/').next().unwrap_or_default().to_owned();
-        let surface = match &from.given {
-            Given::Of(key) => Some(entry_of(document, key).ok_or_else(|| missing(key))?),
-            _ => None,
-        };
+        let surface = surface_of(&from.given, document)?;
         let measured = surface.as_ref().map(|entry| &entry.spectrum.samples);
-        let refused =
-            |why: crate::design::recover::RecoverError| format!("Not under {name}: {why}.");
-        let asked = Asked::new(&from.given, &light, measured).map_err(refused)?;
-        let seen = [asked.seen()];
-        let smoothest = Recovered::new(Method::Smoothest, &seen).map_err(refused)?;
-        let fourier = Recovered::new(Method::Fourier3, &seen).map_err(|why| why.to_string());
+        let mut asked = vec![asked(&from.given, &from.light, document)?];
+        if let Some((given, light)) = &from.second {
+            asked.push(self::asked(given, light, document)?);
+        }
+        let seen: Vec<Seen> = asked.iter().map(|(_, asked)| asked.seen()).collect();
+        let smoothest = Recovered::new(Method::Smoothest, &seen)
+            .map_err(|why| format!("There is no such surface: {why}."))?;
+        let fourier = Recovered::new(from.coefficients(), &seen).map_err(|why| why.to_string());
         let lines = match table_of(document, &from.lamp) {
             Some(lamp) => {
                 line_light(&from.given, &from.lines, &lamp, measured).map_err(|why| why.to_string())
             }
             None => Err(missing(&from.lamp)),
         };
-        let lights: Vec<(String, Sampled, Viewing)> = UNDER
-            .iter()
-            .filter_map(|key| {
-                let table = table_of(document, key)?;
-                let viewing = Viewing::to_look(&table, OBSERVER).ok()?;
-                Some((key.rsplit('/').next()?.to_owned(), table, viewing))
-            })
-            .collect();
+        let lights = &*LIGHTS;
         let told = measured.map(|measured| {
             let pairs: Vec<_> = lights.iter().map(|(_, t, v)| (t, v)).collect();
             told(&smoothest, measured, &pairs)
         });
-        let white = asked.viewing.white();
         let under = lights
             .iter()
             .map(|(name, table, viewing)| {
@@ -190,11 +260,16 @@ impl ColourSheet {
                 )
             })
             .collect();
+        let band = metamers(&seen);
+        let seen = asked.into_iter().map(|(light, asked)| SeenColour {
+            swatch: Swatch::of_patch(asked.xyz, asked.viewing.white(), Adaptation::ToLight),
+            xyz: asked.xyz,
+            white: asked.viewing.white(),
+            light,
+        });
         Ok(Self {
-            swatch: Swatch::of_patch(asked.xyz, white, Adaptation::ToLight),
-            lab: lab_from_xyz(asked.xyz, white),
-            light: name,
-            band: metamers(&seen),
+            seen: seen.collect(),
+            band,
             surface,
             smoothest,
             fourier,
@@ -204,125 +279,32 @@ impl ColourSheet {
         })
     }
 
-    /// The result in a sentence.
-    pub fn sentence(&self) -> String {
-        let light = &self.light;
-        if let Some(nearest) = &self.smoothest.nearest {
-            let off = nearest.delta_e.iter().copied().fold(0.0, f64::max);
-            return format!(
-                "No surface has this colour under {light}: the nearest that one can have is \
-                 {off:.1} \u{394}E00 off, and is what is drawn."
-            );
-        }
-        let first = match (&self.surface, &self.told) {
-            (Some(entry), Some(told)) => {
-                let looks = self.under.iter().zip(&told.delta_e);
-                let worst = looks
-                    .filter_map(|(under, off)| Some((&under.light, (*off)?)))
-                    .max_by(|a, b| a.1.total_cmp(&b.1));
-                let worst = worst.map_or_else(String::new, |(light, off)| {
-                    format!(", and under {light} it looks {off:.1} \u{394}E00 off")
-                });
-                format!(
-                    "From its colour under {light}, {} comes out {:.3} off (rms){worst}.",
-                    entry.name(),
-                    told.rms
-                )
-            }
-            _ => {
-                let [low, high] = self.smoothest.reflectance.extent().map(|v| 100.0 * v);
-                format!(
-                    "The smoothest surface of {} reflects {low:.0} to {high:.0} %.",
-                    self.swatch.hex()
-                )
-            }
-        };
-        let spread = self.spread().map_or_else(String::new, |spread| {
-            let per_cent = 100.0 * spread;
-            format!(
-                " Surfaces that look just the same under {light} can be {per_cent:.0} % of \
-                 reflectance apart, on average over the wavelengths."
-            )
-        });
-        format!("{first}{spread}")
-    }
-
-    /// Mean distance of the least and the greatest reflectance.
-    fn spread(&self) -> Option<f64> {
-        let band = self.band.as_ref()?;
-        let seen: Vec<usize> = (0..NODES)
-            .filter(|node| TOLD_NM.contains(&node_nm(*node)))
-            .collect();
-        let sum: f64 = seen
-            .iter()
-            .map(|i| band.greatest[*i] - band.least[*i])
-            .sum();
-        Some(sum / seen.len() as f64)
-    }
-
-    /// What each way is to be trusted by: name, range of values, round trip, condition, words.
-    pub fn facts(&self) -> Vec<[String; 4]> {
-        let of_surface = |method: Method, found: &Recovered| {
-            let [low, high] = found.reflectance.extent();
-            let inside = match found.is_inside_0_1() {
-                true => "",
-                false => " \u{25b2} no surface is so",
-            };
-            let condition = found.condition_number;
-            [
-                method_name(method).to_owned(),
-                format!("{low:.2} to {high:.2}{inside}"),
-                format!("{:.2}", found.round_trip_delta_e),
-                condition.map_or_else(|| "-".to_owned(), |condition| format!("{condition:.0}")),
-            ]
-        };
-        let none = |method: Method, why: &String| {
-            let dash = "-".to_owned();
-            [
-                method_name(method).to_owned(),
-                why.clone(),
-                dash.clone(),
-                dash,
-            ]
-        };
-        let fourier = match &self.fourier {
-            Ok(found) => of_surface(Method::Fourier3, found),
-            Err(why) => none(Method::Fourier3, why),
-        };
-        let lines = match &self.lines {
-            Ok(found) => {
-                let power: f64 = found.background.iter().sum();
-                let lines: f64 = found.lines.iter().map(|line| line.weight).sum();
-                let share = 100.0 * lines / (lines + power);
-                let off = match &found.nearest {
-                    Some(_) => " \u{25b2} only near it",
-                    None => "",
-                };
-                [
-                    method_name(Method::Lines).to_owned(),
-                    format!("{share:.0} % in the lines{off}"),
-                    format!("{:.2}", found.round_trip_delta_e),
-                    format!("{:.0}", found.condition_number),
-                ]
-            }
-            Err(why) => none(Method::Lines, why),
-        };
-        vec![
-            of_surface(Method::Smoothest, &self.smoothest),
-            fourier,
-            lines,
-        ]
+    /// The colour as a screen shows it, adapted to its light.
+    pub fn swatch(&self) -> Swatch {
+        let first = self.seen.first().map(|seen| seen.swatch);
+        first.unwrap_or_else(|| Swatch::of_light(Xyz::ZERO))
     }
 }
 
-/// What a method is called on the page.
-pub fn method_name(method: Method) -> &'static str {
-    match method {
-        Method::Smoothest => "Smoothest surface",
-        Method::Fourier3 => "Three coefficients (Eq. 18)",
-        Method::Fourier6 => "Six coefficients",
-        Method::Lines => "Light of lines",
+/// A given colour under a light, with the light's name.
+fn asked(given: &Given, key: &str, document: &Document) -> Result<(String, Asked), String> {
+    let light = table_of(document, key).ok_or_else(|| missing(key))?;
+    let name = key.rsplit('/').next().unwrap_or_default().to_owned();
+    let surface = surface_of(given, document)?;
+    let measured = surface.as_ref().map(|entry| &entry.spectrum.samples);
+    match Asked::new(given, &light, measured) {
+        Ok(asked) => Ok((name, asked)),
+        Err(why) => Err(format!("Not under {name}: {why}.")),
     }
+}
+
+fn surface_of(given: &Given, document: &Document) -> Result<Option<Arc<Entry>>, String> {
+    let found = |key| entry_of(document, key).ok_or_else(|| missing(key));
+    given.surface().map(found).transpose()
+}
+
+fn missing(key: &str) -> String {
+    format!("The library has no {key} any more: choose another.")
 }
 
 fn under(
@@ -377,7 +359,7 @@ mod tests {
             let within = band.least[node] - 1e-6..=band.greatest[node] + 1e-6;
             assert!(within.contains(value), "{node}");
         }
-        assert_eq!(found.swatch.hex(), "#c08040");
+        assert_eq!(found.swatch().hex(), "#c08040");
         assert_eq!((found.under.len(), found.facts().len()), (UNDER.len(), 3));
         assert!(found.sentence().contains("#c08040"), "{}", found.sentence());
     }
@@ -408,6 +390,80 @@ mod tests {
         // Under the light that it was told by it looks the same.
         assert!(found.under[0].differs.expect("seen") < 0.05);
         assert!(found.under.iter().all(|under| under.real.is_some()));
+    }
+
+    #[test]
+    fn two_lights_tell_a_surface_better_than_one_and_tell_how_well_they_differ() {
+        let one = FromColour {
+            given: Given::Of("colorchecker_ohta/blue".to_owned()),
+            ..FromColour::default()
+        };
+        let first = sheet(&one);
+        let app = App::new();
+        let two = one.with_second(Some(&first), UNDER[1], app.document());
+        let found = sheet(&two);
+        let rms = |sheet: &ColourSheet| sheet.told.as_ref().map(|told| told.rms);
+        assert!(
+            rms(&found) < rms(&first),
+            "{:?} {:?}",
+            rms(&found),
+            rms(&first)
+        );
+        let band = |sheet: &ColourSheet| sheet.spread().expect("a surface can have it");
+        assert!(band(&found) < band(&first));
+        let few = found.fourier.as_ref().expect("D65 and A differ");
+        assert_eq!((few.method, few.xyz.len()), (Method::Fourier6, 2));
+        let of_one = first.fourier.as_ref().expect("D65 shows colours");
+        assert!(few.condition_number > of_one.condition_number);
+        assert!(
+            found.sentence().contains("CIE D65 and CIE A"),
+            "{}",
+            found.sentence()
+        );
+        // The recipe has both colours, and follows both lights.
+        let recipe = two.recipe();
+        assert!(recipe.stands_on().contains(&UNDER[1]));
+        let mut app = App::new();
+        app.apply(Command::Make {
+            recipe,
+            place: MadeFor::Shown,
+        });
+        let made = &app.document().own[0].spectrum.samples;
+        assert_eq!(*made, found.smoothest.reflectance.sampled());
+        // One light less, and the coefficients are three again.
+        let few = FromColour {
+            method: Method::Fourier6,
+            ..two.clone()
+        };
+        assert_eq!(few.clone().clamped().method, Method::Fourier6);
+        assert_eq!(few.with_one().method, Method::Fourier3);
+        // The same light twice tells no six numbers.
+        let same = two.with_second(Some(&first), UNDER[0], app.document());
+        assert!(sheet(&same).fourier.is_err());
+    }
+
+    #[test]
+    fn a_second_light_begins_with_the_colour_that_the_smoothest_surface_has() {
+        let one = FromColour::default();
+        let first = sheet(&one);
+        let two = one.with_second(Some(&first), UNDER[1], App::new().document());
+        let found = sheet(&two);
+        assert!(found.smoothest.nearest.is_none());
+        let values = |sheet: &ColourSheet| sheet.smoothest.reflectance.sampled();
+        for (a, b) in values(&first).values().iter().zip(values(&found).values()) {
+            assert!((a - b).abs() < 1e-6, "{a} {b}");
+        }
+        // Two colours that no surface has together get a word and the nearest.
+        let odd = FromColour {
+            second: Some((Given::Srgb([0, 0, 255]), UNDER[1].to_owned())),
+            ..FromColour::default()
+        };
+        let found = sheet(&odd);
+        assert!(
+            found
+                .sentence()
+                .starts_with("No surface has these colours under")
+        );
     }
 
     #[test]

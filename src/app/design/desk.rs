@@ -8,11 +8,16 @@ use super::{
     mix::{FULL, Mix},
 };
 use crate::{
-    app::{document::Document, make::table_of, recipe::Recipe},
+    app::{
+        document::Document,
+        make::{entry_of, table_of},
+        recipe::Recipe,
+    },
     color::{
-        Adaptation, Srgb, Swatch, Xyz,
-        quality::{Light, RENDERING_NAMES, Rendering, rendering},
+        Observer, Srgb, Swatch, Xyz,
+        quality::{Light, Rendering, rendering},
         uv_1976_from_xyz,
+        xyz::xyz_from_nm_values,
     },
     design::{
         mixture::{Channel, MixError, mixed},
@@ -24,7 +29,7 @@ use crate::{
 /// Greatest distance from the blackbodies at which a light is called white (CIE 13.3), Duv.
 const WHITE_DUV: f64 = 0.0054;
 
-/// A channel as a light.
+/// A channel as a light, behind the gels.
 #[derive(Clone, Debug)]
 pub struct Strip {
     /// What it is, in words.
@@ -58,7 +63,9 @@ impl Desk {
     /// The desk of a document.
     pub fn of(document: &Document) -> Self {
         let mix = document.mix.clone();
-        let strip = |source: &_| light::channel(source, |key| table_of(document, key));
+        let gels = light::gels_on_nm(&mix.gels, |key| entry_of(document, key));
+        let strip =
+            |source: &_| light::channel(source, |key| table_of(document, key), gels.as_deref());
         let strips: Vec<Strip> = mix
             .channels
             .iter()
@@ -91,27 +98,6 @@ impl Desk {
         Some(rendering.samples[8].index)
     }
 
-    /// The test colours as an eye sees them that is adapted to each: under the mixture, under the
-    /// reference of its temperature, and what they are.
-    pub fn surfaces(&self) -> Vec<(Swatch, Swatch, String)> {
-        let Some(found) = &self.rendering else {
-            return Vec::new();
-        };
-        let whites = [found.test_white, found.reference_white];
-        let samples = found.samples.iter().zip(RENDERING_NAMES).enumerate();
-        samples
-            .map(|(i, (sample, name))| {
-                let seen = |xyz, white| Swatch::of_patch(xyz, white, Adaptation::ToLight);
-                let words = format!("R{} {:.0}: {name}", i + 1, sample.index);
-                (
-                    seen(sample.test, whites[0]),
-                    seen(sample.reference, whites[1]),
-                    words,
-                )
-            })
-            .collect()
-    }
-
     /// The channels that are lights and are heard, with their powers.
     pub fn lights(&self) -> (Vec<Channel>, Vec<f64>) {
         let heard = self.heard();
@@ -138,7 +124,8 @@ impl Desk {
             .filter(|channel| channel.level > 0.0)
             .map(|channel| (channel.source.clone(), channel.level))
             .collect();
-        (!channels.is_empty()).then_some(Recipe::Mix { channels })
+        let gels = self.mix.gels.clone();
+        (!channels.is_empty()).then_some(Recipe::Mix { channels, gels })
     }
 
     /// The colour of the mixture, as bright as a screen can show it.
@@ -162,10 +149,15 @@ impl Desk {
     pub fn to_csv(&self) -> String {
         let mut csv = "channel,drive_percent,share_of_power_percent,dmx_8,dmx_16\n".to_owned();
         let powers = self.mix.powers();
-        let whole: f64 = powers.iter().sum();
-        for (channel, power) in self.mix.channels.iter().zip(powers) {
+        // A gel leaves every channel another share of its power.
+        let passes = |strip: &Strip| strip.light.as_ref().map_or(0.0, Channel::power);
+        let through = self.strips.iter().zip(&powers);
+        let through: Vec<f64> = through.map(|(strip, p)| p * passes(strip)).collect();
+        let whole: f64 = through.iter().sum();
+        let rows = self.mix.channels.iter().zip(powers).zip(through);
+        for ((channel, power), through) in rows {
             let drive = power / FULL;
-            let share = if whole > 0.0 { power / whole } else { 0.0 };
+            let share = if whole > 0.0 { through / whole } else { 0.0 };
             // Writing to a string cannot fail.
             let _ = writeln!(
                 csv,
@@ -183,11 +175,11 @@ impl Desk {
 
 impl Strip {
     fn of(title: String, light: Result<Channel, MixError>) -> Self {
-        let xyz = light.as_ref().ok().and_then(|channel| {
-            let one = std::slice::from_ref(channel);
-            let mixer = Mixer::new(one, SampleTables::shipped()).ok()?;
-            mixer.figures(&[1.0]).xyz
-        });
+        let seen = |channel: &Channel| xyz_from_nm_values(&channel.values, Observer::Cie1931);
+        let xyz = light
+            .as_ref()
+            .ok()
+            .and_then(|channel| seen(channel).with_y(100.0));
         Self {
             title,
             uv: xyz.and_then(uv_1976_from_xyz),
@@ -213,8 +205,9 @@ pub fn words(figures: &MixFigures, r9: Option<f64>) -> String {
     let index = |name: &str, value: Option<f64>| value.map(|v| format!("{name} {v:.0}"));
     let indices = [
         index("Ra", figures.ra),
-        index("Rf", figures.rf),
         index("R9", r9),
+        index("Rf", figures.rf),
+        index("Rg", figures.rg),
     ];
     let mut all: Vec<String> = indices.into_iter().flatten().collect();
     all.extend([per_watt, melanopic]);
@@ -230,7 +223,7 @@ pub fn words(figures: &MixFigures, r9: Option<f64>) -> String {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, command::MadeFor, design::mix::MixChannel},
+        app::{App, Command, command::MadeFor, design::mix::MixChannel, recipe::Gel},
         design::mixture::Source,
     };
 
@@ -242,20 +235,10 @@ mod tests {
         let sentence = desk.sentence();
         assert!(sentence.starts_with("A white light of "), "{sentence}");
         assert!(sentence.contains(&format!("{:.0} K", cct.kelvin)));
-        assert!(sentence.contains("R9 "));
-    }
-
-    #[test]
-    fn the_test_colours_stand_beside_those_of_the_reference() {
-        let desk = Desk::of(App::new().document());
-        let surfaces = desk.surfaces();
-        assert_eq!(surfaces.len(), 15);
         assert!(
-            surfaces
-                .iter()
-                .any(|(test, reference, _)| test.rgb8 != reference.rgb8)
+            sentence.contains("R9 ") && sentence.contains("Rg "),
+            "{sentence}"
         );
-        assert!(surfaces[8].2.starts_with("R9 "), "{}", surfaces[8].2);
     }
 
     #[test]
@@ -311,12 +294,14 @@ mod tests {
         let source = Source::Named(made.key.clone());
         app.apply(Command::Mix(Mix {
             channels: vec![MixChannel::new(source)],
+            gels: Vec::new(),
         }));
         let recipe = Desk::of(app.document()).recipe().expect("it shines");
         app.apply(Command::Make { recipe, place });
         let second = app.document().light.clone();
         let recipe = Recipe::Mix {
             channels: vec![(Source::Line { at_nm: 500.0 }, 1.0)],
+            gels: Vec::new(),
         };
         let key = made.key.clone();
         app.apply(Command::MakeOtherwise { key, recipe });
@@ -331,6 +316,46 @@ mod tests {
         });
         assert!(app.document().mix.channels.is_empty());
         assert!(app.entry(&second.key).is_some());
+    }
+
+    #[test]
+    fn gels_stand_before_every_channel_and_the_mixture_follows_them() {
+        const GREEN: &str = "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm";
+        let mut app = App::new();
+        let bare = Desk::of(app.document());
+        let put_on = |app: &mut App, thickness: f64| {
+            let gels = vec![Gel {
+                key: GREEN.to_owned(),
+                thickness,
+            }];
+            let mix = Mix {
+                gels,
+                ..app.document().mix.clone()
+            };
+            app.apply(Command::Mix(mix));
+            app.end_gesture();
+            Desk::of(app.document())
+        };
+        // No thickness is no gel.
+        assert_eq!(put_on(&mut app, 0.0).values, bare.values);
+        let (once, twice) = (put_on(&mut app, 1.0), put_on(&mut app, 2.0));
+        let at = |desk: &Desk, nm: usize| desk.values[nm - 360] / bare.values[nm - 360];
+        for nm in [455, 530, 632] {
+            let (a, b) = (at(&once, nm), at(&twice, nm));
+            assert!(a < 1.0 && (a * a - b).abs() < 1e-12, "{nm}: {a} {b}");
+        }
+        assert!(at(&once, 530) > at(&once, 455));
+        // What is solved for is met behind the gel, and the light of the library is behind it too.
+        assert_eq!(
+            app.undo_words().as_deref().map(|w| w.ends_with("2.00")),
+            Some(true)
+        );
+        let recipe = twice.recipe().expect("it shines");
+        let place = MadeFor::Shown;
+        app.apply(Command::Make { recipe, place });
+        let made = app.document().light.clone();
+        assert_eq!(made.spectrum.samples.values(), twice.values);
+        assert!(made.name().contains("behind isuzu"), "{}", made.name());
     }
 
     #[test]

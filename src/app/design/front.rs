@@ -63,6 +63,7 @@ pub fn on_desk(point: &FrontPoint) -> Mix {
     });
     Mix {
         channels: lines.collect(),
+        gels: Vec::new(),
     }
 }
 

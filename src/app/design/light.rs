@@ -1,36 +1,67 @@
-//! Channels as lights, and a mixture as a spectrum.
+//! Channels as lights, what stands before them, and a mixture as a spectrum.
+
+use std::sync::Arc;
 
 use crate::{
-    app::design::mix::title,
-    color::xyz::FIRST_NM,
+    app::{
+        design::mix::title,
+        entry::Entry,
+        products::Link,
+        recipe::{Gel, Times},
+    },
+    color::xyz::{FIRST_NM, LAST_NM},
     design::mixture::{Channel, MixError, Source, Spec, mixed},
-    spectrum::{Kind, NamedSpectrum, Sampled},
+    spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };
 
-/// A channel of what it is made of; `table` has the light of a key.
+/// A channel of what it is made of; `table` has the light of a key, `gels` the shares that pass what
+/// stands before it on whole nm 360-830.
 ///
 /// # Errors
 /// [`MixError`] for a light that is not there or has no power.
 pub fn channel(
     source: &Source,
     table: impl FnOnce(&str) -> Option<Sampled>,
+    gels: Option<&[f64]>,
 ) -> Result<Channel, MixError> {
     let light = match source {
         Source::Named(key) => table(key),
         _ => None,
     };
-    Channel::new(Spec::of(source.clone()), light.as_ref())
+    let channel = Channel::new(Spec::of(source.clone()), light.as_ref())?;
+    match gels {
+        Some(shares) => channel.through(shares),
+        None => Ok(channel),
+    }
+}
+
+/// The shares that pass all gels on whole nm 360-830, each at its thickness; `None` without one. A
+/// gel that is not there keeps nothing back.
+pub fn gels_on_nm(gels: &[Gel], find: impl Fn(&str) -> Option<Arc<Entry>>) -> Option<Vec<f64>> {
+    let band = Band::new(f64::from(FIRST_NM), f64::from(LAST_NM)).ok()?;
+    let each = gels.iter().filter_map(|gel| {
+        let times = Times {
+            thickness: gel.thickness,
+            ..Times::default()
+        };
+        Some(Link::new(find(&gel.key)?, times).on_band(band))
+    });
+    each.reduce(|mut all, one| {
+        all.iter_mut().zip(one).for_each(|(a, b)| *a *= b);
+        all
+    })
 }
 
 /// The mixture as a light on whole nm 360-830; `None` where nothing shines.
-pub fn spectrum(channels: &[Channel], powers: &[f64]) -> Option<NamedSpectrum> {
+pub fn spectrum(channels: &[Channel], powers: &[f64], gels: &[Gel]) -> Option<NamedSpectrum> {
     let values = mixed(channels, powers);
-    let whole: f64 = powers.iter().sum();
+    let both = channels.iter().zip(powers);
+    let shine: Vec<(&Channel, f64)> = both.map(|(c, power)| (c, power * c.power())).collect();
+    let whole: f64 = shine.iter().map(|(_, power)| power).sum();
     let share = |power: &f64| format!("{:.1} %", 100.0 * power / whole);
-    let parts: Vec<String> = channels
+    let parts: Vec<String> = shine
         .iter()
-        .zip(powers)
-        .filter(|(_, power)| **power > 0.0)
+        .filter(|(_, power)| *power > 0.0)
         .map(|(channel, power)| format!("{} {}", title(&channel.spec.source), share(power)))
         .collect();
     let name = match &parts[..] {
@@ -38,14 +69,19 @@ pub fn spectrum(channels: &[Channel], powers: &[f64]) -> Option<NamedSpectrum> {
         [one] => format!("Mixture of {one}"),
         many => format!("Mixture of {} channels", many.len()),
     };
+    let behind: Vec<String> = gels.iter().map(Gel::words).collect();
+    let behind = match &behind[..] {
+        [] => String::new(),
+        gels => format!(" behind {}", gels.join(" and ")),
+    };
     Some(NamedSpectrum {
-        name,
+        name: name + &behind,
         kind: Kind::Light,
         unit: "relative".to_owned(),
         scale: 1.0,
         samples: Sampled::even(f64::from(FIRST_NM), 1.0, values).ok()?,
         notes: vec![format!(
-            "Mixed, shares of power: {}. A line without width is split over its two neighbouring nm.",
+            "Mixed{behind}, shares of power: {}. A line without width is split over its two neighbouring nm.",
             parts.join(", ")
         )],
         source: "mixed channels".to_owned(),

@@ -2,13 +2,22 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{app::ticks::short, design::mixture::Source};
+use crate::{
+    app::{products::THICKNESSES, recipe::Gel, ticks::short},
+    design::mixture::Source,
+};
 
 /// A fader that is all the way up, per cent of a channel's full power.
 pub const FULL: f64 = 100.0;
 
 /// Most channels of a desk: more hide one another.
 pub const MOST_CHANNELS: usize = 24;
+
+/// Most gels before it.
+pub const MOST_GELS: usize = 8;
+
+/// Groups that channels can be in, from 1.
+pub const GROUPS: u8 = 3;
 
 /// A channel of the desk.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -26,6 +35,9 @@ pub struct MixChannel {
     /// Solving leaves its fader where it is.
     #[serde(default)]
     pub lock: bool,
+    /// The group whose fader moves it too, 1 to [`GROUPS`]; 0 for none.
+    #[serde(default)]
+    pub group: u8,
 }
 
 impl MixChannel {
@@ -37,6 +49,7 @@ impl MixChannel {
             mute: false,
             solo: false,
             lock: false,
+            group: 0,
         }
     }
 
@@ -63,6 +76,8 @@ pub fn title(source: &Source) -> String {
 pub struct Mix {
     /// Its channels, from the top down.
     pub channels: Vec<MixChannel>,
+    /// What stands before all of them.
+    pub gels: Vec<Gel>,
 }
 
 impl Mix {
@@ -80,6 +95,7 @@ impl Mix {
         };
         Self {
             channels: leds.into_iter().map(channel).collect(),
+            gels: Vec::new(),
         }
     }
 
@@ -89,11 +105,18 @@ impl Mix {
         let clamped = |channel: MixChannel| MixChannel {
             source: channel.source.clamped(),
             level: sound(channel.level),
+            group: channel.group.min(GROUPS),
             ..channel
         };
         let channels = self.channels.into_iter().take(MOST_CHANNELS);
+        let (least, most) = (*THICKNESSES.start(), *THICKNESSES.end());
+        let gels = self.gels.into_iter().take(MOST_GELS).map(|gel| Gel {
+            thickness: gel.thickness.max(least).min(most),
+            ..gel
+        });
         Self {
             channels: channels.map(clamped).collect(),
+            gels: gels.collect(),
         }
     }
 
@@ -109,15 +132,6 @@ impl Mix {
         self.channels.iter().map(power).collect()
     }
 
-    /// The channels that shine, with their powers.
-    pub fn shining(&self) -> Vec<(Source, f64)> {
-        let channels = self.channels.iter().zip(self.powers());
-        channels
-            .filter(|(_, power)| *power > 0.0)
-            .map(|(channel, power)| (channel.source.clone(), power))
-            .collect()
-    }
-
     /// The highest fader of those that are heard.
     pub fn highest(&self) -> f64 {
         self.powers().into_iter().fold(0.0, f64::max)
@@ -126,13 +140,36 @@ impl Mix {
     /// All faders that are heard moved together until the highest is there: dimmed at constant
     /// colour.
     #[must_use]
-    pub fn dimmed(mut self, highest: f64) -> Self {
-        let factor = sound(highest) / self.highest();
+    pub fn dimmed(self, highest: f64) -> Self {
+        let heard: Vec<bool> = self.channels.iter().map(|c| self.is_heard(c)).collect();
+        self.together(&heard, highest)
+    }
+
+    /// The highest fader of a group; `None` for a group of no channel.
+    pub fn group_highest(&self, group: u8) -> Option<f64> {
+        let levels = self.channels.iter().filter(|c| c.group == group);
+        levels.map(|c| c.level).reduce(f64::max)
+    }
+
+    /// The faders of a group moved together until its highest is there.
+    #[must_use]
+    pub fn group_dimmed(self, group: u8, highest: f64) -> Self {
+        let members: Vec<bool> = self.channels.iter().map(|c| c.group == group).collect();
+        self.together(&members, highest)
+    }
+
+    /// Some faders moved together until the highest of them is there: their shares stay.
+    fn together(mut self, moved: &[bool], highest: f64) -> Self {
+        let mut moved: Vec<&mut MixChannel> = self
+            .channels
+            .iter_mut()
+            .zip(moved)
+            .filter_map(|(channel, moved)| moved.then_some(channel))
+            .collect();
+        let now = moved.iter().map(|c| c.level).fold(0.0, f64::max);
+        let factor = sound(highest) / now;
         if factor.is_finite() {
-            let heard: Vec<bool> = self.channels.iter().map(|c| self.is_heard(c)).collect();
-            let channels = self.channels.iter_mut().zip(heard);
-            let heard = channels.filter(|(_, heard)| *heard);
-            heard.for_each(|(channel, _)| channel.level *= factor);
+            moved.iter_mut().for_each(|c| c.level *= factor);
         }
         self
     }
@@ -159,10 +196,11 @@ impl Mix {
         self
     }
 
-    /// Lets go of a light that left the library.
+    /// Lets go of a light or a gel that left the library.
     pub fn forget(&mut self, key: &str) {
         let is_it = |c: &MixChannel| matches!(&c.source, Source::Named(name) if name == key);
         self.channels.retain(|channel| !is_it(channel));
+        self.gels.retain(|gel| gel.key != key);
     }
 
     /// What changed, in words; `None` for nothing.
@@ -171,6 +209,9 @@ impl Mix {
             return None;
         }
         let (is, was) = (&self.channels, &before.channels);
+        if self.gels != before.gels {
+            return Some(self.changed_gel(before));
+        }
         if is.len() != was.len() {
             let more = if is.len() > was.len() {
                 "more"
@@ -181,16 +222,42 @@ impl Mix {
         }
         let changed: Vec<_> = is.iter().zip(was).filter(|(a, b)| a != b).collect();
         let [(now, then)] = changed[..] else {
-            return Some("faders of the mixture".to_owned());
+            let group = changed.first().map_or(0, |(now, _)| now.group);
+            let is_group = group > 0 && changed.iter().all(|(now, _)| now.group == group);
+            return Some(match is_group {
+                true => format!("fader of group {group}"),
+                false => "faders of the mixture".to_owned(),
+            });
         };
         let name = now.title();
         Some(if now.source != then.source {
             format!("{} to {name}", then.title())
         } else if now.level != then.level {
             format!("fader of {name} to {:.0} %", now.level)
+        } else if now.group != then.group {
+            match now.group {
+                0 => format!("{name} in no group"),
+                group => format!("{name} in group {group}"),
+            }
         } else {
             format!("a switch of {name}")
         })
+    }
+}
+
+impl Mix {
+    /// What changed of the gels, in words.
+    fn changed_gel(&self, before: &Self) -> String {
+        let (is, was) = (&self.gels, &before.gels);
+        let new = is.iter().find(|gel| !was.iter().any(|b| b.key == gel.key));
+        let gone = was.iter().find(|gel| !is.iter().any(|b| b.key == gel.key));
+        let other = is.iter().zip(was).find(|(a, b)| a != b);
+        match (new, gone, other) {
+            (Some(gel), _, _) => format!("gel {} put on", gel.words()),
+            (None, Some(gel), _) => format!("gel {} taken off", gel.words()),
+            (None, None, Some((gel, _))) => format!("gel {}", gel.words()),
+            (None, None, None) => "gels of the mixture".to_owned(),
+        }
     }
 }
 
@@ -234,7 +301,6 @@ mod tests {
         assert_eq!(powers.iter().filter(|p| **p > 0.0).count(), 1);
         mix.channels[1].mute = true;
         assert_eq!(mix.highest(), 0.0);
-        assert!(mix.shining().is_empty());
     }
 
     #[test]
@@ -248,6 +314,49 @@ mod tests {
         // Nothing shines: nothing to dim, and no number that is none.
         let dark = Mix::default().dimmed(30.0);
         assert_eq!(dark, Mix::default());
+    }
+
+    #[test]
+    fn a_group_moves_together_and_leaves_the_others() {
+        let mut mix = Mix::first();
+        mix.channels[0].group = 1;
+        mix.channels[1].group = 1;
+        assert_eq!(
+            (mix.group_highest(1), mix.group_highest(2)),
+            (Some(75.0), None)
+        );
+        let moved = mix.clone().group_dimmed(1, 37.5);
+        let levels: Vec<f64> = moved.channels.iter().map(|c| c.level).collect();
+        assert_eq!(levels, [12.0, 37.5, 40.0, 100.0]);
+        let words = moved.changed_since(&mix);
+        assert_eq!(words.as_deref(), Some("fader of group 1"));
+        // A group that is all the way down stays there: its shares are lost.
+        mix.channels[0].level = 0.0;
+        mix.channels[1].level = 0.0;
+        assert_eq!(mix.clone().group_dimmed(1, 50.0), mix);
+    }
+
+    #[test]
+    fn what_happens_to_gels_is_told_and_a_gel_that_is_gone_is_let_go_of() {
+        let bare = Mix::first();
+        let gel = |thickness: f64| Gel {
+            key: "own/7".to_owned(),
+            thickness,
+        };
+        let with = |gels: &[Gel]| Mix {
+            gels: gels.to_vec(),
+            ..Mix::first()
+        };
+        let (one, thick) = (with(&[gel(1.0)]), with(&[gel(2.0)]));
+        let told = |now: &Mix, before: &Mix| now.changed_since(before).unwrap_or_default();
+        assert_eq!(told(&one, &bare), "gel 7 put on");
+        assert_eq!(told(&thick, &one), "gel 7 \u{d7} 2.00");
+        assert_eq!(told(&bare, &thick), "gel 7 \u{d7} 2.00 taken off");
+        let twice = with(&[gel(1.0), gel(1.0)]);
+        assert_eq!(told(&twice, &one), "gels of the mixture");
+        let mut mix = one.clone();
+        mix.forget("own/7");
+        assert_eq!(mix, bare);
     }
 
     #[test]
@@ -269,9 +378,24 @@ mod tests {
         mix.channels[0].level = f64::NAN;
         mix.channels[1].source = Source::Line { at_nm: 5000.0 };
         mix.channels[2].level = 1e9;
+        mix.channels[2].group = 9;
+        mix.gels = vec![
+            Gel {
+                key: String::new(),
+                thickness: f64::NAN
+            };
+            20
+        ];
         let sound = mix.clamped();
         assert_eq!(sound.channels[0].level, 0.0);
         assert_eq!(sound.channels[1].source, Source::Line { at_nm: 830.0 });
-        assert_eq!(sound.channels[2].level, FULL);
+        assert_eq!(
+            (sound.channels[2].level, sound.channels[2].group),
+            (FULL, GROUPS)
+        );
+        assert_eq!(
+            (sound.gels.len(), sound.gels[0].thickness),
+            (MOST_GELS, 0.0)
+        );
     }
 }

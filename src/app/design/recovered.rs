@@ -34,7 +34,9 @@ impl Asked {
         let viewing = Viewing::new(light, OBSERVER)?;
         let xyz = match given {
             Given::Srgb(rgb) => Colour::Srgb(Srgb(*rgb)).under(&viewing)?,
+            Given::Xyz(xyz) => Colour::Xyz(Xyz::from_array(*xyz)).under(&viewing)?,
             Given::Lab([l, a, b]) => Colour::Lab(Lab::new(*l, *a, *b)).under(&viewing)?,
+            Given::Xyy(xyy) => Colour::Xyy(*xyy).under(&viewing)?,
             Given::Of(_) => surface
                 .and_then(|surface| xyz_from_reflectance(surface, light, OBSERVER))
                 .ok_or(RecoverError::NotAColour)?,
@@ -76,41 +78,51 @@ pub fn line_light(
     LineLight::new(lines, &background, &[asked], OBSERVER)
 }
 
-/// A spectrum of a given colour by a method: a reflectance under `light`, or a light of lines over
-/// the smooth part of `light`. `words` say what the colour and the light are.
+/// A given colour under a light, with the words for both.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// The colour.
+    pub given: Given,
+    /// The colour in words, or the name of the surface that it is of.
+    pub colour: String,
+    /// The light's name.
+    pub lamp: String,
+    /// The light.
+    pub light: Sampled,
+    /// The surface that it is of, where it is of one.
+    pub surface: Option<Sampled>,
+}
+
+/// A spectrum by a method: a reflectance that has one colour, or two under two lights; or a light
+/// of lines of the first colour, over the smooth part of its light.
 ///
 /// # Errors
 /// [`RecoverError`] for what cannot be.
 pub fn spectrum(
     method: Method,
-    (given, lines): (&Given, &[f64]),
-    light: &Sampled,
-    surface: Option<&Sampled>,
-    [colour, lamp]: [&str; 2],
+    shown: &[Shown],
+    lines: &[f64],
 ) -> Result<NamedSpectrum, RecoverError> {
-    let title = method.title();
-    let (kind, unit, samples, name) = match method {
+    let first = shown.first().ok_or(RecoverError::NotAColour)?;
+    let each = |shown: &Shown| format!("{} under {}", shown.colour, shown.lamp);
+    let (kind, unit, samples, name, from) = match method {
         Method::Lines => {
-            let found = line_light(given, lines, light, surface)?;
+            let found = line_light(&first.given, lines, &first.light, first.surface.as_ref())?;
             let samples = Sampled::even(BAND.min_nm(), 1.0, found.on_band())
                 .map_err(|_| RecoverError::NotAColour)?;
-            (
-                Kind::Light,
-                "relative",
-                samples,
-                format!("Light of lines, {colour}"),
-            )
+            let name = format!("Light of lines, {}", first.colour);
+            let from = format!("{} and the glow of {}", first.colour, first.lamp);
+            (Kind::Light, "relative", samples, name, from)
         }
-        _ => {
-            let asked = Asked::new(given, light, surface)?;
-            let found = Recovered::new(method, &[asked.seen()])?;
-            let name = format!("Surface from {colour} under {lamp}");
-            (
-                Kind::Reflectance,
-                "fraction",
-                found.reflectance.sampled(),
-                name,
-            )
+        Method::Smoothest | Method::Fourier3 | Method::Fourier6 => {
+            let asked = shown.iter();
+            let asked = asked.map(|s| Asked::new(&s.given, &s.light, s.surface.as_ref()));
+            let asked = asked.collect::<Result<Vec<_>, _>>()?;
+            let seen: Vec<Seen> = asked.iter().map(Asked::seen).collect();
+            let samples = Recovered::new(method, &seen)?.reflectance.sampled();
+            let from = shown.iter().map(each).collect::<Vec<_>>().join(" and ");
+            let name = format!("Surface from {from}");
+            (Kind::Reflectance, "fraction", samples, name, from)
         }
     };
     Ok(NamedSpectrum {
@@ -119,9 +131,7 @@ pub fn spectrum(
         unit: unit.to_owned(),
         scale: 1.0,
         samples,
-        notes: vec![format!(
-            "Made from the colour {colour} and {lamp}: {title}."
-        )],
-        source: format!("made from a colour and {lamp}"),
+        notes: vec![format!("Made from {from}: {}.", method.title())],
+        source: format!("made from {from}"),
     })
 }

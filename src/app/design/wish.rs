@@ -10,9 +10,9 @@ use crate::{
     app::{document::Document, make::table_of},
     color::xyz::{FIRST_NM, LAST_NM},
     design::{
-        mixture::Channel,
+        mixture::{Channel, MixError},
         scales::SampleTables,
-        solve::{Against, Favour, Floors, Mixer, Solution, Target, Wish},
+        solve::{Against, FREE_LINES, Favour, Floors, Mixer, Solution, Target, Wish},
     },
     spectrum::Outside,
 };
@@ -29,6 +29,9 @@ pub const DUV: std::ops::RangeInclusive<f64> = -0.05..=0.05;
 pub struct MixWish {
     /// The light whose colour it is to have, by its key; `None` for a temperature.
     pub light: Option<String>,
+    /// CIE 1931 chromaticity that it is to have, where it is not that of a light; `None` for a
+    /// temperature.
+    pub xy: Option<[f64; 2]>,
     /// Its temperature, K.
     pub kelvin: f64,
     /// Its distance from the blackbodies.
@@ -41,7 +44,7 @@ pub struct MixWish {
     pub floors: Floors,
     /// The front: what efficacy is traded for.
     pub against: Against,
-    /// The front: lines at free places, 3 or 4.
+    /// The front: lines at free places, [`FREE_LINES`].
     pub lines: usize,
 }
 
@@ -49,6 +52,7 @@ impl Default for MixWish {
     fn default() -> Self {
         Self {
             light: None,
+            xy: None,
             kelvin: 4000.0,
             duv: 0.0,
             alike: false,
@@ -69,6 +73,11 @@ impl MixWish {
         };
         let floor = |floor: Option<f64>| floor.filter(|value| value.is_finite());
         Self {
+            xy: self.xy.filter(|_| self.light.is_none()).map(|xy| {
+                // What is no number becomes the equal-energy white.
+                let sound = |v: f64| if v.is_nan() { 1.0 / 3.0 } else { v };
+                xy.map(|v| sound(v).clamp(0.0, 1.0))
+            }),
             kelvin: within(self.kelvin, KELVIN),
             duv: within(self.duv, DUV),
             floors: Floors {
@@ -77,7 +86,7 @@ impl MixWish {
                 ra: floor(self.floors.ra),
                 melanopic: floor(self.floors.melanopic),
             },
-            lines: self.lines.clamp(3, 4),
+            lines: self.lines.clamp(*FREE_LINES.start(), *FREE_LINES.end()),
             ..self
         }
     }
@@ -87,21 +96,38 @@ impl MixWish {
     /// # Errors
     /// Why there is none, a sentence.
     pub fn target(&self, document: &Document) -> Result<Target, String> {
+        let refused = |why: MixError| format!("No such colour: {why}.");
         let Some(key) = &self.light else {
-            return Target::of_kelvin(self.kelvin, self.duv)
-                .map_err(|why| format!("No such colour: {why}."));
+            return match self.xy {
+                Some(xy) => Target::of_xy(xy),
+                None => Target::of_kelvin(self.kelvin, self.duv),
+            }
+            .map_err(refused);
         };
         let table = table_of(document, key);
         let table = table.ok_or_else(|| format!("The library has no light {key} any more."))?;
-        Target::of_light(&table).map_err(|why| format!("No such colour: {why}."))
+        Target::of_light(&table).map_err(refused)
+    }
+
+    /// The same wish told by x and y: those of what it was, to four digits.
+    #[must_use]
+    pub fn by_xy(self, document: &Document) -> Self {
+        let xy = self.target(document).map_or([1.0 / 3.0; 2], Target::xy);
+        let xy = xy.map(|v| (1e4 * v).round() / 1e4);
+        Self {
+            light: None,
+            xy: Some(xy),
+            ..self
+        }
     }
 
     /// The colour in words.
     pub fn colour_words(&self) -> String {
-        match &self.light {
-            Some(key) => key.rsplit('/').next().unwrap_or(key).to_owned(),
-            None if self.duv == 0.0 => format!("{:.0} K", self.kelvin),
-            None => format!("{:.0} K, Duv {:+.4}", self.kelvin, self.duv),
+        match (&self.light, self.xy) {
+            (Some(key), _) => key.rsplit('/').next().unwrap_or(key).to_owned(),
+            (None, Some([x, y])) => format!("x {x:.4}, y {y:.4}"),
+            (None, None) if self.duv == 0.0 => format!("{:.0} K", self.kelvin),
+            (None, None) => format!("{:.0} K, Duv {:+.4}", self.kelvin, self.duv),
         }
     }
 }
@@ -212,6 +238,44 @@ mod tests {
             // Solving again changes nothing.
             assert_eq!(solved(&app, &wish).mix, app.document().mix);
         }
+    }
+
+    #[test]
+    fn a_chromaticity_can_be_wished_for_and_begins_with_that_of_the_temperature() {
+        let mut app = App::new();
+        let warm = MixWish {
+            kelvin: 3000.0,
+            ..MixWish::default()
+        };
+        let by_xy = warm.by_xy(app.document()).clamped();
+        let [x, y] = by_xy.xy.expect("x and y");
+        assert!(
+            (x - 0.4369).abs() < 2e-4 && (y - 0.4041).abs() < 2e-4,
+            "{x} {y}"
+        );
+        let found = solved(&app, &by_xy);
+        assert!(
+            found.sentence.contains(&format!("x {x:.4}, y {y:.4}")),
+            "{}",
+            found.sentence
+        );
+        app.apply(Command::Mix(found.mix));
+        let figures = Desk::of(app.document()).figures.expect("it shines");
+        let [a, b] = figures.xy.expect("a colour");
+        assert!((a - x).hypot(b - y) < 1e-6, "{a} {b}");
+        // What is no chromaticity says so; a light goes before x and y.
+        let odd = MixWish {
+            xy: Some([0.9, 0.9]),
+            ..MixWish::default()
+        };
+        let why = Solved::of(&odd, &Desk::of(app.document()), app.document());
+        assert!(why.expect_err("no colour").contains("x + y"));
+        let light = MixWish {
+            light: Some("cie_illuminants/CIE A".to_owned()),
+            xy: Some([f64::NAN, 0.3]),
+            ..MixWish::default()
+        };
+        assert_eq!(light.clamped().xy, None);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::Page;
 use crate::{
     app::{
         charts::quality::DiagramShows,
-        design::{colour::FromColour, mix::Snapshot, wish::MixWish},
+        design::{colour::FromColour, mix::Snapshot, surfaces::DeskSurfaces, wish::MixWish},
         dispersion::DispersionMemory,
         picture::ImageMemory,
         products::ProductsMemory,
@@ -56,6 +56,8 @@ pub struct PageMemory {
     pub diagram: DiagramShows,
     /// Design: desks that were kept, A, B and C.
     pub kept: [Option<Snapshot>; 3],
+    /// Design: which surfaces stand under the mixture.
+    pub desk_surfaces: DeskSurfaces,
     /// Design: what is wished of the mixture.
     pub wish: MixWish,
     /// Design: the colour that spectra are made from.
@@ -103,6 +105,7 @@ impl Default for PageMemory {
             products: ProductsMemory::default(),
             diagram: DiagramShows::default(),
             kept: [None, None, None],
+            desk_surfaces: DeskSurfaces::default(),
             wish: MixWish::default(),
             colour: FromColour::default(),
             image: ImageMemory::default(),
@@ -122,6 +125,12 @@ pub const SPENDABLE: std::ops::RangeInclusive<usize> = 1..=101;
 pub const RACE_BUDGETS: [usize; 7] = [8, 11, 15, 20, 25, 31, 41];
 
 impl PageMemory {
+    /// Goes to the page "From a colour" with a screen's colour.
+    pub fn ask_about_colour(&mut self, rgb: [u8; 3]) {
+        self.colour = self.colour.clone().about(rgb);
+        self.page = Page::FromColour;
+    }
+
     /// Every value moved to the nearest one that is allowed.
     #[must_use]
     pub fn clamped(self) -> Self {

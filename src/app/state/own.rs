@@ -6,11 +6,12 @@ use super::{App, Tone};
 use crate::{
     app::{
         command::MadeFor,
-        document::{Document, FIRST_LIGHT, Subject},
+        document::{Document, FIRST_LIGHT, MOST_OWN_PATCHES, Subject},
         entry::Entry,
         make::{self, WhyNot},
         opened::{ImageEntry, Opened},
         origin::{FileReading, FromFile, MadeBy, Origin, SameFile, SourceFile},
+        products::{Link, MOST_LINKS},
         recipe::Recipe,
     },
     spectrum::{Kind, NamedSpectrum},
@@ -208,6 +209,7 @@ impl App {
         self.document.edits.remove(key);
         self.document.products.forget(key);
         self.document.mix.forget(key);
+        self.document.own_patches.retain(|known| known != key);
         self.freeze_what_stands_on(key);
         if self.document.factor.as_ref().is_some_and(|f| f.key == key) {
             self.document.factor = None;
@@ -237,11 +239,44 @@ impl App {
         match place {
             MadeFor::Shown => self.adopt(std::iter::once(made), &[]),
             MadeFor::Outgoing => {
-                let entry = self.numbered(made);
-                self.document.own.push(entry.clone());
+                let entry = self.join(made);
                 self.document.products.outgoing = Some(entry);
             }
+            MadeFor::Chain if self.document.products.chain.len() >= MOST_LINKS => {
+                let words = format!("The chain is full: it has {MOST_LINKS} links.");
+                self.say(Tone::Problem, words);
+            }
+            MadeFor::Chain => {
+                let entry = self.join(made);
+                self.document.products.chain.push(Link::once(entry));
+            }
+            MadeFor::Patches => {
+                let entry = self.join(made);
+                self.toggle_own_patch(&entry.key);
+            }
         }
+    }
+
+    /// One more of the user's own, which is not shown.
+    fn join(&mut self, made: Entry) -> Arc<Entry> {
+        let entry = self.numbered(made);
+        self.document.own.push(entry.clone());
+        entry
+    }
+
+    /// Puts an own surface behind the patches, or takes it away.
+    pub(super) fn toggle_own_patch(&mut self, key: &str) {
+        let keys = &mut self.document.own_patches;
+        match keys.iter().position(|known| known == key) {
+            Some(index) => drop(keys.remove(index)),
+            None if keys.len() < MOST_OWN_PATCHES => keys.push(key.to_owned()),
+            None => {
+                let words =
+                    format!("{MOST_OWN_PATCHES} own surfaces among the patches are the most.");
+                self.say(Tone::Problem, words);
+            }
+        }
+        self.document.patch = None;
     }
 
     pub(super) fn make_otherwise(&mut self, key: &str, recipe: Recipe) {

@@ -20,8 +20,8 @@ pub struct About {
     pub band: Band,
     /// Whose colour-matching functions.
     pub observer: Observer,
-    /// The group whose reflectances are the patches.
-    pub patch_set: String,
+    /// The patches.
+    pub patches: Patches,
     /// How lines are looked for.
     pub spikes: SpikeSettings,
 }
@@ -35,7 +35,7 @@ impl About {
             under: (!document.is_about_light()).then(|| ByAddress(document.light.clone())),
             band: settings.band,
             observer: settings.observer,
-            patch_set: document.patch_set.clone(),
+            patches: Patches::of(document),
             spikes: settings.spike_settings(),
         }
     }
@@ -43,11 +43,48 @@ impl About {
     /// The subject on the grid with its measures.
     pub fn subject(&self) -> Subject {
         Subject {
-            measures: measures(&self.patch_set, self.band, self.observer),
+            measures: self.patches.measures(self.band, self.observer),
             values: self.subject.0.on_band(self.band),
             under: self.under.as_ref().map(|light| light.0.on_band(self.band)),
             spikes: self.spikes,
         }
+    }
+}
+
+/// The surfaces that a light is judged by: a shipped set, and the user's own behind it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Patches {
+    /// The group of the shipped ones.
+    pub set: String,
+    /// Those of the user's own.
+    pub own: Vec<ByAddress<Entry>>,
+}
+
+impl Patches {
+    /// Those of a document.
+    pub fn of(document: &Document) -> Self {
+        let own = document.patches_of_own().cloned();
+        Self {
+            set: document.patch_set.clone(),
+            own: own.map(ByAddress).collect(),
+        }
+    }
+
+    /// Their names and reflectances on a band's grid.
+    pub fn reflectances(&self, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
+        let (mut names, mut all) = reflectances(&self.set, band);
+        for ByAddress(entry) in &self.own {
+            names.push(entry.name().to_owned());
+            all.push(entry.on_band(band));
+        }
+        (names, all)
+    }
+
+    /// Measures with them as the patches.
+    pub fn measures(&self, band: Band, observer: Observer) -> Arc<Measures> {
+        let (names, reflectances) = self.reflectances(band);
+        let patches = PatchSet::new(&reflectances, names, band, observer);
+        Arc::new(Measures::new(patches))
     }
 }
 
@@ -65,7 +102,9 @@ pub fn reflectances(group: &str, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
 
 /// Measures with a shipped group as the patches.
 pub fn measures(group: &str, band: Band, observer: Observer) -> Arc<Measures> {
-    let (names, reflectances) = reflectances(group, band);
-    let patches = PatchSet::new(&reflectances, names, band, observer);
-    Arc::new(Measures::new(patches))
+    let patches = Patches {
+        set: group.to_owned(),
+        own: Vec::new(),
+    };
+    patches.measures(band, observer)
 }

@@ -19,8 +19,11 @@ pub use relit::{RelitJobs, RelitShown};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
 
+use std::path::PathBuf;
+
 use super::{
     charts::products::bounces::Bounced,
+    design::photo::Photo,
     dispersion::{GemFilm, GemPass, NoiseAsk},
     document::Document,
     lessons::trial::{Trial, TrialAsk},
@@ -200,6 +203,8 @@ pub struct Studies {
     pub quality: Job<u64, OrderFigures>,
     /// What lines reach at best.
     pub front: Job<FrontWish, Result<Vec<FrontPoint>, String>>,
+    /// A picture of colours.
+    pub photo: Job<PathBuf, Result<Photo, String>>,
     /// The picture of a spectral image.
     pub raster: Job<RasterAsk, Raster>,
     /// The chosen spectrum of it with its model.
@@ -229,6 +234,7 @@ impl Studies {
             bounces,
             quality,
             front,
+            photo,
             raster,
             region,
             gem,
@@ -247,6 +253,7 @@ impl Studies {
         vec![
             sweep, many, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces,
             quality, raster, region, gem, gem_noise, look, fit, turn, store, peers, front, trial,
+            photo,
         ]
     }
 

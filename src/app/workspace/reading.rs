@@ -13,7 +13,9 @@ use super::{
 };
 use crate::{
     app::{
-        document::{Document, FIRST_PATCH_SET, MOST_OVERLAYS, WEIGHT_FACTORS, first_light},
+        document::{
+            Document, FIRST_PATCH_SET, MOST_OVERLAYS, MOST_OWN_PATCHES, WEIGHT_FACTORS, first_light,
+        },
         entry::{Entry, bundled_entries},
         library::Library,
         products::Products,
@@ -199,6 +201,7 @@ fn restored(
         given: stored.given.map(Settings::clamped),
         edits: stored.edits,
         patch_set: patches[patch_set].to_owned(),
+        own_patches: stored.own_patches,
         patch: stored.patch,
         scale: stored.scale,
         weight_factor,
@@ -207,6 +210,7 @@ fn restored(
         mix,
     };
     document.weigh_the_papers_lamps();
+    document.own_patches.truncate(MOST_OWN_PATCHES);
     Restored {
         document,
         images: stored.images,

@@ -154,6 +154,8 @@ pub struct Stored {
     pub edits: BTreeMap<String, SpikeEdits>,
     pub patch_set: String,
     #[serde(default)]
+    pub own_patches: Vec<String>,
+    #[serde(default)]
     pub patch: Option<usize>,
     #[serde(default)]
     pub scale: Scale,
@@ -197,6 +199,7 @@ impl Stored {
             given,
             edits,
             patch_set,
+            own_patches,
             patch,
             scale,
             weight_factor,
@@ -223,6 +226,7 @@ impl Stored {
             given: *given,
             edits: edits.clone(),
             patch_set: patch_set.clone(),
+            own_patches: own_patches.clone(),
             patch: *patch,
             scale: *scale,
             weight_factor: *weight_factor,

@@ -100,7 +100,7 @@ pub struct Mix {
     #[arg(long, value_name = "FIGURES", value_parser = room_words::against, conflicts_with = "channels",
         requires = "lines")]
     pub front: Option<Against>,
-    /// How many lines each light of the front has, 3 or 4.
+    /// How many lines each light of the front has, 2 to 8.
     #[arg(long, value_name = "COUNT", requires = "front", allow_negative_numbers = true,
         value_parser = room_words::free_lines)]
     pub lines: Option<usize>,

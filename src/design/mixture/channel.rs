@@ -12,12 +12,12 @@ use crate::{
 /// Numbers of the series that a mixture's smooth part is told by, half-range cosines.
 const COSINES: usize = 61;
 
-/// A channel: a light of unit power in 360-830 nm, to be weighed.
+/// A channel: a light of unit power in 360-830 nm, to be weighed; behind a filter of less.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
     /// What it is, in words.
     pub spec: Spec,
-    /// Power a nm on 360-830, sum 1; a line is split over its two neighbours.
+    /// Power a nm on 360-830; a line is split over its two neighbours.
     pub values: Vec<f64>,
 }
 
@@ -45,6 +45,27 @@ impl Channel {
             Some(values) => Ok(Self { spec, values }),
             None => Err(MixError::NoPower { spec: spec.words }),
         }
+    }
+
+    /// The same behind a filter, given as shares on 360-830: of less power by what it keeps back.
+    ///
+    /// # Errors
+    /// [`MixError::NoPower`] where nothing passes.
+    pub fn through(mut self, shares: &[f64]) -> Result<Self, MixError> {
+        let both = self.values.iter_mut().zip(shares);
+        both.for_each(|(value, share)| *value *= share.max(0.0));
+        if self.power() > 0.0 {
+            Ok(self)
+        } else {
+            Err(MixError::NoPower {
+                spec: self.spec.words,
+            })
+        }
+    }
+
+    /// Its power: 1, less behind a filter.
+    pub fn power(&self) -> f64 {
+        self.values.iter().sum()
     }
 
     /// Its place, if it is a line.
@@ -76,7 +97,7 @@ pub fn composite(channels: &[Channel], weights: &[f64]) -> Composite {
         match channel.line_nm() {
             Some(at_nm) if *weight > 0.0 && band.contains(at_nm) => spikes.push(Spike {
                 at_nm,
-                weight: *weight,
+                weight: weight * channel.power(),
             }),
             Some(_) => {}
             None => {

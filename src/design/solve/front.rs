@@ -1,19 +1,18 @@
 //! The trade between luminous efficacy and colour rendering, with lines that are free to move.
 //!
-//! A net over all places (4 nm for three lines, 10 nm for four) is looked at once; for each floor of
+//! Two lines of a colour have one place free: all of them are looked at. For three and four a net
+//! over all places (4 nm for three lines, 10 nm for four) is looked at once; for each floor of
 //! efficacy the best of the net are moved to where no move helps, then what the neighbouring floors
-//! found is tried. Floors are shared out among threads and each is its own search, so that the result is
-//! the same bits whatever their number.
-
-use std::{
-    sync::atomic::{AtomicUsize, Ordering},
-    thread,
-};
+//! found is tried. To four further ones join one by one, wherever each helps most. Floors are shared
+//! out among threads and each is its own search, so that the result is the same bits whatever their
+//! number.
 
 use super::{
     against::Against,
     figures::MixFigures,
+    light::{Light, Line, Worthy},
     line_search::{Found, LineSearch},
+    net::{GREATEST_LER, Net, RANGE_NM, each_floor, net_of},
     polytope::Polytope,
     target::Target,
 };
@@ -25,20 +24,8 @@ use crate::{
     study::Progress,
 };
 
-/// Places that lines may have, nm.
-const RANGE_NM: [f64; 2] = [400.0, 700.0];
-
-/// Starts from the net for each floor.
-const STARTS: usize = 8;
-
-/// Starts that are nearer than this in every line end at the same light, nm.
-const NEAR_NM: f64 = 6.0;
-
-/// Classes of efficacy among which the net keeps its best.
-const CLASSES: usize = 64;
-
-/// Greatest efficacy of the classes, lm/W.
-const GREATEST_LER: f64 = 683.0;
+/// Worth of a light that misses its floor, or has no figure, is below this.
+const LEAST_WORTH: f64 = -1e5;
 
 /// Which front is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +34,7 @@ pub struct FrontWish {
     pub target: Target,
     /// The figure.
     pub against: Against,
-    /// Lines of each light, 3 or 4.
+    /// Lines of each light, [`FREE_LINES`].
     pub lines: usize,
     /// Points, 2 to 100, between the best of the figure and the greatest efficacy.
     pub points: usize,
@@ -75,29 +62,23 @@ pub struct FrontPoint {
     pub figures: MixFigures,
 }
 
+/// Lines that a light of a front may have.
+pub const FREE_LINES: std::ops::RangeInclusive<usize> = 2..=8;
+
 /// The front by rising efficacy; `None` when cancelled. With even floors a light that another one
 /// beats in both is left out.
 ///
 /// # Errors
-/// [`MixError::Channels`] for other numbers of lines than 3 and 4, [`MixError::Target`] for a
-/// colour without a temperature (no figure) or outside of what lines can show.
+/// [`MixError::Channels`] for a number of lines that is not of [`FREE_LINES`], [`MixError::Target`]
+/// for a colour without a temperature (no figure) or outside of what lines can show.
 pub fn front(
     wish: &FrontWish,
     tables: &SampleTables,
     progress: &Progress,
 ) -> Result<Option<Vec<FrontPoint>>, MixError> {
-    match wish.lines {
-        3 => front_of::<3>(wish, tables, progress),
-        4 => front_of::<4>(wish, tables, progress),
-        found => Err(MixError::Channels { found }),
+    if !FREE_LINES.contains(&wish.lines) {
+        return Err(MixError::Channels { found: wish.lines });
     }
-}
-
-fn front_of<const L: usize>(
-    wish: &FrontWish,
-    tables: &SampleTables,
-    progress: &Progress,
-) -> Result<Option<Vec<FrontPoint>>, MixError> {
     let refused = |expected: &str| MixError::Target {
         found: wish.target.to_string(),
         expected: expected.to_owned(),
@@ -107,68 +88,180 @@ fn front_of<const L: usize>(
         refused("a colour near the blackbody locus, where Ra and Rf have a meaning")
     })?;
     let target = (xyz * 0.01).to_array();
-    let (greatest, brightest) = greatest_ler(target)
-        .ok_or_else(|| refused("a colour that lines of 400-700 nm can show"))?;
-    let search = LineSearch::new(RANGE_NM, target, wish.against, tables, &scales);
-    let points = wish.points.clamp(2, 100);
-    let wanted = wish.floors.as_ref().map_or(points, Vec::len);
-    progress.expect(2 * wanted + 2);
-    let Some(net) = net_of::<L>(&search, progress) else {
+    let brightest =
+        brightest(target).ok_or_else(|| refused("a colour that lines of 400-700 nm can show"))?;
+    let course = Course {
+        search: LineSearch::new(RANGE_NM, target, wish.against, tables, &scales),
+        brightest,
+        wish,
+        progress,
+    };
+    let found = match wish.lines {
+        2 => course.pairs(),
+        3 => course.few::<3>(),
+        4 => course.few::<4>(),
+        _ => course.many(),
+    };
+    let Some(found) = found else {
         return Ok(None);
     };
-    progress.step();
-    let free = search.best_of::<L>(&net.starts(0.0), 0.0);
-    progress.step();
-    let lowest = free.as_ref().map_or(0.0, |found| found.ler);
-    let floors = wish.floors.clone().unwrap_or_else(|| {
-        // The last floor leaves rounding room below what only two lines reach.
-        let last = greatest - 1e-3;
-        let at = |i: usize| lowest + (last - lowest) * i as f64 / (points - 1) as f64;
-        (0..points).map(at).collect()
-    });
-    let bright: [f64; L] = std::array::from_fn(|i| brightest[i * (brightest.len() - 1) / (L - 1)]);
-    // Three lines, one of them doubled, are four: so these are never worse than those.
-    let Some(threes) = (if L > 3 {
-        net_of::<3>(&search, progress)
-    } else {
-        Some(Net::new())
-    }) else {
-        return Ok(None);
-    };
-    let from_net = |index: usize| {
-        let mut starts: Vec<[f64; L]> = net.starts(floors[index]);
-        starts.push(bright);
-        let three = search.best_of::<3>(&threes.starts(floors[index]), floors[index]);
-        starts.extend(three.iter().flat_map(|three| doubled(three.places)));
-        search.best_of(&starts, floors[index])
-    };
-    let Some(first) = at_floors(floors.len(), &from_net, progress) else {
-        return Ok(None);
-    };
-    let from_beside = |index: usize| {
-        let near = [index.checked_sub(1), Some(index + 1)]
-            .into_iter()
-            .flatten();
-        let near = near
-            .filter_map(|i| first.get(i)?.as_ref())
-            .chain(free.iter());
-        let near: Vec<[f64; L]> = near.map(|found| found.places).collect();
-        search.bettered(first[index].as_ref(), &near, floors[index])
-    };
-    let Some(second) = at_floors(floors.len(), &from_beside, progress) else {
-        return Ok(None);
-    };
-    let found = spread_down(second);
-    let points = floors.iter().zip(&found).filter_map(|(floor, found)| {
-        let found = found.as_ref().filter(|found| found.worth > -1e5)?;
-        Some(point(*floor, found, tables))
-    });
-    let mut points: Vec<FrontPoint> = points.collect();
+    let worthy = found.iter().filter(|(_, light)| light.worth > LEAST_WORTH);
+    let mut points: Vec<FrontPoint> = worthy
+        .map(|(floor, light)| point(*floor, light, tables))
+        .collect();
     if wish.floors.is_none() {
         points.sort_by(|a, b| a.figures.ler.total_cmp(&b.figures.ler));
         points.dedup_by(|a, b| a.lines == b.lines);
     }
     Ok(Some(points))
+}
+
+/// Lights by the floors that they were sought at; `None` when cancelled.
+type AtFloors = Option<Vec<(f64, Light)>>;
+
+/// A search for a front.
+struct Course<'a> {
+    search: LineSearch<'a>,
+    /// The lines of the greatest efficacy.
+    brightest: Brightest,
+    wish: &'a FrontWish,
+    progress: &'a Progress,
+}
+
+/// The greatest efficacy of any lines of the colour, lm/W, and their places.
+struct Brightest {
+    ler: f64,
+    places: Vec<f64>,
+}
+
+/// What all floors begin with.
+struct Begun<const L: usize> {
+    net: Net<L>,
+    /// Three lines, one of them doubled, are four: so these are never worse than those.
+    threes: Net<3>,
+    /// The best without a floor.
+    free: Option<Found<L>>,
+}
+
+impl Course<'_> {
+    fn points(&self) -> usize {
+        self.wish.points.clamp(2, 100)
+    }
+
+    fn count(&self) -> usize {
+        self.wish.floors.as_ref().map_or(self.points(), Vec::len)
+    }
+
+    /// The floors asked for, or even ones from the efficacy of the best light to the greatest.
+    fn floors(&self, lowest: f64, greatest: f64) -> Vec<f64> {
+        self.wish.floors.clone().unwrap_or_else(|| {
+            let points = self.points();
+            // The last floor leaves rounding room below what only two lines reach.
+            let last = greatest - 1e-3;
+            let at = |i: usize| lowest + (last - lowest) * i as f64 / (points - 1) as f64;
+            (0..points).map(at).collect()
+        })
+    }
+
+    /// Two lines: all that have the colour, and of those the best at each floor.
+    fn pairs(&self) -> AtFloors {
+        self.progress.expect(1);
+        let all = self.search.pairs(self.progress)?;
+        let best = |floor: f64| {
+            let bright = all.iter().filter(|pair| pair.ler >= floor);
+            bright.max_by(|a, b| a.worth.total_cmp(&b.worth)).cloned()
+        };
+        let lowest = best(0.0).map_or(0.0, |best| best.ler);
+        let greatest = all.iter().map(|pair| pair.ler).fold(0.0, f64::max);
+        let floors = self.floors(lowest, greatest).into_iter();
+        self.progress.step();
+        Some(floors.filter_map(|f| Some((f, best(f)?))).collect())
+    }
+
+    /// Three or four lines.
+    fn few<const L: usize>(&self) -> AtFloors {
+        self.progress.expect(2 * self.count() + 2);
+        let begun = self.begun::<L>()?;
+        let lowest = begun.free.as_ref().map_or(0.0, |found| found.ler);
+        let floors = self.floors(lowest, self.brightest.ler);
+        let found = self.at_floors(&begun, &floors)?;
+        let lights = floors.into_iter().zip(found);
+        Some(
+            lights
+                .filter_map(|(f, found)| Some((f, found?.into())))
+                .collect(),
+        )
+    }
+
+    /// Five lines and more: four to which one after the other joins.
+    fn many(&self) -> AtFloors {
+        let more = self.wish.lines - 4;
+        self.progress.expect((2 + more) * self.count() + 2 + more);
+        let begun = self.begun::<4>()?;
+        let mut free: Option<Light> = begun.free.clone().map(Light::from);
+        for _ in 0..more {
+            free = free.map(|free| self.search.with_one_more(&free, 0.0));
+            self.progress.step();
+        }
+        let lowest = free.as_ref().map_or(0.0, |found| found.ler);
+        let floors = self.floors(lowest, self.brightest.ler);
+        let found = self.at_floors(&begun, &floors)?.into_iter();
+        let mut lights: Vec<Option<Light>> = found.map(|f| f.map(Light::from)).collect();
+        for _ in 0..more {
+            let one = |index: usize| {
+                let light = lights[index].as_ref()?;
+                Some(self.search.with_one_more(light, floors[index]))
+            };
+            let grown = each_floor(floors.len(), &one, self.progress)?;
+            lights = spread_down(grown);
+        }
+        let lights = floors.into_iter().zip(lights);
+        Some(lights.filter_map(|(f, light)| Some((f, light?))).collect())
+    }
+
+    fn begun<const L: usize>(&self) -> Option<Begun<L>> {
+        let net = net_of::<L>(&self.search, self.progress)?;
+        self.progress.step();
+        let free = self.search.best_of::<L>(&net.starts(0.0), 0.0);
+        self.progress.step();
+        let threes = match L {
+            3 => Net::new(),
+            _ => net_of::<3>(&self.search, self.progress)?,
+        };
+        Some(Begun { net, threes, free })
+    }
+
+    /// The best lights at each floor: from the net, then from what neighbouring floors found.
+    fn at_floors<const L: usize>(
+        &self,
+        begun: &Begun<L>,
+        floors: &[f64],
+    ) -> Option<Vec<Option<Found<L>>>> {
+        let places = &self.brightest.places;
+        let bright: [f64; L] = std::array::from_fn(|i| places[i * (places.len() - 1) / (L - 1)]);
+        let from_net = |index: usize| {
+            let mut starts: Vec<[f64; L]> = begun.net.starts(floors[index]);
+            starts.push(bright);
+            let threes = begun.threes.starts(floors[index]);
+            let three = self.search.best_of::<3>(&threes, floors[index]);
+            starts.extend(three.iter().flat_map(|three| doubled(three.places)));
+            self.search.best_of(&starts, floors[index])
+        };
+        let first = each_floor(floors.len(), &from_net, self.progress)?;
+        let from_beside = |index: usize| {
+            let near = [index.checked_sub(1), Some(index + 1)]
+                .into_iter()
+                .flatten();
+            let near = near
+                .filter_map(|i| first.get(i)?.as_ref())
+                .chain(begun.free.iter());
+            let near: Vec<[f64; L]> = near.map(|found| found.places).collect();
+            self.search
+                .bettered(first[index].as_ref(), &near, floors[index])
+        };
+        let second = each_floor(floors.len(), &from_beside, self.progress)?;
+        Some(spread_down(second))
+    }
 }
 
 /// Three lines as four or more, each of them doubled in turn.
@@ -190,11 +283,11 @@ fn doubled<const L: usize>(three: [f64; 3]) -> Vec<[f64; L]> {
 }
 
 /// A light that is good at a high floor is allowed at every lower one.
-fn spread_down<const L: usize>(mut found: Vec<Option<Found<L>>>) -> Vec<Option<Found<L>>> {
+fn spread_down<F: Worthy>(mut found: Vec<Option<F>>) -> Vec<Option<F>> {
     for index in (0..found.len().saturating_sub(1)).rev() {
         let (here, above) = (&found[index], &found[index + 1]);
         let better = match (here, above) {
-            (Some(here), Some(above)) => above.worth > here.worth && above.ler >= here.ler,
+            (Some(here), Some(above)) => above.worth() > here.worth() && above.ler() >= here.ler(),
             (None, Some(_)) => true,
             _ => false,
         };
@@ -205,8 +298,8 @@ fn spread_down<const L: usize>(mut found: Vec<Option<Found<L>>>) -> Vec<Option<F
     found
 }
 
-/// The greatest efficacy of any lines of the colour, and their places.
-fn greatest_ler(target: [f64; 3]) -> Option<(f64, Vec<f64>)> {
+/// The brightest of all lines of the colour.
+fn brightest(target: [f64; 3]) -> Option<Brightest> {
     let places: Vec<f64> = (RANGE_NM[0] as u32..=RANGE_NM[1] as u32)
         .map(f64::from)
         .collect();
@@ -215,21 +308,21 @@ fn greatest_ler(target: [f64; 3]) -> Option<(f64, Vec<f64>)> {
     let weights = all.most_lumens();
     let sums = all.sums(&weights);
     let lit = places.iter().zip(&weights).filter(|(_, w)| **w > 1e-9);
-    let lit: Vec<f64> = lit.map(|(nm, _)| *nm).collect();
-    (!lit.is_empty()).then_some((GREATEST_LER * sums[1] / sums[4], lit))
+    let places: Vec<f64> = lit.map(|(nm, _)| *nm).collect();
+    let ler = GREATEST_LER * sums[1] / sums[4];
+    (!places.is_empty()).then_some(Brightest { ler, places })
 }
 
-fn point<const L: usize>(floor: f64, found: &Found<L>, tables: &SampleTables) -> FrontPoint {
-    let whole: f64 = found.powers.iter().sum();
+fn point(floor: f64, light: &Light, tables: &SampleTables) -> FrontPoint {
+    let whole: f64 = light.lines.iter().map(|line| line.power).sum();
     let mut lines: Vec<FrontLine> = Vec::new();
     let mut sums = Sums::default();
-    for (place, power) in found.places.iter().zip(&found.powers) {
-        let at_nm = *place;
-        sums.add(&tables.line_sums(at_nm, true, true), *power, true);
+    for Line { at_nm, power } in &light.lines {
+        sums.add(&tables.line_sums(*at_nm, true, true), *power, true);
         match lines.last_mut() {
-            Some(last) if last.at_nm == at_nm => last.share_of_power += power / whole,
+            Some(last) if last.at_nm == *at_nm => last.share_of_power += power / whole,
             _ if *power > 0.0 => lines.push(FrontLine {
-                at_nm,
+                at_nm: *at_nm,
                 share_of_power: power / whole,
             }),
             _ => {}
@@ -240,135 +333,4 @@ fn point<const L: usize>(floor: f64, found: &Found<L>, tables: &SampleTables) ->
         lines,
         figures: MixFigures::new(&sums, tables),
     }
-}
-
-/// The best of a net over all places, by class of efficacy.
-struct Net<const L: usize> {
-    classes: Vec<Vec<(f64, [f64; L])>>,
-}
-
-impl<const L: usize> Net<L> {
-    fn new() -> Self {
-        Self {
-            classes: vec![Vec::new(); CLASSES],
-        }
-    }
-
-    fn take(&mut self, ler: f64, figure: f64, places: [f64; L]) {
-        let class = (ler / GREATEST_LER * CLASSES as f64) as usize;
-        let class = &mut self.classes[class.min(CLASSES - 1)];
-        let at = class.partition_point(|(old, _)| *old >= figure);
-        if at < STARTS && !class[..at].iter().any(|(_, old)| *old == places) {
-            class.insert(at, (figure, places));
-            class.truncate(STARTS);
-        }
-    }
-
-    /// The best lights at a floor, of each class first its own best.
-    fn starts(&self, floor: f64) -> Vec<[f64; L]> {
-        let first = (floor / GREATEST_LER * CLASSES as f64) as usize;
-        let above = self.classes.iter().skip(first.min(CLASSES - 1));
-        let mut all: Vec<(f64, [f64; L])> = above.flatten().copied().collect();
-        // Equal figures keep the order of the net.
-        all.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut starts: Vec<[f64; L]> = Vec::new();
-        for (_, places) in all {
-            // Neighbours of a start end where it does.
-            let near = |old: &[f64; L]| {
-                old.iter()
-                    .zip(&places)
-                    .all(|(a, b)| (a - b).abs() <= NEAR_NM)
-            };
-            if !starts.iter().any(near) {
-                starts.push(places);
-            }
-            if starts.len() == STARTS {
-                break;
-            }
-        }
-        starts
-    }
-}
-
-/// Looks at a net over all places; `None` when cancelled.
-fn net_of<const L: usize>(search: &LineSearch<'_>, progress: &Progress) -> Option<Net<L>> {
-    let (step, shares) = if L == 3 { (4, 1) } else { (10, 5) };
-    let whole = RANGE_NM[0] as u32..=RANGE_NM[1] as u32;
-    let places: Vec<f64> = whole.step_by(step).map(f64::from).collect();
-    let parts = places.len();
-    let one = |first: usize| {
-        let mut net = Net::<L>::new();
-        let mut rest: Vec<usize> = (first + 1..first + L).collect();
-        while rest.last().is_some_and(|last| *last < parts) && !progress.is_cancelled() {
-            let chosen: [f64; L] =
-                std::array::from_fn(|i| places[if i == 0 { first } else { rest[i - 1] }]);
-            search.look(chosen, shares, |ler, figure| net.take(ler, figure, chosen));
-            // The next set behind the first place.
-            let Some(at) = (0..L - 1).rev().find(|i| rest[*i] < parts - (L - 1) + i) else {
-                break;
-            };
-            rest[at] += 1;
-            (at + 1..L - 1).for_each(|i| rest[i] = rest[i - 1] + 1);
-        }
-        net
-    };
-    let nets = shared_out(parts, &one);
-    let mut whole = Net::new();
-    for net in nets {
-        for (class, found) in net.classes.into_iter().enumerate() {
-            let ler = (class as f64 + 0.5) / CLASSES as f64 * GREATEST_LER;
-            found
-                .into_iter()
-                .for_each(|(figure, places)| whole.take(ler, figure, places));
-        }
-    }
-    (!progress.is_cancelled()).then_some(whole)
-}
-
-/// What is found at each floor; `None` when cancelled.
-fn at_floors<const L: usize>(
-    floors: usize,
-    at: &(dyn Fn(usize) -> Option<Found<L>> + Sync),
-    progress: &Progress,
-) -> Option<Vec<Option<Found<L>>>> {
-    let one = |index: usize| {
-        let found = if progress.is_cancelled() {
-            None
-        } else {
-            at(index)
-        };
-        progress.step();
-        found
-    };
-    let found = shared_out(floors, &one);
-    (!progress.is_cancelled()).then_some(found)
-}
-
-/// Does tasks on as many threads as there are; results by task.
-fn shared_out<T: Send>(tasks: usize, one: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let task = next.fetch_add(1, Ordering::Relaxed);
-            if task >= tasks {
-                return done;
-            }
-            done.push((task, one(task)));
-        }
-    };
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut done: Vec<(usize, T)> = thread::scope(|scope| {
-        let others: Vec<_> = (1..threads.min(tasks)).map(|_| scope.spawn(work)).collect();
-        let mut done = work();
-        for other in others {
-            match other.join() {
-                Ok(found) => done.extend(found),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-        done
-    });
-    done.sort_by_key(|(task, _)| *task);
-    done.into_iter().map(|(_, found)| found).collect()
 }

@@ -85,7 +85,13 @@ impl<'a> LineSearch<'a> {
         (left, x - left as f64)
     }
 
-    fn basic_at(&self, at_nm: f64) -> [f64; 3] {
+    /// XYZ of the colour, Y = 1.
+    pub(super) fn target(&self) -> [f64; 3] {
+        self.target
+    }
+
+    /// XYZ of a line of unit power.
+    pub(super) fn basic_at(&self, at_nm: f64) -> [f64; 3] {
         let (left, share) = self.split(at_nm);
         let (a, b) = (&self.basic[left], &self.basic[left + 1]);
         std::array::from_fn(|k| a[k] + share * (b[k] - a[k]))
@@ -131,7 +137,7 @@ impl<'a> LineSearch<'a> {
     }
 
     /// Sums of samples of lines.
-    fn sums<const L: usize>(&self, places: [f64; L], powers: &[f64; L]) -> Vec<f64> {
+    pub(super) fn sums(&self, places: &[f64], powers: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.numbers];
         for (at_nm, power) in places.iter().zip(powers) {
             let (left, share) = self.split(*at_nm);
@@ -144,7 +150,8 @@ impl<'a> LineSearch<'a> {
         sums
     }
 
-    fn figure(&self, samples: Vec<f64>) -> f64 {
+    /// The figure of sums of samples.
+    pub(super) fn figure(&self, samples: Vec<f64>) -> f64 {
         let mut sums = Sums::default();
         let found = match self.against {
             Against::Ra => {
@@ -174,7 +181,7 @@ impl<'a> LineSearch<'a> {
             let t = (index as f64 + 0.5) / shares as f64;
             let powers: [f64; L] = std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
             let ler = LUMENS_PER_WATT / Self::power(&powers);
-            each(ler, self.figure(self.sums(places, &powers)));
+            each(ler, self.figure(self.sums(&places, &powers)));
         }
     }
 
@@ -214,7 +221,7 @@ impl<'a> LineSearch<'a> {
             (true, false) => [0.0, cross],
             _ => [cross, 1.0],
         };
-        let (sums_a, sums_b) = (self.sums(places, &a), self.sums(places, &b));
+        let (sums_a, sums_b) = (self.sums(&places, &a), self.sums(&places, &b));
         let figure = |t: f64| {
             let both = sums_a.iter().zip(&sums_b);
             self.figure(both.map(|(a, b)| a + t * (b - a)).collect())

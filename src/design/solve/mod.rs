@@ -9,8 +9,11 @@
 //! solution  weights for a wish
 //! against   what efficacy is traded for
 //! front     the trade between efficacy and colour rendering with free lines
+//! light     a light of lines; all lights of two
+//! net       a net over all places, and threads
 //! line_search  lines of a colour: powers and figures
 //! line_moves   lines that move: the best places
+//! many_lines   five lines and more
 //! report    JSON
 //! ```
 
@@ -18,8 +21,11 @@ mod against;
 mod climb;
 mod figures;
 mod front;
+mod light;
 mod line_moves;
 mod line_search;
+mod many_lines;
+mod net;
 mod polytope;
 mod report;
 mod solution;
@@ -28,7 +34,7 @@ mod wish;
 
 pub use against::Against;
 pub use figures::MixFigures;
-pub use front::{FrontLine, FrontPoint, FrontWish, front};
+pub use front::{FREE_LINES, FrontLine, FrontPoint, FrontWish, front};
 pub use report::{Fader, faders, front_json, mix_json};
 pub use solution::{Mixer, Solution};
 pub use target::Target;

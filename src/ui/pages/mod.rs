@@ -17,6 +17,8 @@ pub mod relit_view;
 pub mod tradeoff_view;
 pub mod truth_view;
 
+use std::path::PathBuf;
+
 use eframe::egui;
 use egui::Ui;
 
@@ -102,6 +104,16 @@ impl Pages {
     /// The key of an image whose reading is to be looked at, once.
     pub fn wants_reading(&mut self) -> Option<String> {
         self.image.wants_reading.take()
+    }
+
+    /// Whether a picture of colours is to be opened, once.
+    pub fn wants_photo(&mut self) -> bool {
+        std::mem::take(&mut self.design.wants_photo)
+    }
+
+    /// The picture of colours whose pixels are to be taken.
+    pub fn take_photo(&mut self, path: PathBuf) {
+        self.design.photo = Some(path);
     }
 
     /// A picture in few numbers that is to be saved, once.

@@ -36,7 +36,7 @@ use crate::{
         sheet,
         state::Tone,
     },
-    io::atomic::save_atomically,
+    io::{atomic::save_atomically, input::name_of},
 };
 
 /// What is waiting for a path.
@@ -63,10 +63,27 @@ impl Window {
     /// Opens files as if they had been chosen in the dialog.
     pub fn open_files(&mut self, paths: Vec<PathBuf>, wake: Wake) {
         let paths = self.without_lessons(paths);
+        let paths = self.without_photos(paths);
         if !paths.is_empty() {
             self.images.tell_needs(&paths, wake.clone());
             self.loader.open(paths, wake);
         }
+    }
+
+    /// On the page "From a colour" a picture is one whose pixels are taken as colours.
+    fn without_photos(&mut self, paths: Vec<PathBuf>) -> Vec<PathBuf> {
+        if self.preferences.pages.page != Page::FromColour {
+            return paths;
+        }
+        let is_photo = |path: &PathBuf| {
+            let name = name_of(path).to_lowercase();
+            name.ends_with(".png") && !name.ends_with(".cspx.png")
+        };
+        let (photos, others): (Vec<PathBuf>, _) = paths.into_iter().partition(is_photo);
+        if let Some(path) = photos.into_iter().next_back() {
+            self.pages.take_photo(path);
+        }
+        others
     }
 
     /// What came from outside: files read, dialogs answered, files dropped, words of threads.

@@ -217,6 +217,7 @@ impl Window {
             centre = self.page_panel(ui, shape, theme);
         }
         self.lesson_ring(&context, theme);
+        self.take_colour(&context);
         self.palette(&context);
         self.greeting(&context, theme);
         // What lies above the summary has the keys first.

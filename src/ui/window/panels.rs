@@ -5,6 +5,7 @@ use egui::{Context, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, 
 
 use super::{
     super::{
+        files::Ask,
         foot_view,
         greeting_view::{self, Beginning},
         keys::Act,
@@ -347,6 +348,9 @@ impl Window {
         for gem in gems {
             self.save(Saving::Gem(Box::new(gem)), &context);
         }
+        if self.pages.wants_photo() {
+            self.ask(Ask::Open, None, &context);
+        }
         if let Some(wish) = self.pages.wants_save() {
             self.save(Saving::Picture(wish), &context);
         }
@@ -358,6 +362,14 @@ impl Window {
             context.request_repaint();
         }
         self.apply(&mut commands);
+    }
+
+    /// The colour of a swatch, as its menu asked for.
+    pub(super) fn take_colour(&mut self, context: &Context) {
+        if let Some(rgb) = super::super::swatch::asked_for(context) {
+            self.preferences.pages.ask_about_colour(rgb);
+            context.request_repaint();
+        }
     }
 
     /// The palette over everything.

@@ -1,17 +1,21 @@
 //! The page "From a colour": a colour, the spectra that have it, and how they differ.
 
-use eframe::egui;
-use egui::{DragValue, RichText, TextEdit, Ui, vec2};
+use std::sync::Arc;
 
-use super::{DesignView, headline};
+use eframe::egui;
+use egui::{DragValue, RichText, Ui, vec2};
+
+use super::{DesignView, asked::asked, headline};
 use crate::{
     app::{
         Command,
         chart::Chart,
         charts::colour::colour_chart,
         command::MadeFor,
-        design::colour::{ColourSheet, Under, method_name, of_hex},
-        recipe::Given,
+        design::{
+            colour::{ColourSheet, Under},
+            colour_words::method_name,
+        },
     },
     color::Swatch,
     design::recover::Method,
@@ -37,18 +41,21 @@ impl DesignView {
         let theme = context.chart_theme();
         let key = (context.app.revision(), theme, context.memory.colour.clone());
         let document = context.app.document();
-        let shown = &*self.colour.get(key, |(_, theme, from)| {
-            let sheet = ColourSheet::of(from, document)?;
-            let chart = colour_chart(&sheet, *theme);
-            Ok(Shown { sheet, chart })
-        });
+        let shown = &self
+            .colour
+            .get(key, |(_, theme, from)| {
+                let sheet = ColourSheet::of(from, document)?;
+                let chart = colour_chart(&sheet, *theme);
+                Ok(Arc::new(Shown { sheet, chart }))
+            })
+            .clone();
         let (words, colour) = match shown {
-            Ok(shown) => (shown.sheet.sentence(), shown.sheet.swatch.rgb8),
+            Ok(shown) => (shown.sheet.sentence(), shown.sheet.swatch().rgb8),
             Err(why) => (why.clone(), Swatch::of_light(crate::color::Xyz::ZERO).rgb8),
         };
         headline(ui, context, swatch::colour(colour), &words);
         ui.add_space(4.0);
-        let typed = &mut self.typed;
+        let sheet = shown.as_ref().ok().map(|shown| &shown.sheet);
         let room = ui.available_size();
         let scale = context.theme.scale;
         if room.x >= WIDE * scale {
@@ -57,7 +64,8 @@ impl DesignView {
                 ui.allocate_ui_with_layout(left, egui::Layout::top_down(egui::Align::Min), |ui| {
                     ui.set_min_size(left);
                     scrolled(ui, "colour", |ui| {
-                        asked(ui, context, shown, typed);
+                        asked(ui, context, sheet, &mut self.typed);
+                        self.photo(ui, context);
                         trust(ui, context, shown);
                     });
                 });
@@ -69,7 +77,8 @@ impl DesignView {
             });
         } else {
             scrolled(ui, "colour", |ui| {
-                asked(ui, context, shown, typed);
+                asked(ui, context, sheet, &mut self.typed);
+                self.photo(ui, context);
                 let size = vec2(ui.available_width(), 0.6 * room.y);
                 drawn(ui, context, shown, size);
                 trust(ui, context, shown);
@@ -78,114 +87,10 @@ impl DesignView {
     }
 }
 
-/// The colour and the light that it is seen under.
-fn asked(
-    ui: &mut Ui,
-    context: &mut PageContext<'_>,
-    shown: &Result<Shown, String>,
-    typed: &mut Option<String>,
-) {
-    let sheet = shown.as_ref().ok().map(|shown| &shown.sheet);
-    let scale = context.theme.scale;
-    let mut given = context.memory.colour.given.clone();
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Colour");
-        let now = sheet.map_or([128; 3], |sheet| sheet.swatch.rgb8.0);
-        let mut rgb = now;
-        let picker = ui.color_edit_button_srgb(&mut rgb);
-        named(&picker, egui::Role::ColorWell, "Pick a colour");
-        picker.on_hover_text("As the screen shows it to an eye that is adapted to the light.");
-        if rgb != now {
-            given = Given::Srgb(rgb);
-        }
-        let [r, g, b] = now;
-        let mut text = typed
-            .clone()
-            .unwrap_or_else(|| format!("#{r:02x}{g:02x}{b:02x}"));
-        let edit = ui.add(TextEdit::singleline(&mut text).desired_width(72.0 * scale));
-        named(&edit, egui::Role::TextInput, "Colour in hexadecimal");
-        if edit.changed() {
-            if let Some(rgb) = of_hex(&text) {
-                given = Given::Srgb(rgb);
-            }
-            *typed = Some(text);
-        }
-        if !edit.has_focus() {
-            *typed = None;
-        }
-        edit.on_hover_text("sRGB in hexadecimal, such as #c08040.");
-    });
-    lab_row(ui, sheet, &mut given);
-    ui.horizontal_wrapped(|ui| {
-        ui.label("or that of");
-        let says = match &given {
-            Given::Of(key) => key.rsplit('/').next().unwrap_or(key),
-            _ => "a surface",
-        };
-        let surface = Chooser {
-            name: "Surface to start from",
-            meaning: "A measured surface: how well would its colour alone have told it?",
-            says,
-            offers: reflectances,
-            width: 130.0 * scale,
-        }
-        .show(ui, context.app);
-        if let Some(surface) = surface {
-            given = Given::Of(surface.key.clone());
-        }
-        ui.label("under");
-        let says = sheet.map_or("a light", |sheet| sheet.light.as_str());
-        let light = Chooser {
-            name: "Light that the colour is seen under",
-            meaning: "Another light makes other surfaces of the same colour.",
-            says,
-            offers: lights,
-            width: 130.0 * scale,
-        }
-        .show(ui, context.app);
-        if let Some(light) = light {
-            context.memory.colour.light.clone_from(&light.key);
-        }
-    });
-    context.memory.colour.given = given;
-}
-
-/// The colour as L*, a* and b*.
-fn lab_row(ui: &mut Ui, sheet: Option<&ColourSheet>, given: &mut Given) {
-    ui.horizontal_wrapped(|ui| {
-        let now = sheet.map_or([50.0, 0.0, 0.0], |s| [s.lab.l, s.lab.a, s.lab.b]);
-        let mut lab = now;
-        for (value, title) in lab.iter_mut().zip(["L*", "a*", "b*"]) {
-            ui.label(title);
-            let range = if title == "L*" {
-                0.0..=100.0
-            } else {
-                -200.0..=200.0
-            };
-            let number = DragValue::new(value)
-                .range(range)
-                .speed(0.3)
-                .fixed_decimals(1);
-            let response = ui.add(number);
-            named(&response, egui::Role::SpinButton, title);
-            response.on_hover_text("CIE 1976, against the light's own white.");
-        }
-        if lab != now {
-            *given = Given::Lab(lab);
-        }
-    });
-}
-
-/// What is a reflectance.
-fn reflectances(entry: &crate::app::Entry) -> bool {
-    entry.kind() == crate::spectrum::Kind::Reflectance
-}
-
 /// What each way is to be trusted by; the one chosen goes to the library.
-fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Shown, String>) {
-    let Ok(Shown { sheet, .. }) = shown else {
-        return;
-    };
+fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, String>) {
+    let Ok(shown) = shown else { return };
+    let sheet = &shown.sheet;
     ui.add_space(8.0);
     let columns = [
         Column::words("way", "Click the one to take to the library.", 1.7),
@@ -205,7 +110,7 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Shown, Strin
             0.7,
         ),
     ];
-    let methods = [Method::Smoothest, Method::Fourier3, Method::Lines];
+    let methods = context.memory.colour.methods();
     let rows: Vec<Row> = sheet
         .facts()
         .into_iter()
@@ -226,20 +131,49 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Shown, Strin
         context.memory.colour.method = *method;
     }
     ui.add_space(4.0);
-    ui.horizontal_wrapped(|ui| {
-        let button = ui.button("To the library").on_hover_text(
-            "Keeps the chosen spectrum as one of your own, which follows the light and the \
-             surface that it was made from.",
-        );
-        if button.clicked() {
-            let (recipe, place) = (context.memory.colour.recipe(), MadeFor::Shown);
-            context.commands.push(Command::Make { recipe, place });
-        }
-        ui.weak(method_name(method));
-    });
+    taken(ui, context, method);
     if method == Method::Lines {
         lines_of(ui, context);
     }
+}
+
+/// Where the chosen spectrum goes, by one click.
+fn taken(ui: &mut Ui, context: &mut PageContext<'_>, method: Method) {
+    ui.weak(format!("{}:", method_name(method)));
+    ui.horizontal_wrapped(|ui| {
+        let is_surface = method != Method::Lines;
+        for (title, meaning, place, is_there) in [
+            (
+                "To the library",
+                "Keeps it as one of your own spectra and shows it. It follows the lights and the \
+                 surface that it was made from.",
+                MadeFor::Shown,
+                true,
+            ),
+            (
+                "Into the chain",
+                "Puts it at the end of what the light meets, on the page Chain; it joins the \
+                 library too.",
+                MadeFor::Chain,
+                is_surface,
+            ),
+            (
+                "Onto the patches",
+                "Puts it behind the surfaces of the page Spectrum; it joins the library too.",
+                MadeFor::Patches,
+                is_surface,
+            ),
+        ] {
+            let button = ui
+                .add_enabled(is_there, egui::Button::new(title))
+                .on_hover_text(meaning)
+                .on_disabled_hover_text("A light of lines is no surface.");
+            if button.clicked() {
+                let recipe = context.memory.colour.recipe();
+                context.commands.push(Command::Make { recipe, place });
+            }
+        }
+    });
 }
 
 /// The lines of a light of lines, and what stands behind them.
@@ -295,17 +229,17 @@ fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
 fn drawn(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    shown: &Result<Shown, String>,
+    shown: &Result<Arc<Shown>, String>,
     size: egui::Vec2,
 ) {
-    let Ok(Shown { sheet, chart }) = shown else {
-        return;
-    };
+    let Ok(shown) = shown else { return };
+    let Shown { sheet, chart } = &**shown;
     context.chart(ui, chart, "from a colour", size);
     ui.add_space(4.0);
+    let few = ["three", "six"][(sheet.seen.len() - 1).min(1)];
     let words = match sheet.surface {
-        Some(_) => "Under other lights: smoothest, three coefficients, the surface itself",
-        None => "Under other lights: smoothest, three coefficients",
+        Some(_) => format!("Under other lights: smoothest, {few} coefficients, the surface itself"),
+        None => format!("Under other lights: smoothest, {few} coefficients"),
     };
     let words = ui.label(RichText::new(words).strong());
     words.on_hover_text("Each as an eye adapted to that light sees it (Bradford).");

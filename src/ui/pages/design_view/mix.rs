@@ -6,19 +6,22 @@ use egui::{Ui, vec2};
 use super::{DesignView, Fader, change, headline, strips};
 use crate::{
     app::{
-        Command,
+        Command, Entry,
         charts::design::{held_at, mixed_spectrum},
         command::MadeFor,
         design::{
             desk::Desk,
-            mix::{FULL, MOST_CHANNELS, MixChannel, Snapshot},
+            mix::{FULL, GROUPS, MOST_CHANNELS, MOST_GELS, MixChannel, Snapshot},
             named_lines::{NamedLine, snapped},
+            surfaces::{Beside, DeskSurfaces, beside},
         },
+        recipe::Gel,
     },
     design::mixture::Source,
+    spectrum::Kind,
     ui::{
         chart_view::ChartView,
-        kit::{Chooser, copy_button, lights, scrolled},
+        kit::{Choice, Chooser, copy_button, lights, scrolled},
         pages::PageContext,
         swatch,
     },
@@ -29,6 +32,13 @@ const WIDE: f32 = 720.0;
 
 /// How near to a line or an LED a drag takes hold of it, nm.
 const REACH_NM: f64 = 12.0;
+
+/// Most surfaces in a row, and rows: more would leave no room for faders.
+const IN_ROW: usize = 24;
+const MOST_ROWS: usize = 2;
+
+/// Height of a row of surfaces, points.
+const SWATCH: f32 = 28.0;
 
 /// How near to a named line a dragged one snaps to it, nm.
 const SNAP_NM: f64 = 0.8;
@@ -41,6 +51,12 @@ impl DesignView {
             return;
         };
         let lines = self.lines.held().cloned().unwrap_or_default();
+        let document = context.app.document();
+        let key = (context.app.revision(), context.memory.desk_surfaces);
+        let beside = self
+            .beside
+            .get(key, |(_, surfaces)| beside(&desk, *surfaces, document))
+            .clone();
         headline(
             ui,
             context,
@@ -59,7 +75,7 @@ impl DesignView {
                     egui::Layout::top_down(egui::Align::Min),
                     |ui| {
                         ui.set_min_size(faders);
-                        faders_of(ui, context, &desk, &lines);
+                        faders_of(ui, context, &desk, (&lines, &beside));
                     },
                 );
                 ui.vertical(|ui| {
@@ -76,7 +92,8 @@ impl DesignView {
                 self.diagram(ui, context, None, vec2(width, 0.5 * room.y));
                 add_row(ui, context, &desk, &lines);
                 strips::show(ui, context, &desk, &lines);
-                below(ui, context, &desk);
+                strips::gels(ui, context, &desk);
+                below(ui, context, &desk, &beside);
                 self.spectrum(ui, context, &desk, &lines, vec2(width, 0.4 * room.y));
             });
         }
@@ -122,17 +139,33 @@ impl DesignView {
     }
 }
 
-fn faders_of(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
+fn faders_of(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    desk: &Desk,
+    (lines, beside): (&[NamedLine], &[Beside]),
+) {
     add_row(ui, context, desk, lines);
     ui.add_space(4.0);
-    let rest = 120.0 * context.theme.scale;
+    let groups = groups(desk).count() as f32;
+    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+    let rows = beside.len().div_ceil(IN_ROW).clamp(1, MOST_ROWS) as f32;
+    let rest = (98.0 + rows * SWATCH) * context.theme.scale + groups * row;
     let height = (ui.available_height() - rest).max(80.0);
     let size = vec2(ui.available_width(), height);
     ui.allocate_ui_with_layout(size, egui::Layout::top_down(egui::Align::Min), |ui| {
         ui.set_min_size(size);
-        scrolled(ui, "faders", |ui| strips::show(ui, context, desk, lines));
+        scrolled(ui, "faders", |ui| {
+            strips::show(ui, context, desk, lines);
+            strips::gels(ui, context, desk);
+        });
     });
-    below(ui, context, desk);
+    below(ui, context, desk, beside);
+}
+
+/// Groups with channels in them, and their highest fader.
+fn groups(desk: &Desk) -> impl Iterator<Item = (u8, f64)> {
+    (1..=GROUPS).filter_map(|group| Some((group, desk.mix.group_highest(group)?)))
 }
 
 /// What joins the desk.
@@ -183,6 +216,7 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
             if let Some(light) = chosen {
                 new = Some(Source::Named(light.key.clone()));
             }
+            add_gel(ui, context, desk);
         });
     });
     if let Some(source) = new {
@@ -190,9 +224,58 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
     }
 }
 
+/// What joins the gels.
+fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    let is_full = desk.mix.gels.len() >= MOST_GELS;
+    let gel = ui.add_enabled_ui(!is_full, |ui| {
+        Chooser {
+            name: "A gel before the lamps",
+            meaning: "A filter or glass of the library, or of a file that was opened, before all \
+                      channels.",
+            says: "Gel",
+            offers: transmittances,
+            width: 60.0 * context.theme.scale,
+        }
+        .show(ui, context.app)
+    });
+    if let Some(gel) = gel.inner {
+        let key = gel.key.clone();
+        let thickness = 1.0;
+        change(context, |mix| mix.gels.push(Gel { key, thickness }));
+    }
+}
+
+/// What light passes through.
+fn transmittances(entry: &Entry) -> bool {
+    entry.kind() == Kind::Transmittance
+}
+
 /// All faders together, and where the mixture goes.
-fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
-    surfaces(ui, context, desk);
+fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, beside: &[Beside]) {
+    surfaces(ui, context, beside);
+    for (group, highest) in groups(desk) {
+        ui.horizontal(|ui| {
+            ui.label(format!("Group {group}"));
+            let mut now = highest;
+            // From nothing there is no way up: the shares would be lost.
+            ui.add_enabled_ui(highest > 0.0, |ui| {
+                Fader {
+                    name: &format!("Fader of group {group}"),
+                    meaning: "Moves all faders of the group together.",
+                    range: 0.0..=FULL,
+                    digits: 0,
+                    suffix: " %",
+                    logarithmic: false,
+                }
+                .show(ui, &mut now, 0.0, context.theme.scale);
+            });
+            if now != highest {
+                change(context, |mix| {
+                    *mix = mix.clone().group_dimmed(group, now.max(0.1));
+                });
+            }
+        });
+    }
     ui.horizontal(|ui| {
         ui.label("All");
         let mut highest = desk.mix.highest();
@@ -238,27 +321,54 @@ fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
     });
 }
 
-/// The test colours, at the left as under the mixture, at the right as under its reference.
-fn surfaces(ui: &mut Ui, context: &PageContext<'_>, desk: &Desk) {
-    let surfaces = desk.surfaces();
-    let words = match surfaces.is_empty() {
-        true => "Test colours: this light has no reference to stand beside",
-        false => "Test colours: under the mixture | under its reference",
-    };
-    ui.label(egui::RichText::new(words).small()).on_hover_text(
-        "The reference is a blackbody, from 5000 K on daylight, of the same temperature. Each \
-         half as an eye adapted to its light sees it.",
-    );
-    let gap = 2.0;
-    let count = surfaces.len().max(1) as f32;
-    let width = ((ui.available_width() - gap * (count - 1.0)) / count).floor();
-    let size = vec2(width.max(8.0), 26.0 * context.theme.scale);
+/// Surfaces, at the left as under the mixture, at the right as under its reference.
+fn surfaces(ui: &mut Ui, context: &mut PageContext<'_>, surfaces: &[Beside]) {
+    let now = &mut context.memory.desk_surfaces;
+    let scale = context.theme.scale;
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        for (test, reference, words) in &surfaces {
-            swatch::split(ui, size, test, reference, words).on_hover_text(words);
+        let choice = Choice {
+            name: "Surfaces under the mixture",
+            meaning: "Which surfaces stand below.",
+            width: 130.0 * scale,
+        };
+        choice.show(ui, now.title(), |ui| {
+            for one in DeskSurfaces::ALL {
+                ui.selectable_value(now, one, one.title())
+                    .on_hover_text(one.meaning());
+            }
+        });
+        let words = match surfaces.len() {
+            0 => "this light has no reference to stand beside".to_owned(),
+            count if count > MOST_ROWS * IN_ROW => format!(
+                "under the mixture | under its reference; the first {} of {count}",
+                MOST_ROWS * IN_ROW
+            ),
+            _ => "under the mixture | under its reference".to_owned(),
+        };
+        let label = egui::Label::new(egui::RichText::new(words).small()).truncate();
+        ui.add(label).on_hover_text(
+            "The reference is a blackbody, from 5000 K on daylight, of the same temperature. Each \
+             half as an eye adapted to its light sees it.",
+        );
+    });
+    let gap = 2.0;
+    let in_row = surfaces.len().clamp(1, IN_ROW);
+    let room = ui.available_width() - gap * (in_row - 1) as f32;
+    let size = vec2(
+        (room / in_row as f32).floor().max(8.0),
+        (SWATCH - gap) * scale,
+    );
+    let rows = surfaces.chunks(in_row).take(MOST_ROWS);
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing = vec2(gap, gap);
+        for row in rows {
+            ui.horizontal(|ui| {
+                for one in row {
+                    let words = &one.words;
+                    swatch::split(ui, size, &one.test, &one.reference, words).on_hover_text(words);
+                }
+            });
         }
-        ui.set_min_height(size.y);
     });
 }
 

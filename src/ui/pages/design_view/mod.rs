@@ -1,9 +1,13 @@
 //! The place "Design": lights that are mixed, solved for, and made from colours.
 
+mod asked;
 mod colour;
 mod mix;
+mod photo;
 mod solve;
 mod strips;
+
+use std::{path::PathBuf, sync::Arc};
 
 use eframe::egui;
 use egui::{DragValue, Slider, Ui, vec2};
@@ -19,6 +23,7 @@ use crate::{
             desk::Desk,
             mix::Mix,
             named_lines::{NamedLine, named_lines},
+            surfaces::{Beside, DeskSurfaces},
             wish::{MixWish, Solved},
         },
         memo::Memo,
@@ -38,11 +43,17 @@ pub struct DesignView {
     diagram: Memo<(u64, chart::Theme, Option<[f64; 2]>), Chart>,
     spectrum: Memo<(u64, chart::Theme), Chart>,
     solved: Memo<(u64, MixWish), Result<Solved, String>>,
-    colour: Memo<(u64, chart::Theme, FromColour), Result<colour::Shown, String>>,
-    /// The hexadecimal colour while it is typed.
-    typed: Option<String>,
+    beside: Memo<(u64, DeskSurfaces), Vec<Beside>>,
+    colour: Memo<(u64, chart::Theme, FromColour), Result<Arc<colour::Shown>, String>>,
+    /// A hexadecimal colour while it is typed: of the first or the second light, and its text.
+    typed: Option<(usize, String)>,
     /// The channel that is dragged in the spectrum.
     held: Option<usize>,
+    /// A picture whose pixels are taken as colours.
+    pub(super) photo: Option<PathBuf>,
+    drawn_photo: Option<photo::DrawnPhoto>,
+    /// Such a picture is to be opened.
+    pub(super) wants_photo: bool,
 }
 
 impl DesignView {

@@ -14,7 +14,7 @@ use crate::{
             wish::{DUV, KELVIN, MixWish, Solved},
         },
     },
-    design::solve::{Against, Favour},
+    design::solve::{Against, FREE_LINES, Favour},
     ui::{
         kit::{Choice, Chooser, Column, Row, Table, lights, named, scrolled, warning},
         pages::{PageContext, progress},
@@ -144,13 +144,21 @@ fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
     let scale = context.theme.scale;
     ui.horizontal_wrapped(|ui| {
         ui.label("The colour of");
-        let light = &mut context.memory.wish.light;
-        if ui
-            .selectable_label(light.is_none(), "a temperature")
-            .clicked()
-        {
-            *light = None;
+        let light = &context.memory.wish.light;
+        let is_xy = light.is_none() && context.memory.wish.xy.is_some();
+        let is_kelvin = light.is_none() && !is_xy;
+        if ui.selectable_label(is_kelvin, "a temperature").clicked() {
+            context.memory.wish.light = None;
+            context.memory.wish.xy = None;
         }
+        let by_xy = ui
+            .selectable_label(is_xy, "x, y")
+            .on_hover_text("CIE 1931 chromaticity coordinates.");
+        if by_xy.clicked() && !is_xy {
+            let wish = context.memory.wish.clone();
+            context.memory.wish = wish.by_xy(context.app.document());
+        }
+        let light = &context.memory.wish.light;
         let says = light
             .as_deref()
             .map_or("a light", |key| key.rsplit('/').next().unwrap_or(key));
@@ -164,6 +172,7 @@ fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
         .show(ui, context.app);
         if let Some(chosen) = chosen {
             context.memory.wish.light = Some(chosen.key.clone());
+            context.memory.wish.xy = None;
         }
     });
     let wish = &mut context.memory.wish;
@@ -173,6 +182,21 @@ fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
                 "Comes near to that light at every wavelength, in the least squares; its colour \
                  is met exactly all the same.",
             );
+        return;
+    }
+    if let Some(xy) = &mut wish.xy {
+        ui.horizontal(|ui| {
+            for (value, title) in xy.iter_mut().zip(["x", "y"]) {
+                ui.label(title);
+                let number = DragValue::new(value)
+                    .range(0.0..=1.0)
+                    .speed(0.0005)
+                    .fixed_decimals(4);
+                let response = ui.add(number);
+                named(&response, egui::Role::SpinButton, title);
+                response.on_hover_text("CIE 1931 chromaticity: drag, or click to type.");
+            }
+        });
         return;
     }
     let mut fader = |value: &mut f64, title: &str, fader: Fader<'_>| {
@@ -305,11 +329,11 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     let wish = &mut context.memory.wish;
     ui.horizontal_wrapped(|ui| {
         ui.label("At best with");
-        for lines in [3, 4] {
-            ui.selectable_value(&mut wish.lines, lines, format!("{lines} lines"))
+        for lines in FREE_LINES {
+            ui.selectable_value(&mut wish.lines, lines, lines.to_string())
                 .on_hover_text("Lines at the best places there are, not those of the desk.");
         }
-        ui.label("by");
+        ui.label("lines by");
         for (against, title) in [(Against::Rf, "Rf"), (Against::Ra, "Ra")] {
             ui.selectable_value(&mut wish.against, against, title)
                 .on_hover_text("The figure that efficacy is traded for.");

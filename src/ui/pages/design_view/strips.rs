@@ -7,12 +7,15 @@ use super::{Fader, change};
 use crate::{
     app::design::{
         desk::{Desk, Strip},
-        mix::{FULL, MixChannel},
+        mix::{FULL, GROUPS, MixChannel},
         named_lines::NamedLine,
     },
     design::mixture::Source,
     ui::{kit::named, pages::PageContext, swatch},
 };
+
+/// Thickest gel of the fader; more can be kept.
+const THICKEST: f64 = 4.0;
 
 /// Width of what a channel is, points.
 const WHAT: f32 = 150.0;
@@ -60,7 +63,7 @@ fn one(
         what(ui, strip, channel, lines, number);
     });
     ui.spacing_mut().item_spacing.x = 4.0;
-    let buttons = 4.0 * (ui.spacing().interact_size.y + 8.0);
+    let buttons = 5.0 * (ui.spacing().interact_size.y + 8.0);
     Fader {
         name: &format!("Fader {number}"),
         meaning: "Its power, per cent of the most it can give; the same for each channel.",
@@ -88,11 +91,68 @@ fn one(
         "Lock",
         "solving leaves this fader where it is.",
     );
+    let words = match channel.group {
+        0 => "–".to_owned(),
+        group => group.to_string(),
+    };
+    let group = ui.selectable_label(channel.group > 0, words);
+    named(&group, egui::Role::Button, &format!("Group {number}"));
+    if group.clicked() {
+        channel.group = (channel.group + 1) % (GROUPS + 1);
+    }
+    group.on_hover_text(
+        "Group: click to put the channel into group 1, 2, 3 or none. Each group has a fader below, \
+         which moves all of it.",
+    );
     let remove = ui.small_button("✖");
     named(&remove, egui::Role::Button, &format!("Remove {number}"));
     remove
         .on_hover_text("Takes the channel off the desk.")
         .clicked()
+}
+
+/// What stands before all channels, one below the other.
+pub fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+    let scale = context.theme.scale;
+    let mut gone = None;
+    for (index, gel) in desk.mix.gels.iter().enumerate() {
+        let mut after = gel.clone();
+        ui.push_id(("gel", index), |ui| {
+            ui.horizontal(|ui| {
+                ui.label("Gel");
+                let name = gel.key.rsplit('/').next().unwrap_or(&gel.key);
+                let size = vec2(WHAT * scale, ui.spacing().interact_size.y);
+                let left = egui::Layout::left_to_right(egui::Align::Center);
+                ui.allocate_ui_with_layout(size, left, |ui| {
+                    ui.set_min_size(size);
+                    ui.add(egui::Label::new(name).truncate())
+                        .on_hover_text(&gel.key);
+                });
+                Fader {
+                    name: &format!("Thickness of gel {}", index + 1),
+                    meaning: "How thick it is, as a multiple of what was measured (Beer-Lambert); \
+                              0 is no gel at all.",
+                    range: 0.0..=THICKEST,
+                    digits: 2,
+                    suffix: " ×",
+                    logarithmic: false,
+                }
+                .show(ui, &mut after.thickness, 30.0 * scale, scale);
+                let remove = ui.small_button("✖");
+                let name = format!("Remove gel {}", index + 1);
+                named(&remove, egui::Role::Button, &name);
+                if remove.on_hover_text("Takes the gel off.").clicked() {
+                    gone = Some(index);
+                }
+            });
+        });
+        if after != *gel {
+            change(context, |mix| mix.gels[index] = after);
+        }
+    }
+    if let Some(index) = gone {
+        change(context, |mix| drop(mix.gels.remove(index)));
+    }
 }
 
 /// What a channel is, to change it.

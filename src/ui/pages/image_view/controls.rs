@@ -13,6 +13,7 @@ use crate::{
         picture::{STOPS, Show, Spread},
         ticks::short,
     },
+    color::Srgb,
     io::budget,
     ui::{
         kit::{Choice, named},
@@ -175,7 +176,7 @@ fn band_slider(ui: &mut Ui, entry: &ImageEntry, nm: &[f64], at: &mut f64, name: 
 pub(super) fn choice(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
-    shown: &Shown,
+    (shown, colour): (&Shown, Option<Srgb>),
     canvas: &mut Canvas,
 ) -> bool {
     let mut take = false;
@@ -188,6 +189,14 @@ pub(super) fn choice(
                  shown. Enter or a double click does the same.",
             )
             .clicked();
+        let ask = ui
+            .add_enabled(colour.is_some(), egui::Button::new(names::COLOUR))
+            .on_hover_text(
+                "Takes the colour alone to the page From a colour: which surfaces have it?",
+            );
+        if let Some(Srgb(rgb)) = colour.filter(|_| ask.clicked()) {
+            context.memory.ask_about_colour(rgb);
+        }
         let whole = shown.rect == all;
         if ui
             .add_enabled(!whole, egui::Button::new(names::WHOLE))

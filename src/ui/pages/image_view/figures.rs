@@ -103,6 +103,20 @@ fn as_in_picture(
     Some([seen(&region.spectrum.samples)?, seen(&model)?])
 }
 
+/// The colour of the chosen pixels, as the picture shows it where it does.
+pub(super) fn colour_of(
+    region: &RegionSpectrum,
+    shown: &Shown,
+    drawn: Option<&Drawn>,
+) -> Option<Srgb> {
+    let derived = region.derived.as_ref()?;
+    let swatch = match as_in_picture(region, derived, shown, drawn) {
+        Some([exact, _]) => exact,
+        None => derived.colour.exact?.swatch,
+    };
+    Some(swatch.rgb8)
+}
+
 /// How bright colours are that are not drawn as the picture.
 fn own_scale(shown: &Shown) -> &'static str {
     if shown.entry.image.kind.is_factor() {

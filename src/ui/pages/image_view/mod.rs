@@ -43,6 +43,7 @@ pub mod names {
     pub const REMOVE: &str = "Remove image";
     pub const READING: &str = "How it was read…";
     pub const TAKE: &str = "Take as spectrum";
+    pub const COLOUR: &str = "From its colour";
     pub const WHOLE: &str = "Whole image";
     pub const FIT: &str = "Fit";
     pub const EXPOSURE: &str = "Exposure";
@@ -314,7 +315,9 @@ impl ImageView {
         region: Option<&Arc<RegionSpectrum>>,
         height: f32,
     ) {
-        let take = controls::choice(ui, context, shown, &mut self.canvas);
+        let colour =
+            region.and_then(|region| figures::colour_of(region, shown, self.drawn.as_ref()));
+        let take = controls::choice(ui, context, (shown, colour), &mut self.canvas);
         if take {
             self.take(context, shown, region, shown.rect);
         }

@@ -184,6 +184,7 @@ impl Field<'_> {
                 .text(at, Align2::CENTER_TOP, words, font.clone(), colour);
         }
         let clicked = response.clicked();
+        swatch::menu(&response, exact.map(|swatch| swatch.rgb8));
         response.on_hover_text(format!(
             "{name}: ΔE00 {:.3} between the two lights, {:.3} by their models{}.\nMeasured: left \
              {}, right {}. Models: left {}, right {}.\nClick to make a metamer of it.",

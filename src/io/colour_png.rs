@@ -1,0 +1,123 @@
+//! Pictures of colours: PNG files as red, green and blue of each pixel.
+
+use std::{fs::File, io::BufReader, path::Path};
+
+/// A picture of colours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColourPng {
+    /// Width and height.
+    pub size: [usize; 2],
+    /// Its pixels, row by row.
+    pub pixels: ColourPixels,
+}
+
+/// Red, green and blue of pixels, one behind the other.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ColourPixels {
+    /// Bytes.
+    Eight(Vec<u8>),
+    /// Numbers of two bytes.
+    Sixteen(Vec<u16>),
+}
+
+impl ColourPng {
+    /// Reads a PNG file of at most so many pixels; what shines through is dropped.
+    ///
+    /// # Errors
+    /// What was found and what was expected.
+    pub fn read(path: &Path, most_pixels: usize) -> Result<Self, String> {
+        let file =
+            File::open(path).map_err(|why| format!("found {}, expected a file", why.kind()))?;
+        let mut decoder = png::Decoder::new(BufReader::new(file));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let refused = |why: png::DecodingError| format!("found {why}, expected a PNG picture");
+        let mut reader = decoder.read_info().map_err(refused)?;
+        let info = reader.info();
+        let size = [info.width as usize, info.height as usize];
+        if size[0].saturating_mul(size[1]) > most_pixels {
+            return Err(format!(
+                "found {} x {} px, expected at most {most_pixels} pixels",
+                size[0], size[1]
+            ));
+        }
+        let bytes = reader.output_buffer_size();
+        let bytes = bytes.ok_or("found a picture too large for memory, expected a smaller one")?;
+        let mut data = vec![0; bytes];
+        let frame = reader.next_frame(&mut data).map_err(refused)?;
+        data.truncate(frame.buffer_size());
+        let channels = frame.color_type.samples();
+        let pixels = match frame.bit_depth {
+            png::BitDepth::Sixteen => {
+                let words = data
+                    .chunks_exact(2)
+                    .map(|two| u16::from_be_bytes([two[0], two[1]]));
+                ColourPixels::Sixteen(coloured(&words.collect::<Vec<u16>>(), channels))
+            }
+            _ => ColourPixels::Eight(coloured(&data, channels)),
+        };
+        Ok(Self { size, pixels })
+    }
+
+    /// The colour of a pixel in bytes; `None` beside the picture.
+    pub fn pixel(&self, x: usize, y: usize) -> Option<[u8; 3]> {
+        let [width, height] = self.size;
+        if x >= width || y >= height {
+            return None;
+        }
+        let at = 3 * (y * width + x);
+        let byte = |k: usize| match &self.pixels {
+            ColourPixels::Eight(bytes) => bytes.get(at + k).copied(),
+            // 65535 is 255 times 257.
+            ColourPixels::Sixteen(words) => {
+                let word = words.get(at + k)?;
+                u8::try_from((u32::from(*word) + 128) / 257).ok()
+            }
+        };
+        Some([byte(0)?, byte(1)?, byte(2)?])
+    }
+}
+
+/// Red, green and blue of pixels that have one, two, three or four channels.
+fn coloured<T: Copy>(data: &[T], channels: usize) -> Vec<T> {
+    let pixels = data.chunks_exact(channels.max(1));
+    match channels {
+        3 | 4 => pixels.flat_map(|p| [p[0], p[1], p[2]]).collect(),
+        _ => pixels.flat_map(|p| [p[0]; 3]).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_has_the_same_colour_in_one_byte_and_in_two() {
+        let bytes: Vec<u8> = (0..18).map(|i| i * 14).collect();
+        let words = bytes.iter().map(|b| u16::from(*b) * 257).collect();
+        let of = |pixels| ColourPng {
+            size: [3, 2],
+            pixels,
+        };
+        let (small, large) = (
+            of(ColourPixels::Eight(bytes)),
+            of(ColourPixels::Sixteen(words)),
+        );
+        assert_eq!(small.pixel(1, 1), Some([168, 182, 196]));
+        for (x, y) in [(0, 0), (2, 1), (3, 0), (0, 2)] {
+            assert_eq!(small.pixel(x, y), large.pixel(x, y));
+        }
+        assert_eq!(small.pixel(3, 0), None);
+    }
+
+    #[test]
+    fn what_is_no_picture_is_refused_in_words() {
+        let missing = ColourPng::read(Path::new("/nowhere/at/all.png"), 100);
+        assert!(missing.is_err_and(|why| why.contains("expected a file")));
+        let text = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
+        let text = ColourPng::read(&text, 100);
+        assert!(text.is_err_and(|why| why.contains("expected a PNG picture")));
+        let large = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pictures/readme.png");
+        let large = ColourPng::read(&large, 100);
+        assert!(large.is_err_and(|why| why.contains("at most 100 pixels")));
+    }
+}

@@ -1,0 +1,219 @@
+//! What the page "From a colour" is asked: a colour, told in one of several ways, and its light;
+//! where there is a second light, the colour under that.
+
+use eframe::egui;
+use egui::{DragValue, TextEdit, Ui};
+
+use crate::{
+    app::{
+        design::{
+            colour::{ColourSheet, UNDER, of_hex},
+            telling::Telling,
+        },
+        recipe::Given,
+    },
+    color::Xyz,
+    ui::{
+        kit::{Choice, Chooser, lights, named},
+        pages::PageContext,
+    },
+};
+
+/// The colour and the light that it is seen under; where there is a second light, that under it.
+pub(super) fn asked(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    sheet: Option<&ColourSheet>,
+    typed: &mut Option<(usize, String)>,
+) {
+    let before = context.memory.colour.clone();
+    let mut given = before.given.clone();
+    ui.horizontal_wrapped(|ui| {
+        let telling = &mut context.memory.colour.telling;
+        let choice = Choice {
+            name: "How a colour is told",
+            meaning: "As a screen's colour, or by three numbers.",
+            width: 76.0 * context.theme.scale,
+        };
+        choice.show(ui, telling.title(), |ui| {
+            for way in Telling::ALL {
+                ui.selectable_value(telling, way, way.title())
+                    .on_hover_text(way.meaning());
+            }
+        });
+        told(ui, context, (sheet, 0), &mut given, typed);
+    });
+    ui.horizontal_wrapped(|ui| {
+        ui.label("or that of");
+        let says = match given.surface() {
+            Some(key) => key.rsplit('/').next().unwrap_or(key),
+            None => "a surface",
+        };
+        let surface = Chooser {
+            name: "Surface to start from",
+            meaning: "A measured surface: how well would its colour alone have told it?",
+            says,
+            offers: reflectances,
+            width: 130.0 * context.theme.scale,
+        }
+        .show(ui, context.app);
+        ui.label("under");
+        let says = before.light.rsplit('/').next().unwrap_or(&before.light);
+        let light = Chooser {
+            name: "Light that the colour is seen under",
+            meaning: "Another light makes other surfaces of the same colour.",
+            says,
+            offers: lights,
+            width: 130.0 * context.theme.scale,
+        }
+        .show(ui, context.app);
+        let asked = &mut context.memory.colour;
+        if let Some(light) = light {
+            asked.light.clone_from(&light.key);
+        }
+        if let Some(surface) = surface {
+            given = Given::Of(surface.key.clone());
+            if let Some((second, _)) = &mut asked.second {
+                second.clone_from(&given);
+            }
+        }
+        asked.given = given;
+    });
+    second(ui, context, sheet, typed);
+}
+
+/// The same surface's colour under a second light.
+fn second(
+    ui: &mut Ui,
+    context: &mut PageContext<'_>,
+    sheet: Option<&ColourSheet>,
+    typed: &mut Option<(usize, String)>,
+) {
+    let before = context.memory.colour.clone();
+    ui.horizontal_wrapped(|ui| {
+        let mut is_on = before.second.is_some();
+        let check = ui.checkbox(&mut is_on, "and under a second light");
+        check.on_hover_text(
+            "The same surface's colours under two lights tell more about it: six numbers.",
+        );
+        let key = before.second.as_ref().map_or(UNDER[1], |(_, key)| key);
+        let mut chosen = (is_on && before.second.is_none()).then(|| key.to_owned());
+        if is_on {
+            let light = Chooser {
+                name: "Second light",
+                meaning: "The light under which the second colour was seen.",
+                says: key.rsplit('/').next().unwrap_or(key),
+                offers: lights,
+                width: 130.0 * context.theme.scale,
+            }
+            .show(ui, context.app);
+            chosen = light.map(|light| light.key.clone()).or(chosen);
+        }
+        let document = context.app.document();
+        let asked = &mut context.memory.colour;
+        match (&chosen, is_on) {
+            (Some(key), _) => *asked = before.clone().with_second(sheet, key, document),
+            (None, false) => *asked = before.clone().with_one(),
+            (None, true) => {}
+        }
+    });
+    let Some((mut given, key)) = context.memory.colour.second.clone() else {
+        return;
+    };
+    ui.horizontal_wrapped(|ui| {
+        ui.label("where it is");
+        told(ui, context, (sheet, 1), &mut given, typed);
+    });
+    context.memory.colour.second = Some((given, key));
+}
+
+/// The fields of one colour: the `index`-th of the sheet.
+fn told(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    (sheet, index): (Option<&ColourSheet>, usize),
+    given: &mut Given,
+    typed: &mut Option<(usize, String)>,
+) {
+    let telling = context.memory.colour.telling;
+    // Where nothing is seen, the numbers are those of black.
+    let [xyz, white] = sheet
+        .and_then(|sheet| sheet.seen.get(index))
+        .map_or([Xyz::ZERO, Xyz::new(100.0, 100.0, 100.0)], |seen| {
+            [seen.xyz, seen.white]
+        });
+    let now = telling.told(given, xyz, white);
+    let of = ["", " under the second light"][index.min(1)];
+    match telling.numbers() {
+        Some(numbers) => {
+            let mut after = now;
+            for (value, number) in after.iter_mut().zip(numbers) {
+                ui.label(number.title);
+                let [least, most] = number.range;
+                let field = DragValue::new(value)
+                    .range(least..=most)
+                    .speed(3.0 * 0.1_f64.powi(number.digits as i32))
+                    .fixed_decimals(number.digits);
+                let response = ui.add(field);
+                named(
+                    &response,
+                    egui::Role::SpinButton,
+                    &format!("{}{of}", number.title),
+                );
+                response.on_hover_text(telling.meaning());
+            }
+            if after != now {
+                *given = telling.given(after);
+            }
+        }
+        None => {
+            let rgb = now.map(|v| v as u8);
+            if let Some(rgb) = picked(ui, context, rgb, (index, of), typed) {
+                *given = Given::Srgb(rgb);
+            }
+        }
+    }
+}
+
+/// A screen's colour, picked or typed; the new one.
+fn picked(
+    ui: &mut Ui,
+    context: &PageContext<'_>,
+    now: [u8; 3],
+    (index, of): (usize, &str),
+    typed: &mut Option<(usize, String)>,
+) -> Option<[u8; 3]> {
+    let mut rgb = now;
+    let picker = ui.color_edit_button_srgb(&mut rgb);
+    named(
+        &picker,
+        egui::Role::ColorWell,
+        &format!("Pick a colour{of}"),
+    );
+    picker.on_hover_text(Telling::Srgb.meaning());
+    let mut found = (rgb != now).then_some(rgb);
+    let [r, g, b] = now;
+    let is_typed = typed.as_ref().filter(|(at, _)| *at == index);
+    let mut text = is_typed.map_or_else(
+        || format!("#{r:02x}{g:02x}{b:02x}"),
+        |(_, text)| text.clone(),
+    );
+    let width = 72.0 * context.theme.scale;
+    let edit = ui.add(TextEdit::singleline(&mut text).desired_width(width));
+    let name = format!("Colour in hexadecimal{of}");
+    named(&edit, egui::Role::TextInput, &name);
+    if edit.changed() {
+        found = of_hex(&text).or(found);
+        *typed = Some((index, text));
+    }
+    if edit.lost_focus() {
+        *typed = None;
+    }
+    edit.on_hover_text("sRGB in hexadecimal, such as #c08040.");
+    found
+}
+
+/// What is a reflectance.
+fn reflectances(entry: &crate::app::Entry) -> bool {
+    entry.kind() == crate::spectrum::Kind::Reflectance
+}

@@ -1,0 +1,123 @@
+//! A picture of colours on the page "From a colour": a click takes a pixel's colour.
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{ColorImage, TextureHandle, TextureOptions, Ui, vec2};
+
+use super::DesignView;
+use crate::{
+    app::design::photo::{Photo, answer},
+    color::Srgb,
+    ui::{
+        kit::named,
+        pages::{PageContext, progress},
+    },
+};
+
+/// Longest side of the picture as it is drawn, pixels.
+const MOST_SIDE: usize = 1024;
+
+/// Greatest height of the picture on the page, points.
+const HEIGHT: f32 = 180.0;
+
+/// A picture on the graphics card.
+pub struct DrawnPhoto {
+    of: Arc<Result<Photo, String>>,
+    texture: TextureHandle,
+}
+
+impl DesignView {
+    /// The picture that was opened; a click takes a pixel's colour.
+    pub(super) fn photo(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+        ui.horizontal_wrapped(|ui| {
+            let words = match self.photo {
+                None => "Picture…",
+                Some(_) => "Another picture…",
+            };
+            self.wants_photo |= ui
+                .button(words)
+                .on_hover_text(
+                    "Opens a picture (PNG) whose pixels can be clicked for their colours; or drop \
+                     one on this page.",
+                )
+                .clicked();
+            if self.photo.is_some() {
+                let close = ui.small_button("✖");
+                named(&close, egui::Role::Button, "Close the picture");
+                if close.on_hover_text("Takes the picture away.").clicked() {
+                    self.photo = None;
+                }
+            }
+            ui.weak("a pixel's colour; or right click a split field of colours on any page");
+        });
+        let Some(path) = &self.photo else {
+            self.drawn_photo = None;
+            return;
+        };
+        let job = &mut context.studies.photo;
+        job.ask_by(path, context.wake, answer);
+        progress(ui, job, "The picture");
+        let Some(found) = job.result_for(path).cloned() else {
+            return;
+        };
+        match &*found {
+            Ok(photo) => {
+                let texture = self.texture(ui, &found, photo);
+                clicked(ui, context, photo, texture);
+            }
+            Err(why) => {
+                ui.weak(why);
+            }
+        }
+    }
+
+    fn texture(
+        &mut self,
+        ui: &Ui,
+        found: &Arc<Result<Photo, String>>,
+        photo: &Photo,
+    ) -> egui::TextureId {
+        let is_it = |drawn: &DrawnPhoto| Arc::ptr_eq(&drawn.of, found);
+        let held = self.drawn_photo.take().filter(is_it);
+        let drawn = held.unwrap_or_else(|| {
+            let (size, pixels, _) = photo.drawn(MOST_SIDE);
+            let colours = pixels.into_iter();
+            let colours = colours.map(|[r, g, b]| egui::Color32::from_rgb(r, g, b));
+            let image = ColorImage::new(size, colours.collect());
+            let options = TextureOptions::LINEAR;
+            DrawnPhoto {
+                of: found.clone(),
+                texture: ui.ctx().load_texture("photo", image, options),
+            }
+        });
+        self.drawn_photo.insert(drawn).texture.id()
+    }
+}
+
+fn clicked(ui: &mut Ui, context: &mut PageContext<'_>, photo: &Photo, texture: egui::TextureId) {
+    let [width, height] = photo.png.size.map(|side| side.max(1) as f32);
+    let room = vec2(ui.available_width(), HEIGHT * context.theme.scale);
+    let scale = (room.x / width).min(room.y / height);
+    let size = vec2(width, height) * scale;
+    let (rect, response) = ui.allocate_exact_size(size, egui::Sense::click());
+    named(
+        &response,
+        egui::Role::Image,
+        &format!("Picture {}", photo.name),
+    );
+    let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+    ui.painter()
+        .image(texture, rect, whole, egui::Color32::WHITE);
+    let pointed = response.hover_pos().or(response.interact_pointer_pos());
+    let at = pointed.map(|at| (at - rect.min) / rect.size());
+    let Some(([x, y], rgb)) = at.and_then(|at| photo.at([at.x, at.y])) else {
+        ui.small(format!("{}: click a pixel to take its colour.", photo.name));
+        return;
+    };
+    let colour = Srgb(rgb).hex();
+    ui.small(format!("Row {y}, column {x}: {colour}. Click to take it."));
+    if response.clicked() {
+        context.memory.ask_about_colour(rgb);
+    }
+}
