@@ -318,6 +318,7 @@ fn variant(command: &Command) -> &'static str {
         Command::Reset => "reset",
         Command::PatchSet(_) => "patch set",
         Command::Patch(_) => "patch",
+        Command::ToggleOwnPatch { .. } => "toggle own patch",
         Command::Scale(_) => "scale",
         Command::WeightFactor(_) => "weight factor",
         Command::View(_) => "view",
@@ -418,6 +419,7 @@ fn session(app: &App) -> Vec<Command> {
             key: key(),
             kind: Kind::Reflectance,
         },
+        Command::ToggleOwnPatch { key: key() },
         Command::Open(vec![opened("once.csv", b"nm,W\n380,1\n400,4\n")]),
         Command::Reread {
             key: "own/3".to_owned(),

@@ -11,8 +11,8 @@ use spectral_explorer::{
         mixture::{Channel, MixError, Spec, composite, mixed},
         scales::SampleTables,
         solve::{
-            Against, Favour, Floors, FrontPoint, FrontWish, Mixer, Solution, Target, Wish, faders,
-            front, front_json, mix_json,
+            Against, Favour, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target,
+            Wish, faders, front, front_json, mix_json,
         },
     },
     spectrum::{Outside, Sampled},
@@ -302,10 +302,7 @@ fn two_lines_of_a_colour_are_never_better_than_three_and_no_pair_is_better_than_
     for against in [Against::Ra, Against::Rf] {
         let two = front_at(&target, against, 2, floors.clone());
         let three = front_at(&target, against, 3, floors.clone());
-        let worth = |point: &FrontPoint| match against {
-            Against::Ra => point.figures.ra.unwrap(),
-            Against::Rf => point.figures.rf.unwrap(),
-        };
+        let worth = |point: &FrontPoint| against.of(&point.figures).unwrap();
         for point in &two {
             let above = three.iter().find(|three| three.floor == point.floor);
             assert!(worth(point) <= worth(above.unwrap()) + 0.02, "{point:?}");
@@ -326,10 +323,7 @@ fn two_lines_of_a_colour_are_never_better_than_three_and_no_pair_is_better_than_
                     ..Wish::default()
                 },
             );
-            let figure = match against {
-                Against::Ra => found.figures.ra,
-                Against::Rf => found.figures.rf,
-            };
+            let figure = against.of(&found.figures);
             assert!(!found.reached || figure.unwrap() < best + 0.05);
         }
     }
@@ -341,10 +335,7 @@ fn each_line_more_is_no_worse_and_has_no_better_powers_than_those_it_found() {
     let floors = vec![250.0, 320.0, 380.0];
     let colour = Target::of_xy(pair(&target)).unwrap();
     for (against, favour) in [(Against::Ra, Favour::Ra), (Against::Rf, Favour::Rf)] {
-        let worth = |figures: &spectral_explorer::design::solve::MixFigures| match against {
-            Against::Ra => figures.ra.unwrap(),
-            Against::Rf => figures.rf.unwrap(),
-        };
+        let worth = |figures: &MixFigures| against.of(figures).unwrap();
         let mut before = vec![f64::NEG_INFINITY; floors.len()];
         for lines in [4, 5, 6, 8] {
             let found = front_at(&target, against, lines, floors.clone());

@@ -9,7 +9,7 @@ use crate::{
         },
         design::{
             desk::Desk,
-            front::{figure, figure_name, lines_words},
+            front::{figure_name, lines_words},
             mix::MixChannel,
         },
     },
@@ -180,7 +180,7 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: 
     let name = figure_name(against);
     let known: Vec<(&FrontPoint, f64)> = points
         .iter()
-        .filter_map(|point| Some((point, figure(point, against)?)))
+        .filter_map(|point| Some((point, against.of(&point.figures)?)))
         .collect();
     let places: Vec<[f64; 2]> = known
         .iter()
@@ -195,13 +195,10 @@ pub fn front_chart(points: &[FrontPoint], against: Against, desk: &Desk, theme: 
         dots.with_notes(known.iter().map(note).collect()),
         Series::line("", inks.spikes, places.clone()),
     ];
-    let here = desk.figures.as_ref().and_then(|figures| {
-        let value = match against {
-            Against::Rf => figures.rf,
-            Against::Ra => figures.ra,
-        };
-        Some([figures.ler, value?])
-    });
+    let here = desk
+        .figures
+        .as_ref()
+        .and_then(|figures| Some([figures.ler, against.of(figures)?]));
     if let Some(here) = here {
         let ring = Series::points("the faders now", inks.measured, Shape::Ring, vec![here]);
         series.push(ring);

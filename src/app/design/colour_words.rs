@@ -138,8 +138,8 @@ impl ColourSheet {
 pub fn method_name(method: Method) -> &'static str {
     match method {
         Method::Smoothest => "Smoothest surface",
-        Method::Fourier3 => "Three coefficients (Eq. 18)",
-        Method::Fourier6 => "Six coefficients, two lights",
+        Method::Fourier3 => "Three coefficients",
+        Method::Fourier6 => "Six coefficients",
         Method::Lines => "Light of lines",
     }
 }

@@ -37,15 +37,7 @@ pub fn answer(ask: &FrontWish, progress: &Progress) -> Option<Result<Vec<FrontPo
     }
 }
 
-/// The figure that efficacy is traded for.
-pub fn figure(point: &FrontPoint, against: Against) -> Option<f64> {
-    match against {
-        Against::Rf => point.figures.rf,
-        Against::Ra => point.figures.ra,
-    }
-}
-
-/// Its name.
+/// The name of the figure that efficacy is traded for.
 pub fn figure_name(against: Against) -> &'static str {
     match against {
         Against::Rf => "Rf",
@@ -80,7 +72,7 @@ pub fn lines_words(point: &FrontPoint) -> String {
 pub fn sentence(points: &[FrontPoint], ask: &FrontWish) -> String {
     let name = figure_name(ask.against);
     let told = |point: &FrontPoint| {
-        let value = figure(point, ask.against);
+        let value = ask.against.of(&point.figures);
         let value = value.map_or_else(|| "-".to_owned(), |value| format!("{value:.0}"));
         format!("{name} {value} at {:.0} lm/W", point.figures.ler)
     };

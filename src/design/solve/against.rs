@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
+use super::figures::MixFigures;
 use crate::design::mixture::MixError;
 
 /// Which figure the efficacy is traded for.
@@ -15,6 +16,16 @@ pub enum Against {
     Rf,
     /// The colour rendering index.
     Ra,
+}
+
+impl Against {
+    /// The figure of a light, where it has one.
+    pub fn of(self, figures: &MixFigures) -> Option<f64> {
+        match self {
+            Self::Rf => figures.rf,
+            Self::Ra => figures.ra,
+        }
+    }
 }
 
 impl FromStr for Against {

@@ -112,6 +112,17 @@ pub fn front(
     if wish.floors.is_none() {
         points.sort_by(|a, b| a.figures.ler.total_cmp(&b.figures.ler));
         points.dedup_by(|a, b| a.lines == b.lines);
+        let mut best = f64::NEG_INFINITY;
+        let mut unbeaten: Vec<FrontPoint> = Vec::new();
+        for point in points.into_iter().rev() {
+            let figure = wish.against.of(&point.figures).unwrap_or(LEAST_WORTH);
+            if figure > best {
+                best = figure;
+                unbeaten.push(point);
+            }
+        }
+        unbeaten.reverse();
+        points = unbeaten;
     }
     Ok(Some(points))
 }

@@ -31,6 +31,9 @@ const LEAST_GAIN: f64 = 1e-4;
 /// A gain of the figure that is worth another round.
 const GAIN: f64 = 2e-3;
 
+/// How far a sum may be from its target, Y = 1: lines that nearly coincide have none.
+const ROUNDING: f64 = 1e-11;
+
 /// Turns of the repair: each leaves out lines whose power would turn negative.
 const MOST_TURNS: usize = 4;
 
@@ -194,9 +197,23 @@ impl LineSearch<'_> {
                 }
             }
             if is_whole {
-                return Some(());
+                return met(lines, &column, target).then_some(());
             }
         }
         None
     }
+}
+
+/// Whether the columns of lines sum up to the target.
+fn met<const M: usize>(
+    lines: &[Line],
+    column: impl Fn(usize) -> [f64; M],
+    target: [f64; M],
+) -> bool {
+    let mut missing = target;
+    for (index, line) in lines.iter().enumerate() {
+        let column = column(index);
+        (0..M).for_each(|k| missing[k] -= line.power * column[k]);
+    }
+    missing.iter().all(|v| v.abs() < ROUNDING)
 }

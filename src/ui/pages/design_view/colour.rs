@@ -93,11 +93,16 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, 
     let sheet = &shown.sheet;
     ui.add_space(8.0);
     let columns = [
-        Column::words("way", "Click the one to take to the library.", 1.7),
+        Column::words(
+            "way",
+            "Click the one to take. Three coefficients for one colour, six for two are the paper's \
+             Eq. 18.",
+            2.0,
+        ),
         Column::words(
             "values",
             "Lowest and highest value; a surface is within 0 to 1.",
-            2.0,
+            1.9,
         ),
         Column::numbers(
             "\u{394}E00",

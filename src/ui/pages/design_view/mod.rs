@@ -114,7 +114,7 @@ struct Fader<'a> {
 impl Fader<'_> {
     /// Draws it over the room there is, but for `rest` points behind it.
     fn show(self, ui: &mut Ui, value: &mut f64, rest: f32, scale: f32) {
-        let number = 58.0 * scale;
+        let number = 64.0 * scale;
         ui.spacing_mut().slider_width = (ui.available_width() - rest - number - 8.0).max(40.0);
         let slider = Slider::new(value, self.range.clone())
             .logarithmic(self.logarithmic)

@@ -49,7 +49,7 @@ impl DesignView {
                     self.photo = None;
                 }
             }
-            ui.weak("a pixel's colour; or right click a split field of colours on any page");
+            ui.weak("or right click a field of colours on any page");
         });
         let Some(path) = &self.photo else {
             self.drawn_photo = None;
