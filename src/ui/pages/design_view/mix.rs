@@ -28,7 +28,7 @@ use crate::{
 };
 
 /// From this width on the diagram stands beside the faders, points.
-const WIDE: f32 = 720.0;
+const WIDE: f32 = 840.0;
 
 /// How near to a line or an LED a drag takes hold of it, nm.
 const REACH_NM: f64 = 12.0;
