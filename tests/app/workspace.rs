@@ -96,7 +96,7 @@ fn found<'v>(value: &'v Value, place: &[String]) -> Option<&'v Value> {
 fn setting_of(place: &Place) -> Place {
     let is = |from: usize, name: &str| place.get(from).is_some_and(|step| step == name);
     let length = match place[0].as_str() {
-        "overlays" | "images" if place.len() < 4 => 1,
+        "overlays" | "images" | "own_patches" if place.len() < 4 => 1,
         "products" if is(1, "chain") && place.len() < 5 => 2,
         "settings" if is(1, "band") => 2,
         "edits" => place.len().min(3),
@@ -105,10 +105,15 @@ fn setting_of(place: &Place) -> Place {
         "preferences" if is(3, "selection") => 4,
         "preferences" if is(2, "lessons_finished") => 3,
         "preferences" if is(4, "hidden") => 5,
-        "preferences" if is(2, "kept") || ["given", "lines", "pixel"].iter().any(|k| is(3, k)) => {
+        "preferences"
+            if is(2, "kept")
+                || ["given", "second", "lines", "pixel", "xy"]
+                    .iter()
+                    .any(|k| is(3, k)) =>
+        {
             place.len().min(4)
         }
-        "mix" if is(1, "channels") => 2,
+        "mix" if is(1, "channels") || is(1, "gels") => 2,
         _ => place.len(),
     };
     place[..length].to_vec()

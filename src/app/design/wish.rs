@@ -73,7 +73,7 @@ impl MixWish {
         };
         let floor = |floor: Option<f64>| floor.filter(|value| value.is_finite());
         Self {
-            xy: self.xy.filter(|_| self.light.is_none()).map(|xy| {
+            xy: self.xy.map(|xy| {
                 // What is no number becomes the equal-energy white.
                 let sound = |v: f64| if v.is_nan() { 1.0 / 3.0 } else { v };
                 xy.map(|v| sound(v).clamp(0.0, 1.0))
@@ -275,7 +275,11 @@ mod tests {
             xy: Some([f64::NAN, 0.3]),
             ..MixWish::default()
         };
-        assert_eq!(light.clamped().xy, None);
+        let light = light.clamped();
+        assert_eq!(light.colour_words(), "CIE A");
+        let of_light = light.target(app.document()).expect("a white");
+        assert!((of_light.xy()[0] - 0.4476).abs() < 1e-3);
+        assert_eq!(light.xy, Some([1.0 / 3.0, 0.3]));
     }
 
     #[test]

@@ -226,19 +226,19 @@ fn add_row(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[Nam
 
 /// What joins the gels.
 fn add_gel(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
-    let is_full = desk.mix.gels.len() >= MOST_GELS;
-    let gel = ui.add_enabled_ui(!is_full, |ui| {
-        Chooser {
-            name: "A gel before the lamps",
-            meaning: "A filter or glass of the library, or of a file that was opened, before all \
-                      channels.",
-            says: "Gel",
-            offers: transmittances,
-            width: 60.0 * context.theme.scale,
-        }
-        .show(ui, context.app)
-    });
-    if let Some(gel) = gel.inner {
+    if desk.mix.gels.len() >= MOST_GELS {
+        return;
+    }
+    let gel = Chooser {
+        name: "A gel before the lamps",
+        meaning: "A filter or glass of the library, or of a file that was opened, before all \
+                  channels.",
+        says: "Gel",
+        offers: transmittances,
+        width: 60.0 * context.theme.scale,
+    }
+    .show(ui, context.app);
+    if let Some(gel) = gel {
         let key = gel.key.clone();
         let thickness = 1.0;
         change(context, |mix| mix.gels.push(Gel { key, thickness }));

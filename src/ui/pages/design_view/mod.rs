@@ -115,7 +115,7 @@ impl Fader<'_> {
     /// Draws it over the room there is, but for `rest` points behind it.
     fn show(self, ui: &mut Ui, value: &mut f64, rest: f32, scale: f32) {
         let number = 64.0 * scale;
-        ui.spacing_mut().slider_width = (ui.available_width() - rest - number - 8.0).max(40.0);
+        ui.spacing_mut().slider_width = (ui.available_width() - rest - number - 8.0).max(10.0);
         let slider = Slider::new(value, self.range.clone())
             .logarithmic(self.logarithmic)
             .show_value(false);
