@@ -1,6 +1,6 @@
 //! A picture of colours whose pixels are taken as colours, read on a thread of its own.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use crate::{
     io::{colour_png::ColourPng, input::name_of},
@@ -20,7 +20,7 @@ pub struct Photo {
 }
 
 /// Reads a file; never `None`, as nobody cancels it.
-pub fn answer(path: &PathBuf, _: &Progress) -> Option<Result<Photo, String>> {
+pub fn answer(path: &Path, _: &Progress) -> Option<Result<Photo, String>> {
     let name = name_of(path);
     Some(match ColourPng::read(path, MOST_PIXELS) {
         Ok(png) => Ok(Photo { name, png }),

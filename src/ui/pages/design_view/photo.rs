@@ -56,7 +56,7 @@ impl DesignView {
             return;
         };
         let job = &mut context.studies.photo;
-        job.ask_by(path, context.wake, answer);
+        job.ask_by(path, context.wake, |path, progress| answer(path, progress));
         progress(ui, job, "The picture");
         let Some(found) = job.result_for(path).cloned() else {
             return;
