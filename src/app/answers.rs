@@ -2,13 +2,14 @@
 //! the difference, how few numbers are they, from which order on is nothing seen.
 
 use super::{
+    line_names::LineName,
     settings::{Detector, Settings},
     state::App,
     ticks::short,
 };
 use crate::{
-    color::cct::Cct,
-    spectrum::{Basis, spikes::detect},
+    color::{cct::Cct, xyz_of_one, xyz_of_parts, xyz_of_spikes},
+    spectrum::{Basis, Spike, spikes::detect},
     study::{Measure, Sweep},
 };
 
@@ -129,6 +130,43 @@ pub fn white_words(cct: Cct) -> String {
         _ => "",
     };
     format!("{kelvin:.0} K{tint}")
+}
+
+/// A spike of the model as it is read out while it is pointed at or dragged: where it stands, after
+/// what it is named, its weight, its share of the power, and what it adds to the light's Y of 100.
+pub fn spike_words(app: &App, spike: Spike, name: &LineName) -> String {
+    let derived = app.derived();
+    let name = name.safe.as_deref().or(name.near.as_deref());
+    let name = name.map_or_else(String::new, |name| format!(" ({name})"));
+    let weight = short(three(app.scale_factor() * spike.weight));
+    let unit = match app.unit() {
+        "" => "nm".to_owned(),
+        unit => format!("{unit} x nm"),
+    };
+    let mut words = format!("spike {:.1} nm{name}   {weight} {unit}", spike.at_nm);
+    if let Some(share) = derived.parts.share(spike.weight) {
+        words += &format!("   {:.1} % of the power", 100.0 * share);
+    }
+    let weights = &app.tables().viewing.weights;
+    let white = if app.document().is_about_light() {
+        xyz_of_parts(derived.band, &derived.measured, &[], weights).y
+    } else {
+        xyz_of_one(derived.band, weights).y
+    };
+    let adds = 100.0 * xyz_of_spikes(derived.band, &[spike], weights).y / white;
+    if adds.is_finite() {
+        words += &format!("   adds {adds:+.1} Y");
+    }
+    words
+}
+
+/// A value in three digits.
+fn three(value: f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    let step = 10_f64.powf(value.abs().log10().floor() - 2.0);
+    (value / step).round() * step
 }
 
 /// Thresholds that the slider of lines reaches, per cent of the power.

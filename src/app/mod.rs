@@ -8,6 +8,7 @@ pub mod cells;
 pub mod chart;
 pub mod charts;
 pub mod command;
+pub mod command_line_words;
 pub mod derived;
 pub mod design;
 pub mod dispersion;

@@ -105,13 +105,18 @@ fn path_field(
     if is_there {
         ui.label("A file of this name is there already.");
     }
+    // Nothing that was typed is lost.
+    let is_missing = !writes && !text.trim().is_empty() && !Path::new(text.trim()).exists();
+    if is_missing {
+        ui.label("No file or folder is called that.");
+    }
     let verb = if is_there { "Replace it" } else { verb };
     let entered = !is_there && field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
     if !field.has_focus() && !entered {
         field.request_focus();
     }
     ui.horizontal(|ui| {
-        let ready = !text.trim().is_empty();
+        let ready = !text.trim().is_empty() && !is_missing;
         let pressed = ui.add_enabled(ready, egui::Button::new(verb)).clicked();
         if ready && (pressed || entered) {
             *outcome = chosen(PathBuf::from(text.trim()));

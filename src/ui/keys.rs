@@ -56,6 +56,8 @@ pub enum Act {
     Shortcuts,
     /// Copy a picture of the window.
     CopyPicture,
+    /// Copy the command line that gives the same.
+    CopyCommand,
 }
 
 const CTRL: Modifiers = Modifiers::COMMAND;
@@ -63,7 +65,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 31] = [
+pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 32] = [
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
         Act::Redo,
@@ -83,6 +85,11 @@ pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 31] = [
         KeyboardShortcut::new(CTRL_SHIFT, Key::C),
         Act::CopyPicture,
         "Copy a picture of the window",
+    ),
+    (
+        KeyboardShortcut::new(CTRL_SHIFT, Key::K),
+        Act::CopyCommand,
+        "Copy the command line for this view",
     ),
     (KeyboardShortcut::new(CTRL, Key::Z), Act::Undo, "Undo"),
     (KeyboardShortcut::new(CTRL, Key::Y), Act::Redo, "Do again"),

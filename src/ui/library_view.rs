@@ -1,32 +1,24 @@
 //! The library: shelves of spectra, each with a swatch, a name and a small curve.
 
-use std::{
-    collections::{HashMap, HashSet},
-    sync::Arc,
-};
+use std::{collections::HashMap, sync::Arc};
 
 use eframe::egui;
-use egui::{Align2, Color32, FontId, Key, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Align2, Key, Sense, Ui, Vec2, pos2, vec2};
 
 use super::{
-    swatch,
+    entry_row::{Painted, elided, row_name},
     theme::{Theme, ink},
 };
 use crate::{
     app::{
         App, Command, Entry,
-        about::About,
         families::Families,
         recipe::Recipe,
         search::{Folded, Index, favourites, fold},
         workspace::Preferences,
     },
-    color::{
-        Adaptation, Observer, Swatch, Xyz,
-        xyz::{xyz_from_light, xyz_from_reflectance},
-    },
     preset::Shelf,
-    spectrum::{Kind, Outside},
+    spectrum::Kind,
 };
 
 /// What the library remembers between frames.
@@ -42,8 +34,6 @@ pub struct LibraryView {
     compares: bool,
     /// The own entry being renamed, with the text so far.
     renaming: Option<(String, String)>,
-    /// By key, with the entry it was made of: after an undo another file may have the key.
-    art: HashMap<String, (Arc<Entry>, Art)>,
     /// The rows and what they were made for: thousands are not looked through in every frame.
     listed: Option<(RowsOf, Arc<Vec<Row>>)>,
     /// What can be searched, and the user's own spectra that it was made for.
@@ -70,20 +60,6 @@ impl RowsOf {
             && self.own.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
     }
 }
-
-/// A row's swatch and curve, made once.
-struct Art {
-    colour: Color32,
-    /// Heights 0-1 over 380-780 nm.
-    curve: Vec<f32>,
-    /// What it is, in a few words.
-    what: String,
-}
-
-/// Points of a row's small curve.
-const CURVE_POINTS: usize = 36;
-/// Places between two of them at which it is looked for lines.
-const STEPS_BETWEEN: usize = 10;
 
 /// One line of the list.
 enum Row {
@@ -271,10 +247,6 @@ impl LibraryView {
         };
         let rows = Arc::new(self.rows(app, preferences));
         self.listed = Some((of, rows.clone()));
-        // What is not listed any more is not kept either.
-        let own: HashSet<&str> = app.document().own.iter().map(|e| e.key.as_str()).collect();
-        self.art
-            .retain(|key, _| !key.starts_with("own/") || own.contains(key.as_str()));
         rows
     }
 
@@ -395,66 +367,24 @@ impl LibraryView {
             ui.painter()
                 .rect_filled(rect, 3.0, visuals.widgets.hovered.bg_fill);
         }
-        if !self
-            .art
-            .get(&entry.key)
-            .is_some_and(|(made_of, _)| Arc::ptr_eq(made_of, entry))
-        {
-            self.art
-                .insert(entry.key.clone(), (entry.clone(), Art::of(entry)));
-        }
-        let (_, art) = self.art.get(&entry.key)?;
-        let side = rect.height() - 12.0;
-        let indent = in_file.map_or(0.0, |_| INDENT * theme.scale);
-        let field = Rect::from_min_size(
-            pos2(rect.left() + 4.0 + indent, rect.center().y - side / 2.0),
-            Vec2::splat(side),
-        );
-        ui.painter()
-            .rect_filled(field.expand(3.0), 3.0, theme.swatch_ground);
-        ui.painter().rect_filled(field, 2.0, art.colour);
-        let curve_width = (0.24 * rect.width()).clamp(30.0, 64.0);
-        let curve = Rect::from_min_max(
-            pos2(rect.right() - curve_width - 4.0, rect.top() + 7.0),
-            pos2(rect.right() - 4.0, rect.bottom() - 7.0),
-        );
         let text_colour = if selected {
             visuals.selection.stroke.color
         } else {
             visuals.text_color()
         };
-        draw_curve(ui, curve, &art.curve, theme, text_colour);
-        let mut name_right = curve.left() - 4.0;
-        if let Some(overlay) = overlay {
-            let mark = pos2(name_right - 5.0, rect.center().y);
+        let marked = overlay.map(|overlay| {
             let inks = theme.inks.overlays;
-            let stroke = Stroke::new(2.0, ink(inks[overlay % inks.len()]));
-            ui.painter().circle_stroke(mark, 4.0, stroke);
-            name_right -= 14.0;
-        }
-        let name_rect = Rect::from_min_max(
-            pos2(field.right() + 10.0, rect.top()),
-            pos2(name_right, rect.bottom()),
-        );
-        let font = egui::TextStyle::Body.resolve(ui.style());
-        let common = in_file.unwrap_or_default();
-        let name = elided(ui, &row_name(entry), common, &font, name_rect.width());
-        let painter = ui
-            .painter()
-            .with_clip_rect(name_rect.intersect(ui.clip_rect()));
-        let small = egui::TextStyle::Small.resolve(ui.style());
-        let middle = rect.center().y;
-        let lift = if art.what.is_empty() {
-            0.0
-        } else {
-            8.0 * theme.scale
+            ink(inks[overlay % inks.len()])
+        });
+        let painted = Painted {
+            indent: in_file.map_or(0.0, |_| INDENT * theme.scale),
+            common: in_file.unwrap_or_default(),
+            marked,
+            ink: text_colour,
+            faint: if selected { text_colour } else { theme.faint },
+            scale: theme.scale,
         };
-        let at = pos2(name_rect.left(), middle - lift);
-        painter.text(at, Align2::LEFT_CENTER, name, font, text_colour);
-        let what = elided(ui, &art.what, [0; 2], &small, name_rect.width());
-        let below = pos2(name_rect.left(), middle + 9.0 * theme.scale);
-        let faint = if selected { text_colour } else { theme.faint };
-        painter.text(below, Align2::LEFT_CENTER, what, small, faint);
+        painted.show(ui, rect, entry);
         let add = self.compares || ui.input(|i| i.modifiers.command || i.modifiers.shift);
         let mut command = None;
         if response.clicked() {
@@ -582,76 +512,6 @@ fn made_menu(
     }
 }
 
-impl Art {
-    fn of(entry: &Entry) -> Self {
-        let samples = &entry.spectrum.samples;
-        let outside = entry.kind().outside();
-        // The highest of what stands between two points, so that no line falls through.
-        let step = 400.0 / (CURVE_POINTS - 1) as f64;
-        let highest_near = |i: usize| {
-            let nm = (0..=STEPS_BETWEEN).map(|k| {
-                let part = k as f64 / STEPS_BETWEEN as f64 - 0.5;
-                380.0 + step * (i as f64 + part)
-            });
-            nm.map(|nm| samples.at(nm, outside))
-                .fold(f64::NEG_INFINITY, f64::max)
-        };
-        let values: Vec<f64> = (0..CURVE_POINTS).map(highest_near).collect();
-        let top = values.iter().copied().fold(0.0, f64::max);
-        let swatch = match entry.kind() {
-            Kind::Light => {
-                xyz_from_light(samples, Outside::Zero, Observer::Cie1931).map(Swatch::of_light)
-            }
-            Kind::Reflectance | Kind::Transmittance => {
-                let light = crate::app::library::Library::bundled()
-                    .find("cie_illuminants/CIE D65")
-                    .ok()
-                    .and_then(|p| p.spectrum());
-                light.and_then(|light| {
-                    let white: Xyz =
-                        xyz_from_light(&light.samples, Outside::Zero, Observer::Cie1931)?;
-                    let xyz = xyz_from_reflectance(samples, &light.samples, Observer::Cie1931)?;
-                    Some(Swatch::of_patch(xyz, white, Adaptation::None))
-                })
-            }
-            Kind::Absorbance | Kind::Weighting | Kind::Lines | Kind::Other => None,
-        };
-        let about = About::of(entry);
-        let kelvin = about
-            .kelvin
-            .map(|k| format!("{:.0} K", 10.0 * (k / 10.0).round()));
-        let words = Some(about.what).filter(|what| !what.is_empty());
-        let what: Vec<String> = words.into_iter().chain(kelvin).collect();
-        Self {
-            what: what.join(", "),
-            colour: swatch.map_or(Color32::from_gray(110), |s| swatch::colour(s.rgb8)),
-            curve: values
-                .iter()
-                .map(|v| {
-                    if top > 0.0 {
-                        (v / top).clamp(0.0, 1.0) as f32
-                    } else {
-                        0.0
-                    }
-                })
-                .collect(),
-        }
-    }
-}
-
-/// The name in the list: the CIE's 5 nm tables have the names of its 1 nm tables.
-fn row_name(entry: &Entry) -> String {
-    let is_coarse = entry
-        .key
-        .split_once('/')
-        .is_some_and(|(group, _)| group.ends_with("_5nm") && group.starts_with("cie_"));
-    if is_coarse {
-        format!("{}, 5 nm", entry.name())
-    } else {
-        entry.name().to_owned()
-    }
-}
-
 /// Height of a row, points.
 const ROW: f32 = 40.0;
 
@@ -739,25 +599,6 @@ fn file_heading(ui: &mut Ui, size: Vec2, name: &str, count: usize, folded: bool)
     response.on_hover_text(words).clicked()
 }
 
-fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], theme: Theme, colour: Color32) {
-    let step = rect.width() / (heights.len().max(2) - 1) as f32;
-    let points: Vec<_> = heights
-        .iter()
-        .enumerate()
-        .map(|(i, h)| {
-            pos2(
-                rect.left() + i as f32 * step,
-                rect.bottom() - h * rect.height(),
-            )
-        })
-        .collect();
-    let stroke = Stroke::new(
-        if theme.scale > 1.0 { 1.6 } else { 1.0 },
-        colour.gamma_multiply(0.75),
-    );
-    ui.painter().add(Shape::line(points, stroke));
-}
-
 /// Spectra of the user's own with a heading over those of a file that brought several.
 fn by_file(entries: Vec<Arc<Entry>>, is_folded: impl Fn(&str) -> bool, rows: &mut Vec<Row>) {
     let mut places: HashMap<String, usize> = HashMap::new();
@@ -823,51 +664,6 @@ fn common(entries: &[Arc<Entry>]) -> [usize; 2] {
     let tail = behind.iter().position(is_gap).map_or(0, |at| tail - at);
     [head, tail]
 }
-
-/// A name cut to a width, with an ellipsis in its middle: what tells names apart is often at the
-/// end. Of letters that the names of a file have in common `[at the beginning, at the end]` only
-/// what there is room for is left.
-fn elided(ui: &Ui, text: &str, [head, tail]: [usize; 2], font: &FontId, width: f32) -> String {
-    let fits = |text: &str| {
-        let galley = ui
-            .painter()
-            .layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE);
-        galley.size().x <= width
-    };
-    if fits(text) {
-        return text.to_owned();
-    }
-    let mut letters: Vec<char> = text.chars().collect();
-    if head + tail > 0 && head + tail < letters.len() {
-        let own = &letters[head..letters.len() - tail];
-        let dots = |count: usize| if count > 0 { "…" } else { "" };
-        let own: String = own.iter().collect();
-        let own = format!("{}{own}{}", dots(head), dots(tail));
-        if fits(&own) {
-            return own;
-        }
-        letters = own.chars().collect();
-    }
-    let cut = |kept: usize| -> String {
-        let (head, tail) = (kept.div_ceil(2), kept / 2);
-        letters[..head]
-            .iter()
-            .chain(['…'].iter())
-            .chain(&letters[letters.len() - tail..])
-            .collect()
-    };
-    let (mut good, mut too_many) = (0, letters.len());
-    while too_many - good > 1 {
-        let middle = usize::midpoint(good, too_many);
-        if fits(&cut(middle)) {
-            good = middle;
-        } else {
-            too_many = middle;
-        }
-    }
-    cut(good)
-}
-
 fn describe(ui: &mut Ui, entry: &Entry) {
     let spectrum = &entry.spectrum;
     ui.set_max_width(380.0);

@@ -8,6 +8,7 @@ pub mod chart_view;
 pub mod colour_view;
 pub mod curve_view;
 pub mod dialogs;
+pub mod entry_row;
 pub mod files;
 pub mod foot_view;
 pub mod greeting_view;

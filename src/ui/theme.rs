@@ -75,7 +75,7 @@ impl Theme {
             },
             ground: grey(if dark { 18 } else { 255 }),
             faint: grey(if dark { 162 } else { 95 }),
-            swatch_ground: grey(if dark { 68 } else { 180 }),
+            swatch_ground: swatch_ground(dark),
             accent: if dark {
                 Color32::from_rgb(78, 161, 224)
             } else {
@@ -109,6 +109,11 @@ fn of_charts(dark: bool) -> chart::Theme {
     } else {
         chart::Theme::Light
     }
+}
+
+/// Around every swatch; never equal to a grey patch.
+pub const fn swatch_ground(dark: bool) -> Color32 {
+    grey(if dark { 68 } else { 180 })
 }
 
 /// A neutral grey.

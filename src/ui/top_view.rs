@@ -271,7 +271,42 @@ fn files(ui: &mut Ui, preferences: &Preferences, menus: Menus<'_>, wishes: &mut 
     .on_hover_text("Open files, a folder, a typed path or a recent file.");
 }
 
+/// What can be saved, by what it is of.
+const GROUPS: [(&str, &[Export]); 4] = [
+    ("Project", &[Export::Project]),
+    (
+        "Spectrum",
+        &[
+            Export::Csv,
+            Export::Spdx,
+            Export::ArgyllSp,
+            Export::SpectrumJson,
+        ],
+    ),
+    (
+        "Model",
+        &[
+            Export::CompositeJson,
+            Export::CompositeLine,
+            Export::Spd,
+            Export::SpikesCsv,
+            Export::PatchesCsv,
+            Export::CurveCsv,
+        ],
+    ),
+    (
+        "Figure",
+        &[Export::PlotSvg, Export::CurveSvg, Export::SheetSvg],
+    ),
+];
+
 fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
+    let most = (ui.ctx().content_rect().height() - 72.0).max(120.0);
+    let scrolled = egui::ScrollArea::vertical().max_height(most);
+    scrolled.show(ui, |ui| save_items(ui, dialog_open, wishes));
+}
+
+fn save_items(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
     ui.add_enabled_ui(!dialog_open, |ui| {
         let mut wish = |ui: &mut Ui, words: &str, wish: Wish| {
             if ui.button(words).clicked() {
@@ -279,18 +314,21 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
                 ui.close();
             }
         };
-        for export in Export::ALL {
-            wish(ui, export.title(), Wish::Save(export));
-            // A picture stands beside the same picture in another form.
-            match export {
-                Export::PlotSvg => wish(ui, "Plot (PNG)", Wish::SavePlotPng),
-                Export::CurveSvg => wish(ui, "Error against order (PNG)", Wish::SaveCurvePng),
-                Export::SheetSvg => wish(ui, "Sheet about the light (PDF)", Wish::SaveSheetPdf),
-                _ => {}
+        for (title, exports) in GROUPS {
+            ui.weak(title);
+            for export in exports {
+                wish(ui, export.title(), Wish::Save(*export));
+                // A picture stands beside the same picture in another form.
+                match export {
+                    Export::PlotSvg => wish(ui, "Plot (PNG)", Wish::SavePlotPng),
+                    Export::CurveSvg => wish(ui, "Error against order (PNG)", Wish::SaveCurvePng),
+                    Export::SheetSvg => wish(ui, "Sheet about the light (PDF)", Wish::SaveSheetPdf),
+                    _ => {}
+                }
             }
         }
         wish(ui, "Window (PNG)", Wish::SaveWindowPng);
-        ui.separator();
+        ui.weak("Copy");
         for export in [
             Export::CompositeLine,
             Export::Csv,
@@ -305,6 +343,11 @@ fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
             ui,
             "Copy a picture of the window",
             Wish::Act(Act::CopyPicture),
+        );
+        wish(
+            ui,
+            "Copy the command line for this view",
+            Wish::Act(Act::CopyCommand),
         );
     });
 }

@@ -202,6 +202,7 @@ pub fn full_preferences() -> Preferences {
         folded: vec!["LED".to_owned()],
         pinned: true,
         greeted: true,
+        larger_answered: true,
         pages: PageMemory {
             page: Page::Race,
             partial_order: 5,

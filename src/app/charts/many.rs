@@ -77,6 +77,9 @@ pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
     };
     let limit = wanted.limit_words();
     match ways.map(|way| way.order(many)) {
+        [Some(with), Some((order, _))] if order == with.0 => {
+            format!("For {limit}, {}; without lines too.", words(with))
+        }
         [Some(with), Some((order, _))] => format!(
             "For {limit}, {}; without lines it takes order {order}.",
             words(with)

@@ -37,6 +37,8 @@ pub struct Preferences {
     pub pinned: bool,
     /// The three ways to begin were seen.
     pub greeted: bool,
+    /// The offer of larger type in a large window was answered.
+    pub larger_answered: bool,
     /// What the pages remember.
     pub pages: PageMemory,
 }
@@ -60,6 +62,7 @@ impl Default for Preferences {
             folded: FOLDED_AT_FIRST.map(str::to_owned).to_vec(),
             pinned: false,
             greeted: false,
+            larger_answered: false,
             pages: PageMemory::default(),
         }
     }

@@ -44,6 +44,7 @@ impl Hands {
         let (keys, own) = (keys(id, how), chart.whole_view());
         let of = [(own.x, chart.x_scale), ([0.0; 2], chart.y_scale)];
         let mut bounds = [(own.x, chart.x_scale), (own.y, chart.y_scale)].map(coordinates);
+        let whole = bounds;
         for k in 0..2 {
             let zoom = ui.data(|d| d.get_temp::<Zoom>(keys[k]));
             if let Some(zoom) = zoom.filter(|zoom| zoom.of == of[k]) {
@@ -53,11 +54,19 @@ impl Hands {
         let rect = |field| paint::rect(origin, field);
         let main = panel(ui, rect(drawing.main), "main", bounds, how);
         let mut shown = main.shown(bounds);
+        for k in 0..2 {
+            if shown[k] != bounds[k] {
+                shown[k] = near_data(shown[k], whole[k]);
+            }
+        }
         let lower = chart.residual.as_ref().zip(drawing.lower);
         let lower = lower.map(|(lower, field)| {
             let asked = [shown[0], lower.y_limits()];
             let drawn = panel(ui, rect(field), "lower", asked, how);
-            shown[0] = drawn.shown(asked)[0];
+            let moved = drawn.shown(asked)[0];
+            if moved != shown[0] {
+                shown[0] = near_data(moved, whole[0]);
+            }
             drawn.response
         });
         for k in 0..2 {
@@ -83,6 +92,19 @@ impl Hands {
             transform: main.transform,
         }
     }
+}
+
+/// How far beyond its data a chart can be moved, as a part of their extent.
+const BEYOND: f64 = 0.25;
+
+/// What is shown of an axis, moved back where it leaves the data behind; no wider than them with
+/// what lies a little beyond.
+fn near_data([low, high]: [f64; 2], [first, last]: [f64; 2]) -> [f64; 2] {
+    let beyond = BEYOND * (last - first);
+    let (first, last) = (first - beyond, last + beyond);
+    let length = (high - low).min(last - first);
+    let low = low.clamp(first, last - length);
+    [low, low + length]
 }
 
 /// A panel as egui_plot has the hands on it.
@@ -151,5 +173,20 @@ fn values(range: [f64; 2], scale: Scale) -> [f64; 2] {
         Scale::Linear => range,
         Scale::Root => range.map(square),
         Scale::Log10 => range.map(|at| 10_f64.powf(at)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::near_data;
+
+    #[test]
+    fn a_chart_cannot_be_moved_far_from_its_data() {
+        let whole = [400.0, 800.0];
+        assert_eq!(near_data([450.0, 500.0], whole), [450.0, 500.0]);
+        assert_eq!(near_data([350.0, 750.0], whole), [350.0, 750.0]);
+        assert_eq!(near_data([0.0, 100.0], whole), [300.0, 400.0]);
+        assert_eq!(near_data([1000.0, 1400.0], whole), [500.0, 900.0]);
+        assert_eq!(near_data([-1e6, 1e6], whole), [300.0, 900.0]);
     }
 }

@@ -1,14 +1,24 @@
-//! A list of spectra to choose one from, searched by typing: shipped ones and the user's own.
+//! A list of spectra to choose one from: the library's rows under its headings, and its search.
 
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{ComboBox, PopupCloseBehavior, ScrollArea, TextEdit, Ui};
+use egui::{
+    Align2, ComboBox, Key, PopupCloseBehavior, ScrollArea, Sense, TextEdit, Ui, Vec2, vec2,
+};
 
-use crate::app::{App, Entry};
+use super::named;
+use crate::{
+    app::{App, Entry, search::Index},
+    preset::Shelf,
+    ui::entry_row::Painted,
+};
 
 /// Rows that the open list shows at a time.
-const ROWS: f32 = 12.0;
+const ROWS: f32 = 8.0;
+
+/// Height of a row with what stands between two, points.
+const ROW: f32 = 40.0;
 
 /// A list of spectra to choose one from.
 #[derive(Clone, Copy)]
@@ -57,52 +67,148 @@ impl Chooser<'_> {
     }
 
     fn list(&self, ui: &mut Ui, app: &App, search: &mut String) -> Option<Arc<Entry>> {
-        ui.set_min_width(280.0_f32.max(self.width));
+        ui.set_min_width(320.0_f32.max(self.width));
         let box_name = format!("Search: {}", self.name);
         let edit = ui.add(
             TextEdit::singleline(search)
-                .hint_text("Search; files that you open join the list")
+                .hint_text("Name, element, use; Enter takes the first")
                 .desired_width(f32::INFINITY),
         );
         edit.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::TextInput, true, box_name.clone())
         });
+        let entered = edit.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if ui.memory(|m| m.focused().is_none()) {
             edit.request_focus();
         }
-        let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
-        let matches = |entry: &Entry| {
-            let text = format!("{} {}", entry.key, entry.name()).to_lowercase();
-            words.iter().all(|word| text.contains(word))
+        let rows = match search.trim().is_empty() {
+            true => shelves(app, self.offers),
+            false => {
+                let found = found(ui, app, search).into_iter();
+                let found = found.filter(|entry| (self.offers)(entry));
+                found.map(Line::Entry).collect()
+            }
         };
-        let own = app.document().own.iter().rev();
-        let found: Vec<&Arc<Entry>> = own
-            .chain(app.bundled())
-            .filter(|entry| (self.offers)(entry) && matches(entry))
-            .collect();
-        if found.is_empty() {
+        let first = rows.iter().find_map(|row| match row {
+            Line::Entry(entry) => Some(entry.clone()),
+            Line::Heading(_) => None,
+        });
+        if first.is_none() {
             ui.weak("Nothing is called that.");
-            return None;
         }
-        let height = ui.spacing().interact_size.y;
+        if entered {
+            return first;
+        }
         let mut chosen = None;
         ScrollArea::vertical()
-            .max_height(ROWS * (height + ui.spacing().item_spacing.y))
+            .max_height(ROWS * ROW)
             .auto_shrink([false, true])
-            .show_rows(ui, height, found.len(), |ui, range| {
-                for entry in &found[range] {
-                    let response = ui.add(
-                        egui::Button::selectable(false, entry.name())
-                            .truncate()
-                            .min_size(egui::vec2(ui.available_width(), height)),
-                    );
-                    if response.on_hover_text(&entry.key).clicked() {
-                        chosen = Some((*entry).clone());
+            .show_rows(
+                ui,
+                ROW - ui.spacing().item_spacing.y,
+                rows.len(),
+                |ui, range| {
+                    for line in &rows[range] {
+                        let size = vec2(ui.available_width(), ROW - ui.spacing().item_spacing.y);
+                        match line {
+                            Line::Heading(title) => heading(ui, size, title),
+                            Line::Entry(entry) if row(ui, size, entry) => {
+                                chosen = Some(entry.clone())
+                            }
+                            Line::Entry(_) => {}
+                        }
                     }
-                }
-            });
+                },
+            );
         chosen
     }
+}
+
+/// One line of the open list.
+enum Line {
+    Heading(&'static str),
+    Entry(Arc<Entry>),
+}
+
+/// All that is offered under the library's headings: the user's own first, then filters before
+/// surfaces, as they are fewer.
+fn shelves(app: &App, offers: fn(&Entry) -> bool) -> Vec<Line> {
+    let own = app.document().own.iter().rev();
+    let mut offered: Vec<&Arc<Entry>> = own
+        .chain(app.bundled())
+        .filter(|entry| offers(entry))
+        .collect();
+    let place = |entry: &Arc<Entry>| {
+        let shelf = entry.shelf()?;
+        let place = Shelf::ALL.iter().position(|s| *s == shelf)?;
+        Some(if shelf == Shelf::Filters {
+            0
+        } else {
+            place + 1
+        })
+    };
+    offered.sort_by_key(|entry| place(entry));
+    let mut lines = Vec::new();
+    let mut before = None;
+    for entry in offered {
+        let title = entry.shelf().map_or("Your own", Shelf::heading);
+        if before.replace(title) != Some(title) {
+            lines.push(Line::Heading(title));
+        }
+        lines.push(Line::Entry(entry.clone()));
+    }
+    lines
+}
+
+/// What can be searched, and the user's own spectra that it was made for.
+type Searched = Option<(Vec<Arc<Entry>>, Arc<Index>)>;
+
+/// What the library's search finds, the best first.
+fn found(ui: &Ui, app: &App, search: &str) -> Vec<Arc<Entry>> {
+    let own = &app.document().own;
+    let id = egui::Id::unique("what choosers search");
+    let is_still = |(of, _): &(Vec<Arc<Entry>>, Arc<Index>)| {
+        of.len() == own.len() && of.iter().zip(own).all(|(a, b)| Arc::ptr_eq(a, b))
+    };
+    let kept: Searched = ui.data(|data| data.get_temp::<Searched>(id)).flatten();
+    let (_, index) = kept.filter(is_still).unwrap_or_else(|| {
+        let index = Arc::new(Index::of(own.iter().chain(app.bundled())));
+        let made = (own.clone(), index);
+        ui.data_mut(|data| data.insert_temp::<Searched>(id, Some(made.clone())));
+        made
+    });
+    let found = index.search(search).into_iter();
+    found.map(|row| row.entry).collect()
+}
+
+fn heading(ui: &mut Ui, size: Vec2, title: &str) {
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let at = rect.left_bottom() - vec2(-4.0, 6.0);
+    let colour = ui.visuals().weak_text_color();
+    ui.painter()
+        .text(at, Align2::LEFT_BOTTOM, title, font, colour);
+}
+
+/// A spectrum as in the library; whether it was clicked.
+fn row(ui: &mut Ui, size: Vec2, entry: &Arc<Entry>) -> bool {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    named(&response, egui::Role::Button, entry.name());
+    let visuals = ui.visuals();
+    if response.hovered() || response.has_focus() {
+        let fill = visuals.widgets.hovered.bg_fill;
+        ui.painter().rect_filled(rect, 3.0, fill);
+    }
+    let painted = Painted {
+        indent: 0.0,
+        common: [0; 2],
+        marked: None,
+        ink: visuals.text_color(),
+        faint: visuals.weak_text_color(),
+        scale: 1.0,
+    };
+    painted.show(ui, rect, entry);
+    response.on_hover_text(&entry.key).clicked()
 }
 
 /// Reflectances and transmittances.

@@ -1,7 +1,7 @@
-//! Dragging spikes: a press near a tip takes hold of it, moving it sets place and weight.
+//! Dragging spikes: a press on a stem or its tip takes hold of it, moving it sets place and weight.
 
 use eframe::egui;
-use egui::{Pos2, Ui};
+use egui::{Pos2, Ui, Vec2};
 
 use super::{
     super::chart_view::{ChartResponse, Screen},
@@ -14,6 +14,8 @@ use crate::{
 
 /// How near the pointer must come to a spike's tip, points.
 const GRAB: f32 = 10.0;
+/// How near to its stem.
+const GRAB_STEM: f32 = 5.0;
 /// How far the pointer must move before a press becomes a drag, points.
 const DEAD_ZONE: f32 = 3.0;
 
@@ -23,6 +25,13 @@ pub(super) struct Dragging {
     held: Option<Drag>,
 }
 
+/// The stems as they are drawn: their tips, and the heights that they stand on.
+#[derive(Default)]
+pub(super) struct Stems<'a> {
+    pub tips: &'a [[f64; 2]],
+    pub feet: &'a [f64],
+}
+
 /// A spike under the pointer's button.
 #[derive(Clone, Copy, Debug)]
 struct Drag {
@@ -30,6 +39,8 @@ struct Drag {
     /// Its place among the hand edits once it was moved.
     hand: Option<usize>,
     start: Pos2,
+    /// From the pointer to the tip.
+    to_tip: Vec2,
     /// What the vertical axis showed then.
     range: [f64; 2],
 }
@@ -41,15 +52,25 @@ impl Dragging {
         self.held.map(|drag| drag.range)
     }
 
-    /// The spike whose tip is under the pointer.
-    pub fn nearest(screen: &Screen, pointer: Option<Pos2>, tips: &[[f64; 2]]) -> Option<usize> {
+    /// The spike whose tip, or else whose stem, is under the pointer.
+    pub fn nearest(screen: &Screen, pointer: Option<Pos2>, stems: &Stems<'_>) -> Option<usize> {
         let pointer = pointer.filter(|at| screen.frame().contains(*at))?;
-        tips.iter()
-            .enumerate()
-            .filter_map(|(i, tip)| Some((screen.pos(*tip)?.distance(pointer), i)))
-            .filter(|(distance, _)| *distance <= GRAB)
-            .min_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, i)| i)
+        let distances = stems.tips.iter().enumerate().filter_map(|(i, tip)| {
+            let top = screen.pos(*tip)?;
+            let foot = screen.pos([tip[0], stems.feet.get(i).copied().unwrap_or(0.0)]);
+            let foot = foot.unwrap_or(Pos2::new(top.x, screen.frame().bottom()));
+            let (low, high) = (top.y.min(foot.y), top.y.max(foot.y));
+            let on_stem = Pos2::new(top.x, pointer.y.clamp(low, high)).distance(pointer);
+            let from_tip = top.distance(pointer);
+            match (from_tip <= GRAB, on_stem <= GRAB_STEM) {
+                (true, _) => Some((from_tip, i)),
+                // A tip nearby goes before a stem.
+                (false, true) => Some((GRAB + on_stem, i)),
+                (false, false) => None,
+            }
+        });
+        let nearest = distances.min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.map(|(_, i)| i)
     }
 
     /// Takes hold, moves, lets go; a double click beside all tips adds a spike.
@@ -58,7 +79,7 @@ impl Dragging {
         ui: &Ui,
         app: &App,
         plot: &ChartResponse,
-        range: [f64; 2],
+        (range, tips): ([f64; 2], &[[f64; 2]]),
         near: Option<usize>,
         wishes: &mut Wishes,
     ) {
@@ -82,10 +103,12 @@ impl Dragging {
         let base_at = |nm: f64| derived.band.interpolate(&derived.smooth, nm);
         if let (Some(index), Some(start), true) = (near, pointer, pressed && inside) {
             let hand = derived.parts.spikes.get(index).and_then(|s| s.hand);
+            let tip = tips.get(index).and_then(|tip| plot.main.pos(*tip));
             self.held = Some(Drag {
                 index,
                 hand,
                 start,
+                to_tip: tip.map_or(Vec2::ZERO, |tip| tip - start),
                 range,
             });
         }
@@ -93,7 +116,7 @@ impl Dragging {
             && (drag.start.distance(pointer) > DEAD_ZONE || drag.hand_moved(app))
         {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
-            let (at_nm, height) = at(pointer);
+            let (at_nm, height) = at(pointer + drag.to_tip);
             let at_nm = at_nm.clamp(derived.band.min_nm(), derived.band.max_nm());
             let height = height - base_at(at_nm);
             let hands = app.document().subject_edits().hand.len();

@@ -11,7 +11,7 @@ use super::{
 use crate::{
     app::{
         App, Command,
-        chart::Chart,
+        chart::{Chart, Marks},
         charts::spectrum::{SPIKES, spectrum_chart},
         spike_hand::SpikeAct,
     },
@@ -21,7 +21,7 @@ use crate::{
 mod drag;
 mod read_out;
 
-use drag::Dragging;
+use drag::{Dragging, Stems};
 use read_out::hover;
 
 /// What the plot remembers between frames.
@@ -62,7 +62,7 @@ impl SpectrumView {
         let pointer = ui.input(|i| i.pointer.interact_pos());
         let near = self
             .main
-            .and_then(|main| Dragging::nearest(&main, pointer, tips(&chart)));
+            .and_then(|main| Dragging::nearest(&main, pointer, &stems(&chart)));
         // Another spectrum is looked at over the same wavelengths, at its own height.
         let document = app.document();
         let of = (
@@ -86,16 +86,33 @@ impl SpectrumView {
         self.transform = Some(shown.transform);
         self.main = Some(shown.main);
         let range = chart.y_limits();
-        self.dragging
-            .interact(ui, app, &shown, range, near, &mut wishes);
+        self.dragging.interact(
+            ui,
+            app,
+            &shown,
+            (range, stems(&chart).tips),
+            near,
+            &mut wishes,
+        );
+        if let Some(tip) = near.and_then(|near| shown.main.pos(*stems(&chart).tips.get(near)?)) {
+            // What a press would take hold of.
+            let stroke = egui::Stroke::new(2.0, ui.visuals().strong_text_color());
+            ui.painter().circle_stroke(tip, 7.0 * theme.scale, stroke);
+        }
         wishes
     }
 }
 
-/// The tips of the model's spikes, if they are shown.
-fn tips(chart: &Chart) -> &[[f64; 2]] {
+/// The stems of the model's spikes, if they are shown.
+fn stems(chart: &Chart) -> Stems<'_> {
     let spikes = chart.series.iter().find(|series| series.name == SPIKES);
-    spikes.map_or(&[], |series| series.marks.points())
+    match spikes.map(|series| &series.marks) {
+        Some(Marks::Stems { points, base, .. }) => Stems {
+            tips: points,
+            feet: base,
+        },
+        _ => Stems::default(),
+    }
 }
 
 /// The plot in words, for those who have it read out.

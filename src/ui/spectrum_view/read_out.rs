@@ -8,7 +8,7 @@ use super::super::{
     theme::{Theme, grey},
 };
 use crate::{
-    app::{App, line_names::spike_under, ticks},
+    app::{App, answers::spike_words, line_names::spike_under, ticks},
     color::{Srgb, srgb_from_wavelength_over},
 };
 
@@ -46,8 +46,8 @@ pub(super) fn hover(ui: &Ui, app: &App, theme: Theme, plot: &Screen, room: Rect)
     // A line is named where a spike stands, and nowhere else.
     let reach = (plot.values(pointer + egui::vec2(SPIKE_REACH, 0.0))[0] - nm).abs();
     let under = spike_under(&derived.model.spikes, app.spike_names(), nm, reach);
-    if let Some(name) = under.and_then(|(_, name)| name.safe.as_deref().or(name.near.as_deref())) {
-        text.push_str(&format!("   {name}"));
+    if let Some((spike, name)) = under {
+        text = spike_words(app, *spike, name);
     }
     let [r, g, b, _] = theme.ground.to_array();
     let Srgb([r, g, b]) = srgb_from_wavelength_over(nm, Srgb([r, g, b]));

@@ -19,6 +19,7 @@ use super::{
 use crate::app::{
     App, Command, Settings, chart,
     charts::order::curve_chart,
+    command_line_words::command_lines,
     export::Export,
     pages::{Page, Place},
     state::Tone,
@@ -125,6 +126,19 @@ impl Window {
                 context.copy_image(image);
                 self.app
                     .say(Tone::Info, "A picture of the window was copied.");
+            }
+            Act::CopyCommand => {
+                let size = context.content_rect().size();
+                let page = self.preferences.pages.page;
+                let size = [size.x as u32, size.y as u32];
+                match command_lines(&self.app, page, size, self.preferences.dark) {
+                    Ok(words) => {
+                        let told = "Copied: the command lines for these numbers and this view.";
+                        self.app.say(Tone::Info, told);
+                        context.copy_text(words);
+                    }
+                    Err(why) => self.app.say(Tone::Problem, why),
+                }
             }
         }
     }

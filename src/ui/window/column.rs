@@ -83,13 +83,22 @@ impl Window {
         let (mut commands, mut said) = (Vec::new(), None);
         if self.side == Side::Verdict {
             let (app, preferences) = (&self.app, &mut self.preferences);
+            let mut acts: Vec<SpikeAct> = Vec::new();
             let height = ui.available_height() - verdict_view::FOOT * theme.scale;
             ScrollArea::vertical()
                 .auto_shrink(false)
                 .max_height(height)
                 .show(ui, |ui| {
                     verdict_view::show(ui, app, preferences, theme, &mut commands);
+                    let left = ui.clip_rect().bottom() - ui.cursor().top();
+                    if left >= LINES * theme.scale && ui.available_width() >= LINES_WIDE {
+                        theme::section(ui, "Lines");
+                        spikes_view::table(ui, app, theme, &mut acts);
+                    }
                 });
+            for act in acts {
+                self.app.act_on_spikes(act);
+            }
             ui.add_space(8.0);
             verdict_view::foot(ui, theme, &mut self.side);
         } else {
@@ -142,6 +151,11 @@ impl Window {
         }
     }
 }
+
+/// Room below the verdict from which on the lines are listed there, points.
+const LINES: f32 = 180.0;
+/// Width that their table needs, points.
+const LINES_WIDE: f32 = 396.0;
 
 /// The paper's settings in one click.
 fn as_in_the_paper(ui: &mut Ui, app: &App, commands: &mut Vec<Command>) {

@@ -9,6 +9,9 @@ use super::{
 };
 use crate::app::{lessons::Lesson, pages::AskedLesson, state::Tone};
 
+/// Width from which on a window is large, points.
+const LARGE: f32 = 1800.0;
+
 /// Messages that the status line's tooltip tells.
 const MESSAGES_SHOWN: usize = 12;
 /// Width from which the button to a lesson has room for its title, points.
@@ -51,6 +54,7 @@ impl Window {
                     ui.label(format!("reading {images} images again"));
                 }
                 self.offer_to_forget(ui);
+                self.offer_larger(ui);
                 if self.waiting.is_some() {
                     if ui
                         .small_button("stop waiting")
@@ -114,6 +118,24 @@ impl Window {
             self.preferences.pages.lesson_asked = Some(AskedLesson { name, step: 0 });
             ui.ctx().request_repaint();
         }
+    }
+
+    /// In a large window: larger type, until somebody answers.
+    fn offer_larger(&mut self, ui: &mut Ui) {
+        let preferences = &mut self.preferences;
+        let is_large = ui.ctx().content_rect().width() >= LARGE && preferences.zoom == 1.0;
+        if self.quiet || !is_large || preferences.larger_answered {
+            return;
+        }
+        let no = ui.small_button("No").on_hover_text("Leaves type as it is.");
+        let yes = ui
+            .small_button("125 %")
+            .on_hover_text("Ctrl+0 brings 100 % back.");
+        ui.weak("Larger type?");
+        if yes.clicked() {
+            preferences.zoom = 1.25;
+        }
+        preferences.larger_answered = yes.clicked() || no.clicked();
     }
 
     /// A button that gives up the images of the last time that were not found.

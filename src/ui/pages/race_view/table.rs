@@ -20,7 +20,7 @@ pub mod names {
 }
 
 /// Width of the names, points.
-const NAMES: f32 = 186.0;
+const NAMES: f32 = 204.0;
 
 /// Space between two columns, points.
 const GAP: f32 = 8.0;

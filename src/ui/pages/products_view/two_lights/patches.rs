@@ -19,6 +19,9 @@ const PER_ROW: usize = 12;
 /// Rows of fields that are seen at a time.
 const ROWS: usize = 2;
 
+/// Width of a field from which on its lower figure has a letter, points.
+const LETTERED: f32 = 40.0;
+
 /// The patches, what they do and how well the models tell it.
 pub(super) fn show(
     ui: &mut Ui,
@@ -174,10 +177,12 @@ impl Field<'_> {
         let font = TextStyle::Small.resolve(ui.style());
         let (strong, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
         let mark = if worst { "▲" } else { "" };
+        // In little room the lower figure stands alone; the tooltip says which it is.
+        let model = if rect.width() < LETTERED { "" } else { "m " };
         let x = rect.center().x;
         for (line, words, colour) in [
             (2.0, format!("{mark}{:.2}", shifts[0]), strong),
-            (1.0, format!("m {:.2}", shifts[1]), weak),
+            (1.0, format!("{model}{:.2}", shifts[1]), weak),
         ] {
             let at = pos2(x, rect.bottom() - line * text);
             ui.painter()

@@ -1,0 +1,197 @@
+//! The command line that gives what the window shows: its numbers and its picture.
+
+use super::{
+    entry::Entry,
+    origin::Origin,
+    pages::Page,
+    settings::{Detector, Settings},
+    state::App,
+    ticks::short,
+};
+use crate::spectrum::Kind;
+
+/// Two lines: `report` with the model's settings, and `render` with page, size in points and theme.
+///
+/// # Errors
+/// A sentence where no command line gives the same: spectra that are in no file, hand edits, the
+/// paper's own detector.
+pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Result<String, String> {
+    let document = app.document();
+    if !document.subject_edits().is_empty() {
+        return Err("Lines were changed by hand: save the project and name its file.".to_owned());
+    }
+    let settings = document.settings;
+    if settings.detector == Detector::Gradient {
+        return Err("The command line has no detector by steepness.".to_owned());
+    }
+    let subject = document.subject_entry();
+    let mut about = word_of(subject)?;
+    if subject.kind() != Kind::Light {
+        about += &format!(" --light {}", word_of(&document.light)?);
+    }
+    // A composite as it is has its own series, range and lines.
+    let (report, render) = match document.as_given() {
+        Some(_) => (String::new(), String::new()),
+        None => (
+            options(settings, Settings::plain()),
+            options(settings, Settings::default()),
+        ),
+    };
+    let theme = if dark { "dark" } else { "light" };
+    let [width, height] = size;
+    Ok(format!(
+        "spectral-explorer report {about}{report}\nspectral-explorer render {about}{render} --page \
+         {} --size {width}x{height} --theme {theme} --out view.png",
+        page.word()
+    ))
+}
+
+/// What finds an entry again on the command line.
+fn word_of(entry: &Entry) -> Result<String, String> {
+    let word = match &entry.origin {
+        Origin::Preset(_) => Some(entry.key.clone()),
+        Origin::File(from) => {
+            let path = from.reading.file.path.as_ref();
+            let path = path.map(|path| path.display().to_string());
+            path.map(|path| match from.reading.spectra {
+                1 => path,
+                _ => format!("{path} --spectrum {}", from.index + 1),
+            })
+        }
+        Origin::Made(_) | Origin::Numbers => None,
+    };
+    let word = word.ok_or_else(|| {
+        format!(
+            "{} is in no file: save it, or the project, and name that file.",
+            entry.name()
+        )
+    })?;
+    Ok(quoted(&word))
+}
+
+/// Between quotation marks where a shell would part it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/_-.+:".contains(c);
+    match word.chars().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    }
+}
+
+/// The options that make a command's `usual` settings these.
+fn options(settings: Settings, usual: Settings) -> String {
+    let mut words = String::new();
+    let mut say = |differs: bool, option: String| {
+        if differs {
+            words += " ";
+            words += &option;
+        }
+    };
+    let Settings {
+        basis,
+        order,
+        spikes,
+        wide_lines,
+        threshold_percent,
+        max_width_nm,
+        dips,
+        detector: _,
+        gradient_percent: _,
+        colour_exact,
+        band,
+        observer,
+        sampling,
+    } = settings;
+    say(order != usual.order, format!("--order {order}"));
+    say(
+        threshold_percent != usual.threshold_percent,
+        format!("--threshold {threshold_percent}"),
+    );
+    say(
+        max_width_nm != usual.max_width_nm,
+        format!("--max-width {max_width_nm}"),
+    );
+    say(basis != usual.basis, format!("--basis {}", basis.word()));
+    say(
+        colour_exact && !usual.colour_exact,
+        "--colour-exact".to_owned(),
+    );
+    say(!colour_exact && usual.colour_exact, "--plain".to_owned());
+    say(!spikes, "--no-spikes".to_owned());
+    say(wide_lines, "--wide-lines".to_owned());
+    say(dips, "--dips".to_owned());
+    let [least, most] = [band.min_nm(), band.max_nm()].map(short);
+    say(band != usual.band, format!("--range {least}:{most}"));
+    say(
+        observer != usual.observer,
+        format!("--observer {}", observer.word()),
+    );
+    say(
+        sampling != usual.sampling,
+        format!("--sampling {}", sampling.word()),
+    );
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::{
+        app::{Command, open::resolve},
+        spectrum::{Basis, NamedSpectrum},
+    };
+
+    fn lines(app: &App) -> Result<String, String> {
+        command_lines(app, Page::Tradeoff, [1280, 800], true)
+    }
+
+    #[test]
+    fn only_what_differs_from_the_commands_own_settings_is_said() {
+        let mut app = App::new();
+        let told = lines(&app).expect("a shipped light");
+        assert_eq!(
+            told,
+            "spectral-explorer report cie_fluorescent_1nm/FL2 --basis cosine \
+             --colour-exact\nspectral-explorer render cie_fluorescent_1nm/FL2 --page tradeoff \
+             --size 1280x800 --theme dark --out view.png"
+        );
+        app.apply(Command::Edit(Settings {
+            order: 12,
+            threshold_percent: 1.25,
+            basis: Basis::Fourier,
+            colour_exact: false,
+            spikes: false,
+            ..app.document().settings
+        }));
+        let told = lines(&app).expect("a shipped light");
+        let report = "report cie_fluorescent_1nm/FL2 --order 12 --threshold 1.25 --no-spikes\n";
+        assert!(told.contains(report), "{told}");
+        let render = "FL2 --order 12 --threshold 1.25 --basis fourier --plain --no-spikes --page";
+        assert!(told.contains(render), "{told}");
+    }
+
+    #[test]
+    fn names_are_quoted_and_what_is_in_no_file_is_said() {
+        let mut app = App::new();
+        let d65 = resolve("CIE D65", None, None).expect("shipped");
+        let numbers: NamedSpectrum = d65.spectrum.clone();
+        app.apply(Command::Show(Arc::new(d65)));
+        let told = lines(&app).expect("a shipped light");
+        assert!(
+            told.contains("report 'cie_illuminants/CIE D65' --basis"),
+            "{told}"
+        );
+        app.apply(Command::Show(Arc::new(
+            resolve("paper/Mercury", None, None).expect("shipped"),
+        )));
+        let told = lines(&app).expect("a composite");
+        assert!(
+            told.starts_with("spectral-explorer report paper/Mercury\n"),
+            "{told}"
+        );
+        app.apply(Command::Adopt(vec![numbers]));
+        assert!(lines(&app).is_err_and(|why| why.contains("in no file")));
+    }
+}
