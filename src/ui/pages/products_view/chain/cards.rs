@@ -25,13 +25,10 @@ use crate::{
 };
 
 /// Height of the small spectrum on a card, points.
-const SPARK: f32 = 44.0;
+const SPARK: f32 = 34.0;
 
 /// Width of the split swatch on a card, points.
-const SWATCH: f32 = 76.0;
-
-/// Heights of the swatch below all cards, points.
-const WHOLE: [f32; 2] = [40.0, 96.0];
+const SWATCH: f32 = 54.0;
 
 /// All cards, the light's first; `held` is the stage that the pointer holds.
 pub(super) fn show(
@@ -68,32 +65,7 @@ pub(super) fn show(
             } else if count > 1 {
                 ui.weak("Drag cards into another order, or use their arrows.");
             }
-            before_and_behind(ui, context, sheet);
         });
-}
-
-/// The light before the chain and behind all of it, side by side.
-fn before_and_behind(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
-    let passage = &sheet.told.passage;
-    let last = passage.steps.last();
-    let behind = last.and_then(|step| scaled(passage, step.colours.exact));
-    let (Some(before), Some(behind)) = (scaled(passage, passage.light.exact), behind) else {
-        return;
-    };
-    let [least, most] = WHOLE.map(|height| height * context.theme.scale);
-    let words = 24.0 * context.theme.scale;
-    let room = ui.clip_rect().bottom() - ui.cursor().top() - words;
-    let size = vec2(ui.available_width(), room.clamp(least, most));
-    let name = "Before the chain and behind it";
-    swatch::split(ui, size, &before.1, &behind.1, name).on_hover_text(
-        "Left the light, right what comes out, both exact, the light's Y as the screen's white.",
-    );
-    ui.horizontal(|ui| {
-        ui.small("before");
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            ui.small("behind the chain");
-        });
-    });
 }
 
 /// A card in the hand: where it would land, and landing.
