@@ -300,10 +300,19 @@ const GROUPS: [(&str, &[Export]); 4] = [
     ),
 ];
 
+/// Height of a window in which the whole menu is seen, points: in a lower one it scrolls.
+const WHOLE_MENU: f32 = 780.0;
+
 fn save_menu(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
-    let most = (ui.ctx().content_rect().height() - 72.0).max(120.0);
-    let scrolled = egui::ScrollArea::vertical().max_height(most);
-    scrolled.show(ui, |ui| save_items(ui, dialog_open, wishes));
+    let height = ui.ctx().content_rect().height();
+    if height >= WHOLE_MENU {
+        return save_items(ui, dialog_open, wishes);
+    }
+    let most = (height - 72.0).max(120.0);
+    egui::ScrollArea::vertical()
+        .max_height(most)
+        .min_scrolled_height(most)
+        .show(ui, |ui| save_items(ui, dialog_open, wishes));
 }
 
 fn save_items(ui: &mut Ui, dialog_open: bool, wishes: &mut Vec<Wish>) {
