@@ -178,11 +178,11 @@ impl Field<'_> {
         let (strong, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
         let mark = if worst { "▲" } else { "" };
         // In little room the lower figure stands alone; the tooltip says which it is.
-        let model = if rect.width() < LETTERED { "" } else { "m " };
+        let letter = if rect.width() < LETTERED { "" } else { "m " };
         let x = rect.center().x;
         for (line, words, colour) in [
             (2.0, format!("{mark}{:.2}", shifts[0]), strong),
-            (1.0, format!("{model}{:.2}", shifts[1]), weak),
+            (1.0, format!("{letter}{:.2}", shifts[1]), weak),
         ] {
             let at = pos2(x, rect.bottom() - line * text);
             ui.painter()
