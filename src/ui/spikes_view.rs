@@ -21,30 +21,13 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
         return;
     }
     let band = derived.band;
-    let unit = app.unit();
     egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         egui::Grid::new("spikes")
             .num_columns(7)
             .striped(true)
             .spacing([8.0 * theme.scale, 2.0])
             .show(ui, |ui| {
-                ui.weak("nm");
-                ui.weak("weight").on_hover_text(format!(
-                    "Radiant power of the line, in {} x nm.",
-                    if unit.is_empty() {
-                        "the file's unit"
-                    } else {
-                        &unit
-                    }
-                ));
-                ui.weak("%")
-                    .on_hover_text("Of the total power in the range, percent.");
-                ui.weak("wide")
-                    .on_hover_text("Full width at half maximum of the line it stands for, nm.");
-                ui.weak("line")
-                    .on_hover_text("Named only where it is safe; otherwise the nearest line.");
-                ui.weak("lock");
-                ui.end_row();
+                titles(ui, app);
                 for (index, spike) in spikes.iter().enumerate() {
                     let (mut at_nm, mut weight) = (spike.spike.at_nm, spike.spike.weight * factor);
                     let place = ui.add(
@@ -96,45 +79,64 @@ pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
                             spike.peaks
                         ));
                     }
-                    ui.horizontal(|ui| {
-                        let mut locked = spike.hand.is_some();
-                        let lock = ui
-                            .checkbox(&mut locked, "")
-                            .on_hover_text("Keeps the spike whatever the threshold says.");
-                        let number = index + 1;
-                        lock.widget_info(|| {
-                            egui::WidgetInfo::selected(
-                                egui::Role::CheckBox,
-                                true,
-                                locked,
-                                format!("Lock spike {number}"),
-                            )
-                        });
-                        if lock.changed() {
-                            acts.push(if locked {
-                                SpikeAct::Lock { index }
-                            } else {
-                                SpikeAct::Unlock { index }
-                            });
-                        }
-                        let delete = ui.small_button("✕").on_hover_text(
-                            "Deletes the line: its energy goes back to the smooth part.",
-                        );
-                        delete.widget_info(|| {
-                            egui::WidgetInfo::labeled(
-                                egui::Role::Button,
-                                true,
-                                format!("Delete spike {number}"),
-                            )
-                        });
-                        if delete.clicked() {
-                            acts.push(SpikeAct::Delete { index });
-                        }
-                    });
+                    ui.horizontal(|ui| hand(ui, index, spike.hand.is_some(), acts));
                     ui.end_row();
                 }
             });
     });
+}
+
+fn titles(ui: &mut Ui, app: &App) {
+    let unit = app.unit();
+    ui.weak("nm");
+    ui.weak("weight").on_hover_text(format!(
+        "Radiant power of the line, in {} x nm.",
+        if unit.is_empty() {
+            "the file's unit"
+        } else {
+            &unit
+        }
+    ));
+    ui.weak("%")
+        .on_hover_text("Of the total power in the range, percent.");
+    ui.weak("wide")
+        .on_hover_text("Full width at half maximum of the line it stands for, nm.");
+    ui.weak("line")
+        .on_hover_text("Named only where it is safe; otherwise the nearest line.");
+    ui.weak("lock");
+    ui.end_row();
+}
+
+/// Locks a spike, or deletes it.
+fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
+    let lock = ui
+        .checkbox(&mut locked, "")
+        .on_hover_text("Keeps the spike whatever the threshold says.");
+    let number = index + 1;
+    lock.widget_info(|| {
+        egui::WidgetInfo::selected(
+            egui::Role::CheckBox,
+            true,
+            locked,
+            format!("Lock spike {number}"),
+        )
+    });
+    if lock.changed() {
+        acts.push(if locked {
+            SpikeAct::Lock { index }
+        } else {
+            SpikeAct::Unlock { index }
+        });
+    }
+    let delete = ui
+        .small_button("✕")
+        .on_hover_text("Deletes the line: its energy goes back to the smooth part.");
+    delete.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Delete spike {number}"))
+    });
+    if delete.clicked() {
+        acts.push(SpikeAct::Delete { index });
+    }
 }
 
 /// The row above the table.

@@ -88,6 +88,9 @@ fn crossings(closed: &[[f64; 2]], y: f64) -> Vec<f64> {
     found
 }
 
+/// Ink on the coloured ground, whatever the theme.
+const BLACK: Rgb = [15; 3];
+
 fn stroke(name: &str, colour: Rgb, points: Vec<[f64; 2]>, width: f64, dash: Dash) -> Series {
     Series::line(name, colour, points).thick(width).dashed(dash)
 }
@@ -116,60 +119,10 @@ pub fn diagram(
         None => whole,
     };
     let mut series = vec![colours(&locus, plane, [x_range, y_range])];
-    let closed = |mut points: Vec<[f64; 2]>| {
-        points.extend(points.first().copied());
-        points
-    };
-    let edge = palette.text;
-    series.push(stroke("", edge, closed(locus), 1.4, Dash::Solid));
-    if shows.gamuts {
-        for gamut in GAMUTS.iter().filter(|gamut| gamut.name != "DCI-P3") {
-            let corners = gamut.primaries.map(|xy| plane.of_xy(xy)).to_vec();
-            series.push(stroke(gamut.name, edge, closed(corners), 1.0, Dash::Dashed));
-        }
-    }
-    if shows.ellipses {
-        for ellipse in &ELLIPSES {
-            let outline = ellipse.outline(10.0, 48).into_iter();
-            let points = outline.map(|xy| plane.of_xy(xy)).collect();
-            series.push(stroke("", [70; 3], closed(points), 0.9, Dash::Solid));
-        }
-    }
-    if shows.whites {
-        for white in QUADRANGLES.iter() {
-            let corners = white.corners.map(|xy| plane.of_xy(xy)).to_vec();
-            series.push(stroke("", [40; 3], closed(corners), 0.9, Dash::Solid));
-        }
-    }
-    let black = [15; 3];
-    let blackbodies = planckian_locus(plane);
-    series.push(stroke("", black, blackbodies, 1.8, Dash::Solid));
-    series.push(stroke(
-        "",
-        [60; 3],
-        daylight_locus(plane),
-        1.2,
-        Dash::Dotted,
-    ));
-    // Far from the light only some temperatures have room for their words.
-    let told: &[f64] = match shows.near {
-        true => &TICKS_K,
-        false => &[2000.0, 3000.0, 4000.0, 6500.0, 10_000.0],
-    };
-    let mut words = Vec::new();
-    for mark in TICKS_K
-        .into_iter()
-        .filter_map(|kelvin| tick(kelvin, 0.01, plane))
-    {
-        let [low, high] = [mark.below, mark.above];
-        series.push(stroke("", black, vec![low, high], 1.0, Dash::Solid));
-        if told.contains(&mark.kelvin) {
-            // A little beyond the tick's end.
-            let beyond = [0, 1].map(|k| low[k] + 0.5 * (low[k] - high[k]));
-            words.push((beyond, format!("{:.0} K", mark.kelvin)));
-        }
-    }
-    series.push(Series::new("", black, Marks::Words { words }));
+    series.push(stroke("", palette.text, closed(locus), 1.4, Dash::Solid));
+    areas(&mut series, shows, palette.text);
+    blackbodies(&mut series, shows);
+    let black = BLACK;
     let point = |name: &str, colour: Rgb, shape: Shape, radius: f64, xy: [f64; 2]| {
         let marks = Marks::Points {
             points: vec![plane.of_xy(xy)],
@@ -202,6 +155,68 @@ pub fn diagram(
     }
 }
 
+/// An outline that ends where it begins.
+fn closed(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    points.extend(points.first().copied());
+    points
+}
+
+/// What screens reach, what looks alike, and whites that lamps are sold by, where asked for.
+fn areas(series: &mut Vec<Series>, shows: DiagramShows, edge: Rgb) {
+    let plane = shows.plane();
+    if shows.gamuts {
+        for gamut in GAMUTS.iter().filter(|gamut| gamut.name != "DCI-P3") {
+            let corners = gamut.primaries.map(|xy| plane.of_xy(xy)).to_vec();
+            series.push(stroke(gamut.name, edge, closed(corners), 1.0, Dash::Dashed));
+        }
+    }
+    if shows.ellipses {
+        for ellipse in &ELLIPSES {
+            let outline = ellipse.outline(10.0, 48).into_iter();
+            let points = outline.map(|xy| plane.of_xy(xy)).collect();
+            series.push(stroke("", [70; 3], closed(points), 0.9, Dash::Solid));
+        }
+    }
+    if shows.whites {
+        for white in QUADRANGLES.iter() {
+            let corners = white.corners.map(|xy| plane.of_xy(xy)).to_vec();
+            series.push(stroke("", [40; 3], closed(corners), 0.9, Dash::Solid));
+        }
+    }
+}
+
+/// Black bodies with their temperatures, and daylight.
+fn blackbodies(series: &mut Vec<Series>, shows: DiagramShows) {
+    let (plane, black) = (shows.plane(), BLACK);
+    let locus = planckian_locus(plane);
+    series.push(stroke("", black, locus, 1.8, Dash::Solid));
+    series.push(stroke(
+        "",
+        [60; 3],
+        daylight_locus(plane),
+        1.2,
+        Dash::Dotted,
+    ));
+    // Far from the light only some temperatures have room for their words.
+    let told: &[f64] = match shows.near {
+        true => &TICKS_K,
+        false => &[2000.0, 3000.0, 4000.0, 6500.0, 10_000.0],
+    };
+    let mut words = Vec::new();
+    for mark in TICKS_K
+        .into_iter()
+        .filter_map(|kelvin| tick(kelvin, 0.01, plane))
+    {
+        let [low, high] = [mark.below, mark.above];
+        series.push(stroke("", black, vec![low, high], 1.0, Dash::Solid));
+        if told.contains(&mark.kelvin) {
+            // A little beyond the tick's end.
+            let beyond = [0, 1].map(|k| low[k] + 0.5 * (low[k] - high[k]));
+            words.push((beyond, format!("{:.0} K", mark.kelvin)));
+        }
+    }
+    series.push(Series::new("", black, Marks::Words { words }));
+}
 /// The colours inside the locus, as far as a screen shows them.
 fn colours(locus: &[[f64; 2]], plane: Plane, [x_range, y_range]: [[f64; 2]; 2]) -> Series {
     let step = |[low, high]: [f64; 2], boxes: usize| (high - low) / boxes as f64;

@@ -264,14 +264,7 @@ impl Derived {
                 settings.effective_order()
             ));
         }
-        match self.exactness {
-            Some(Exactness::TooFewNumbers) => warnings
-                .push("Colour-exact needs order 1 or more: plain least squares used.".to_owned()),
-            Some(Exactness::IllConditioned { .. }) => warnings.push(
-                "This range does not tell X, Y and Z apart: plain least squares used.".to_owned(),
-            ),
-            Some(Exactness::Exact { .. }) | None => {}
-        }
+        warnings.extend(self.why_not_exact().map(str::to_owned));
         if let Some(missing) = self.missing_visible() {
             let share = 100.0 * self.colour.missing_luminance;
             warnings.push(if share > 100.0 * WORTH_SAYING {
@@ -283,19 +276,7 @@ impl Derived {
                 format!("The range leaves out {missing} nm of the visible.")
             });
         }
-        let top = question.measured.iter().copied().fold(0.0, f64::max);
-        if !question.is_light && top > LARGEST_FRACTION {
-            // What was divided already is asked about no more.
-            let question = if question.is_divided {
-                "Per cent was taken out already: noise, or more light than fell on it?"
-            } else {
-                "Are they per cent, or a light?"
-            };
-            warnings.push(format!(
-                "Values reach {}: a reflectance is a fraction up to 1. {question}",
-                short(top)
-            ));
-        }
+        warnings.extend(question.more_than_a_fraction());
         if !is_beside && (first_nm > self.band.min_nm() || last_nm < self.band.max_nm()) {
             let outside = if question.is_light {
                 "it is zero"
@@ -326,6 +307,36 @@ impl Derived {
             ));
         }
         warnings
+    }
+
+    fn why_not_exact(&self) -> Option<&'static str> {
+        match self.exactness? {
+            Exactness::TooFewNumbers => {
+                Some("Colour-exact needs order 1 or more: plain least squares used.")
+            }
+            Exactness::IllConditioned { .. } => {
+                Some("This range does not tell X, Y and Z apart: plain least squares used.")
+            }
+            Exactness::Exact { .. } => None,
+        }
+    }
+}
+
+impl Question<'_> {
+    fn more_than_a_fraction(&self) -> Option<String> {
+        let top = self.measured.iter().copied().fold(0.0, f64::max);
+        (!self.is_light && top > LARGEST_FRACTION).then(|| {
+            // What was divided already is asked about no more.
+            let question = if self.is_divided {
+                "Per cent was taken out already: noise, or more light than fell on it?"
+            } else {
+                "Are they per cent, or a light?"
+            };
+            format!(
+                "Values reach {}: a reflectance is a fraction up to 1. {question}",
+                short(top)
+            )
+        })
     }
 }
 

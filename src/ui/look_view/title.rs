@@ -65,7 +65,6 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> 
 
 /// Draws the switches of the layers, each its own legend, and the choice of heights.
 pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mut Vec<Command>) {
-    let document = app.document();
     let inks = theme.inks;
     let width = ui.available_width();
     let (wide, tight) = (width >= 712.0, width < 440.0);
@@ -143,33 +142,34 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
         });
         menu.response
             .on_hover_text("Further layers, and the spectra laid over for comparison.");
-        let laid_over = |ui: &mut Ui| {
-            let count = document.overlays.len();
-            let scaled = document
-                .overlays
-                .iter()
-                .filter(|o| overlay_factor(app, o).1)
-                .count();
-            let names = match &document.overlays[..] {
-                [one] => one.name().to_owned(),
-                _ => format!("{count} overlays"),
-            };
-            let words = match scaled {
-                0 => names,
-                n if n == count => format!("{names} at the same brightness"),
-                n => format!("{names}, {n} of them at the same brightness"),
-            };
-            ui.add(Label::new(RichText::new(words).small().color(theme.faint)).truncate());
-        };
         if !tight {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 heights(ui, app, view, wide);
-                if !document.overlays.is_empty() && ui.available_width() > 60.0 {
-                    ui.with_layout(Layout::left_to_right(Align::Center), laid_over);
+                if !app.document().overlays.is_empty() && ui.available_width() > 60.0 {
+                    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                        let words = RichText::new(laid_over(app)).small().color(theme.faint);
+                        ui.add(Label::new(words).truncate());
+                    });
                 }
             });
         }
     });
+}
+
+/// What lies over the spectrum, and how many are brought to its brightness.
+fn laid_over(app: &App) -> String {
+    let overlays = &app.document().overlays;
+    let count = overlays.len();
+    let scaled = overlays.iter().filter(|o| overlay_factor(app, o).1).count();
+    let names = match &overlays[..] {
+        [one] => one.name().to_owned(),
+        _ => format!("{count} overlays"),
+    };
+    match scaled {
+        0 => names,
+        n if n == count => format!("{names} at the same brightness"),
+        n => format!("{names}, {n} of them at the same brightness"),
+    }
 }
 
 /// Whether lines are ideal, or as wide as they are.

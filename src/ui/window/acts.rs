@@ -17,7 +17,7 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    App, Command, Settings, chart,
+    Command, Settings, chart,
     charts::order::curve_chart,
     command_line_words::command_lines,
     export::Export,
@@ -43,11 +43,6 @@ impl Window {
     }
 
     pub(super) fn act(&mut self, act: Act, context: &Context) {
-        let settings = self.app.document().settings;
-        let edit = |app: &mut App, settings: Settings| {
-            app.apply(Command::Edit(settings));
-            app.end_gesture();
-        };
         const FINER: f64 = 1.25;
         match act {
             Act::Open => self.ask(Ask::Open, None, context),
@@ -56,34 +51,10 @@ impl Window {
             Act::SaveProject => self.save(Saving::Text(Export::Project), context),
             Act::Undo => self.app.apply(Command::Undo),
             Act::Redo => self.app.apply(Command::Redo),
-            Act::OrderDown => edit(
-                &mut self.app,
-                Settings {
-                    order: settings.order.saturating_sub(1),
-                    ..settings
-                },
-            ),
-            Act::OrderUp => edit(
-                &mut self.app,
-                Settings {
-                    order: settings.order + 1,
-                    ..settings
-                },
-            ),
-            Act::ThresholdDown => edit(
-                &mut self.app,
-                Settings {
-                    threshold_percent: settings.threshold_percent / FINER,
-                    ..settings
-                },
-            ),
-            Act::ThresholdUp => edit(
-                &mut self.app,
-                Settings {
-                    threshold_percent: settings.threshold_percent * FINER,
-                    ..settings
-                },
-            ),
+            Act::OrderDown => self.edit(|s| s.order = s.order.saturating_sub(1)),
+            Act::OrderUp => self.edit(|s| s.order += 1),
+            Act::ThresholdDown => self.edit(|s| s.threshold_percent /= FINER),
+            Act::ThresholdUp => self.edit(|s| s.threshold_percent *= FINER),
             Act::ResetView => self.look.spectrum.reset(),
             Act::Theme => self.preferences.dark = !self.preferences.dark,
             Act::Present => {
@@ -141,6 +112,14 @@ impl Window {
                 }
             }
         }
+    }
+
+    /// One step of the model's settings by a key.
+    fn edit(&mut self, change: impl FnOnce(&mut Settings)) {
+        let mut settings = self.app.document().settings;
+        change(&mut settings);
+        self.app.apply(Command::Edit(settings));
+        self.app.end_gesture();
     }
 
     pub(super) fn zoom(&mut self, zoom: f32) {
