@@ -7,7 +7,7 @@ use crate::{
     app::library::Library,
     color::xyz::{FIRST_NM, LAST_NM},
     design::{
-        mixture::{Channel, MixError, Source, Spec},
+        mixture::{Channel, MixError, Source, Spec, left_out},
         scales::SampleTables,
         solve::{
             Against, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target, Wish,
@@ -50,7 +50,7 @@ pub fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Result<()
     // Told what to favour, a light is a colour and no more.
     let alike = alike.filter(|_| options.favour.is_none());
     let alike = alike.map(|light| light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero));
-    let wish = Wish {
+    let mut wish = Wish {
         target: target.map(|target| target.colour),
         favour: options.favour.unwrap_or_default(),
         floors,
@@ -58,9 +58,16 @@ pub fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Result<()
     };
     if wish.target.is_none() && (options.favour.is_some() || !options.floors.is_empty()) {
         inputs.note("--favour and --floor are not used: found no --target to solve for");
+        wish.floors = Floors::default();
     }
     let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(usage)?;
     let solution = mixer.solve(&wish);
+    let left_out = 100.0 * left_out(&channels, &solution.weights);
+    if left_out >= 0.01 {
+        inputs.note(&format!(
+            "composite: {left_out:.2} % of the power lies outside 380-780 nm and is left out"
+        ));
+    }
     if options.json {
         let json = mix_json(&channels, &solution);
         return print(out, &format!("{json:#}\n"));

@@ -69,7 +69,17 @@ impl<'a> Target<'a> {
             read,
         } = self;
         if !path.is_file() {
-            return Ok(path);
+            // Said before the work, not behind it.
+            let folder = path
+                .parent()
+                .filter(|folder| !folder.as_os_str().is_empty());
+            return match folder {
+                Some(folder) if !folder.is_dir() => Err(Refusal::File(format!(
+                    "{what}: found no folder {}, expected one that exists",
+                    shown(folder)
+                ))),
+                _ => Ok(path),
+            };
         }
         let name = shown(path);
         let refused = |found: &str, expected: &str| {

@@ -251,3 +251,94 @@ fn what_cannot_be_mixed_is_refused_in_one_line() {
         assert!(err.contains(part), "{args:?}: {err}");
     }
 }
+
+#[test]
+fn a_stricter_floor_never_finds_more_lumens_than_a_laxer_one() {
+    let channels = [
+        "gauss:450,20",
+        "gauss:500,30",
+        "gauss:530,35",
+        "gauss:590,15",
+        "gauss:630,20",
+        "blackbody:2700",
+    ];
+    let ler = |target: &str, floor: &str| {
+        let mut args = vec!["mix", "--json", "--favour", "ler", "--target", target];
+        args.extend(channels.iter().flat_map(|channel| ["--channel", channel]));
+        args.extend(["--floor", floor]);
+        let mixed = json(&args);
+        assert_eq!(mixed["reached"], true, "{floor}");
+        number(&mixed, "ler")
+    };
+    let lax = ler("3000K", "ra=80");
+    let strict = ler("3000K", "ra=90");
+    // The trade is looked for to a thousandth.
+    assert!(lax >= 0.999 * strict, "{lax} {strict}");
+    // These weights are known: what --floor ler=300 beside it found, Ra 90.0.
+    assert!(ler("2700K", "ra=90") > 0.999 * 367.5);
+}
+
+#[test]
+fn a_light_to_come_near_to_keeps_the_floors_that_were_asked_for() {
+    let places = ["430", "460", "490", "520", "550", "580", "610", "640"];
+    let lines = places.map(|nm| format!("line:{nm}"));
+    let channels = lines.iter().flat_map(|line| ["--channel", line]);
+    let base = ["mix", "--json", "--target", "FL2"];
+    let args: Vec<&str> = base.into_iter().chain(channels).collect();
+    let plain = number(&json(&args), "ra");
+    assert!(plain < 80.0, "else the floor asks for nothing: {plain}");
+    let kept = json(&[&args[..], &["--floor", "ra=80"]].concat());
+    assert_eq!(kept["reached"], true, "{}", kept["why"]);
+    assert!(number(&kept, "ra") >= 80.0 - 1e-3);
+    let why = kept["why"].as_str().expect("words");
+    assert!(why.contains("the nearest spectrum alone"), "{why}");
+}
+
+#[test]
+fn a_mixture_says_what_its_composite_leaves_out() {
+    let (code, _, err) = tell(&["mix", "--channel", "FL2", "--channel", "line:365"]);
+    assert_eq!(code, 0);
+    assert!(err.contains("lies outside 380-780 nm"), "{err}");
+    let (_, _, err) = tell(&["mix", "--channel", "FL2"]);
+    assert!(!err.contains("outside"), "{err}");
+}
+
+#[test]
+fn one_colour_told_twice_under_one_light_is_one_colour() {
+    let one = ["recover", "--colour", "#c08040", "--json"];
+    let twice = ["--second-colour", "#c08040", "--second-light", "CIE D65"];
+    let (once, twice) = (json(&one), json(&[&one[..], &twice].concat()));
+    assert_eq!(once["values"], twice["values"]);
+    let other = ["--second-colour", "#4080c0", "--second-light", "CIE D65"];
+    let (err, code) = refusal(&[&one[..], &other].concat());
+    assert_eq!(code, 2, "{err}");
+    assert!(err.contains("expected two that differ"), "{err}");
+}
+
+#[test]
+fn the_nearest_light_of_lines_is_shown_in_its_own_colour() {
+    let args = [
+        "recover", "--colour", "#ff00ff", "--method", "lines", "--json",
+    ];
+    let hex = json(&args)["nearest"]["srgb_hex"].clone();
+    let hex = hex.as_str().expect("a colour").to_owned();
+    // Magenta out of reach is answered by a purple, not by white.
+    let part = |at: usize| u8::from_str_radix(&hex[at..at + 2], 16).expect("hex");
+    assert!(part(3) < part(1) && part(3) < part(5), "{hex}");
+}
+
+#[test]
+fn options_that_would_do_nothing_are_refused() {
+    for args in [
+        &["recover", "--colour", "#fff000", "--out", "x.exr"][..],
+        &["mix", "--channel", "FL2", "--lines", "3"],
+        &["gem", "--absorption", "1", "--thickness", "2"],
+        &["picture", "cube.hdr", "--bound", "1", "--reference", "one"],
+        &["picture", "cube.hdr", "--bound", "1", "--lines", "none"],
+        &["picture", "cube.hdr", "--peers", "--force"],
+    ] {
+        let (err, code) = refusal(args);
+        assert_eq!(code, 2, "{args:?}: {err}");
+        assert!(err.contains("expected one of them"), "{err}");
+    }
+}

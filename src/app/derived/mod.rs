@@ -236,7 +236,11 @@ impl Derived {
         let [first_nm, last_nm] = question.table_nm;
         let is_beside = first_nm > self.band.max_nm() || last_nm < self.band.min_nm();
         if is_beside {
-            warnings.push(nothing_measured(self.band, question.table_nm));
+            let mut said = nothing_measured(self.band, question.table_nm);
+            if !question.is_light {
+                said += " What is shown is its nearest value, held.";
+            }
+            warnings.push(said);
         } else if !self.has_errors() {
             warnings.push(self.why_no_errors().to_owned());
         } else if self.colour.exact.is_some() && self.colour.model.is_none() {

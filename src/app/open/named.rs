@@ -230,6 +230,12 @@ fn of_file(path: &Path, opened: Opened, wanted: &Wanted) -> Result<Found, String
                 choice.names()
             ));
         }
+        None if count == 0 => {
+            return Err(format!(
+                "{}: found no measured value in the image, expected some",
+                shown(path)
+            ));
+        }
         None => 0,
     };
     Ok(choice.into_found(wanted.choices.kind).swap_remove(index))

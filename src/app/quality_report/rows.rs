@@ -244,7 +244,7 @@ fn spectrum_rows(figures: &Figures) -> Vec<Row> {
     vec![
         row(["peak_nm", "Peak", "nm"], 0, OF_SHAPE, peak, |_| {
             if at_end {
-                "at the end of the table: it may be higher beyond".to_owned()
+                "where the table or the visible ends: it may be higher beyond".to_owned()
             } else {
                 String::new()
             }

@@ -60,7 +60,8 @@ pub struct Recover {
     #[arg(long, value_name = "FILE.png", requires = "out")]
     pub image: Option<PathBuf>,
     /// The spectral picture to write, .exr.
-    #[arg(long, value_name = "FILE.exr", requires = "image", value_parser = room_words::exr_path())]
+    #[arg(long, value_name = "FILE.exr", requires = "image",
+        conflicts_with_all = ["colour", "xyz", "lab"], value_parser = room_words::exr_path())]
     pub out: Option<PathBuf>,
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
@@ -101,7 +102,8 @@ pub struct Mix {
         requires = "lines")]
     pub front: Option<Against>,
     /// How many lines each light of the front has, 2 to 8.
-    #[arg(long, value_name = "COUNT", requires = "front", allow_negative_numbers = true,
+    #[arg(long, value_name = "COUNT", requires = "front", conflicts_with = "channels",
+        allow_negative_numbers = true,
         value_parser = room_words::free_lines)]
     pub lines: Option<usize>,
     /// Print JSON; its keys are stable.

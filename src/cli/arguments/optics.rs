@@ -128,7 +128,7 @@ pub struct Gem {
     #[arg(long, value_name = "NAME", requires = "thickness")]
     pub filter: Option<OsString>,
     /// How thick that filter was, in radii of the girdle.
-    #[arg(long, value_name = "D", requires = "filter",
+    #[arg(long, value_name = "D", requires = "filter", conflicts_with = "absorption",
         allow_hyphen_values = true, value_parser = room_words::finite)]
     pub thickness: Option<f64>,
     /// Width and height of the picture, px, 16 to 4096.
@@ -139,7 +139,7 @@ pub struct Gem {
     #[arg(long, value_name = "COUNT", default_value = "64",
         allow_hyphen_values = true, value_parser = room_words::rays)]
     pub rays: u32,
-    /// The same seed gives the same picture, bit by bit.
+    /// The same seed gives the same picture, value by value.
     #[arg(long, value_name = "SEED", default_value = "1",
         allow_hyphen_values = true, value_parser = room_words::seed)]
     pub seed: u64,

@@ -40,7 +40,7 @@ pub struct Picture {
     #[arg(long)]
     pub all_bands: bool,
     /// Tell of other ways of keeping the picture in as many numbers instead.
-    #[arg(long, conflicts_with_all = ["out", "relight"])]
+    #[arg(long, conflicts_with_all = ["out", "relight", "force"])]
     pub peers: bool,
     /// Show a picture of few numbers under this light, into --out A.png.
     #[arg(long, value_name = "NAME", requires = "out",
@@ -74,7 +74,8 @@ pub struct Fit {
         value_parser = room_words::fit_reference)]
     pub reference: ReferenceKind,
     /// Lines with a number of their own: auto or none.
-    #[arg(long, value_name = "LINES", default_value = "auto", value_parser = room_words::fit_lines)]
+    #[arg(long, value_name = "LINES", default_value = "auto",
+        action = clap::ArgAction::Set, value_parser = room_words::fit_lines)]
     pub lines: bool,
     /// The file to write, .csv or .json; needed but for lines of JSON.
     #[arg(long, value_name = "FILE", value_parser = room_words::numbers_path())]

@@ -141,7 +141,7 @@ impl fmt::Display for NoFigure {
             }
             Self::TouchesEnd { at_nm } => write!(
                 f,
-                "still above half of the maximum where the table ends, at {at_nm} nm"
+                "still above half of the maximum at {at_nm} nm, where the table or the visible ends"
             ),
             Self::DarkReference => f.write_str("the reference has no light in 375-675 nm"),
             Self::NoTables { which } => f.write_str(which),

@@ -87,12 +87,25 @@ pub fn mixed(channels: &[Channel], weights: &[f64]) -> Vec<f64> {
     sum
 }
 
+/// Where 380-780 nm stand among the whole nm of 360-830.
+fn within_composite() -> std::ops::Range<usize> {
+    let first = (Band::VISIBLE.min_nm() - f64::from(crate::color::xyz::FIRST_NM)) as usize;
+    first..first + Band::VISIBLE.points()
+}
+
+/// The share of a mixture's power that [`composite`] leaves out, below 380 and above 780 nm.
+pub fn left_out(channels: &[Channel], weights: &[f64]) -> f64 {
+    let values = mixed(channels, weights);
+    let all: f64 = values.iter().sum();
+    let inside: f64 = values[within_composite()].iter().sum();
+    if all > 0.0 { 1.0 - inside / all } else { 0.0 }
+}
+
 /// The mixture as a composite on 380-780 nm: lines stay spikes, the rest is a series of cosines.
 pub fn composite(channels: &[Channel], weights: &[f64]) -> Composite {
     let band = Band::VISIBLE;
     let mut smooth = vec![0.0; band.points()];
     let mut spikes = Vec::new();
-    let first = (band.min_nm() - f64::from(crate::color::xyz::FIRST_NM)) as usize;
     for (channel, weight) in channels.iter().zip(weights) {
         match channel.line_nm() {
             Some(at_nm) if *weight > 0.0 && band.contains(at_nm) => spikes.push(Spike {
@@ -101,7 +114,7 @@ pub fn composite(channels: &[Channel], weights: &[f64]) -> Composite {
             }),
             Some(_) => {}
             None => {
-                let values = &channel.values[first..first + band.points()];
+                let values = &channel.values[within_composite()];
                 let both = smooth.iter_mut().zip(values);
                 both.for_each(|(s, v)| *s += weight * v);
             }

@@ -10,6 +10,6 @@ mod channel;
 mod error;
 mod spec;
 
-pub use channel::{Channel, composite, mixed};
+pub use channel::{Channel, composite, left_out, mixed};
 pub use error::{MOST_CHANNELS, MixError};
 pub use spec::{Source, Spec};

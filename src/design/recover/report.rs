@@ -47,12 +47,13 @@ pub fn json(
     );
     out.insert("band".into(), band.map_or(Value::Null, band_json));
     out.insert("under".into(), under.iter().map(under_json).collect());
-    let whites: Vec<Xyz> = lights.iter().map(|(_, white)| *white).collect();
-    let nearest = recovered.nearest.as_ref();
-    out.insert(
-        "nearest".into(),
-        nearest.map_or(Value::Null, |nearest| nearest_json(nearest, &whites)),
-    );
+    let nearest = recovered.nearest.as_ref().map(|nearest| {
+        let seen = |(xyz, (_, white)): (&Xyz, &(_, Xyz))| {
+            Swatch::of_patch(*xyz, *white, Adaptation::ToLight)
+        };
+        nearest_json(nearest, nearest.xyz.iter().zip(lights).map(seen))
+    });
+    out.insert("nearest".into(), json!(nearest));
     Value::Object(out)
 }
 
@@ -70,9 +71,13 @@ pub fn line_light_json(light: &LineLight, under: &[Prediction]) -> Value {
         .map(|line| json!({"at_nm": line.at_nm, "weight": line.weight}))
         .collect();
     let pairs = BAND.grid().zip(&values);
-    // The light is its own white.
-    let whites = light.xyz.clone();
     let nearest = light.nearest.as_ref();
+    let nearest = nearest.map(|nearest| {
+        nearest_json(
+            nearest,
+            nearest.xyz.iter().map(|xyz| Swatch::of_light(*xyz)),
+        )
+    });
     json!({
         "method": Method::Lines.word(),
         "light": Value::Null,
@@ -84,7 +89,7 @@ pub fn line_light_json(light: &LineLight, under: &[Prediction]) -> Value {
         "condition_number": number(Some(light.condition_number)),
         "band": Value::Null,
         "under": under.iter().map(under_json).collect::<Vec<_>>(),
-        "nearest": nearest.map_or(Value::Null, |nearest| nearest_json(nearest, &whites)),
+        "nearest": nearest,
         "lines": lines,
         "background_power": light.background.iter().sum::<f64>(),
         "residual": light.residual,
@@ -119,12 +124,9 @@ fn under_json(prediction: &Prediction) -> Value {
 }
 
 /// One object; with two lights an array of two.
-fn nearest_json(nearest: &Nearest, whites: &[Xyz]) -> Value {
-    let one = |((xyz, delta_e), white): ((&Xyz, &f64), &Xyz)| {
-        let swatch = Swatch::of_patch(*xyz, *white, Adaptation::ToLight);
-        json!({"xyz": xyz.to_array(), "srgb_hex": swatch.hex(), "delta_e": delta_e})
-    };
-    let each = nearest.xyz.iter().zip(&nearest.delta_e).zip(whites);
+fn nearest_json(nearest: &Nearest, swatches: impl Iterator<Item = Swatch>) -> Value {
+    let one = |((xyz, delta_e), swatch): ((&Xyz, &f64), Swatch)| json!({"xyz": xyz.to_array(), "srgb_hex": swatch.hex(), "delta_e": delta_e});
+    let each = nearest.xyz.iter().zip(&nearest.delta_e).zip(swatches);
     let mut each: Vec<Value> = each.map(one).collect();
     if each.len() == 1 {
         each.remove(0)

@@ -91,6 +91,11 @@ impl Viewing {
         Self::unchecked(&values, observer)
     }
 
+    /// Whether a surface's colour under both is one: twice the same light, seen by one observer.
+    pub fn is_alike(&self, other: &Self) -> bool {
+        self.columns == other.columns
+    }
+
     fn unchecked(light: &[f64], observer: Observer) -> Result<Self, RecoverError> {
         if light.len() != xyz::POINTS {
             return Err(RecoverError::NoLight);

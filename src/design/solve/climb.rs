@@ -85,11 +85,13 @@ pub(super) fn worth(sums: &Sums, favour: Favour, floors: Floors, scales: &Scales
     }
 }
 
-/// The best mixture of corners by `judge`, looked at no more than `most` times.
+/// The best mixture of corners by `judge`, looked at no more than `most` times; the first that is
+/// `enough`.
 pub(super) fn climbed(
     corners: &[Place],
     judge: &dyn Fn(&Sums) -> Worth,
     most: usize,
+    enough: &dyn Fn(Worth) -> bool,
 ) -> Option<(Place, Worth)> {
     let first = corners.first()?;
     let mut middle = first.clone();
@@ -116,7 +118,7 @@ pub(super) fn climbed(
         let (mut place, mut worth) = start;
         let mut steps: Vec<[f64; 2]> = vec![[0.25, 0.25]; corners.len()];
         let mut looked = 0;
-        while looked < share {
+        while looked < share && !enough(worth) {
             let mut largest = 0.0_f64;
             for (corner, steps) in corners.iter().zip(&mut steps) {
                 for (sense, step) in [1.0, -1.0].into_iter().zip(steps.iter_mut()) {
@@ -147,6 +149,9 @@ pub(super) fn climbed(
         }
         if worth.beats(best.1) {
             best = (place, worth);
+        }
+        if enough(best.1) {
+            break;
         }
     }
     best.0.weights.iter_mut().for_each(|w| *w = w.max(0.0));

@@ -4,7 +4,7 @@ use super::{
     climb::{Place, Worth, climbed, worth},
     figures::MixFigures,
     polytope::Polytope,
-    wish::{Favour, Wish},
+    wish::{Favour, Floors, Wish},
 };
 use crate::{
     color::{uv_1976_from_xyz, xyz::POINTS},
@@ -19,6 +19,12 @@ use crate::{
 
 /// Mixtures looked at for a figure of samples: some 4 ms of Rf.
 const MOST_LOOKS: usize = 240;
+
+/// How often what is left between the best found and what no floor would forbid is halved.
+const HALVINGS: usize = 8;
+
+/// Less than this share is not worth a further look.
+const NEAR_ENOUGH: f64 = 1e-3;
 
 /// Sets of channels that are looked through for the fewest.
 const MOST_SETS: usize = 4000;
@@ -115,8 +121,11 @@ impl<'a> Mixer<'a> {
         let by_samples = matches!(wish.favour, Favour::Ra | Favour::Rf) || wish.floors.of_samples();
         let found = match (wish.favour, &scales) {
             (Favour::Fewest, _) => self.fewest(wish, &free, scales.as_ref()),
+            (Favour::Ler | Favour::Melanopic, Some(scales)) if by_samples => {
+                self.traded(&within, &free, wish, scales, &possible)
+            }
             (_, Some(scales)) if by_samples => {
-                let found = self.climbed(&within, &free, wish, scales, MOST_LOOKS);
+                let found = self.climbed(&within, &free, wish, scales, MOST_LOOKS, &|_| false);
                 found.map(|(weights, _)| weights)
             }
             (Favour::Melanopic, _) => Some(self.spread(&free, &within.most_melanopic())),
@@ -177,6 +186,7 @@ impl<'a> Mixer<'a> {
         wish: &Wish<'_>,
         scales: &Scales,
         looks: usize,
+        enough: &dyn Fn(Worth) -> bool,
     ) -> Option<(Vec<f64>, Worth)> {
         let fixed = self.fixed_sums();
         let place = |weights: Vec<f64>| {
@@ -197,8 +207,60 @@ impl<'a> Mixer<'a> {
                 .map(place),
         );
         let judge = |sums: &Sums| worth(sums, wish.favour, wish.floors, scales);
-        let (best, value) = climbed(&corners, &judge, looks)?;
+        let (best, value) = climbed(&corners, &judge, looks, enough)?;
         Some((self.spread(free, &best.weights), value))
+    }
+
+    /// The most lumens or the most melanopic light that floors of Ra and Rf leave.
+    ///
+    /// On the edge of a floor each single step loses either the floor or the favour, so the climb
+    /// stops short there. Whether a floor can be met at a given efficacy has no such edge: that is
+    /// asked again, each time in half of what is left.
+    fn traded(
+        &self,
+        within: &Polytope,
+        free: &[usize],
+        wish: &Wish<'_>,
+        scales: &Scales,
+        possible: &dyn Fn([Option<f64>; 2]) -> Option<Polytope>,
+    ) -> Option<Vec<f64>> {
+        let (mut best, mut worth) =
+            self.climbed(within, free, wish, scales, MOST_LOOKS, &|_| false)?;
+        let met = |worth: Worth| worth.missing <= ROUNDING;
+        let is_lumens = wish.favour == Favour::Ler;
+        let figure = |weights: &[f64]| {
+            let sums = self.summed(weights);
+            if is_lumens {
+                sums.efficacy()
+            } else {
+                sums.melanopic_der()
+            }
+        };
+        let most = if is_lumens {
+            within.most_lumens()
+        } else {
+            within.most_melanopic()
+        };
+        let mut high = figure(&self.spread(free, &most));
+        for _ in 0..HALVINGS {
+            if !met(worth) || high - worth.value <= NEAR_ENOUGH * high {
+                break;
+            }
+            let middle = 0.5 * (worth.value + high);
+            let floors = match is_lumens {
+                true => [Some(middle), wish.floors.melanopic],
+                false => [wish.floors.ler, Some(middle)],
+            };
+            let found = possible(floors)
+                .and_then(|within| self.climbed(&within, free, wish, scales, MOST_LOOKS, &met));
+            match found {
+                Some((weights, found)) if met(found) && found.beats(worth) => {
+                    (best, worth) = (weights, found);
+                }
+                _ => high = middle,
+            }
+        }
+        Some(best)
     }
 
     /// The fewest channels that meet the wish, by efficacy among those.
@@ -226,8 +288,9 @@ impl<'a> Mixer<'a> {
                 );
                 let found = within.and_then(|within| match scales {
                     Some(scales) if floors.of_samples() => {
-                        let found = self.climbed(&within, &chosen, wish, scales, 80)?;
-                        (found.1.missing <= ROUNDING).then_some(found.0)
+                        let met = |worth: Worth| worth.missing <= ROUNDING;
+                        let found = self.climbed(&within, &chosen, wish, scales, 80, &met)?;
+                        met(found.1).then_some(found.0)
                     }
                     _ => Some(self.spread(&chosen, &within.most_lumens())),
                 });
@@ -260,7 +323,41 @@ impl<'a> Mixer<'a> {
             .map(|c| c.spec.fixed.unwrap_or(0.0))
             .collect();
         free.iter().zip(&found).for_each(|(i, w)| weights[*i] = *w);
-        self.told(weights, wish, String::new())
+        let nearest = self.told(weights, wish, String::new());
+        if nearest.reached || wish.floors == Floors::default() {
+            return nearest;
+        }
+        self.up_to_floors(wish, nearest)
+    }
+
+    /// The mixture on the way from the nearest to a light to the best within the floors that meets
+    /// them first: both have the colour, so all between them have.
+    fn up_to_floors(&self, wish: &Wish<'_>, nearest: Solution) -> Solution {
+        let best = self.solve(&Wish {
+            alike: None,
+            ..*wish
+        });
+        if !best.reached {
+            return best;
+        }
+        let between = |part: f64| -> Vec<f64> {
+            let both = nearest.weights.iter().zip(&best.weights);
+            both.map(|(a, b)| a + part * (b - a)).collect()
+        };
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..12 {
+            let middle = 0.5 * (low + high);
+            if self.told(between(middle), wish, String::new()).reached {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        let why = format!(
+            "colour and floors are met; the nearest spectrum alone is not enough: {}",
+            nearest.why
+        );
+        self.told(between(high), wish, why)
     }
 
     /// Weights of free channels nearest to a light (471 values) at the target's Y = 100; `None`
@@ -334,10 +431,14 @@ impl<'a> Mixer<'a> {
         free.iter()
             .zip(&found.weights)
             .for_each(|(i, w)| weights[*i] = scale * w);
-        let why = format!(
-            "the target lies outside the colours of these channels: {:.4} in u'v' from the nearest",
-            found.distance
-        );
+        let all: Vec<[f64; 3]> = self.sums.iter().map(|s| row(&s.basic)).collect();
+        // Were every channel free, a target among their colours would be met to rounding.
+        let is_inside = nearest_mix(&all, uv, 100.0).is_some_and(|all| all.distance < 1e-9);
+        let outside = match is_inside {
+            true => "the fixed channels keep it from the target",
+            false => "the target lies outside the colours of these channels",
+        };
+        let why = format!("{outside}: {:.4} in u'v' from the nearest", found.distance);
         self.told(weights, wish, why)
     }
 
