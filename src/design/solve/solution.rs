@@ -242,16 +242,18 @@ impl<'a> Mixer<'a> {
             within.most_melanopic()
         };
         let mut high = figure(&self.spread(free, &most));
+        let within = |value: f64| {
+            possible(match is_lumens {
+                true => [Some(value), wish.floors.melanopic],
+                false => [wish.floors.ler, Some(value)],
+            })
+        };
         for _ in 0..HALVINGS {
             if !met(worth) || high - worth.value <= NEAR_ENOUGH * high {
                 break;
             }
             let middle = 0.5 * (worth.value + high);
-            let floors = match is_lumens {
-                true => [Some(middle), wish.floors.melanopic],
-                false => [wish.floors.ler, Some(middle)],
-            };
-            let found = possible(floors)
+            let found = within(middle)
                 .and_then(|within| self.climbed(&within, free, wish, scales, MOST_LOOKS, &met));
             match found {
                 Some((weights, found)) if met(found) && found.beats(worth) => {
@@ -259,6 +261,15 @@ impl<'a> Mixer<'a> {
                 }
                 _ => high = middle,
             }
+        }
+        // The climb itself once more, among what is at least as good.
+        let last = within(worth.value)
+            .filter(|_| met(worth))
+            .and_then(|within| self.climbed(&within, free, wish, scales, MOST_LOOKS, &|_| false));
+        if let Some((weights, found)) = last
+            && found.beats(worth)
+        {
+            best = weights;
         }
         Some(best)
     }
