@@ -225,7 +225,6 @@ impl App {
     }
 
     /// The only place that changes the document.
-    #[expect(clippy::too_many_lines, reason = "a row for each command")]
     pub fn apply(&mut self, command: Command) {
         let before = self.document.clone();
         match command.clone() {

@@ -64,7 +64,7 @@ pub fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Result<()
     let solution = mixer.solve(&wish);
     let left_out = 100.0 * left_out(&channels, &solution.weights);
     if left_out >= 0.01 {
-        inputs.note(&format!(
+        inputs.note(format!(
             "composite: {left_out:.2} % of the power lies outside 380-780 nm and is left out"
         ));
     }
