@@ -334,8 +334,6 @@ fn options_that_would_do_nothing_are_refused() {
         &["recover", "--colour", "#fff000", "--out", "x.exr"][..],
         &["mix", "--channel", "FL2", "--lines", "3"],
         &["gem", "--absorption", "1", "--thickness", "2"],
-        &["picture", "cube.hdr", "--bound", "1", "--reference", "one"],
-        &["picture", "cube.hdr", "--bound", "1", "--lines", "none"],
         &["picture", "cube.hdr", "--peers", "--force"],
     ] {
         let (err, code) = refusal(args);
