@@ -3,6 +3,11 @@
 use std::fs;
 
 use serde_json::Value;
+use spectral_explorer::{
+    app::library::Library,
+    io::read_path,
+    spectrum::{Band, Outside},
+};
 
 use crate::tell::{json, tell};
 
@@ -84,24 +89,15 @@ fn a_written_composite_keeps_its_widths() {
             .any(|spike| spike["fwhm_nm"].as_f64() > Some(2.0))
     );
     // Read again, the lines are in the values where they were.
-    let values = |input: &str, more: &[&str]| {
-        let csv = folder.path().join("values.csv");
-        let out = csv.to_str().expect("UTF-8");
-        let args = [&["convert", input, out, "--force"], more].concat();
-        assert_eq!(tell(&args).0, 0, "{args:?}");
-        let text = fs::read_to_string(&csv).expect("a file");
-        let row = |line: &str| line.split(',').nth(1)?.parse::<f64>().ok();
-        text.lines().filter_map(row).collect::<Vec<f64>>()
-    };
-    let (model, lamp) = (values(name, &[]), values("FL11", &["--range", "380:780"]));
-    assert_eq!(model.len(), 401);
-    let at = |values: &[f64], nm: usize| values[nm - 380];
-    let peak = at(&lamp, 545);
-    assert!(
-        (at(&model, 545) - peak).abs() < 0.3 * peak,
-        "{} {peak}",
-        at(&model, 545)
-    );
+    let csv = folder.path().join("values.csv");
+    let args = ["convert", name, csv.to_str().expect("UTF-8")];
+    assert_eq!(tell(&args).0, 0);
+    let reading = read_path(&csv).expect("a spectrum");
+    let lamp = Library::bundled().find("FL11").expect("it is shipped");
+    let lamp = &lamp.spectrum().expect("a table").samples;
+    let [model, peak] = [&reading.spectra[0].samples, lamp]
+        .map(|samples| samples.on_band(Band::VISIBLE, Outside::Zero)[545 - 380]);
+    assert!((model - peak).abs() < 0.3 * peak, "{model} {peak}");
 }
 
 #[test]
