@@ -192,6 +192,14 @@ fn all_that_the_window_derives(criterion: &mut Criterion) {
             app.derived().numbers()
         });
     });
+    let mut wide = start.app.clone();
+    wide.apply(Command::Edit(Settings {
+        wide_lines: true,
+        ..wide.document().settings
+    }));
+    group.bench_function("this program, lines as wide as they are", |b| {
+        b.iter(|| derive(black_box(wide.document()), wide.tables()));
+    });
     group.bench_function("plain loops, every order from the start", |b| {
         b.iter(|| plain.curve(black_box(&start)));
     });

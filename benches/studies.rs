@@ -27,7 +27,7 @@ use spectral_explorer::{
     spectrum::basis::numbers_of_order,
     study::{
         Goal, Measure, Progress, Way,
-        race::{self, Lamp},
+        race::{self, Course, Lamp},
         sweep::Examined,
     },
 };
@@ -118,6 +118,14 @@ fn a_race(criterion: &mut Criterion) {
             b.iter(|| black_box(race::run(&course, &lamps, &go())));
         });
     }
+    let others = Course {
+        encoder: None,
+        ..course
+    };
+    let lamps = every(1);
+    group.bench_function("137 lamps without known lamps and wide lines", |b| {
+        b.iter(|| black_box(race::run(&others, &lamps, &go())));
+    });
     group.finish();
     let mut group = criterion.benchmark_group("what a race is run on");
     group.sample_size(10);

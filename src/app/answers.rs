@@ -10,7 +10,7 @@ use super::{
 use crate::{
     color::{cct::Cct, xyz_of_one, xyz_of_parts, xyz_of_spikes},
     spectrum::{Basis, Spike, spikes::detect},
-    study::{Measure, Sweep},
+    study::{Measure, Sweep, Verdict, sweep::SweepPoint},
 };
 
 /// How a difference of colour is seen.
@@ -233,33 +233,37 @@ fn between(shares: &[f64], count: usize) -> f64 {
     .clamp(lowest, highest)
 }
 
-/// The knobs that are best among all eight ways with at most so many numbers; `None` where
-/// nothing fits.
-pub fn automatic(settings: Settings, sweep: &Sweep, numbers: usize) -> Option<Settings> {
+/// The best model of a sweep with at most so many numbers, and the error that it is best by; `None`
+/// where nothing fits.
+pub fn best_of(sweep: &Sweep, numbers: usize) -> Option<(&SweepPoint, Measure)> {
     let affordable = || sweep.points.iter().filter(|point| point.numbers <= numbers);
     let measures = [Measure::Patches, Measure::Own, Measure::RmsBlurred];
     measures.into_iter().find_map(|measure| {
         let known = affordable().filter_map(|point| Some((point, point.verdict[measure]?)));
         // Equal colours: the one whose spectrum is nearer.
         let best = known.min_by(|(a, one), (b, other)| {
-            let near = |v: &crate::study::Verdict| v[Measure::RmsBlurred].unwrap_or(f64::MAX);
+            let near = |v: &Verdict| v[Measure::RmsBlurred].unwrap_or(f64::MAX);
             let equal = (one - other).abs() < 1e-6;
             match equal {
                 true => near(&a.verdict).total_cmp(&near(&b.verdict)),
                 false => one.total_cmp(other),
             }
         });
-        let (point, _) = best?;
-        Some(Settings {
-            basis: point.way.basis,
-            colour_exact: point.way.colour_exact,
-            spikes: point.way.spikes,
-            // The count was that of ideal lines.
-            wide_lines: false,
-            order: point.order,
-            ..settings
-        })
+        Some((best?.0, measure))
     })
+}
+
+/// The knobs of a model of a sweep.
+pub fn knobs_of(settings: Settings, point: &SweepPoint) -> Settings {
+    Settings {
+        basis: point.way.basis,
+        colour_exact: point.way.colour_exact,
+        spikes: point.way.spikes,
+        // The count was that of ideal lines.
+        wide_lines: false,
+        order: point.order,
+        ..settings
+    }
 }
 
 /// The knobs of the paper: plain Fourier series on 400 to 700 nm where the table reaches.

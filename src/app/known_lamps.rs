@@ -1,6 +1,19 @@
-//! What the page "Known lamps" says of a light in few words.
+//! What the page "Known lamps" says of a light in few words, and whether Automatic takes them.
 
-use super::studies::EncodedLight;
+use super::{
+    document::Document,
+    pages::WordsMemory,
+    studies::{About, EncodeAsk, EncodedLight},
+};
+use crate::{
+    io::many::numbers,
+    lamps::NUMBERS,
+    study::{
+        Measure, Reference, Verdict,
+        error::{height, times},
+        sweep::SweepPoint,
+    },
+};
 
 /// One figure with what it means.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,6 +99,48 @@ impl WordsShown {
     }
 }
 
+/// Which light Automatic asks known lamps for, where a person allows their list; `None` where it is
+/// not allowed, for what is no light, and for fewer numbers than an encoding takes.
+pub fn lamps_asked(document: &Document, words: WordsMemory, numbers: usize) -> Option<EncodeAsk> {
+    let can = words.automatic && document.is_about_light() && numbers >= NUMBERS[0];
+    can.then(|| EncodeAsk::of(document, numbers, true, words.itself))
+}
+
+/// What known lamps are off by, measured as a sweep measures its models.
+pub fn lamps_verdict(about: &About, found: &EncodedLight) -> Verdict {
+    let subject = about.subject();
+    let Some(unit) = height(&subject.values) else {
+        return Verdict::default();
+    };
+    let [light, decoded] = [&subject.values, &found.decoded].map(|values| times(values, unit));
+    Reference::of_light(&subject.measures, &light).verdict(&decoded, &[])
+}
+
+/// In words, that known lamps are better than the best of a sweep; nothing where they are not.
+pub fn lamps_better(
+    about: &About,
+    found: &EncodedLight,
+    (best, measure): (&SweepPoint, Measure),
+) -> Option<String> {
+    let (theirs, ours) = (
+        lamps_verdict(about, found)[measure]?,
+        best.verdict[measure]?,
+    );
+    let figure = measure.figure();
+    let words = |error: f64| format!("{}{}", short(error * figure.unit.factor), figure.unit.tail);
+    (theirs < ours).then(|| {
+        format!(
+            "Known lamps are better with {}: {}, {} {} against {} of the best of all eight ways. \
+             It needs the program's list of lamps.",
+            numbers(found.encoded.words.len()),
+            found.makeup.in_words(),
+            figure.title.to_lowercase(),
+            words(theirs),
+            words(ours),
+        )
+    })
+}
+
 /// Two or three digits.
 fn short(value: f64) -> String {
     match value {
@@ -111,7 +166,7 @@ fn own(delta_e: f64) -> String {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, studies::EncodeAsk},
+        app::{App, Command, answers::best_of, studies::SweepAsk},
         lamps::read_encoding,
         spectrum::Band,
         study::Progress,
@@ -137,6 +192,38 @@ mod tests {
         assert_eq!(read.numbers(), found.encoded.words.len());
         assert_eq!(shown.figures.len(), 4);
         assert_eq!(shown.figures[3].value, "exact");
+    }
+
+    #[test]
+    fn automatic_is_told_of_known_lamps_where_they_are_allowed_and_better() {
+        let mut app = App::new();
+        let key = "cie_fluorescent_1nm/FL11";
+        app.apply(Command::Show(app.entry(key).expect("shipped")));
+        let (about, words) = (About::of(app.document()), WordsMemory::default());
+        assert_eq!(lamps_asked(app.document(), words, 21), None);
+        let words = WordsMemory {
+            automatic: true,
+            itself: true,
+            ..words
+        };
+        assert_eq!(lamps_asked(app.document(), words, 2), None);
+        let ask = lamps_asked(app.document(), words, 21).expect("a light");
+        let found = ask.answer(&Progress::default()).expect("not cancelled");
+        let found = found.expect("a light");
+        // FL11 is FL11: only the rounding to words is left.
+        let off = lamps_verdict(&about, &found)[Measure::Patches].expect("seen");
+        assert!(off < 1e-4, "{off}");
+        let sweep = SweepAsk::of(app.document()).answer(&Progress::default());
+        let sweep = sweep.expect("it shines");
+        let best = best_of(&sweep, 21).expect("affordable");
+        let said = lamps_better(&about, &found, best).expect("better");
+        assert!(
+            said.contains("FL11") && said.contains("list of lamps"),
+            "{said}"
+        );
+        let mut worse = found;
+        worse.decoded.iter_mut().step_by(2).for_each(|v| *v = 0.0);
+        assert_eq!(lamps_better(&about, &worse, best), None);
     }
 
     #[test]

@@ -42,6 +42,7 @@ pub mod product_view;
 pub mod products;
 pub mod quality;
 pub mod quality_report;
+pub mod race_report;
 pub mod read_report;
 pub mod recipe;
 pub mod relit;

@@ -1,4 +1,4 @@
-//! Sweep, auction and race as JSON and CSV: what the command line prints and the window saves.
+//! Sweep and auction as JSON and CSV: what the command line prints and the window saves.
 //!
 //! The JSON's keys are stable. A number that does not exist is `null` in JSON and an empty cell in
 //! CSV, never NaN. Wavelengths are nm, colour differences CIEDE2000, relative errors shares of the
@@ -11,25 +11,23 @@ use serde_json::{Map, Value, json};
 use super::{
     cells::{line, number, words},
     export,
-    product_report::spread_json,
     state::App,
-    studies::{AuctionAsk, Field, RaceAsk, SweepAsk, about::About},
+    studies::{AuctionAsk, SweepAsk, about::About},
 };
 use crate::{
     io::{
-        many::{many, numbers},
+        many::numbers,
         provenance::{Provenance, one_line},
     },
     spectrum::{Kind, SpikeSettings},
     study::{
-        Auction, Measure, Race, Spread, Sweep,
+        Auction, Measure, Sweep,
         auction::{Bid, Ended, Purchase, Step},
-        race::{Racer, Row},
     },
 };
 
 /// The errors that models are compared by, with the keys that files use.
-fn errors() -> impl Iterator<Item = (&'static str, Measure)> {
+pub fn errors() -> impl Iterator<Item = (&'static str, Measure)> {
     Measure::in_files().map(|measure| (measure.figure().key, measure))
 }
 
@@ -46,7 +44,8 @@ pub fn front_measure(sweep: &Sweep) -> Measure {
         .unwrap_or_default()
 }
 
-fn program() -> Value {
+/// The program that writes.
+pub fn program() -> Value {
     json!({ "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") })
 }
 
@@ -63,7 +62,8 @@ fn input_json(app: &App) -> Value {
     })
 }
 
-fn lines_json(spikes: SpikeSettings) -> Value {
+/// How lines are looked for.
+pub fn lines_json(spikes: SpikeSettings) -> Value {
     json!({
         "threshold_percent": 100.0 * spikes.threshold,
         "max_width_nm": spikes.max_width_nm,
@@ -80,7 +80,8 @@ fn about_json(about: &About) -> Value {
     })
 }
 
-fn lines_words(spikes: SpikeSettings) -> String {
+/// The same in words.
+pub fn lines_words(spikes: SpikeSettings) -> String {
     format!(
         "lines from {} % of the power and up to {} nm wide{}",
         super::ticks::short(100.0 * spikes.threshold),
@@ -241,6 +242,9 @@ fn unit_of(about: &About) -> f64 {
 fn purchase_json(purchase: Purchase, unit: f64) -> Map<String, Value> {
     let mut entry = Map::new();
     match purchase {
+        Purchase::Widths => {
+            entry.insert("bought".into(), json!("width"));
+        }
         Purchase::Order(order) => {
             entry.insert("bought".into(), json!("order"));
             entry.insert("order".into(), json!(order));
@@ -285,6 +289,7 @@ pub fn auction_json(app: &App, ask: &AuctionAsk, auction: &Auction) -> Value {
             entry.insert("error".into(), json!(step.error));
             entry.insert("order_now".into(), json!(step.order));
             entry.insert("spikes_nm_now".into(), json!(places(step)));
+            entry.insert("wide_lines_now".into(), json!(step.wide));
             entry.insert("gave_back".into(), json!(gave_back));
             for (key, measure) in errors() {
                 entry.insert(key.into(), json!(step.verdict[measure]));
@@ -339,7 +344,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
     let mut out = head(app, &ask.about, "auction", &more);
     out.push_str("step,bought,at_nm,weight,order,numbers,error,order_now,spikes_now,gave_back");
     out.extend(errors().map(|(key, _)| format!(",{key}")));
-    out.push('\n');
+    out.push_str(",wide_lines_now\n");
     for Bought {
         place,
         step,
@@ -348,6 +353,13 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
     } in purchases(auction)
     {
         let mut cells = match purchase {
+            Purchase::Widths => vec![
+                place.to_string(),
+                "width".to_owned(),
+                String::new(),
+                String::new(),
+                String::new(),
+            ],
             Purchase::Order(order) => vec![
                 place.to_string(),
                 "order".to_owned(),
@@ -368,6 +380,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
             .iter()
             .filter(|_| first)
             .map(|purchase| match purchase {
+                Purchase::Widths => "width".to_owned(),
                 Purchase::Order(order) => format!("order {order}"),
                 Purchase::Spike(spike) => format!("{:.1} nm", spike.at_nm),
             })
@@ -380,214 +393,7 @@ pub fn auction_csv(app: &App, ask: &AuctionAsk, auction: &Auction) -> String {
             words(&back.join(" and ")),
         ]);
         cells.extend(errors().map(|(_, measure)| number(step.verdict[measure])));
-        out.push_str(&line(cells));
-    }
-    out
-}
-
-/// The lights of a race in words.
-pub fn field_words(field: &Field) -> String {
-    match field {
-        Field::One(entry) => entry.0.name().to_owned(),
-        Field::Shipped => "all shipped lights".to_owned(),
-        Field::Class(class) => format!("shipped lights: {}", class.word()),
-        Field::Group(group) => format!("group {group}"),
-        Field::These(entries) => many(entries.len(), "own light", "own lights"),
-    }
-}
-
-/// The sets that a race is counted over: each class and all together, or the only class there is.
-pub fn sets(race: &Race) -> Vec<(String, Option<String>)> {
-    let classes = race.classes();
-    let of = |class: &&str| ((*class).to_owned(), Some((*class).to_owned()));
-    let mut sets: Vec<_> = classes.iter().map(of).collect();
-    if classes.len() > 1 {
-        sets.push(("all".to_owned(), None));
-    }
-    sets
-}
-
-/// On how many lights of a set each racer has the least error; `None` for the choice among others.
-pub fn wins(
-    race: &Race,
-    class: Option<&str>,
-    budget: usize,
-    measure: Measure,
-) -> Vec<Option<usize>> {
-    let winners: Vec<Option<Racer>> = race
-        .of_class(class)
-        .map(|lamp| race.winner_on(lamp, budget, measure))
-        .collect();
-    let count = |racer: &Racer| winners.iter().filter(|w| **w == Some(*racer)).count();
-    race.racers
-        .iter()
-        .map(|racer| (*racer != Racer::Chosen).then(|| count(racer)))
-        .collect()
-}
-
-/// The spreads of a row with the keys that files use: first what decides wins, and what took no
-/// part in a choice.
-fn spreads(row: &Row) -> Vec<(&'static str, Option<Spread>)> {
-    let patches = ("delta_e_patches", row.spreads[Measure::Patches]);
-    let others = errors()
-        .filter(|(_, measure)| !matches!(measure, Measure::Patches | Measure::PatchesWorst))
-        .map(|(key, measure)| (key, row.spreads[measure]));
-    let mut all = vec![patches, ("delta_e_check", row.check)];
-    all.extend(others);
-    all
-}
-
-/// All numbers of a row with the names of their columns.
-pub fn row_numbers(row: &Row) -> Vec<(String, Option<f64>)> {
-    let mut all = Vec::new();
-    for (key, spread) in spreads(row) {
-        for (part, value) in [
-            ("median", spread.map(|s| s.median)),
-            ("p95", spread.map(|s| s.p95)),
-            ("worst", spread.map(|s| s.worst)),
-        ] {
-            all.push((format!("{key}_{part}"), value));
-        }
-    }
-    let cost = row.cost;
-    all.extend([
-        ("negative_lobes".to_owned(), Some(row.negative_lobes)),
-        ("bytes".to_owned(), cost.map(|c| c.bytes as f64)),
-        ("ns_per_product".to_owned(), cost.map(|c| c.ns_per_product)),
-        (
-            "ns_per_evaluation".to_owned(),
-            cost.map(|c| c.ns_per_evaluation),
-        ),
-    ]);
-    all
-}
-
-fn row_json(row: &Row, set: &str, wins: Option<usize>) -> Value {
-    let (racer, cost) = (row.racer, row.cost);
-    let mut entry = json!({
-        "representation": racer.word(),
-        "title": racer.title(),
-        "numbers": row.numbers,
-        "set": set,
-        "lamps": row.lamps,
-        "negative_lobes": row.negative_lobes,
-        "bytes": cost.map(|c| c.bytes),
-        "ns_per_product": cost.map(|c| c.ns_per_product),
-        "ns_per_evaluation": cost.map(|c| c.ns_per_evaluation),
-        "needs_table": racer.needs_table(),
-        "is_prefix": racer.is_prefix(),
-        "wins": wins,
-    });
-    for (key, spread) in spreads(row) {
-        entry[key] = spread_json(spread);
-    }
-    entry
-}
-
-/// Every row of a race: count by count, set by set, racer by racer, with its wins on the patches.
-fn rows(race: &Race) -> Vec<(Row, String, Option<usize>)> {
-    let sets = sets(race);
-    let mut rows = Vec::new();
-    for budget in 0..race.budgets.len() {
-        for (name, class) in &sets {
-            let wins = wins(race, class.as_deref(), budget, Measure::Patches);
-            for (racer, wins) in wins.into_iter().enumerate() {
-                let row = race.row(class.as_deref(), budget, racer);
-                rows.push((row, name.clone(), wins));
-            }
-        }
-    }
-    rows
-}
-
-/// A race as JSON. `wins` counts the lights on which a representation has the least error on the
-/// patches.
-pub fn race_json(ask: &RaceAsk, race: &Race) -> Value {
-    let all: Vec<Value> = rows(race)
-        .iter()
-        .map(|(row, set, wins)| row_json(row, set, *wins))
-        .collect();
-    let mut winners = Vec::new();
-    for (lamp, (name, set)) in race.lamps.iter().enumerate() {
-        for (budget, numbers) in race.budgets.iter().enumerate() {
-            let winner = race.winner_on(lamp, budget, Measure::Patches);
-            winners.push(json!({
-                "lamp": name,
-                "set": set,
-                "numbers": numbers,
-                "representation": winner.map(Racer::word),
-            }));
-        }
-    }
-    json!({
-        "program": program(),
-        "field": field_words(&ask.field),
-        "settings": {
-            "range_nm": [ask.band.min_nm(), ask.band.max_nm()],
-            "observer": ask.observer.word(),
-            "patches": ask.patch_set,
-            "check": super::studies::field::CHECK_SET,
-            "lines": lines_json(ask.spikes),
-        },
-        "cost_of": race.cost_of,
-        "rows": all,
-        "winners": winners,
-    })
-}
-
-/// Where the figures of a race come from, line by line.
-pub fn race_notes(ask: &RaceAsk) -> Vec<String> {
-    vec![
-        format!("field: {}", one_line(&field_words(&ask.field))),
-        format!(
-            "settings: {}-{} nm, {}, patches {}, check {}, {}; wins are by delta_e_patches",
-            ask.band.min_nm(),
-            ask.band.max_nm(),
-            ask.observer.title(),
-            ask.patch_set,
-            super::studies::field::CHECK_SET,
-            lines_words(ask.spikes),
-        ),
-        format!(
-            "written by: Spectral Explorer {}",
-            env!("CARGO_PKG_VERSION")
-        ),
-    ]
-}
-
-/// A race as a table, one representation, count and set a line; `more` are comments above it.
-pub fn race_csv(ask: &RaceAsk, race: &Race, more: &[String]) -> String {
-    let mut out = "# title: representations at equal counts of numbers\n".to_owned();
-    for note in race_notes(ask).iter().chain(more) {
-        let _ = writeln!(out, "# {note}");
-    }
-    let _ = writeln!(
-        out,
-        "# costs: measured in this run on {}, the light with most lines",
-        one_line(&race.cost_of)
-    );
-    for (i, (row, set, wins)) in rows(race).iter().enumerate() {
-        let numbers = row_numbers(row);
-        if i == 0 {
-            out.push_str("representation,title,numbers,set,lamps");
-            for (key, _) in &numbers {
-                let _ = write!(out, ",{key}");
-            }
-            out.push_str(",needs_table,is_prefix,wins\n");
-        }
-        let mut cells = vec![
-            row.racer.word().to_owned(),
-            words(row.racer.title()),
-            row.numbers.to_string(),
-            words(set),
-            row.lamps.to_string(),
-        ];
-        cells.extend(numbers.into_iter().map(|(_, value)| number(value)));
-        cells.extend([
-            row.racer.needs_table().to_string(),
-            row.racer.is_prefix().to_string(),
-            wins.map(|w| w.to_string()).unwrap_or_default(),
-        ]);
+        cells.push(step.wide.to_string());
         out.push_str(&line(cells));
     }
     out

@@ -60,7 +60,7 @@ pub enum Command {
     Light(Light),
     /// Print error against numbers: every order, both bases, with and without spikes.
     Sweep(Sweep),
-    /// Print what to buy with every two numbers: an order or a spike.
+    /// Print what to buy with the next numbers: an order, a spike or the lines' widths.
     Auction(Auction),
     /// Print the composite beside other representations at equal counts of numbers.
     Race(Race),

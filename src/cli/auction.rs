@@ -1,4 +1,4 @@
-//! `auction`: what to buy with every two numbers, as CSV or JSON.
+//! `auction`: what to buy with the next numbers, as CSV or JSON.
 
 use std::io::Write;
 

@@ -127,6 +127,7 @@ fn light(options: &Gem, inputs: &mut Inputs) -> Result<(Light, Observer), Refusa
     let light = named_light("--light", options.light.as_deref().unwrap_or(usual), inputs)?;
     let app = subject::about_light(light, options.model);
     inputs.note_sampling(options.model, false);
+    inputs.note_centres(options.model);
     Ok((light_of(&app)?, app.document().settings.observer))
 }
 

@@ -55,6 +55,13 @@ impl<'e> Inputs<'e> {
         }
     }
 
+    /// Says that lines stand at their centres where `--wide-lines` was given.
+    pub fn note_centres(&mut self, model: ModelOptions) {
+        if model.wide_lines {
+            self.note("--wide-lines: here each line stands at its centre, without its width");
+        }
+    }
+
     /// Says what is to be known of the result.
     pub fn tell_notes(&mut self) {
         for note in std::mem::take(&mut self.notes) {

@@ -4,7 +4,6 @@
 
 use std::{
     io::Write,
-    num::NonZero,
     sync::mpsc::{RecvTimeoutError, channel},
     thread,
 };
@@ -24,7 +23,7 @@ use crate::{
         Settings,
         quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
     },
-    study::{Progress, quality::in_parallel},
+    study::{Progress, in_parallel, processors},
 };
 
 /// Carries the command out. An INPUT that is refused does not stop the others.
@@ -100,10 +99,10 @@ fn sheets(
     if is_one {
         return vec![make(first)];
     }
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
     let progress = Progress::default();
+    progress.expect(lights.len());
     let told = || format!("{:.0} % of the figures", 100.0 * progress.share());
-    let work = || in_parallel(lights, threads, &progress, make);
+    let work = || in_parallel(lights, processors(), &progress, make);
     // Nobody cancels it.
     watched(told, inputs, work).unwrap_or_default()
 }

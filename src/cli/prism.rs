@@ -28,6 +28,7 @@ pub fn run(options: &Prism, out: &mut dyn Write, inputs: &mut Inputs) -> Result<
     let light = named_light("INPUT", &options.input, inputs)?;
     let app = subject::about_light(light, options.model);
     inputs.note_sampling(options.model, false);
+    inputs.note_centres(options.model);
     let light = light_of(&app)?;
     let material = material(&options.material, inputs)?;
     let absorption = absorption_of(options.filter.as_ref(), options.thickness, inputs)?;

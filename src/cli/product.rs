@@ -131,6 +131,7 @@ fn of_set(app: &App, group: &str, json: bool) -> String {
 /// The state about a light that has something to multiply.
 fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, Refusal> {
     let app = subject::about_light(named_light("LIGHT", word, inputs)?, model);
+    inputs.note_centres(model);
     let derived = app.derived();
     if derived.has_errors() {
         return Ok(app);

@@ -23,15 +23,14 @@ use crate::{
         library::Library,
         memo::ByAddress,
         open::Loaded,
-        studies::{Class, Field, RaceAsk, WaysAsk},
-        study_report,
+        race_report,
+        studies::{Class, Field, RaceAsk},
     },
     io::{
         Choices,
         error::{quoted, shown},
         many::many,
     },
-    lamps::race_json,
     preset::Preset,
     spectrum::Kind,
     study::{Progress, reference::scaled_to_one},
@@ -74,7 +73,10 @@ pub fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(
     let mut budgets = numbers.clone();
     budgets.sort_unstable();
     budgets.dedup();
-    let ask = RaceAsk::of(app.document(), field, budgets);
+    let ask = RaceAsk {
+        strict: *strict,
+        ..RaceAsk::of(app.document(), field, budgets)
+    };
     let race = ask
         .answer(&Progress::default())
         .ok_or_else(|| match (input, set) {
@@ -100,16 +102,13 @@ pub fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(
             ));
         }
     }
-    let standing =
-        WaysAsk::of(&ask, &ask.budgets, *strict).and_then(|ways| ways.answer(&Progress::default()));
     if *json {
-        let mut json = study_report::race_json(&ask, &race);
-        json["judged"] = standing.as_ref().map(race_json).into();
+        let json = race_report::race_json(&ask, &race);
         print(out, &format!("{json:#}\n"))
     } else {
-        let won = standing.as_ref().map(Ways::of);
+        let won = Ways::of(&ask, &race, &ask.budgets);
         let lines = won.map_or_else(Vec::new, |ways| ways.notes());
-        print(out, &study_report::race_csv(&ask, &race, &lines))
+        print(out, &race_report::race_csv(&ask, &race, &lines))
     }
 }
 

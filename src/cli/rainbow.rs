@@ -29,6 +29,7 @@ pub fn run(options: &Rainbow, out: &mut dyn Write, inputs: &mut Inputs) -> Resul
         Some(input) => {
             let light = named_light("INPUT", input, inputs)?;
             inputs.note_sampling(*model, false);
+            inputs.note_centres(*model);
             Some(light_of(&subject::about_light(light, *model))?)
         }
         None if at.is_empty() => {

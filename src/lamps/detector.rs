@@ -34,7 +34,7 @@ pub struct WideDecomposition {
 /// Takes a spectrum apart; the lines are those of the default detector.
 pub fn decompose(band: Band, values: &[f64], settings: SpikeSettings) -> WideDecomposition {
     let (found, shapes) = detect_shapes(band, values, settings);
-    let widest = WIDER * settings.max_width_nm;
+    let widest = settings.max_width_nm;
     let mut spikes: Vec<Spike> = shapes
         .iter()
         .map(|shape| as_wide_as_it_is(band, shape, widest))
@@ -52,8 +52,9 @@ pub fn decompose(band: Band, values: &[f64], settings: SpikeSettings) -> WideDec
 }
 
 /// A found line with the stored width whose Gaussian, at the line's place and of its energy, is
-/// nearest to what the detector took out (least squares on the grid), at most `widest_nm`.
-pub fn as_wide_as_it_is(band: Band, shape: &LineShape, widest_nm: f64) -> Spike {
+/// nearest to what the detector took out (least squares on the grid); it may be somewhat wider than
+/// the `max_width_nm` that the detector was asked for.
+pub fn as_wide_as_it_is(band: Band, shape: &LineShape, max_width_nm: f64) -> Spike {
     let spike = |byte: u8| Spike {
         at_nm: shape.spike.at_nm,
         weight: shape.spike.weight,
@@ -77,7 +78,7 @@ pub fn as_wide_as_it_is(band: Band, shape: &LineShape, widest_nm: f64) -> Spike 
         });
         misses.sum::<f64>()
     };
-    let most = byte_of_width(widest_nm);
+    let most = byte_of_width(WIDER * max_width_nm);
     let nearest = |bytes: &mut dyn Iterator<Item = u8>| {
         bytes
             .map(|b| (b, error(b)))
@@ -88,6 +89,20 @@ pub fn as_wide_as_it_is(band: Band, shape: &LineShape, widest_nm: f64) -> Spike 
     let from = coarse.saturating_sub(STRIDE);
     let byte = nearest(&mut (from..=coarse.saturating_add(STRIDE).min(most)));
     spike(byte)
+}
+
+/// A found line as its own Gaussian; nothing where its width is none.
+pub fn bell(band: Band, shape: &LineShape, settings: SpikeSettings) -> Option<LineShape> {
+    let line = as_wide_as_it_is(band, shape, settings.max_width_nm);
+    if line.is_ideal() {
+        return None;
+    }
+    let bell = line.shape(band);
+    Some(LineShape {
+        spike: shape.spike,
+        first: bell.first,
+        residue: bell.values.iter().map(|v| line.weight * v).collect(),
+    })
 }
 
 #[cfg(test)]

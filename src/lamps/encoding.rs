@@ -243,6 +243,21 @@ impl Decoder {
         Ok(())
     }
 
+    /// An encoding's value at one wavelength of the band: known lamps between the points of their
+    /// grid, lines as Gaussians, those of no width left out.
+    pub fn at(&self, encoding: &Encoding, nm: f64) -> f64 {
+        let atoms = encoding.atoms.iter().filter_map(|part| {
+            let atom = self.atom(part.index)?;
+            Some(part.weight * self.band.interpolate(atom, nm))
+        });
+        let lines = encoding.lines.iter().filter(|line| !line.is_ideal());
+        let line = |line: &Spike| {
+            let d = (nm - line.at_nm) / line.width_nm;
+            line.stem_height(line.width_nm) * (-4.0 * std::f64::consts::LN_2 * d * d).exp()
+        };
+        encoding.smooth.at(nm) + atoms.sum::<f64>() + lines.map(line).sum::<f64>()
+    }
+
     fn cosines_into(&self, coefficients: &[f64], values: &mut [f64]) {
         let points = values.len();
         let half = points.div_ceil(2);
@@ -320,6 +335,33 @@ mod tests {
                         .all(|(a, b)| (a - b).abs() < 1e-13)
                 );
             }
+        }
+    }
+
+    #[test]
+    fn a_value_at_one_wavelength_is_that_of_the_whole_spectrum() {
+        let decoder = Decoder::new(Band::VISIBLE);
+        let encoding = Encoding {
+            atoms: vec![AtomWeight {
+                index: 3,
+                weight: 2.0,
+            }],
+            smooth: Series {
+                band: Band::VISIBLE,
+                basis: Basis::Cosine,
+                coefficients: vec![0.01, 0.004, -0.002],
+            },
+            lines: vec![Spike {
+                at_nm: 546.2,
+                weight: 0.5,
+                width_nm: 8.0,
+            }],
+            way: None,
+        };
+        let values = decoder.decode(&encoding).expect("its own band");
+        for (nm, value) in Band::VISIBLE.grid().zip(values) {
+            // The area of a Gaussian sampled each nm, and its foot beyond the shape's reach.
+            assert!((decoder.at(&encoding, nm) - value).abs() < 1e-9, "{nm}");
         }
     }
 

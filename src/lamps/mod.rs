@@ -8,7 +8,7 @@
 //! ask encoder  what is asked, and the encoder; choice: the way to an encoding, work: one light on it
 //!              operators goals columns orthonormal search fit refine today: its parts
 //! judge        the three errors, on what chooses and on what judges
-//! race         the new ways beside the others; standing: what it gave; report: JSON
+//! race         how lights are encoded in the race; report: JSON
 //! ```
 //!
 //! Wavelengths in nm, values in the spectrum's own unit, weights in that unit x nm. Not modelled:
@@ -35,7 +35,6 @@ mod refine;
 mod report;
 mod search;
 mod shipped;
-mod standing;
 mod today;
 mod window;
 mod words;
@@ -44,17 +43,14 @@ mod work;
 pub use ask::{Ask, Count, LeaveOut, NUMBERS};
 pub use choice::Chosen;
 pub use composite::{Composite, Shape, Spike, add_spikes, weigh_spikes};
-pub use detector::{WideDecomposition, as_wide_as_it_is, decompose};
+pub use detector::{WideDecomposition, as_wide_as_it_is, bell, decompose};
 pub use encoder::Encoder;
 pub use encoding::{AtomWeight, Decoder, Encoding};
 pub use error::EncodingError;
 pub use judge::{Errors, Exact, Panel};
-pub use known::{Atom, KnownLamp, atoms_on, known_lamps};
+pub use known::{Atom, KnownLamp, atoms_on, known_lamps, namesakes};
 pub use makeup::{Makeup, Part};
-pub use race::race;
-pub use report::{
-    Encoded, decode_json, encode_json, encode_words, judged, race_json, read_encoding,
-};
+pub use race::Racing;
+pub use report::{Encoded, decode_json, encode_json, encode_words, judged, read_encoding};
 pub use shipped::table;
-pub use standing::{Cell, Entrant, ErrorKind, FIGURES, Standing, Wins, figures};
 pub use words::{from_words, rounded, to_words, words_from_text};

@@ -1,16 +1,14 @@
-//! Encodings and races as JSON; the keys are stable.
+//! Encodings as JSON; the keys are stable.
 
 use serde_json::{Map, Value, json};
 
 use super::{
-    ask::{Count, LeaveOut},
     encoder::Encoder,
     encoding::Encoding,
     error::EncodingError,
     judge::{Errors, Panel},
     known::known_lamps,
     makeup::Makeup,
-    standing::{Entrant, ErrorKind, FIGURES, Standing, figures},
     words::{from_words, rounded, to_words, words_from_text},
 };
 use crate::spectrum::{Band, Basis};
@@ -167,64 +165,4 @@ pub fn read_encoding(text: &str, band: Band) -> Result<(Encoding, Vec<u32>), Enc
         words_from_text(text)?
     };
     Ok((from_words(&words, band)?, words))
-}
-
-/// What `race --json` gains: rows of the new ways and their peers, and per cent of cells won.
-pub fn race_json(standing: &Standing) -> Value {
-    let mut rows = Vec::new();
-    for class in standing.classes() {
-        for (budget, numbers) in standing.budgets.iter().enumerate() {
-            for entrant in Entrant::ALL {
-                let mut row = Map::new();
-                row.insert("set".to_owned(), json!(class));
-                row.insert("numbers".to_owned(), json!(numbers));
-                row.insert("representation".to_owned(), json!(entrant.word()));
-                row.insert("needs_table".to_owned(), json!(entrant.needs_table()));
-                for error in ErrorKind::ALL {
-                    let spread = standing
-                        .spread(class, budget, entrant, error)
-                        .map(|spread| {
-                            let named = FIGURES.into_iter().zip(figures(spread));
-                            named
-                                .map(|(name, v)| (name.to_owned(), json!(v)))
-                                .collect::<Map<_, _>>()
-                        });
-                    row.insert(error.word().to_owned(), json!(spread));
-                }
-                rows.push(Value::Object(row));
-            }
-        }
-    }
-    let ours = [Entrant::KnownLamps, Entrant::WideLines];
-    let cells: Vec<Value> = ours
-        .into_iter()
-        .flat_map(|entrant| {
-            let peers = Entrant::ALL
-                .into_iter()
-                .filter(move |peer| !ours.contains(peer));
-            peers.map(move |peer| (entrant, standing.wins(entrant, peer)))
-        })
-        .map(|(entrant, wins)| {
-            let behind = wins.behind.iter().map(|cell| {
-                json!({
-                    "set": cell.class, "numbers": cell.numbers, "error": cell.error.word(),
-                    "figure": cell.figure, "ours": cell.values[0], "theirs": cell.values[1],
-                })
-            });
-            json!({
-                "representation": entrant.word(), "against": wins.against.word(), "won": wins.won(),
-                "of": wins.of, "per_cent": wins.per_cent(), "behind": behind.collect::<Vec<_>>(),
-            })
-        })
-        .collect();
-    json!({
-        "count": match standing.count { Count::Words => "words", Count::Strict => "strict" },
-        "left_out": match standing.leave_out {
-            LeaveOut::None => "nothing",
-            LeaveOut::Itself => "the light itself",
-            LeaveOut::Likes => "the light, its namesakes and its likes",
-        },
-        "rows": rows,
-        "cells": cells,
-    })
 }

@@ -1,10 +1,11 @@
-//! What to buy with the next two numbers: one more order or one more spike.
+//! What to buy with the next numbers: one more order, one more spike, or widths.
 //!
-//! Both cost the same, so from order 0 on the auction buys whatever lowers the goal most for two
-//! numbers. One purchase alone is short-sighted (a line may only pay once the smooth part has
+//! An order and a spike cost two numbers each. One number alone buys that lines are as wide as they
+//! are: it says so of all of them, since a width shares a word with its line's place. From order 0
+//! on the auction buys whatever lowers the goal most at its price. One purchase alone is short-sighted (a line may only pay once the smooth part has
 //! another order), so every model is followed by all single purchases and the best one by all
 //! pairs; and at every price the plain models are bid too, all orders with none, one, two ... of
-//! the heaviest lines. What is sold at each price is the best model seen at that price, or one
+//! the heaviest lines, ideal and wide. What is sold at each price is the best model seen at that price, or one
 //! within a twentieth of it that keeps what was bought before; otherwise something is given back,
 //! and the step says what. It is never worse than the better of "with" and "without" spikes, and
 //! a price at which nothing better is for sale is left out: every step lowers the error. The
@@ -21,7 +22,7 @@ use super::{
     reference::Reference,
     sweep::{Examined, Subject},
 };
-use crate::spectrum::{Basis, Composite, Spike, basis::numbers_of_order};
+use crate::spectrum::{Basis, Spike, basis::numbers_of_order, spikes::LineShape};
 
 /// What is to be made small: a weighted mix of four errors, each over its value at order 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -189,9 +190,11 @@ pub struct Terms {
     pub numbers: usize,
 }
 
-/// Something that two numbers buy.
+/// Something that numbers buy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purchase {
+    /// That the lines are as wide as they are, for one number.
+    Widths,
     /// The smooth part's next order.
     Order(usize),
     /// A line as a spike (weight over the spectrum's largest value).
@@ -214,6 +217,8 @@ pub struct Step {
     pub order: usize,
     /// The lines that are spikes, heaviest first, as indices into [`Auction::lines`].
     pub lines: Vec<usize>,
+    /// Whether the lines are as wide as they are.
+    pub wide: bool,
     /// Every figure of the model.
     pub verdict: Verdict,
 }
@@ -284,63 +289,130 @@ pub fn hold(subject: &Subject, terms: Terms, progress: &Progress) -> Option<Auct
 
 /// [`hold`] on a subject that was examined already.
 pub fn hold_on(examined: &Examined, terms: Terms, progress: &Progress) -> Option<Auction> {
-    let projected = examined.projected(terms.basis, &examined.shapes);
-    let mut room = Room::new(&examined.reference, &projected, terms)?;
-    let highest = room.most_purchases();
-    progress.expect(highest + 1);
-    for count in 0..=highest {
+    let stock = Stock::new(examined, terms.basis);
+    let mut room = Room::new(&examined.reference, &stock, terms)?;
+    progress.expect(terms.numbers);
+    for numbers in 1..=terms.numbers {
         if progress.is_cancelled() {
             return None;
         }
-        room.bid_plain(count);
-        room.follow(count);
+        room.bid_plain(numbers);
+        room.follow(numbers);
         progress.step();
     }
-    Some(room.close(highest))
+    Some(room.close())
 }
 
-/// A model as a choice: the order and the lines.
+/// A model as a choice: the order, the lines, and whether these have widths.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Choice {
     order: usize,
     lines: Vec<usize>,
+    wide: bool,
 }
 
 impl Choice {
+    const START: Self = Self {
+        order: 0,
+        lines: Vec::new(),
+        wide: false,
+    };
+
+    /// The heaviest lines.
+    fn heaviest(order: usize, lines: usize, wide: bool) -> Self {
+        Self {
+            order,
+            lines: (0..lines).collect(),
+            wide,
+        }
+    }
+
     fn with_order(&self) -> Self {
         Self {
             order: self.order + 1,
-            lines: self.lines.clone(),
+            ..self.clone()
         }
     }
 
     fn with_line(&self, line: usize) -> Option<Self> {
         let at = self.lines.binary_search(&line).err()?;
-        let mut lines = self.lines.clone();
-        lines.insert(at, line);
-        Some(Self {
-            order: self.order,
-            lines,
+        let mut with = self.clone();
+        with.lines.insert(at, line);
+        Some(with)
+    }
+
+    fn with_widths(&self) -> Option<Self> {
+        (!self.wide).then(|| Self {
+            wide: true,
+            ..self.clone()
         })
     }
 
     /// Everything that one purchase makes of it.
     fn next(&self, lines: usize) -> Vec<Self> {
         std::iter::once(self.with_order())
+            .chain(self.with_widths())
             .chain((0..lines).filter_map(|line| self.with_line(line)))
             .collect()
     }
 
-    /// Purchases made.
-    fn count(&self) -> usize {
-        self.order + self.lines.len()
+    /// Numbers it takes.
+    fn numbers(&self) -> usize {
+        numbers_of_order(self.order) + 2 * self.lines.len() + usize::from(self.wide)
     }
 }
 
-/// The saleroom: every model bid so far, by the number of purchases it takes.
+/// What is for sale: the spectrum with its lines ideal, and with those that have a width as bells.
+struct Stock<'a> {
+    ideal: ProjectedSpectrum,
+    wide: ProjectedSpectrum,
+    bells: &'a [Option<LineShape>],
+}
+
+impl<'a> Stock<'a> {
+    fn new(examined: &'a Examined, basis: Basis) -> Self {
+        let projected =
+            |bells: &[Option<LineShape>]| examined.projected_with(basis, &examined.shapes, bells);
+        Self {
+            ideal: projected(&[]),
+            wide: projected(&examined.bells),
+            bells: &examined.bells,
+        }
+    }
+
+    fn bell(&self, line: usize) -> Option<&LineShape> {
+        self.bells.get(line)?.as_ref()
+    }
+
+    /// Whether a model is one: widths are sold with a line that has one.
+    fn has(&self, choice: &Choice) -> bool {
+        !choice.wide || choice.lines.iter().any(|line| self.bell(*line).is_some())
+    }
+
+    /// A model's values on the grid, its lines with a width among them, and the ideal ones.
+    fn model(&self, choice: &Choice, colour_exact: bool) -> (Vec<f64>, Vec<Spike>) {
+        let projected = if choice.wide { &self.wide } else { &self.ideal };
+        let numbers = numbers_of_order(choice.order);
+        let (model, _) = projected.model(numbers, &choice.lines, colour_exact);
+        let mut values = projected.smooth(&model);
+        if !choice.wide {
+            return (values, model.spikes);
+        }
+        let mut ideal = Vec::new();
+        for line in &choice.lines {
+            match self.bell(*line) {
+                Some(bell) => bell.give_back_to(&mut values),
+                None => ideal.push(projected.spike(*line)),
+            }
+        }
+        (values, ideal)
+    }
+}
+
+/// The saleroom: every model bid so far, by the numbers that it takes.
 struct Room<'a> {
     reference: &'a Reference,
-    projected: &'a ProjectedSpectrum,
+    stock: &'a Stock<'a>,
     terms: Terms,
     /// The errors at order 0, which a mixed goal divides by.
     at_start: Verdict,
@@ -349,79 +421,61 @@ struct Room<'a> {
 }
 
 impl<'a> Room<'a> {
-    fn new(
-        reference: &'a Reference,
-        projected: &'a ProjectedSpectrum,
-        terms: Terms,
-    ) -> Option<Self> {
+    fn new(reference: &'a Reference, stock: &'a Stock<'a>, terms: Terms) -> Option<Self> {
         let band = reference.measures().band();
         let mut room = Self {
             reference,
-            projected,
+            stock,
             terms,
             at_start: Verdict::default(),
-            bids: Vec::new(),
+            bids: vec![BTreeMap::new(); terms.numbers + 1],
             highest_order: Basis::highest_order(band).min((terms.numbers - 1) / 2),
         };
-        let (model, smooth) = room.model(&Choice {
-            order: 0,
-            lines: Vec::new(),
-        });
-        room.at_start = terms.goal.errors(reference, &smooth, &model.spikes);
+        let (values, spikes) = stock.model(&Choice::START, terms.colour_exact);
+        room.at_start = terms.goal.errors(reference, &values, &spikes);
         // A goal none of whose parts can be measured (patches of a reflectance) is no goal.
         let mut measures = Goal::MEASURES.into_iter();
         measures.any(|m| room.at_start[m].is_some()).then_some(room)
     }
 
-    /// Purchases that the budget allows.
-    fn most_purchases(&self) -> usize {
-        (self.terms.numbers - 1) / 2
-    }
-
-    fn model(&self, choice: &Choice) -> (Composite, Vec<f64>) {
-        let numbers = numbers_of_order(choice.order);
-        let (model, _) = self
-            .projected
-            .model(numbers, &choice.lines, self.terms.colour_exact);
-        let smooth = self.projected.smooth(&model);
-        (model, smooth)
-    }
-
     fn error(&self, choice: &Choice) -> f64 {
-        let (model, smooth) = self.model(choice);
+        let (values, spikes) = self.stock.model(choice, self.terms.colour_exact);
         let goal = self.terms.goal;
-        let errors = goal.errors(self.reference, &smooth, &model.spikes);
+        let errors = goal.errors(self.reference, &values, &spikes);
         goal.error(&errors, &self.at_start).unwrap_or(0.0)
     }
 
+    fn lines(&self) -> usize {
+        self.stock.ideal.lines()
+    }
+
     fn bid(&mut self, choice: Choice) {
-        let count = choice.count();
-        if count > self.most_purchases() || choice.order > self.highest_order {
+        let numbers = choice.numbers();
+        if numbers > self.terms.numbers
+            || choice.order > self.highest_order
+            || !self.stock.has(&choice)
+        {
             return;
         }
-        if self.bids.len() <= count {
-            self.bids.resize_with(count + 1, BTreeMap::new);
-        }
-        if !self.bids[count].contains_key(&choice) {
+        if !self.bids[numbers].contains_key(&choice) {
             let error = self.error(&choice);
-            self.bids[count].insert(choice, error);
+            self.bids[numbers].insert(choice, error);
         }
     }
 
-    /// The plain models of a price: none, one, two ... of the heaviest lines.
-    fn bid_plain(&mut self, count: usize) {
-        for lines in 0..=count.min(self.projected.lines()) {
-            self.bid(Choice {
-                order: count - lines,
-                lines: (0..lines).collect(),
-            });
+    /// The plain models of a price: none, one, two ... of the heaviest lines. An even count of
+    /// numbers is that of lines with widths.
+    fn bid_plain(&mut self, numbers: usize) {
+        let (count, wide) = ((numbers - 1) / 2, numbers % 2 == 0);
+        for lines in 0..=count.min(self.lines()) {
+            self.bid(Choice::heaviest(count - lines, lines, wide));
         }
     }
 
     /// Every single purchase after the best models of a price, and every pair after the best one.
-    fn follow(&mut self, count: usize) {
-        let lines = self.projected.lines().min(SINGLY);
-        for (place, choice) in self.best_of(count, FOLLOWED).into_iter().enumerate() {
+    fn follow(&mut self, numbers: usize) {
+        let lines = self.lines().min(SINGLY);
+        for (place, choice) in self.best_of(numbers, FOLLOWED).into_iter().enumerate() {
             for next in choice.next(lines) {
                 if place == 0 {
                     for second in next.next(lines) {
@@ -433,14 +487,10 @@ impl<'a> Room<'a> {
         }
     }
 
-    fn best_of(&self, count: usize, most: usize) -> Vec<Choice> {
-        let mut sorted: Vec<(&Choice, f64)> = self
-            .bids
-            .get(count)
-            .into_iter()
-            .flatten()
-            .map(|(choice, error)| (choice, *error))
-            .collect();
+    fn best_of(&self, numbers: usize, most: usize) -> Vec<Choice> {
+        let bids = self.bids[numbers].iter();
+        let mut sorted: Vec<(&Choice, f64)> =
+            bids.map(|(choice, error)| (choice, *error)).collect();
         sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
         sorted
             .into_iter()
@@ -451,13 +501,12 @@ impl<'a> Room<'a> {
 
     /// The best model of a price; one that contains `now` when it is nearly as good and no plain
     /// model is better.
-    fn pick(&self, count: usize, now: &Choice) -> Option<Choice> {
-        let best = self.best_of(count, 1).into_iter().next()?;
-        let bids = &self.bids[count];
+    fn pick(&self, numbers: usize, now: &Choice) -> Option<Choice> {
+        let best = self.best_of(numbers, 1).into_iter().next()?;
+        let bids = &self.bids[numbers];
         let is_plain = |choice: &Choice| {
             let lines = choice.lines.len();
-            (lines == 0 || lines == self.projected.lines())
-                && choice.lines.iter().copied().eq(0..lines)
+            (lines == 0 || lines == self.lines()) && choice.lines.iter().copied().eq(0..lines)
         };
         let bar = bids
             .iter()
@@ -465,7 +514,9 @@ impl<'a> Room<'a> {
             .map(|(_, error)| *error)
             .fold(bids[&best] * (1.0 + LOYALTY), f64::min);
         let contains = |choice: &Choice| {
-            choice.order >= now.order && now.lines.iter().all(|line| choice.lines.contains(line))
+            choice.order >= now.order
+                && choice.wide >= now.wide
+                && now.lines.iter().all(|line| choice.lines.contains(line))
         };
         bids.iter()
             .filter(|(choice, error)| **error <= bar && contains(choice))
@@ -475,20 +526,17 @@ impl<'a> Room<'a> {
     }
 
     /// Reads the path off the bids.
-    fn close(self, highest: usize) -> Auction {
+    fn close(self) -> Auction {
         let mut steps: Vec<Step> = Vec::new();
         let mut best = f64::INFINITY;
-        let mut now = Choice {
-            order: 0,
-            lines: Vec::new(),
-        };
-        let start = self.bids[0].values().copied().next().unwrap_or(0.0);
-        for count in 0..=highest {
-            let Some(choice) = self.pick(count, &now) else {
+        let mut now = Choice::START;
+        let start = self.bids[1].values().copied().next().unwrap_or(0.0);
+        for numbers in 1..=self.terms.numbers {
+            let Some(choice) = self.pick(numbers, &now) else {
                 continue;
             };
-            let error = self.bids[count][&choice];
-            if error >= best - ROUNDING * start && count > 0 {
+            let error = self.bids[numbers][&choice];
+            if error >= best - ROUNDING * start && numbers > 1 {
                 continue;
             }
             best = error;
@@ -501,23 +549,18 @@ impl<'a> Room<'a> {
         let plain = |lines: usize| -> Vec<Bid> {
             (0..=self.highest_order)
                 .filter_map(|order| {
-                    let choice = Choice {
-                        order,
-                        lines: (0..lines).collect(),
-                    };
-                    let error = self.bids.get(choice.count())?.get(&choice)?;
-                    Some(Bid {
-                        numbers: 1 + 2 * choice.count(),
-                        error: *error,
-                    })
+                    let choice = Choice::heaviest(order, lines, false);
+                    let numbers = choice.numbers();
+                    let error = *self.bids.get(numbers)?.get(&choice)?;
+                    Some(Bid { numbers, error })
                 })
                 .collect()
         };
         Auction {
-            with: plain(self.projected.lines()),
+            with: plain(self.lines()),
             without: plain(0),
-            lines: (0..self.projected.lines())
-                .map(|i| self.projected.spike(i))
+            lines: (0..self.lines())
+                .map(|i| self.stock.ideal.spike(i))
                 .collect(),
             steps,
             ended: if spent {
@@ -532,20 +575,23 @@ impl<'a> Room<'a> {
         let only_in = |a: &Choice, b: &Choice| -> Vec<Purchase> {
             let orders = (b.order + 1..=a.order).map(Purchase::Order);
             let lines = a.lines.iter().filter(|line| !b.lines.contains(line));
+            let widths = (a.wide && !b.wide).then_some(Purchase::Widths);
             lines
-                .map(|line| Purchase::Spike(self.projected.spike(*line)))
+                .map(|line| Purchase::Spike(self.stock.ideal.spike(*line)))
+                .chain(widths)
                 .chain(orders)
                 .collect()
         };
-        let (model, smooth) = self.model(now);
+        let (values, spikes) = self.stock.model(now, self.terms.colour_exact);
         Step {
             bought: only_in(now, before),
             gave_back: only_in(before, now),
-            numbers: model.numbers(),
+            numbers: now.numbers(),
             error,
             order: now.order,
             lines: now.lines.clone(),
-            verdict: self.reference.verdict(&smooth, &model.spikes),
+            wide: now.wide,
+            verdict: self.reference.verdict(&values, &spikes),
         }
     }
 }

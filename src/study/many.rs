@@ -1,12 +1,10 @@
 //! Error against order for many lights: which order is enough for how many of them.
 
-use std::sync::{
-    Arc, Mutex,
-    atomic::{AtomicUsize, Ordering},
-};
+use std::sync::Arc;
 
 use super::{
     measure::Measure,
+    parallel::{in_parallel, processors},
     progress::Progress,
     race::Lamp,
     reference::Measures,
@@ -63,46 +61,23 @@ impl ManyLights {
     ) -> Option<Self> {
         let highest_order = highest_order.min(Basis::highest_order(measures.band()));
         progress.expect(lamps.len());
-        let next = AtomicUsize::new(0);
-        let found: Mutex<Vec<(usize, SweptLight)>> = Mutex::new(Vec::new());
-        let work = || {
-            loop {
-                let place = next.fetch_add(1, Ordering::Relaxed);
-                let Some(lamp) = lamps.get(place).filter(|_| !progress.is_cancelled()) else {
-                    return;
-                };
-                let subject = Subject {
-                    measures: measures.clone(),
-                    values: lamp.values.clone(),
-                    under: None,
-                    spikes,
-                };
-                let examined = Examined::of(&subject, numbers_of_order(highest_order));
-                let points =
-                    examined.and_then(|light| light.every_way(highest_order, progress, || {}));
-                if let Some(points) = points {
-                    let light = SweptLight {
-                        name: lamp.name.clone(),
-                        class: lamp.class.clone(),
-                        points,
-                    };
-                    // A thread that panicked holds no half-written result: each push is whole.
-                    let mut found = found.lock().unwrap_or_else(|e| e.into_inner());
-                    found.push((place, light));
-                }
-                progress.step();
-            }
+        let swept = |lamp: &Lamp| {
+            let subject = Subject {
+                measures: measures.clone(),
+                values: lamp.values.clone(),
+                under: None,
+                spikes,
+                bell: None,
+            };
+            let examined = Examined::of(&subject, numbers_of_order(highest_order))?;
+            Some(SweptLight {
+                name: lamp.name.clone(),
+                class: lamp.class.clone(),
+                points: examined.every_way(highest_order, progress, || {})?,
+            })
         };
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        std::thread::scope(|scope| {
-            for _ in 1..threads {
-                scope.spawn(work);
-            }
-            work();
-        });
-        let mut found = found.into_inner().unwrap_or_else(|e| e.into_inner());
-        found.sort_by_key(|(place, _)| *place);
-        let lights: Vec<SweptLight> = found.into_iter().map(|(_, light)| light).collect();
+        let found = in_parallel(lamps, processors(), progress, swept)?;
+        let lights: Vec<SweptLight> = found.into_iter().flatten().collect();
         (!progress.is_cancelled() && !lights.is_empty()).then(|| Self {
             dark: lamps.len() - lights.len(),
             lights,
@@ -195,6 +170,7 @@ mod tests {
             values: lamps()[2].values.clone(),
             under: None,
             spikes,
+            bell: None,
         };
         let progress = Progress::default();
         let alone = Sweep::of(&alone, 30, Basis::Cosine, false, &progress).expect("a sweep");

@@ -62,18 +62,34 @@ impl ProjectedSpectrum {
         shapes: &[LineShape],
         seen: &[Vec<f64>; 3],
     ) -> Self {
+        Self::with_bells(fit_basis, values, shapes, &[], seen)
+    }
+
+    /// The same where lines have bells: such a line takes its bell out of the spectrum, and its
+    /// colour is that of the bell. It is for who asked to add the bell where the model has its
+    /// spike.
+    pub fn with_bells(
+        fit_basis: &FitBasis,
+        values: &[f64],
+        shapes: &[LineShape],
+        bells: &[Option<LineShape>],
+        seen: &[Vec<f64>; 3],
+    ) -> Self {
         let (table, band) = (&fit_basis.table, fit_basis.table.band());
         let numbers = table.numbers();
         let lines = shapes
             .iter()
-            .map(|shape| {
+            .enumerate()
+            .map(|(i, shape)| {
+                let bell = bells.get(i).and_then(Option::as_ref);
                 let mut taken = vec![0.0; band.points()];
-                taken[shape.first..][..shape.residue.len()].copy_from_slice(&shape.residue);
+                bell.unwrap_or(shape).give_back_to(&mut taken);
                 ProjectedLine {
                     spike: shape.spike,
                     coefficients: table.project(&taken, numbers),
-                    xyz: std::array::from_fn(|k| {
-                        shape.spike.weight * band.interpolate(&seen[k], shape.spike.at_nm)
+                    xyz: seen.each_ref().map(|seen| match bell {
+                        Some(_) => band.inner(&taken, seen),
+                        None => shape.spike.weight * band.interpolate(seen, shape.spike.at_nm),
                     }),
                 }
             })

@@ -6,24 +6,20 @@
 //! colour-exact reflectance has the exact X, Y, Z of the equal-energy light, since it is not
 //! known under which light it will be seen.
 //!
-//! Beside the patches, a second set judges that took no part in any choice.
+//! Beside the patches, a second set judges that took no part in any choice, and so do narrow
+//! filters between those that choose.
 
 use std::{
     hint::black_box,
-    sync::{
-        Arc, Mutex,
-        atomic::{AtomicUsize, Ordering},
-    },
     time::{Duration, Instant},
 };
 
 use super::{
-    error::Spread,
-    measure::{ByMeasure, Measure, Verdict},
+    measure::Measure,
+    parallel::{in_parallel, processors},
     progress::Progress,
     projected_spectrum::{FitBasis, ProjectedSpectrum},
-    reference::{Measures, Reference, scaled_to_one},
-    training::Training,
+    reference::{Behind, FIRST_CHECK_NM, Reference, narrow_filters, scaled_to_one},
     way::Way,
 };
 use crate::{
@@ -31,246 +27,22 @@ use crate::{
         Lab,
         patches::{PatchSet, difference},
     },
-    rivals::{Bounds, Family, FitTables, PrincipalBasis, Rival},
-    spectrum::{Basis, Series, Spike, SpikeSettings, product::chain, spikes::detect_shapes},
+    rivals::{Bounds, Family, FitTables, Rival},
+    spectrum::{Basis, Series, Spike, product::chain, spikes::detect_shapes},
 };
 
-/// Who races.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Racer {
-    /// A composite, or its smooth part alone.
-    Composite(Way),
-    /// Another representation.
-    Rival(Family),
-    /// For each light the composite that is best on the patches: what the program would choose.
-    Chosen,
-}
-
-impl Racer {
-    /// Everybody, composites first.
-    pub fn all() -> impl Iterator<Item = Self> + Clone {
-        Way::ALL
-            .into_iter()
-            .map(Self::Composite)
-            .chain(Family::ALL.into_iter().map(Self::Rival))
-            .chain([Self::Chosen])
-    }
-
-    /// The word used in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Composite(way) => way.word(),
-            Self::Rival(family) => family.about().word,
-            Self::Chosen => "chosen",
-        }
-    }
-
-    /// In words for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Composite(way) => way.title(),
-            Self::Rival(family) => family.about().title,
-            Self::Chosen => "Best composite, chosen per light",
-        }
-    }
-
-    /// Whether fewer numbers are a prefix of more: one fit, truncated at will. With spikes the
-    /// smooth part's numbers depend on which lines were taken out.
-    pub fn is_prefix(self) -> bool {
-        match self {
-            Self::Composite(way) => !way.spikes && !way.colour_exact,
-            // Another count may be fitted with the table of another class.
-            Self::Rival(Family::Principal) | Self::Chosen => false,
-            Self::Rival(family) => family.is_prefix(),
-        }
-    }
-
-    /// Whether its numbers mean nothing without a table that is not counted among them.
-    pub fn needs_table(self) -> bool {
-        matches!(self, Self::Rival(family) if family.needs_table())
-    }
-}
-
-/// A light in the race.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Lamp {
-    /// Its name.
-    pub name: String,
-    /// The class it is counted in.
-    pub class: String,
-    /// Its values on the band's grid.
-    pub values: Vec<f64>,
-}
-
-/// Everything that a race is run on, all on one band.
-#[derive(Clone, Debug)]
-pub struct Course {
-    /// Measures with the patches that choose.
-    pub measures: Arc<Measures>,
-    /// The patches' reflectances.
-    pub patches: Vec<Vec<f64>>,
-    /// Reflectances that judge without having taken part in a choice.
-    pub check: Vec<Vec<f64>>,
-    /// Components for lights.
-    pub lights: Arc<Training>,
-    /// Components for reflectances, trained without patches and check.
-    pub reflectances: Arc<PrincipalBasis>,
-    /// How lines are looked for.
-    pub spikes: SpikeSettings,
-    /// Counts of numbers, rising.
-    pub budgets: Vec<usize>,
-}
-
-/// How one racer did on one light at one count.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Run {
-    /// Numbers it took, at most the budget.
-    pub numbers: usize,
-    /// Spikes among them (two numbers each).
-    pub spikes: usize,
-    /// Its errors.
-    pub verdict: Verdict,
-    /// Mean CIEDE2000 of the check reflectances.
-    pub check: Option<f64>,
-}
-
-/// What a racer costs at one count, measured in this run on [`Race::cost_of`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Cost {
-    /// Bytes of the stored numbers of one spectrum.
-    pub bytes: usize,
-    /// Values that a product multiplies.
-    pub points: usize,
-    /// From the stored numbers of a light and a reflectance to their product's values, ns.
-    pub ns_per_product: f64,
-    /// One value at one wavelength, ns.
-    pub ns_per_evaluation: f64,
-}
-
-/// A whole race.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Race {
-    /// Names and classes of the lights that shine.
-    pub lamps: Vec<(String, String)>,
-    /// Counts of numbers, rising.
-    pub budgets: Vec<usize>,
-    /// Everybody who ran.
-    pub racers: Vec<Racer>,
-    /// The light that costs were measured on: that with most lines, so that spikes cost.
-    pub cost_of: String,
-    /// By light, then count, then racer.
-    runs: Vec<Run>,
-    /// By count, then racer.
-    costs: Vec<Option<Cost>>,
-}
-
-/// One line of the result.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Who.
-    pub racer: Racer,
-    /// The budget.
-    pub numbers: usize,
-    /// Lights counted.
-    pub lamps: usize,
-    /// Every figure over the lights.
-    pub spreads: ByMeasure<Option<Spread>>,
-    /// Mean of the check reflectances.
-    pub check: Option<Spread>,
-    /// Share of the lights that dip below -0.1 % of their peak.
-    pub negative_lobes: f64,
-    /// What it costs; nothing of its own for [`Racer::Chosen`].
-    pub cost: Option<Cost>,
-}
-
-/// A dip below zero that counts, as a share of the peak.
-const A_LOBE: f64 = 1e-3;
-
-impl Race {
-    /// How a racer did on a light at a count, by their places.
-    pub fn run(&self, lamp: usize, budget: usize, racer: usize) -> &Run {
-        &self.runs[(lamp * self.budgets.len() + budget) * self.racers.len() + racer]
-    }
-
-    /// What a racer costs at a count, by their places.
-    pub fn cost(&self, budget: usize, racer: usize) -> Option<Cost> {
-        self.costs[budget * self.racers.len() + racer]
-    }
-
-    /// The classes in the order of their first light.
-    pub fn classes(&self) -> Vec<&str> {
-        let mut classes: Vec<&str> = Vec::new();
-        for (_, class) in &self.lamps {
-            if !classes.contains(&class.as_str()) {
-                classes.push(class);
-            }
-        }
-        classes
-    }
-
-    /// The lights of a class, by place; of all classes without one.
-    pub fn of_class<'a>(&'a self, class: Option<&'a str>) -> impl Iterator<Item = usize> + 'a {
-        let wanted = move |own: &str| class.is_none_or(|class| class == own);
-        (0..self.lamps.len()).filter(move |i| wanted(&self.lamps[*i].1))
-    }
-
-    /// A figure over a class (or all) at a count; `None` where no light has it.
-    pub fn spread(
-        &self,
-        class: Option<&str>,
-        budget: usize,
-        racer: usize,
-        measure: Measure,
-    ) -> Option<Spread> {
-        let error = |lamp: usize| self.run(lamp, budget, racer).verdict[measure];
-        Spread::of(&self.of_class(class).filter_map(error).collect::<Vec<_>>())
-    }
-
-    /// A racer's line over a class (or all) at a count.
-    pub fn row(&self, class: Option<&str>, budget: usize, racer: usize) -> Row {
-        let run = |lamp: usize| self.run(lamp, budget, racer);
-        let runs: Vec<&Run> = self.of_class(class).map(run).collect();
-        let checks: Vec<f64> = runs.iter().filter_map(|run| run.check).collect();
-        let dips = |run: &&&Run| run.verdict[Measure::Lowest].is_some_and(|low| low < -A_LOBE);
-        Row {
-            racer: self.racers[racer],
-            numbers: self.budgets[budget],
-            lamps: runs.len(),
-            spreads: ByMeasure::from_fn(|measure| self.spread(class, budget, racer, measure)),
-            check: Spread::of(&checks),
-            negative_lobes: runs.iter().filter(dips).count() as f64 / runs.len().max(1) as f64,
-            cost: self.cost(budget, racer),
-        }
-    }
-
-    /// The racer with the least error on one light; [`Racer::Chosen`] is one of the others again
-    /// and does not count.
-    pub fn winner_on(&self, lamp: usize, budget: usize, measure: Measure) -> Option<Racer> {
-        self.best(|racer| self.run(lamp, budget, racer).verdict[measure])
-    }
-
-    /// The racer with the least median over a class (or all).
-    pub fn winner_of(&self, class: Option<&str>, budget: usize, measure: Measure) -> Option<Racer> {
-        self.best(|racer| {
-            let spread = self.spread(class, budget, racer, measure);
-            spread.map(|spread| spread.median)
-        })
-    }
-
-    fn best(&self, error: impl Fn(usize) -> Option<f64>) -> Option<Racer> {
-        (0..self.racers.len())
-            .filter(|racer| self.racers[*racer] != Racer::Chosen)
-            .filter_map(|racer| Some((racer, error(racer)?)))
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(racer, _)| self.racers[racer])
-    }
-}
+pub use super::{
+    race_cells::{Cell, FIGURES, Judged, Wins, figures},
+    race_result::{Cost, Course, Encode, Encoded, Lamp, Race, Racer, Row, Run},
+};
 
 /// A light ready to race.
 struct Runner {
     reference: Reference,
     check: Vec<Lab>,
-    name: String,
+    check_filters: Behind,
+    /// The light with 1 as its largest value.
+    lamp: Lamp,
     /// In the order of [`Basis::ALL`].
     projected: [ProjectedSpectrum; 2],
 }
@@ -280,7 +52,7 @@ struct Stable<'a> {
     course: &'a Course,
     bases: [FitBasis; 2],
     fit_tables: FitTables,
-    check: PatchSet,
+    check_filters: PatchSet,
     runners: Vec<Runner>,
     names: Vec<String>,
 }
@@ -290,56 +62,35 @@ struct Likeness {
     smooth: Vec<f64>,
     spikes: Vec<Spike>,
     numbers: usize,
+    /// Lines among the numbers, also those that stand in the values.
+    lines: usize,
 }
 
-/// Runs the race on both processors; `None` when it was cancelled or no light shines.
+/// What reflectances are beside lights of known lamps and wide lines.
+const COLOUR_EXACT: Way = Way::new(Basis::Cosine, false, true);
+
+/// Runs the race on all processors; `None` when it was cancelled or no light shines.
 ///
 /// The time grows in proportion to the lights.
 pub fn run(course: &Course, lamps: &[Lamp], progress: &Progress) -> Option<Race> {
-    let racers: Vec<Racer> = Racer::all().collect();
+    let races = |racer: &Racer| course.encoder.is_some() || !Racer::ENCODED.contains(racer);
+    let racers: Vec<Racer> = Racer::all().filter(races).collect();
     let tasks: Vec<(usize, usize)> = (0..course.budgets.len())
         .flat_map(|budget| (0..racers.len()).map(move |racer| (budget, racer)))
         .collect();
     progress.expect(2 * tasks.len() + lamps.len());
     let (stable, shining) = Stable::new(course, lamps, progress)?;
-    let next = AtomicUsize::new(0);
-    let found: Mutex<Vec<(usize, Vec<Run>)>> = Mutex::new(Vec::new());
-    let work = || {
-        while let Some((budget, racer)) = tasks.get(next.fetch_add(1, Ordering::Relaxed)) {
-            if progress.is_cancelled() {
-                return;
-            }
-            let runs = stable.all_runs(racers[*racer], course.budgets[*budget]);
-            let place = budget * racers.len() + racer;
-            // A thread that panicked holds no half-written result: each push is whole.
-            let mut found = found.lock().unwrap_or_else(|e| e.into_inner());
-            found.push((place, runs));
-            drop(found);
-            progress.step();
-        }
-    };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 1..threads {
-            scope.spawn(work);
-        }
-        work();
-    });
-    let found = found.into_inner().unwrap_or_else(|e| e.into_inner());
-    if progress.is_cancelled() || found.len() < tasks.len() {
-        return None;
-    }
+    let by_task = in_parallel(&tasks, processors(), progress, |(budget, racer)| {
+        stable.all_runs(racers[*racer], course.budgets[*budget], progress)
+    })?;
     // By task, from each its lights; wanted by light, from each its tasks.
-    let mut by_task: Vec<Vec<Run>> = vec![Vec::new(); tasks.len()];
-    for (place, runs) in found {
-        by_task[place] = runs;
-    }
     let mut runs = Vec::with_capacity(shining.len() * tasks.len());
     for lamp in 0..shining.len() {
         for budget in 0..course.budgets.len() {
             let here = &by_task[budget * racers.len()..][..racers.len()];
-            let choice = chosen(&racers, |racer| here[racer].get(lamp));
-            runs.extend(here.iter().map(|runs| runs.get(lamp).or(choice).copied()));
+            let of = |racer: usize| here[racer].get(lamp)?.as_ref();
+            let choice = chosen(&racers, of);
+            runs.extend((0..racers.len()).map(|racer| of(racer).or(choice).copied()));
         }
     }
     let mut costs = Vec::with_capacity(tasks.len());
@@ -352,7 +103,7 @@ pub fn run(course: &Course, lamps: &[Lamp], progress: &Progress) -> Option<Race>
     }
     Some(Race {
         lamps: shining,
-        cost_of: stable.most_lines().name.clone(),
+        cost_of: stable.most_lines().lamp.name.clone(),
         budgets: course.budgets.clone(),
         racers,
         runs: runs.into_iter().collect::<Option<Vec<Run>>>()?,
@@ -381,7 +132,8 @@ impl<'a> Stable<'a> {
         let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, most, &measures.seen));
         let names: Vec<String> = (0..course.check.len()).map(|i| i.to_string()).collect();
         let check = PatchSet::new(&course.check, names.clone(), band, observer);
-        let (mut runners, mut shining) = (Vec::new(), Vec::new());
+        let check_filters = narrow_filters(band, observer, FIRST_CHECK_NM);
+        let mut runners: Vec<Runner> = Vec::new();
         for lamp in lamps {
             if progress.is_cancelled() {
                 return None;
@@ -391,33 +143,41 @@ impl<'a> Stable<'a> {
                 continue;
             };
             let reference = Reference::of_light(measures, &values);
-            let (_, shapes) = detect_shapes(band, &values, course.spikes);
+            let lamp = Lamp {
+                values,
+                ..lamp.clone()
+            };
+            let values = &lamp.values;
+            let (_, shapes) = detect_shapes(band, values, course.spikes);
             runners.push(Runner {
-                check: reference.labs_of(&check, &values, &[]),
-                name: lamp.name.clone(),
+                check: reference.labs_of(&check, values, &[]),
+                check_filters: reference.exact_behind(&check_filters),
                 projected: std::array::from_fn(|i| {
-                    ProjectedSpectrum::new(&bases[i], &values, &shapes, &measures.seen)
+                    ProjectedSpectrum::new(&bases[i], values, &shapes, &measures.seen)
                 }),
                 reference,
+                lamp,
             });
-            shining.push((lamp.name.clone(), lamp.class.clone()));
         }
         if runners.is_empty() {
             return None;
         }
+        let named = |runner: &Runner| (runner.lamp.name.clone(), runner.lamp.class.clone());
+        let shining = runners.iter().map(named).collect();
         let stable = Self {
             fit_tables: FitTables::new(band, most),
             course,
             bases,
-            check,
+            check_filters,
             runners,
             names,
         };
         Some((stable, shining))
     }
 
-    /// Every light's run, in their order; none for [`Racer::Chosen`], which is read off later.
-    fn all_runs(&self, racer: Racer, numbers: usize) -> Vec<Run> {
+    /// Every light's run, in their order. None for [`Racer::Chosen`] and where an encoder has
+    /// nothing: what is left there is the choice among the composites, read off later.
+    fn all_runs(&self, racer: Racer, numbers: usize, progress: &Progress) -> Vec<Option<Run>> {
         if racer == Racer::Chosen {
             return Vec::new();
         }
@@ -432,29 +192,48 @@ impl<'a> Stable<'a> {
         };
         let patches = set(&self.course.patches, measures.patches.names());
         let check = set(&self.course.check, &self.names);
-        self.runners
-            .iter()
+        let wanted = self.runners.iter().take_while(|_| !progress.is_cancelled());
+        wanted
             .map(|runner| {
-                let Likeness {
-                    smooth,
-                    spikes,
-                    numbers,
-                } = self.light(runner, racer, numbers);
-                let labs = runner.reference.labs_of(&check, &smooth, &spikes);
-                let verdict = runner.reference.verdict_through(&smooth, &spikes, &patches);
-                Run {
-                    numbers,
-                    spikes: spikes.len(),
-                    check: verdict[Measure::Own]
-                        .filter(|_| !self.check.is_empty())
-                        .map(|_| difference(&runner.check, &labs).mean),
-                    verdict,
-                }
+                let likeness = self.light(runner, racer, numbers)?;
+                Some(self.judged(runner, &likeness, &patches, &check))
             })
             .collect()
     }
 
-    fn light(&self, runner: &Runner, racer: Racer, numbers: usize) -> Likeness {
+    fn judged(
+        &self,
+        runner: &Runner,
+        likeness: &Likeness,
+        patches: &PatchSet,
+        check: &PatchSet,
+    ) -> Run {
+        let Likeness {
+            smooth,
+            spikes,
+            numbers,
+            lines,
+        } = likeness;
+        let reference = &runner.reference;
+        let verdict = reference.verdict_through(smooth, spikes, patches);
+        let has_check = verdict[Measure::Own].is_some() && !self.course.check.is_empty();
+        let labs = || reference.labs_of(check, smooth, spikes);
+        Run {
+            numbers: *numbers,
+            spikes: *lines,
+            check: has_check.then(|| difference(&runner.check, &labs()).mean),
+            check_filters: reference.behind(
+                &runner.check_filters,
+                &self.check_filters,
+                smooth,
+                spikes,
+            ),
+            verdict,
+        }
+    }
+
+    /// The representation of a light; nothing for [`Racer::Chosen`] and where an encoder has none.
+    fn light(&self, runner: &Runner, racer: Racer, numbers: usize) -> Option<Likeness> {
         match racer {
             Racer::Composite(way) => {
                 let projected = &runner.projected[place(way.basis)];
@@ -466,33 +245,45 @@ impl<'a> Stable<'a> {
                 let lines: Vec<usize> = (0..lines).collect();
                 let smooth_numbers = numbers - 2 * lines.len();
                 let (model, _) = projected.model(smooth_numbers, &lines, way.colour_exact);
-                Likeness {
+                Some(Likeness {
                     smooth: projected.smooth(&model),
                     numbers: model.numbers(),
+                    lines: lines.len(),
                     spikes: model.spikes,
-                }
+                })
+            }
+            Racer::WideLines | Racer::KnownLamps => {
+                let encoded = self.encoded(runner, racer, numbers)?;
+                Some(Likeness {
+                    smooth: encoded.on_band(),
+                    spikes: Vec::new(),
+                    numbers: encoded.numbers(),
+                    lines: encoded.lines(),
+                })
             }
             Racer::Rival(family) => {
                 let rival = self.rival(family, runner, numbers);
-                Likeness {
+                Some(Likeness {
                     smooth: rival.on_band(),
                     spikes: Vec::new(),
                     numbers: rival.numbers(),
-                }
+                    lines: 0,
+                })
             }
-            Racer::Chosen => Likeness {
-                smooth: runner.reference.measured().to_vec(),
-                spikes: Vec::new(),
-                numbers: 0,
-            },
+            Racer::Chosen => None,
         }
+    }
+
+    fn encoded(&self, runner: &Runner, racer: Racer, numbers: usize) -> Option<Box<dyn Encoded>> {
+        let encoder = self.course.encoder.as_ref()?;
+        encoder.encoded(&runner.lamp, numbers, racer == Racer::KnownLamps)
     }
 
     fn rival(&self, family: Family, runner: &Runner, numbers: usize) -> Rival {
         let values = runner.reference.measured();
         let lights = &self.course.lights;
         let basis = match family {
-            Family::Principal => lights.basis_for(&runner.name, values, numbers),
+            Family::Principal => lights.basis_for(&runner.lamp.name, values, numbers),
             _ => &self.course.reflectances,
         };
         self.fit_tables
@@ -518,6 +309,10 @@ impl<'a> Stable<'a> {
                 let series = self.reflectance_series(way, values, numbers);
                 let table = &self.bases[place(way.basis)].table;
                 table.evaluate(&series.coefficients)
+            }
+            // The light's lines and lamps are no help with a reflectance.
+            Racer::WideLines | Racer::KnownLamps => {
+                self.reflectance_values(Racer::Composite(COLOUR_EXACT), values, numbers)
             }
             Racer::Rival(family) => self.rival_reflectance(family, values, numbers).on_band(),
             Racer::Chosen => values.to_vec(),
@@ -562,6 +357,25 @@ impl<'a> Stable<'a> {
                     ns_per_product: nanoseconds(product),
                     ns_per_evaluation: nanoseconds(|| {
                         black_box(model.smooth.at(black_box(546.1)));
+                    }),
+                })
+            }
+            Racer::WideLines | Racer::KnownLamps => {
+                let light = self.encoded(runner, racer, numbers)?;
+                let factor = self.reflectance_series(COLOUR_EXACT, reflectance, numbers);
+                let table = &self.bases[place(COLOUR_EXACT.basis)].table;
+                let product = || {
+                    let (a, b) = (black_box(&light).on_band(), black_box(&factor));
+                    let b = table.evaluate(&b.coefficients);
+                    let both: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a * b).collect();
+                    black_box(both);
+                };
+                Some(Cost {
+                    bytes: light.bytes(),
+                    points: flat.len(),
+                    ns_per_product: nanoseconds(product),
+                    ns_per_evaluation: nanoseconds(|| {
+                        black_box(light.at(black_box(546.1)));
                     }),
                 })
             }

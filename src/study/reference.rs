@@ -31,9 +31,43 @@ const FILTER_Y: f64 = 50.0;
 /// Most that light behind a narrow filter is brightened by, against Y = 100 for the light.
 const MOST_GAIN: f64 = 50.0;
 
+/// The first of the narrow filters that choose, nm.
+const FIRST_NM: f64 = 420.0;
+
+/// The first of those that take no part in a choice, nm.
+pub const FIRST_CHECK_NM: f64 = 425.0;
+
 /// Centres of the narrow filters, nm.
 pub fn filter_centres() -> impl Iterator<Item = f64> {
-    (42..=67).map(|tens| f64::from(10 * tens))
+    centres_from(FIRST_NM)
+}
+
+/// 26 centres, one each 10 nm.
+fn centres_from(first_nm: f64) -> impl Iterator<Item = f64> {
+    (0..26).map(move |i| first_nm + 10.0 * f64::from(i))
+}
+
+/// Narrow filters, one each 10 nm, as far as their centres lie in the band.
+pub fn narrow_filters(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
+    let narrow = |centre_nm: f64| -> Vec<f64> {
+        let bell = |nm: f64| {
+            let x = (nm - centre_nm) / FILTER_NM;
+            (-4.0 * std::f64::consts::LN_2 * x * x).exp()
+        };
+        band.grid().map(bell).collect()
+    };
+    let inside = || centres_from(first_nm).filter(|nm| band.contains(*nm));
+    let filters: Vec<Vec<f64>> = inside().map(narrow).collect();
+    let names = inside().map(|nm| format!("{nm} nm")).collect();
+    PatchSet::new(&filters, names, band, observer)
+}
+
+/// The exact light behind narrow filters.
+#[derive(Clone, Debug)]
+pub struct Behind {
+    labs: Vec<Lab>,
+    /// What the light behind each is brightened by.
+    gains: Vec<f64>,
 }
 
 /// What is shared by all spectra that are judged on one band for one observer.
@@ -53,19 +87,9 @@ impl Measures {
     /// Measures with these patches (exact, on the band's grid).
     pub fn new(patches: PatchSet) -> Self {
         let (band, observer): (Band, Observer) = (patches.band(), patches.observer());
-        let narrow = |centre_nm: f64| -> Vec<f64> {
-            let bell = |nm: f64| {
-                let x = (nm - centre_nm) / FILTER_NM;
-                (-4.0 * std::f64::consts::LN_2 * x * x).exp()
-            };
-            band.grid().map(bell).collect()
-        };
-        let inside = || filter_centres().filter(|nm| band.contains(*nm));
-        let filters: Vec<Vec<f64>> = inside().map(narrow).collect();
-        let names = inside().map(|nm| format!("{nm} nm")).collect();
         Self {
             blur: Blur::new(band, BLUR_NM),
-            filters: PatchSet::new(&filters, names, band, observer),
+            filters: narrow_filters(band, observer, FIRST_NM),
             seen: observer.table().on_band(band),
             patches,
         }
@@ -94,8 +118,7 @@ pub struct Reference {
     own: Option<Lab>,
     /// Labs of the patches; `None` when there are none to see.
     patches: Option<Vec<Lab>>,
-    /// Labs behind the filters and the gain of each.
-    filters: Option<(Vec<Lab>, Vec<f64>)>,
+    filters: Option<Behind>,
     square: f64,
     blurred: Vec<f64>,
     blurred_square: f64,
@@ -112,15 +135,7 @@ impl Reference {
             return reference;
         }
         reference.patches = Some(reference.labs_of(&measures.patches, measured, &[]));
-        let filters = &measures.filters;
-        let mut exact = filters.buffer();
-        filters.xyz_into(measured, &mut exact);
-        let gains: Vec<f64> = exact
-            .iter()
-            .map(|xyz| (FILTER_Y * reference.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN))
-            .collect();
-        let labs = reference.filtered(&mut exact, &gains);
-        reference.filters = Some((labs, gains));
+        reference.filters = Some(reference.exact_behind(&measures.filters));
         reference
     }
 
@@ -247,14 +262,41 @@ impl Reference {
     }
 
     fn filters(&self, smooth: &[f64], spikes: &[Spike]) -> Option<f64> {
-        let (exact, gains) = self.filters.as_ref().filter(|f| !f.0.is_empty())?;
-        let filters = &self.measures.filters;
+        let exact = self.filters.as_ref()?;
+        self.behind(exact, &self.measures.filters, smooth, spikes)
+    }
+
+    /// The light itself behind any narrow filters.
+    pub fn exact_behind(&self, filters: &PatchSet) -> Behind {
+        let mut exact = filters.buffer();
+        filters.xyz_into(&self.measured, &mut exact);
+        let gain =
+            |xyz: &[f64; 3]| (FILTER_Y * self.white.y / (100.0 * xyz[1].max(0.0))).min(MOST_GAIN);
+        let gains: Vec<f64> = exact.iter().map(gain).collect();
+        Behind {
+            labs: self.filtered(&mut exact, &gains),
+            gains,
+        }
+    }
+
+    /// Mean CIEDE2000 of a model behind narrow filters; `None` without one, or where the light has
+    /// no colour.
+    pub fn behind(
+        &self,
+        exact: &Behind,
+        filters: &PatchSet,
+        smooth: &[f64],
+        spikes: &[Spike],
+    ) -> Option<f64> {
+        if exact.labs.is_empty() || self.own.is_none() {
+            return None;
+        }
         let mut xyz = filters.buffer();
         filters.xyz_into(smooth, &mut xyz);
         for spike in spikes {
             filters.add_line(spike.at_nm, spike.weight, &mut xyz);
         }
-        Some(difference(exact, &self.filtered(&mut xyz, gains)).mean)
+        Some(difference(&exact.labs, &self.filtered(&mut xyz, &exact.gains)).mean)
     }
 
     fn filtered(&self, xyz: &mut [[f64; 3]], gains: &[f64]) -> Vec<Lab> {
@@ -373,7 +415,7 @@ mod tests {
     #[test]
     fn behind_a_filter_the_exact_light_has_y_50_or_is_brightened_fifty_times() {
         let reference = Reference::of_light(&measures(), &light());
-        let (labs, gains) = reference.filters.as_ref().expect("a light");
+        let Behind { labs, gains } = reference.filters.as_ref().expect("a light");
         assert_eq!(labs.len(), filter_centres().count());
         let fifty = lab_from_xyz(reference.white * 0.5, reference.white).l;
         for ((lab, gain), at_nm) in labs.iter().zip(gains).zip(filter_centres()) {

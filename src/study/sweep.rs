@@ -11,7 +11,7 @@ use super::{
     way::Way,
 };
 use crate::spectrum::{
-    Basis, Spike, SpikeSettings,
+    Band, Basis, Spike, SpikeSettings,
     basis::numbers_of_order,
     spikes::{LineShape, detect_shapes},
 };
@@ -27,7 +27,13 @@ pub struct Subject {
     pub under: Option<Vec<f64>>,
     /// How lines are looked for.
     pub spikes: SpikeSettings,
+    /// How wide lines are; without it all are ideal.
+    pub bell: Option<BellOf>,
 }
+
+/// A line's own Gaussian on the grid of a band, from what the detector took out, in the same unit;
+/// nothing for a line of no width. Made above this room.
+pub type BellOf = fn(Band, &LineShape, SpikeSettings) -> Option<LineShape>;
 
 /// A subject scaled, judged and taken apart: what all studies of it begin with.
 #[derive(Clone, Debug)]
@@ -36,6 +42,8 @@ pub struct Examined {
     pub reference: Reference,
     /// What each line takes out, heaviest first; the same scale.
     pub shapes: Vec<LineShape>,
+    /// The bells of those that have a width; empty where all lines are ideal.
+    pub bells: Vec<Option<LineShape>>,
     /// Both bases with their colours, in the order of [`Basis::ALL`].
     pub bases: [FitBasis; 2],
 }
@@ -56,9 +64,15 @@ impl Examined {
         };
         let (_, shapes) = detect_shapes(band, &values, subject.spikes);
         let bases = Basis::ALL.map(|basis| FitBasis::new(band, basis, numbers, reference.seen()));
+        let bell = subject.bell.filter(|_| !shapes.is_empty());
+        let bells = bell.map_or_else(Vec::new, |bell| {
+            let bells = shapes.iter().map(|shape| bell(band, shape, subject.spikes));
+            bells.collect()
+        });
         Some(Self {
             reference,
             shapes,
+            bells,
             bases,
         })
     }
@@ -70,11 +84,22 @@ impl Examined {
 
     /// The spectrum in terms of a basis, with these lines.
     pub fn projected(&self, basis: Basis, shapes: &[LineShape]) -> ProjectedSpectrum {
+        self.projected_with(basis, shapes, &[])
+    }
+
+    /// The same where lines have bells.
+    pub fn projected_with(
+        &self,
+        basis: Basis,
+        shapes: &[LineShape],
+        bells: &[Option<LineShape>],
+    ) -> ProjectedSpectrum {
         let fit_basis = self.fit_basis(basis);
-        ProjectedSpectrum::new(
+        ProjectedSpectrum::with_bells(
             fit_basis,
             self.reference.measured(),
             shapes,
+            bells,
             self.reference.seen(),
         )
     }

@@ -222,6 +222,7 @@ pub fn full_preferences() -> Preferences {
                 numbers: 11,
                 portable: true,
                 itself: true,
+                automatic: true,
             },
             ways: WaysShown {
                 plain: false,

@@ -1,23 +1,15 @@
 //! What the encoder promises of any light.
 
-use std::sync::Arc;
-
 use proptest::prelude::*;
 use spectral_explorer::{
-    color::{Observer, PatchSet},
+    color::Observer,
+    io::read_path,
     lamps::{
-        Ask, Count, Encoder, EncodingError, Entrant, LeaveOut, Makeup, Panel, Spike, Standing,
-        add_spikes, encode_json, from_words, judged, known_lamps, race, race_json, read_encoding,
-        table,
+        Ask, Count, Encoder, EncodingError, Makeup, Panel, Spike, add_spikes, encode_json,
+        from_words, judged, known_lamps, read_encoding, table,
     },
-    preset::{Group, SHIPPED, Shelf},
-    rivals::PrincipalBasis,
     spectrum::{Band, Basis, BasisTable, Kind, Outside, Sampled, SpikeSettings},
-    study::{
-        Measures, Progress,
-        race::{Course, Lamp},
-        training::{Teacher, Training},
-    },
+    study::{FitBasis, ProjectedSpectrum},
 };
 
 const BAND: Band = Band::VISIBLE;
@@ -33,31 +25,6 @@ fn shipped(group: &str, name: &str) -> Vec<f64> {
     table(group, name)
         .expect("a shipped lamp")
         .on_band(BAND, Outside::Zero)
-}
-
-/// The shipped lamps of four classes.
-fn lamps() -> Vec<Lamp> {
-    let groups = SHIPPED
-        .iter()
-        .filter_map(|text| Group::from_json(text).ok());
-    let mut lamps = Vec::new();
-    for preset in groups.flat_map(|group| group.items) {
-        let class = match preset.shelf {
-            Shelf::Standard | Shelf::Sun => "smooth",
-            Shelf::Led => "LED",
-            Shelf::Fluorescent => "fluorescent",
-            Shelf::Discharge => "discharge",
-            _ => continue,
-        };
-        if let Some(spectrum) = preset.spectrum().filter(|s| s.kind == Kind::Light) {
-            lamps.push(Lamp {
-                name: spectrum.name.clone(),
-                class: class.to_owned(),
-                values: spectrum.samples.on_band(BAND, Outside::Zero),
-            });
-        }
-    }
-    lamps
 }
 
 /// Lines alone, spikes on nothing, steps, what no table knows.
@@ -78,6 +45,26 @@ fn hostile() -> Vec<(&'static str, Vec<f64>)> {
         }
         values
     };
+    // Lines at places and of weights that nobody chose.
+    let random = |count: u64, seed: u64| {
+        let mut state = seed;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            (state >> 33) as f64 / (1_u64 << 31) as f64
+        };
+        let line = |_| (400.0 + 300.0 * next(), 0.05 + next(), 0.0);
+        let lines: Vec<(f64, f64, f64)> = (0..count).map(line).collect();
+        with(&lines)
+    };
+    let bulb = |nm: f64| (560.0 / nm).powi(5) / ((1.4388e7 / (2850.0 * nm)).exp_m1());
+    let neodymium = BAND.grid().map(|nm| {
+        let notch = |at: f64, width: f64, depth: f64| {
+            1.0 - depth * (-4.0 * std::f64::consts::LN_2 * ((nm - at) / width).powi(2)).exp()
+        };
+        1e9 * bulb(nm) * notch(584.0, 16.0, 0.95) * notch(527.0, 14.0, 0.5)
+    });
     let mercury = [404.7, 435.8, 546.1, 577.0, 579.1, 690.7].map(|nm| (nm, 1.0, 0.0));
     let comb: Vec<(f64, f64, f64)> = (0..15)
         .map(|i| (390.0 + 25.7 * f64::from(i), 1.0 + f64::from(i % 4), 2.5))
@@ -93,6 +80,19 @@ fn hostile() -> Vec<(&'static str, Vec<f64>)> {
         ("laser in the red", with(&[(650.0, 1.0, 0.0)])),
         ("six mercury lines", with(&mercury)),
         ("fifteen lines", with(&comb)),
+        ("3 random lines", random(3, 1)),
+        ("7 random lines", random(7, 2)),
+        ("11 random lines", random(11, 3)),
+        ("15 random lines", random(15, 4)),
+        (
+            "three lasers",
+            with(&[(445.0, 1.0, 0.0), (532.0, 1.2, 0.0), (638.0, 1.5, 0.0)]),
+        ),
+        (
+            "three bands",
+            with(&[(450.0, 1.0, 25.0), (540.0, 1.3, 30.0), (610.0, 1.4, 25.0)]),
+        ),
+        ("neodymium glass", neodymium.collect()),
         ("step", step),
         ("deep red LED", with(&[(740.0, 1.0, 20.0)])),
         ("noise", noisy),
@@ -221,6 +221,128 @@ fn hostile_lights_have_an_encoding_with_their_own_colour() {
     }
 }
 
+/// The errors of an encoding and of a colour-exact cosine series of as many numbers.
+fn beside_a_cosine_series(judge: &Panel, values: &[f64], ask: Ask) -> Option<[[f64; 3]; 2]> {
+    let exact = judge.exact(values)?;
+    let chosen = encoder().encode(values, ask).expect("a light");
+    let decoder = encoder().decoder();
+    let decoded = decoder.decode(&chosen.encoding).expect("a spectrum");
+    let fit = FitBasis::new(BAND, Basis::Cosine, ask.numbers, judge.seen());
+    let projected = ProjectedSpectrum::new(&fit, values, &[], judge.seen());
+    let series = projected.smooth(&projected.model(ask.numbers, &[], true).0);
+    let patches = judge.patches_as_cosines(ask.numbers);
+    let errors = |values: &[f64]| judge.errors(&exact, values, &patches).to_array();
+    Some([errors(&decoded), errors(&series)])
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+#[test]
+fn hostile_lights_are_nearer_than_by_a_cosine_series_but_not_all_of_them() {
+    let judge = Panel::judging(BAND, Observer::Cie1931);
+    let ask = Ask::numbers(20).in_comparison();
+    let all: Vec<[[f64; 3]; 2]> = hostile()
+        .iter()
+        .filter_map(|(name, values)| {
+            let found = beside_a_cosine_series(&judge, values, ask)?;
+            println!("{name}: {:.3?} against {:.3?}", found[0], found[1]);
+            Some(found)
+        })
+        .collect();
+    assert_eq!(all.len(), hostile().len());
+    for error in 0..3 {
+        let of = |who: usize| median(all.iter().map(|found| found[who][error]).collect());
+        let [ours, series] = [of(0), of(1)];
+        println!("median {ours:.3} against {series:.3}");
+        // The reference found, on 26 such lights, .087, .67, .033 against .12, 14, .38.
+        assert!(
+            ours < series && (error == 0 || ours < 0.3 * series),
+            "{ours} {series}"
+        );
+    }
+}
+
+/// Lights in the files of others, where they are at hand: none that is shipped or like one.
+fn files_of_others() -> Vec<(String, Vec<f64>)> {
+    let folder = crate::root::root().join("../shared/data/real_files");
+    let Ok(listed) = std::fs::read_dir(folder) else {
+        return Vec::new();
+    };
+    let mut paths: Vec<_> = listed.filter_map(|item| Some(item.ok()?.path())).collect();
+    paths.sort();
+    let mut found: Vec<(String, Vec<f64>)> = Vec::new();
+    let unit = |values: &[f64]| {
+        let norm = values.iter().map(|v| v * v).sum::<f64>().sqrt();
+        values.iter().map(|v| v / norm).collect::<Vec<f64>>()
+    };
+    let cosine = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let shipped: Vec<Vec<f64>> = encoder()
+        .decoder()
+        .atoms()
+        .iter()
+        .map(|atom| unit(&atom.values))
+        .collect();
+    for path in paths.iter().filter(|path| path.is_file()) {
+        let Ok(reading) = read_path(path) else {
+            continue;
+        };
+        for spectrum in reading.spectra.iter().filter(|s| s.kind == Kind::Light) {
+            let table = &spectrum.samples;
+            let is_fine = table.len() > 80 && table.values().iter().all(|v| v.is_finite());
+            if !is_fine || table.first_nm() > 380.0 || table.last_nm() < 780.0 {
+                continue;
+            }
+            let values = unit(&table.on_band(BAND, Outside::Zero));
+            let likes = shipped.iter().chain(found.iter().map(|(_, values)| values));
+            let is_new = likes
+                .into_iter()
+                .all(|other| cosine(other, &values) < 0.9999);
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            if is_new && encoder().panel().exact(&values).is_some() {
+                found.push((format!("{name}#{}", spectrum.name), values));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn measured_lamps_of_others_are_nearer_than_by_a_cosine_series() {
+    let judge = Panel::judging(BAND, Observer::Cie1931);
+    let lamps = files_of_others();
+    for numbers in [11, 20, 31].into_iter().filter(|_| !lamps.is_empty()) {
+        let ask = Ask::numbers(numbers).in_comparison();
+        let mut all = Vec::new();
+        for (name, values) in &lamps {
+            let found = beside_a_cosine_series(&judge, values, ask).expect("a light");
+            println!(
+                "{numbers} {name}: {:.4?} against {:.4?}",
+                found[0], found[1]
+            );
+            if name.starts_with("Osram.HQIT") && numbers == 20 {
+                // The reference's figures of this lamp, in photons as its file has it. Ours are
+                // .092, 1.05 and .055: in all a third more.
+                let ratio = found[0].iter().product::<f64>() / (0.093 * 0.94 * 0.046);
+                println!("{ratio:.2} times the reference's product");
+                assert!(ratio <= 1.5, "{:?}", found[0]);
+            }
+            all.push(found);
+        }
+        for error in 0..3 {
+            let of = |who: usize| median(all.iter().map(|found| found[who][error]).collect());
+            let [ours, series] = [of(0), of(1)];
+            println!(
+                "{numbers}: {} lamps, median {ours:.4} against {series:.4}",
+                lamps.len()
+            );
+            assert!(ours < series, "{numbers}: {ours} {series}");
+        }
+    }
+}
+
 #[test]
 fn numbers_have_the_scale_of_the_light() {
     let values = shipped("cie_fluorescent_1nm", "FL4");
@@ -315,141 +437,6 @@ proptest! {
         let is_exact = chosen.encoding.way.is_none_or(|way| way.colour_exact);
         prop_assert!(!is_exact || chosen.own < 1e-9);
     }
-}
-
-/// A race of some of the shipped lamps.
-fn standing(rule: (Count, LeaveOut), every: usize) -> Standing {
-    let all = lamps();
-    let teachers: Vec<Teacher> = all
-        .iter()
-        .map(|l| Teacher {
-            name: l.name.clone(),
-            class: l.class.clone(),
-            values: l.values.clone(),
-        })
-        .collect();
-    let groups: Vec<Group> = SHIPPED
-        .iter()
-        .filter_map(|text| Group::from_json(text).ok())
-        .collect();
-    let taught: Vec<Vec<f64>> = groups
-        .iter()
-        .filter(|g| g.id == "aces_training_190" || g.id == "pmc_chart")
-        .flat_map(|g| &g.items)
-        .filter_map(|p| p.spectrum())
-        .map(|s| s.samples.on_band(BAND, Outside::Hold))
-        .collect();
-    let white = vec![1.0; BAND.points()];
-    let patches = PatchSet::new(
-        std::slice::from_ref(&white),
-        vec![String::new()],
-        BAND,
-        Observer::Cie1931,
-    );
-    let course = Course {
-        measures: Arc::new(Measures::new(patches)),
-        patches: Vec::new(),
-        check: Vec::new(),
-        lights: Arc::new(Training::new(BAND, &teachers, 41)),
-        reflectances: Arc::new(PrincipalBasis::train(BAND, &taught, 41)),
-        spikes: SpikeSettings::default(),
-        budgets: vec![11, 20],
-    };
-    let some: Vec<Lamp> = all.into_iter().step_by(every).collect();
-    race(&course, &some, encoder(), rule, &Progress::default())
-        .expect("counts in range")
-        .expect("not cancelled")
-}
-
-fn told(standing: &Standing) {
-    for peer in Entrant::ALL.into_iter().skip(2) {
-        for ours in [Entrant::KnownLamps, Entrant::WideLines] {
-            let wins = standing.wins(ours, peer);
-            println!(
-                "{:?} {} against {}: {} of {}",
-                standing.leave_out,
-                ours.word(),
-                peer.word(),
-                wins.won(),
-                wins.of
-            );
-            for cell in wins.behind.iter().filter(|_| ours == Entrant::KnownLamps) {
-                println!("   {cell:?}");
-            }
-        }
-    }
-}
-
-#[test]
-fn in_the_race_known_lamps_win_nearly_every_cell() {
-    // A fifth of the shipped lamps. LINES.md found all cells on lamps that are not shipped; here every
-    // table is trained on the lamps that race, each without the one at hand.
-    for (leave_out, least) in [(LeaveOut::Itself, 95.0), (LeaveOut::Likes, 90.0)] {
-        let standing = standing((Count::Words, leave_out), 5);
-        told(&standing);
-        for family in ["samples", "bins", "moments", "principal"] {
-            let peer = Entrant::ALL
-                .into_iter()
-                .find(|e| e.word() == family)
-                .expect("a peer");
-            let per_cent = standing
-                .wins(Entrant::KnownLamps, peer)
-                .per_cent()
-                .expect("cells");
-            assert!(per_cent >= least, "{leave_out:?} {family}: {per_cent}");
-        }
-    }
-}
-
-#[test]
-fn the_race_in_json_has_a_row_for_each_way() {
-    let standing = standing((Count::Strict, LeaveOut::Likes), 25);
-    let json = race_json(&standing);
-    let words: Vec<&str> = json["rows"]
-        .as_array()
-        .expect("rows")
-        .iter()
-        .filter_map(|r| r["representation"].as_str())
-        .collect();
-    assert!(words.contains(&"known-lamps") && words.contains(&"wide-lines"));
-}
-
-#[test]
-fn a_cancelled_race_has_no_result() {
-    let progress = Progress::default();
-    progress.cancel();
-    let values = shipped("cie_fluorescent_1nm", "FL2");
-    let lamp = Lamp {
-        name: "FL2".to_owned(),
-        class: "fluorescent".to_owned(),
-        values,
-    };
-    let white = vec![1.0; BAND.points()];
-    let patches = PatchSet::new(
-        std::slice::from_ref(&white),
-        vec![String::new()],
-        BAND,
-        Observer::Cie1931,
-    );
-    let course = Course {
-        measures: Arc::new(Measures::new(patches)),
-        patches: Vec::new(),
-        check: Vec::new(),
-        lights: Arc::new(Training::new(BAND, &[], 11)),
-        reflectances: Arc::new(PrincipalBasis::train(BAND, &[white], 11)),
-        spikes: SpikeSettings::default(),
-        budgets: vec![11],
-    };
-    assert_eq!(
-        race(
-            &course,
-            &[lamp],
-            encoder(),
-            (Count::Words, LeaveOut::Likes),
-            &progress
-        ),
-        Ok(None)
-    );
 }
 
 /// Lamps that somebody measured and that are not shipped.

@@ -9,9 +9,11 @@ use crate::{
 use spectral_explorer::{
     app::library::Library,
     color::Observer,
+    lamps::{Spike as WideSpike, add_spikes},
     preset::Shelf,
     spectrum::{
-        Band, Basis, BasisTable, ChainTables, Composite, Factor, Sampling, Series, SpikeSettings,
+        Band, Basis, BasisTable, ChainTables, Composite, Factor, Sampling, Series, Spike,
+        SpikeSettings,
         factor::{bounces, glass},
         product::{chain_points, convolve, folded_share},
         spikes::detect,
@@ -464,6 +466,45 @@ fn behind_a_narrow_filter_a_line_is_there_only_for_the_composite() {
                 .iter()
                 .all(|c| finite(c.delta_e_2000) && finite(c.luminance_error))
         }));
+    }
+}
+
+#[test]
+fn behind_a_filter_narrower_than_a_line_the_width_counts() {
+    let seen = observer();
+    let series = |value: f64| Series {
+        band: BAND,
+        basis: Basis::Cosine,
+        coefficients: vec![value, 0.0, 0.0],
+    };
+    let smooth = series(0.001);
+    // The light is what the model says: a line 20 nm wide on a little light.
+    let line = WideSpike {
+        at_nm: 546.0,
+        weight: 1.0,
+        width_nm: 20.0,
+    };
+    let mut values = smooth.on_band();
+    add_spikes(BAND, &[line], &mut values);
+    let centre = Composite {
+        smooth: smooth.clone(),
+        spikes: vec![Spike {
+            at_nm: line.at_nm,
+            weight: line.weight,
+        }],
+    };
+    let parts = (&values[..], &[][..], centre.numbers() + 1);
+    let wide = Narrow::of_parts(&values, &smooth, parts, false, &seen);
+    let ideal = Narrow::new(&values, &centre, false, &seen);
+    assert_eq!(wide.numbers(), 6);
+    for centre_nm in [536.0, 546.0, 556.0] {
+        let off = |narrow: &Narrow| narrow.behind(centre_nm, 4.0).composite.luminance_error;
+        assert_eq!(off(&wide), Some(0.0), "{centre_nm}");
+        // A line without width goes through whole or not at all.
+        assert!(
+            off(&ideal).is_some_and(|off| off.abs() > 0.5),
+            "{centre_nm}"
+        );
     }
 }
 

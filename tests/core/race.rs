@@ -6,18 +6,20 @@ use spectral_explorer::{
     app::{
         Document, Entry,
         chart::{Marks, Theme},
-        charts::race::{error_chart, table_chart},
+        charts::race::{CELLS_AT, error_chart, table_chart},
         figures::SMALLEST,
         library::Library,
         memo::ByAddress,
         pages::RACE_BUDGETS,
         studies::{Field, RaceAsk},
     },
+    color::Observer,
+    lamps::{Count, Encoder, LeaveOut, Racing},
     rivals::{Family, PrincipalBasis},
-    spectrum::{Band, Kind, NamedSpectrum, Sampled},
+    spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeSettings},
     study::{
         Measure, Progress, Race,
-        race::{self, Course, Lamp, Racer},
+        race::{self, Course, Judged, Lamp, Racer},
         race_reference::{COLUMNS, TABLE},
         training::{Teacher, Training},
     },
@@ -324,6 +326,7 @@ fn principal_components_lack_teachers_here() {
     let principal = Racer::Rival(Family::Principal);
     let course = Course {
         budgets: vec![11, 20],
+        encoder: None,
         ..whole.course()
     };
     let taught_by = |teachers: &[Teacher]| {
@@ -415,16 +418,89 @@ fn both_halves_stand_in_the_figures() {
     let (_, race) = &*ALL;
     let b = budget(race, 20);
     let composite = |racer: Racer| matches!(racer, Racer::Composite(_));
+    // Whoever wins but for known lamps and wide lines.
+    let winner_of = |class: &str, measure: Measure| {
+        let racers = race.racers.iter().enumerate();
+        let others = racers.filter(|(_, r)| !Racer::ENCODED.contains(r) && **r != Racer::Chosen);
+        let medians = others.map(|(i, racer)| {
+            let spread = race.spread(Some(class), b, i, measure);
+            (*racer, spread.expect("visible light").median)
+        });
+        let least = medians.min_by(|a, b| a.1.total_cmp(&b.1));
+        least.expect("others").0
+    };
     for class in race.classes() {
-        let winner = race.winner_of(Some(class), b, Measure::Patches);
-        assert!(winner.is_some_and(composite), "{class}: {winner:?}");
+        let winner = winner_of(class, Measure::Patches);
+        assert!(composite(winner), "{class}: {winner:?}");
     }
     for class in ["LED", "fluorescent", "discharge"] {
-        let winner = race.winner_of(Some(class), b, Measure::RmsBlurred);
-        assert_eq!(winner, Some(Racer::Rival(Family::Principal)), "{class}");
-        let winner = race.winner_of(Some(class), b, Measure::Filters);
-        assert_eq!(winner, Some(Racer::Rival(Family::Principal)), "{class}");
+        for measure in [Measure::RmsBlurred, Measure::Filters] {
+            let winner = winner_of(class, measure);
+            assert_eq!(winner, Racer::Rival(Family::Principal), "{class}");
+            let winner = race.winner_of(Some(class), b, measure);
+            assert!(
+                winner.is_some_and(|winner| Racer::ENCODED.contains(&winner)),
+                "{class}: {winner:?}"
+            );
+        }
     }
+}
+
+/// Per cent of the cells that known lamps win against each peer, told with those that are lost.
+fn per_cent_won(race: &Race, counts: &[usize]) -> Vec<(Racer, f64)> {
+    let peers = race.racers.iter().filter(|r| matches!(r, Racer::Rival(_)));
+    peers
+        .map(|peer| {
+            let wins = race.cells(Racer::KnownLamps, *peer, counts);
+            println!("{}: {} of {}", peer.word(), wins.won(), wins.of);
+            wins.behind.iter().for_each(|cell| println!("   {cell:?}"));
+            (*peer, wins.per_cent().expect("cells"))
+        })
+        .collect()
+}
+
+#[test]
+fn known_lamps_win_every_cell_of_the_race() {
+    // Every table is trained on the lamps that race, each without the one at hand and its likes.
+    let (_, race) = &*ALL;
+    let won = per_cent_won(race, &CELLS_AT);
+    assert_eq!(won.len(), 6);
+    for (peer, per_cent) in won {
+        assert_eq!(per_cent, 100.0, "{}", peer.word());
+    }
+}
+
+#[test]
+fn with_all_lamps_but_itself_known_lamps_win_too() {
+    let (whole, _) = &*ALL;
+    let encoder = Encoder::new(BAND, Observer::Cie1931, SpikeSettings::default());
+    let course = Course {
+        encoder: Some(Arc::new(Racing {
+            encoder: Arc::new(encoder.expect("the visible")),
+            count: Count::Words,
+            leave_out: LeaveOut::Itself,
+        })),
+        budgets: vec![11, 20],
+        ..whole.course()
+    };
+    let some: Vec<Lamp> = whole.lamps().into_iter().step_by(5).collect();
+    let race = race::run(&course, &some, &Progress::default()).expect("lights that shine");
+    for (peer, per_cent) in per_cent_won(&race, &course.budgets) {
+        assert!(per_cent >= 95.0, "{}: {per_cent}", peer.word());
+    }
+}
+
+#[test]
+fn numbers_too_few_for_a_label_are_those_of_the_best_composite() {
+    let ask = ask(Field::One(ByAddress(entry("FL11"))), &[2, 3]);
+    let race = ask.answer(&Progress::default()).expect("a light");
+    let run = |budget: usize, racer: Racer| *race.run(0, budget, place(&race, racer));
+    for racer in Racer::ENCODED {
+        assert_eq!(run(0, racer), run(0, Racer::Chosen));
+        assert_eq!(run(1, racer).numbers, 3);
+    }
+    let judged = race.judged(None, 1, Racer::WideLines, Judged::Filters);
+    assert!(judged.is_some_and(|spread| spread.worst > 0.0));
 }
 
 #[test]
@@ -487,7 +563,7 @@ fn low_pressure_sodium_is_the_worst_of_whatever_has_no_spikes_but_box_bins() {
         let plain = match racer {
             Racer::Composite(way) => !way.spikes,
             Racer::Rival(family) => *family != Family::Bins,
-            Racer::Chosen => false,
+            Racer::WideLines | Racer::KnownLamps | Racer::Chosen => false,
         };
         let error =
             |lamp: &usize| race.run(*lamp, b, r).verdict[Measure::Patches].expect("visible");

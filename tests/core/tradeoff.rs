@@ -13,6 +13,7 @@ use spectral_explorer::{
         studies::{AuctionAsk, SweepAsk, take},
     },
     color::{Observer, patches::PatchSet},
+    lamps::bell,
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeSettings},
     study::{
         Goal, Measure, Measures, Progress, Sweep, Way,
@@ -44,6 +45,7 @@ fn subject(values: Vec<f64>) -> Subject {
         values,
         under: None,
         spikes: SpikeSettings::default(),
+        bell: Some(bell),
     }
 }
 
@@ -84,7 +86,7 @@ fn purchases(auction: &Auction) -> Vec<Purchase> {
 fn lines_bought(purchases: &[Purchase]) -> Vec<f64> {
     let line = |purchase: &Purchase| match purchase {
         Purchase::Spike(spike) => Some(spike.at_nm),
-        Purchase::Order(_) => None,
+        Purchase::Order(_) | Purchase::Widths => None,
     };
     purchases.iter().filter_map(line).collect()
 }
@@ -256,6 +258,25 @@ fn behind_narrow_filters_fl2_buys_mercurys_four_lines_among_its_first_nine() {
 }
 
 #[test]
+fn lines_of_their_own_width_are_bought_where_the_spectrum_counts() {
+    let way = Way::new(Basis::Cosine, true, true);
+    let wide = auction("FL11", way, Goal::SPECTRUM, 31);
+    assert!(wide.last().wide, "{:?}", wide.last());
+    let bought = purchases(&wide);
+    assert!(bought.contains(&Purchase::Widths));
+    // The same without widths for sale.
+    let ideal = Subject {
+        bell: None,
+        ..subject(on_band("FL11", BAND))
+    };
+    let terms = terms(way, Goal::SPECTRUM, 31);
+    let ideal = hold(&ideal, terms, &Progress::default()).expect("it shines");
+    let [wide, ideal] = [wide, ideal].map(|auction| auction.last().error);
+    println!("FL11, 31 numbers: blurred {wide:.4} with widths, {ideal:.4} without");
+    assert!(wide < 0.8 * ideal, "{wide} {ideal}");
+}
+
+#[test]
 fn daylight_is_sold_no_line() {
     for way in grounds() {
         for (_, goal) in Goal::PLAIN {
@@ -308,10 +329,18 @@ fn a_line_that_pays_only_with_the_next_order_is_bought_all_the_same() {
 fn check(auction: &Auction, terms: Terms, place: &str) {
     let first = &auction.steps[0];
     assert_eq!((first.numbers, first.order), (1, 0), "{place}");
-    let mut held: (usize, BTreeSet<u64>) = (0, BTreeSet::new());
+    let mut held: (usize, BTreeSet<u64>, bool) = (0, BTreeSet::new(), false);
     for (i, step) in auction.steps.iter().enumerate() {
         assert!(step.numbers <= terms.numbers, "{place}: {step:?}");
-        assert_eq!(step.numbers, 1 + 2 * (step.order + step.lines.len()));
+        let label = usize::from(step.wide);
+        assert_eq!(
+            step.numbers,
+            1 + 2 * (step.order + step.lines.len()) + label
+        );
+        assert!(
+            !step.wide || !step.lines.is_empty(),
+            "{place}: widths of no line"
+        );
         if let Some(before) = i.checked_sub(1).map(|i| &auction.steps[i]) {
             assert!(
                 before.numbers < step.numbers && before.error > step.error,
@@ -321,18 +350,20 @@ fn check(auction: &Auction, terms: Terms, place: &str) {
         for purchase in &step.gave_back {
             match purchase {
                 Purchase::Order(_) => held.0 -= 1,
+                Purchase::Widths => assert!(std::mem::replace(&mut held.2, false), "{place}"),
                 Purchase::Spike(s) => assert!(held.1.remove(&s.at_nm.to_bits()), "{place}"),
             }
         }
         for purchase in &step.bought {
             match purchase {
                 Purchase::Order(_) => held.0 += 1,
+                Purchase::Widths => assert!(!std::mem::replace(&mut held.2, true), "{place}"),
                 Purchase::Spike(s) => assert!(held.1.insert(s.at_nm.to_bits()), "{place}"),
             }
         }
         assert_eq!(
-            (held.0, held.1.len()),
-            (step.order, step.lines.len()),
+            (held.0, held.1.len(), held.2),
+            (step.order, step.lines.len(), step.wide),
             "{place}"
         );
     }
@@ -367,6 +398,7 @@ fn on_every_lamp_the_auction_is_never_worse_than_with_or_without_spikes() {
                         values: values(lamp, BAND),
                         under: None,
                         spikes: SpikeSettings::default(),
+                        bell: Some(bell),
                     };
                     // One way and goal each: all sixteen take turns over the lamps.
                     let way = grounds().nth(i % 4).expect("four ways");

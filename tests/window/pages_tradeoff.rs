@@ -527,6 +527,24 @@ fn automatic_takes_the_best_says_so_and_is_one_step_of_undo() {
 }
 
 #[test]
+fn automatic_leads_to_known_lamps_where_they_are_allowed_and_better() {
+    let mut ui = on(fl2(), Page::Spectrum);
+    let words = &mut ui.state_mut().0.preferences.pages.words;
+    (words.automatic, words.itself, words.portable) = (true, true, true);
+    click(&mut ui, "Automatic");
+    assert!(
+        said(&ui).starts_with("Known lamps are better"),
+        "{}",
+        said(&ui)
+    );
+    let pages = &ui.state().0.preferences.pages;
+    assert_eq!(pages.page, Page::KnownLamps);
+    assert_eq!((pages.words.numbers, pages.words.portable), (21, false));
+    // The model in Look is the best that there is without them.
+    assert_best(app(&ui), 21, Measure::Patches);
+}
+
+#[test]
 fn automatic_is_dropped_when_the_spectrum_changed_meanwhile() {
     let mut ui = on(fl2(), Page::Spectrum);
     control(&ui, Role::Button, "Automatic").click();

@@ -70,6 +70,7 @@ pub fn names(ask: &AuctionAsk, auction: &Auction, lines: &[ElementLine]) -> Vec<
 /// A purchase in words: "order 3", "435.8 nm (Hg 435.8)".
 fn purchase_words(purchase: &Purchase, auction: &Auction, names: &[LineName]) -> String {
     match purchase {
+        Purchase::Widths => "the lines' own widths".to_owned(),
         Purchase::Order(order) => format!("order {order}"),
         Purchase::Spike(spike) => {
             let index = auction.lines.iter().position(|line| line == spike);
@@ -88,12 +89,12 @@ pub fn purchases_words(purchases: &[Purchase], auction: &Auction, names: &[LineN
         .iter()
         .filter_map(|p| match p {
             Purchase::Order(order) => Some(*order),
-            Purchase::Spike(_) => None,
+            Purchase::Spike(_) | Purchase::Widths => None,
         })
         .collect();
     let lines = purchases
         .iter()
-        .filter(|p| matches!(p, Purchase::Spike(_)))
+        .filter(|p| !matches!(p, Purchase::Order(_)))
         .map(|p| purchase_words(p, auction, names));
     let orders = match orders[..] {
         [] => None,
@@ -118,10 +119,19 @@ pub fn model_words(auction: &Auction, step: &Step) -> String {
         .collect();
     places.sort_by(f64::total_cmp);
     let words: Vec<String> = places.iter().map(|nm| format!("{nm:.1}")).collect();
+    let wide = if step.wide {
+        ", as wide as they are"
+    } else {
+        ""
+    };
     match words.len() {
         0 => format!("order {} and no lines", step.order),
-        1 => format!("order {} and the line {} nm", step.order, words[0]),
-        _ => format!("order {} and the lines {} nm", step.order, words.join(", ")),
+        1 => format!("order {} and the line {} nm{wide}", step.order, words[0]),
+        _ => format!(
+            "order {} and the lines {} nm{wide}",
+            step.order,
+            words.join(", ")
+        ),
     }
 }
 
@@ -276,9 +286,14 @@ fn step_note(auction: &Auction, step: &Step, names: &[LineName]) -> String {
         note.push(format!("gave back {gave}"));
     }
     note.push(format!(
-        "N = {}, {}: {}",
+        "N = {}, {}{}: {}",
         step.order,
         spikes_words(step.lines.len()),
+        if step.wide {
+            " as wide as they are"
+        } else {
+            ""
+        },
         numbers(step.numbers)
     ));
     note.push(all_figures(&step.verdict));

@@ -6,10 +6,6 @@ use crate::{
     spectrum::{Band, Decomposed, Spike, spikes::LineShape},
 };
 
-/// A line may be found this much wider than the detector was asked for: half a nm of grid on either
-/// side, and hulls that are not exact.
-const WIDER: f64 = 1.5;
-
 /// The lines of a model by their widths; without a width everywhere where all are ideal.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Widths {
@@ -40,7 +36,7 @@ impl Widths {
             if let Some(window) = found.window_nm {
                 let shape = shape_in(band, window, &taken);
                 // One that was moved is as wide as the line that it stands for, and leaves that.
-                let own = as_wide_as_it_is(band, &shape, WIDER * max_width_nm);
+                let own = as_wide_as_it_is(band, &shape, max_width_nm);
                 if !own.is_ideal() {
                     line.width_nm = own.width_nm;
                     found.width_nm = Some(own.width_nm);

@@ -232,6 +232,8 @@ pub struct WordsMemory {
     pub portable: bool,
     /// Whether a shipped lamp may be said to be itself.
     pub itself: bool,
+    /// Whether Automatic may use known lamps.
+    pub automatic: bool,
 }
 
 impl Default for WordsMemory {
@@ -240,6 +242,7 @@ impl Default for WordsMemory {
             numbers: 20,
             portable: false,
             itself: false,
+            automatic: false,
         }
     }
 }

@@ -116,7 +116,7 @@ pub enum Page {
     Tradeoff,
     /// Which order is enough for how many lights.
     Many,
-    /// What to buy with the next two numbers.
+    /// What to buy with the next numbers.
     Auction,
     /// The composite against other representations.
     Race,
@@ -324,7 +324,7 @@ const ROWS: &[Row] = &[
         (Place::Numbers, Page::Tradeoff),
         ("Auction", "auction"),
         &[],
-        "What to buy with the next two numbers: an order or a spike.",
+        "What to buy with the next numbers: an order, a spike or the lines' widths.",
     ),
     row(
         Page::Race,

@@ -2,15 +2,19 @@
 
 use std::sync::Arc;
 
-use super::about::{measures, reflectances};
+use super::{
+    about::{measures, reflectances},
+    lamps::{encoder, most_numbers},
+};
 use crate::{
     app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
     color::Observer,
+    lamps::{Count, LeaveOut, NUMBERS, Racing},
     preset::{Preset, Shelf},
     rivals::PrincipalBasis,
     spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
     study::{
-        race::{Course, Lamp},
+        race::{Course, Encode, Lamp},
         reference::scaled_to_one,
         training::{Teacher, Training},
     },
@@ -49,6 +53,8 @@ pub struct RaceAsk {
     pub spikes: SpikeSettings,
     /// Counts of numbers, rising.
     pub budgets: Vec<usize>,
+    /// Whether a known lamp's index and a line's width are numbers of their own.
+    pub strict: bool,
 }
 
 impl RaceAsk {
@@ -62,7 +68,29 @@ impl RaceAsk {
             patch_set: document.patch_set.clone(),
             spikes: settings.spike_settings(),
             budgets,
+            strict: false,
         }
+    }
+
+    /// The counts at which known lamps and wide lines are judged: those that they can have.
+    pub fn judged_counts(&self) -> Vec<usize> {
+        let range = NUMBERS[0]..=most_numbers(self.band);
+        let budgets = self.budgets.iter().copied();
+        budgets.filter(|n| range.contains(n)).collect()
+    }
+
+    /// Known lamps and wide lines in the race; none where nothing is seen.
+    fn encoder(&self) -> Option<Arc<dyn Encode>> {
+        let encoder = encoder((self.band, self.observer, self.spikes)).ok()?;
+        Some(Arc::new(Racing {
+            encoder,
+            count: if self.strict {
+                Count::Strict
+            } else {
+                Count::Words
+            },
+            leave_out: LeaveOut::Likes,
+        }))
     }
 
     /// The lights on the grid.
@@ -123,6 +151,7 @@ impl RaceAsk {
             patches,
             check,
             spikes: self.spikes,
+            encoder: self.encoder(),
             budgets: self.budgets.clone(),
         }
     }

@@ -1,14 +1,13 @@
-//! Known lamps and lines of their own width as jobs: one light encoded, and the race of the ways.
+//! Known lamps and lines of their own width: the encoder, and one light encoded as a job.
 
 use std::sync::{Arc, Mutex};
 
-use super::RaceAsk;
 use crate::{
     app::{document::Document, entry::Entry, memo::ByAddress},
     color::Observer,
     lamps::{
-        Ask, Count, Encoded, Encoder, EncodingError, LeaveOut, Makeup, NUMBERS, Panel, Standing,
-        judged, known_lamps, race,
+        Ask, Count, Encoded, Encoder, EncodingError, LeaveOut, Makeup, NUMBERS, Panel, judged,
+        namesakes,
     },
     spectrum::{Band, SpikeSettings},
     study::Progress,
@@ -38,52 +37,6 @@ pub fn encoder(maker: Maker) -> Result<Arc<Encoder>, EncodingError> {
 /// Most numbers of an encoding on a range.
 pub fn most_numbers(band: Band) -> usize {
     NUMBERS[1].min(band.points() / 2).max(NUMBERS[0])
-}
-
-/// The race of known lamps and wide lines against the other representations.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WaysAsk {
-    /// The lights and how they are judged; its counts those that can be encoded.
-    pub race: RaceAsk,
-    /// Whether a known lamp's index and a line's width are numbers of their own.
-    pub strict: bool,
-}
-
-impl WaysAsk {
-    /// The race of the same lights at these counts; `None` when none of them can be encoded.
-    pub fn of(race: &RaceAsk, budgets: &[usize], strict: bool) -> Option<Self> {
-        let range = NUMBERS[0]..=most_numbers(race.band);
-        let budgets: Vec<usize> = budgets
-            .iter()
-            .copied()
-            .filter(|n| range.contains(n))
-            .collect();
-        (!budgets.is_empty()).then(|| Self {
-            race: RaceAsk {
-                budgets,
-                ..race.clone()
-            },
-            strict,
-        })
-    }
-
-    /// The answer; `None` when nothing is seen in the range or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Standing> {
-        let RaceAsk {
-            band,
-            observer,
-            spikes,
-            ..
-        } = self.race;
-        let encoder = encoder((band, observer, spikes)).ok()?;
-        let rule = (count(self.strict), LeaveOut::Likes);
-        let (course, lamps) = (self.race.course(), self.race.lamps());
-        race(&course, &lamps, &encoder, rule, progress).ok()?
-    }
-}
-
-fn count(strict: bool) -> Count {
-    if strict { Count::Strict } else { Count::Words }
 }
 
 /// What is asked of a light in few words.
@@ -155,12 +108,11 @@ impl EncodeAsk {
                 LeaveOut::Likes
             },
         };
-        let namesakes: Vec<u8> = known_lamps()
-            .iter()
-            .filter(|lamp| !self.itself && lamp.name.eq_ignore_ascii_case(&spectrum.name))
-            .map(|lamp| lamp.index)
-            .collect();
-        let chosen = encoder.encode_without(&measured, ask, &namesakes)?;
+        let left_out = match ask.leave_out {
+            LeaveOut::Likes => namesakes(&spectrum.name),
+            LeaveOut::None | LeaveOut::Itself => Vec::new(),
+        };
+        let chosen = encoder.encode_without(&measured, ask, &left_out)?;
         let judge = Panel::judging(band, observer);
         let encoded = judged(&encoder, &judge, &measured, &chosen.encoding)?;
         let decoder = encoder.decoder();
@@ -226,14 +178,5 @@ mod tests {
         let found = EncodeAsk::of(app.document(), 20, true, true).answer(&Progress::default());
         let words = found.expect("not cancelled").expect_err("nothing is seen");
         assert!(words.ends_with('.') && !words.contains("NaN"), "{words}");
-        let race = RaceAsk::of(
-            app.document(),
-            super::super::Field::One(ByAddress(app.document().light.clone())),
-            vec![1, 2, 20, 101],
-        );
-        let ask = WaysAsk::of(&race, &race.budgets, false).expect("20 is in range");
-        assert_eq!(ask.race.budgets, [20]);
-        assert!(ask.answer(&Progress::default()).is_none());
-        assert!(WaysAsk::of(&race, &[1, 2, 101], false).is_none());
     }
 }

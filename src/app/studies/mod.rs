@@ -14,7 +14,7 @@ pub use about::About;
 use about::measures;
 pub use field::{Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake, Work};
-pub use lamps::{EncodeAsk, EncodedLight, WaysAsk};
+pub use lamps::{EncodeAsk, EncodedLight};
 pub use relit::{RelitJobs, RelitShown};
 pub use surfaces::{PairsAsk, RankAsk, Surfaces};
 pub use take::take;
@@ -34,7 +34,7 @@ use super::{
 };
 use crate::{
     design::solve::{FrontPoint, FrontWish},
-    lamps::Standing,
+    lamps::bell,
     optics::Noise,
     spectrum::{Basis, Kind},
     study::{
@@ -43,6 +43,7 @@ use crate::{
         products::{ProductTime, Sizes, product_times},
         quality::OrderFigures,
         race,
+        sweep::Subject,
     },
 };
 
@@ -127,7 +128,11 @@ impl AuctionAsk {
 
     /// The answer; `None` when there is none or it was cancelled.
     pub fn answer(&self, progress: &Progress) -> Option<Auction> {
-        auction::hold(&self.about.subject(), self.terms, progress)
+        let subject = Subject {
+            bell: Some(bell),
+            ..self.about.subject()
+        };
+        auction::hold(&subject, self.terms, progress)
     }
 }
 
@@ -185,12 +190,8 @@ pub struct Studies {
     pub many: Job<ManyAsk, ManyLights>,
     /// The auction's page.
     pub auction: Job<AuctionAsk, Auction>,
-    /// "Spend P numbers for me" of the main page.
-    pub spend: Job<AuctionAsk, Auction>,
     /// The race.
     pub race: Job<RaceAsk, Race>,
-    /// Known lamps and wide lines in the race.
-    pub ways: Job<WaysAsk, Standing>,
     /// The light in few words, or why there are none.
     pub encoded: Job<EncodeAsk, Result<EncodedLight, String>>,
     /// Searches of the library's surfaces.
@@ -225,9 +226,7 @@ impl Studies {
             sweep,
             many,
             auction,
-            spend,
             race,
-            ways,
             encoded,
             surfaces,
             timing,
@@ -251,9 +250,8 @@ impl Studies {
             peers,
         } = relit;
         vec![
-            sweep, many, auction, spend, race, ways, encoded, pairs, ranking, timing, bounces,
-            quality, raster, region, gem, gem_noise, look, fit, turn, store, peers, front, trial,
-            photo,
+            sweep, many, auction, race, encoded, pairs, ranking, timing, bounces, quality, raster,
+            region, gem, gem_noise, look, fit, turn, store, peers, front, trial, photo,
         ]
     }
 

@@ -24,7 +24,8 @@ const SAME_PLACE_NM: f64 = 0.5;
 ///
 /// The lines not bought are left in the smooth part. Where that keeps a bought one from being
 /// found (it stands beside a stronger line that was not bought), the bought lines are locked
-/// instead. Where no line was bought, spikes are switched off.
+/// instead. Where no line was bought, spikes are switched off; where widths were bought, the lines
+/// are as wide as they are.
 pub fn take(settings: Settings, ask: &AuctionAsk, auction: &Auction, step: &Step) -> Command {
     let none = step.lines.is_empty() && !auction.lines.is_empty();
     Command::TakeModel {
@@ -33,7 +34,7 @@ pub fn take(settings: Settings, ask: &AuctionAsk, auction: &Auction, step: &Step
             colour_exact: ask.terms.colour_exact,
             order: step.order,
             spikes: !none,
-            wide_lines: false,
+            wide_lines: step.wide,
             detector: Detector::Energy,
             ..settings
         },

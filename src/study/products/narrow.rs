@@ -11,7 +11,7 @@ use super::Colours;
 use crate::{
     color::{Xyz, xyz_of_parts},
     rivals::{Representation, Samples},
-    spectrum::{Band, BasisTable, Composite, InnerProducts, Spike, band::dot},
+    spectrum::{Band, BasisTable, Composite, InnerProducts, Series, Spike, band::dot},
 };
 
 /// Y that the light behind the filter is brought to, of the whole light's 1.
@@ -38,7 +38,7 @@ pub struct Narrow {
     white: Xyz,
     /// The exact light, weighed.
     exact: Weighed,
-    /// The smooth parts, weighed, with their spikes.
+    /// The values, weighed, with their spikes of no width.
     ways: [(Weighed, Vec<Spike>); 3],
     numbers: usize,
 }
@@ -66,9 +66,23 @@ impl Narrow {
         colour_exact: bool,
         seen: &[Vec<f64>; 3],
     ) -> Self {
-        let band = model.band();
-        let numbers = model.numbers();
-        let table = BasisTable::new(band, model.smooth.basis, numbers);
+        let values = model.smooth.on_band();
+        let parts = (&values[..], &model.spikes[..], model.numbers());
+        Self::of_parts(measured, &model.smooth, parts, colour_exact, seen)
+    }
+
+    /// The same of a model whose lines have widths: its values on the grid with those lines, so
+    /// that a filter narrower than a line is seen as it is, its lines of no width, and the numbers
+    /// that it takes. `smooth` is its smooth part.
+    pub fn of_parts(
+        measured: &[f64],
+        smooth: &Series,
+        (values, ideal, numbers): (&[f64], &[Spike], usize),
+        colour_exact: bool,
+        seen: &[Vec<f64>; 3],
+    ) -> Self {
+        let band = smooth.band;
+        let table = BasisTable::new(band, smooth.basis, numbers);
         let mut series = table.project(measured, numbers);
         if colour_exact {
             let totals = std::array::from_fn(|k| band.inner(measured, &seen[k]));
@@ -87,7 +101,7 @@ impl Narrow {
             seen: seen.clone(),
             exact: weighed(measured),
             ways: [
-                (weighed(&model.smooth.on_band()), model.spikes.clone()),
+                (weighed(values), ideal.to_vec()),
                 (weighed(&table.evaluate(&series)), Vec::new()),
                 (weighed(&samples.on_band()), Vec::new()),
             ],

@@ -3,5 +3,5 @@
 mod many;
 mod order;
 
-pub use many::{figures_of_many, in_parallel};
+pub use many::figures_of_many;
 pub use order::{Chosen, OrderFigures, OrderPoint, figures_against_order};

@@ -18,11 +18,12 @@ use super::{
 use crate::{
     app::{
         App, Command,
-        answers::automatic,
-        pages::PageMemory,
+        answers::{best_of, knobs_of},
+        known_lamps::{lamps_asked, lamps_better},
+        pages::{Page, PageMemory},
         spike_hand::SpikeAct,
         state::Tone,
-        studies::{About, Stage, Studies, SweepAsk},
+        studies::{About, EncodeAsk, Stage, Studies, SweepAsk},
     },
     io::many::numbers,
 };
@@ -175,13 +176,37 @@ impl LookView {
         job.ask_by(&ask, scene.wake, SweepAsk::answer);
         let settings = scene.app.document().settings;
         if let Some(sweep) = job.result_for(&ask) {
-            self.waiting = None;
-            let Some(best) = automatic(settings, sweep, most) else {
+            let Some((point, measure)) = best_of(sweep, most) else {
+                self.waiting = None;
                 let words = format!("No model takes as few as {}.", numbers(most));
                 wishes.said = Some((Tone::Info, words));
                 return;
             };
+            let lamps = lamps_asked(scene.app.document(), scene.memory.words, most);
+            let better = match &lamps {
+                None => None,
+                Some(lamps) => {
+                    let job = &mut scene.studies.encoded;
+                    job.ask_by(lamps, scene.wake, EncodeAsk::answer);
+                    if matches!(job.stage(), Stage::Running(_)) {
+                        return;
+                    }
+                    let found = job.result_for(lamps).map(|found| &**found);
+                    let found = found.and_then(|found| found.as_ref().ok());
+                    found.and_then(|found| lamps_better(about, found, (point, measure)))
+                }
+            };
+            self.waiting = None;
+            let best = knobs_of(settings, point);
             wishes.commands.push(Command::Edit(best));
+            if let Some(words) = better {
+                let memory = &mut *scene.memory;
+                memory.page = Page::KnownLamps;
+                memory.words.portable = false;
+                memory.words.numbers = lamps.map_or(most, |lamps| lamps.numbers);
+                wishes.said = Some((Tone::Info, words));
+                return;
+            }
             let lines = if best.spikes {
                 "with its lines"
             } else {

@@ -186,7 +186,8 @@ fn widths(ui: &mut Ui, app: &App, in_full: bool, commands: &mut Vec<Command>) {
             true,
             "As wide as they are",
             "Each line is a bell of its own width, kept in the same word as its place; one number \
-             more tells so. What other pages form with the lines takes their centres.",
+             more tells so. Figures, chromaticity, colours and One filter take the widths; the other \
+             pages take a line's centre.",
         ),
     ] {
         let is_chosen = settings.wide_lines == wide_lines;

@@ -1,4 +1,4 @@
-//! The page "Auction": what to buy with the next two numbers.
+//! The page "Auction": what to buy with the next numbers.
 
 use std::sync::Arc;
 
@@ -29,7 +29,8 @@ use crate::{
 const WIDE: f32 = 1080.0;
 
 /// How the auction goes.
-const RULES: &str = "An order and a spike cost two numbers each. At every price all single \
+const RULES: &str = "An order and a spike cost two numbers each; one more buys that all \
+                     lines are as wide as they are. At every price all single \
                      purchases after the eight best models are tried, all pairs after the best \
                      one, and every order with none, one, two ... of the heaviest lines; sold is \
                      the model of lowest error, or one within a twentieth of it that keeps what was \
@@ -154,11 +155,13 @@ fn controls(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
     weights(ui, context, goal);
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Spend up to");
-        budget(ui, &mut context.memory.auction_numbers)
-            .labelled_by(label.id)
-            .on_hover_text(
-                "Most numbers that may be spent, 1 to 101; an order and a spike cost two.",
-            );
+        ui.add(
+            DragValue::new(&mut context.memory.auction_numbers)
+                .range(SPENDABLE)
+                .speed(0.1),
+        )
+        .labelled_by(label.id)
+        .on_hover_text("Most numbers that may be spent, 1 to 101; an order and a spike cost two.");
         let settings = context.app.document().settings;
         let way = Way::new(settings.basis, false, settings.colour_exact);
         ui.label("numbers");
@@ -211,25 +214,6 @@ fn weights(ui: &mut Ui, context: &mut PageContext<'_>, goal: Goal) {
             };
         }
     });
-}
-
-/// A count of numbers to drag or type: 2N + 1 + 2M is always odd, so one step is two numbers.
-pub(in crate::ui) fn budget(ui: &mut Ui, numbers: &mut usize) -> egui::Response {
-    let mut purchases = (*numbers).saturating_sub(1) / 2;
-    let most = (*SPENDABLE.end() - 1) / 2;
-    let value = DragValue::new(&mut purchases)
-        .speed(0.1)
-        .range(0..=most)
-        .custom_formatter(|purchases, _| format!("{}", 2.0 * purchases + 1.0))
-        .custom_parser(|text| {
-            let numbers: f64 = text.trim().parse().ok()?;
-            Some(((numbers - 1.0) / 2.0).floor())
-        });
-    let response = ui.add(value);
-    if response.changed() {
-        *numbers = 2 * purchases + 1;
-    }
-    response
 }
 
 fn columns() -> Vec<Column> {

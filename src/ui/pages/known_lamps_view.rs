@@ -36,6 +36,7 @@ impl KnownLampsView {
             numbers,
             portable,
             itself,
+            automatic: _,
         } = context.memory.words;
         let ask = EncodeAsk::of(context.app.document(), numbers, !portable, itself);
         let job = &mut context.studies.encoded;

@@ -115,6 +115,13 @@ impl Window {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 if self.side == Side::Settings {
                     said = model_view::controls(ui, &self.app, &mut commands);
+                    let words = &mut self.preferences.pages.words;
+                    ui.checkbox(&mut words.automatic, "Automatic: known lamps too")
+                        .on_hover_text(
+                            "Automatic may make the light of lamps that the program knows: the \
+                             numbers then need the program's list of lamps. Where they are better \
+                             it leads to the page Known lamps.",
+                        );
                     ui.add_space(8.0);
                     as_in_the_paper(ui, &self.app, &mut commands);
                 } else {

@@ -126,9 +126,12 @@ impl Behind {
     pub fn of(app: &App) -> Self {
         let lit = ModelledLight::of(app);
         let settings = app.document().settings;
-        let narrow = Narrow::new(
-            &lit.derived.measured,
-            &lit.derived.model,
+        let derived = &lit.derived;
+        let (values, ideal) = (derived.outline(), derived.ideal_spikes());
+        let narrow = Narrow::of_parts(
+            &derived.measured,
+            &derived.model.smooth,
+            (&values, &ideal, derived.numbers()),
             settings.colour_exact,
             &lit.tables.viewing.weights,
         );

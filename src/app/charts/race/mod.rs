@@ -8,7 +8,7 @@ mod winners;
 
 pub use larger::{Larger, Tables};
 pub use table::{RaceCell, RaceColumn, RaceTable, about, group, name};
-pub use ways::{CELLS_AT, Ways, WaysRow, about_entrant};
+pub use ways::{CELLS_AT, Ways, WaysRow};
 pub use winners::{Lamp, Winners, Won};
 
 use crate::{
@@ -16,8 +16,8 @@ use crate::{
         chart::Inks,
         chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
         figures::SMALLEST,
+        race_report::{field_words, race_notes, row_numbers, wins},
         studies::RaceAsk,
-        study_report::{field_words, race_notes, row_numbers, wins},
     },
     spectrum::Basis,
     study::{Measure, Race, race::Racer},
@@ -36,6 +36,8 @@ pub fn short_name(racer: Racer) -> &'static str {
             (Basis::Cosine, false, true) => "Cosine ex",
             (Basis::Cosine, true, true) => "Cosine ex +s",
         },
+        Racer::WideLines => "Wide lines",
+        Racer::KnownLamps => "Known lamps",
         Racer::Rival(family) => family.about().short,
         Racer::Chosen => "Chosen",
     }
@@ -61,6 +63,8 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
                 (true, true) => Shape::Diamond,
             },
         ),
+        Racer::WideLines => (inks.product, Dash::Solid, Shape::Ring),
+        Racer::KnownLamps => (inks.product, Dash::Solid, Shape::Dot),
         Racer::Rival(family) => {
             let by_place = [
                 (inks.overlays[2], Shape::Cross),

@@ -101,6 +101,7 @@ impl RaceTable {
 pub fn group(racer: Racer) -> &'static str {
     match racer {
         Racer::Composite(_) => "Composites",
+        Racer::WideLines | Racer::KnownLamps => "Lines of their own width",
         Racer::Rival(_) => "Other representations",
         Racer::Chosen => "Chosen per light, by the patches",
     }
@@ -130,6 +131,13 @@ pub fn about(racer: Racer) -> String {
             };
             format!("{spikes}{exact}")
         }
+        Racer::WideLines => "A short cosine series and lines of their own width, chosen together; \
+                             whoever has the formula can decode it."
+            .to_owned(),
+        Racer::KnownLamps => "Up to two of the program's lamps, a short cosine series and lines \
+                              of their own width, chosen together; needs the program's list of \
+                              lamps. Neither the light at hand nor its likes are among them."
+            .to_owned(),
         Racer::Rival(family) => family.about().meaning.to_owned(),
         Racer::Chosen => "For each light the composite that is best on the patches: one of the \
                           eight above again, so it wins nothing of its own."
@@ -246,7 +254,7 @@ fn spread_column(
     column(title, tip, if many { 104.0 } else { 84.0 }, cells)
 }
 
-/// Numbers really spent, and spikes among them.
+/// Numbers really spent, and lines among them.
 fn spent(race: &Race, class: Option<&str>, budget: usize, racers: usize) -> RaceColumn {
     let cells = (0..racers)
         .map(|racer| {
@@ -265,8 +273,8 @@ fn spent(race: &Race, class: Option<&str>, budget: usize, racers: usize) -> Race
                 },
                 tip: match spikes {
                     0 => String::new(),
-                    1 => "One spike at most, two numbers.".to_owned(),
-                    n => format!("Up to {n} spikes, two numbers each."),
+                    1 => "One line at most, two numbers.".to_owned(),
+                    n => format!("Up to {n} lines, two numbers each."),
                 },
                 wins: false,
             }
@@ -327,7 +335,8 @@ fn costs(columns: &mut Vec<RaceColumn>, rows: &[Row], many: bool, cost_of: &str)
     );
     add(
         "bytes",
-        "Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place takes 2."
+        "Bytes of the stored numbers of one spectrum, 8 each; a wavelet coefficient's place takes \
+         2, and wide lines and known lamps have words of 4."
             .to_owned(),
         62.0,
         &|row| row.cost.map(|c| c.bytes as f64),
@@ -342,7 +351,7 @@ fn promises(columns: &mut Vec<RaceColumn>, rows: &[Row]) {
         (
             "portable",
             "Whether the numbers mean something by themselves; principal components need their \
-             table.",
+             table, known lamps the list of lamps.",
             (|racer: Racer| !racer.needs_table()) as fn(Racer) -> bool,
         ),
         (

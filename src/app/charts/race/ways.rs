@@ -3,28 +3,31 @@
 
 use super::{RaceCell, figure};
 use crate::{
-    lamps::{Count, Entrant, ErrorKind, Standing, figures},
-    study::Spread,
+    app::{race_report::in_cells, studies::RaceAsk},
+    study::{
+        Race, Spread,
+        race::{Judged, Racer, figures},
+    },
 };
 
 /// The counts of numbers of this race.
 pub const CELLS_AT: [usize; 4] = [11, 20, 31, 41];
 
 /// The new ways.
-const OURS: [Entrant; 2] = [Entrant::KnownLamps, Entrant::WideLines];
+const OURS: [Racer; 2] = [Racer::KnownLamps, Racer::WideLines];
 
 /// One representation at one count.
 pub struct WaysRow {
     /// Who.
-    pub entrant: Entrant,
-    /// Patches, filters and blurred spectrum, in the order of [`ErrorKind::ALL`].
+    pub racer: Racer,
+    /// Patches, filters and blurred spectrum, in the order of [`Judged::ALL`].
     pub errors: [RaceCell; 3],
     /// Per cent of the cells that known lamps, then wide lines win against it.
     pub won: [String; 2],
 }
 
 /// A way with the others, the cells that it won from each and the cells that there are.
-type Won = (Entrant, Vec<(Entrant, usize, usize)>);
+type Won = (Racer, Vec<(Racer, usize, usize)>);
 
 /// What the race of the new ways says.
 pub struct Ways {
@@ -45,43 +48,50 @@ fn per_cent(won: usize, of: usize) -> String {
 }
 
 impl Ways {
-    /// Of a race.
-    pub fn of(standing: &Standing) -> Self {
-        let others = || Entrant::ALL.into_iter().filter(|e| !OURS.contains(e));
-        let counts: Vec<(Entrant, Vec<_>)> = OURS
+    /// Of a race, its cells at these counts; nothing where the new ways do not race.
+    pub fn of(ask: &RaceAsk, race: &Race, counts: &[usize]) -> Option<Self> {
+        let judged = ask.judged_counts();
+        let judged = || counts.iter().copied().filter(|n| judged.contains(n));
+        let counts: Vec<usize> = judged().collect();
+        if counts.is_empty() || !race.racers.contains(&Racer::KnownLamps) {
+            return None;
+        }
+        let others: Vec<Racer> = in_cells(race)
+            .into_iter()
+            .filter(|racer| !OURS.contains(racer))
+            .collect();
+        let won: Vec<Won> = OURS
             .into_iter()
             .map(|ours| {
-                let count = |peer| {
-                    let wins = standing.wins(ours, peer);
-                    (peer, wins.won(), wins.of)
+                let count = |peer: &Racer| {
+                    let wins = race.cells(ours, *peer, &counts);
+                    (*peer, wins.won(), wins.of)
                 };
-                (ours, others().map(count).collect())
+                (ours, others.iter().map(count).collect())
             })
             .collect();
-        let budgets: Vec<String> = standing.budgets.iter().map(usize::to_string).collect();
-        Self {
-            sentence: sentence(standing, &counts),
+        let budgets: Vec<String> = counts.iter().map(usize::to_string).collect();
+        Some(Self {
+            sentence: sentence(race, &won),
             how: format!(
                 "A cell is an error, its median, 95th percentile or worst, a class of lights and a \
                  count of numbers ({}). {} No table holds the light at hand or its likes; the 99 \
                  samples of TM-30 and filters between those of the choice judge.",
                 budgets.join(", "),
-                match standing.count {
-                    Count::Words =>
-                        "Numbers are words of 32 bits: a line takes two, a known lamp \
-                                     one, the label one.",
-                    Count::Strict =>
-                        "Strictly counted: a line takes three numbers, a known lamp \
-                                      two, the label one.",
+                if ask.strict {
+                    "Strictly counted: a line takes three numbers, a known lamp two, the label one."
+                } else {
+                    "Numbers are words of 32 bits: a line takes two, a known lamp one, the label \
+                     one."
                 }
             ),
-            counts,
-        }
+            counts: won,
+        })
     }
 
     /// The cells won as lines for a table's head.
     pub fn notes(&self) -> Vec<String> {
-        let line = |(ours, counts): &(Entrant, Vec<(Entrant, usize, usize)>)| {
+        let line = |(ours, counts): &Won| {
             let against = counts
                 .iter()
                 .map(|(peer, won, of)| format!("{won} of {of} against {}", peer.word()));
@@ -93,69 +103,35 @@ impl Ways {
     }
 
     /// The rows of a class (or all) at a count.
-    pub fn rows(&self, standing: &Standing, class: Option<&str>, budget: usize) -> Vec<WaysRow> {
-        let mut rows: Vec<WaysRow> = Entrant::ALL
-            .into_iter()
-            .map(|entrant| WaysRow {
-                entrant,
-                errors: ErrorKind::ALL
-                    .map(|error| cell(spread(standing, class, budget, entrant, error), error)),
+    pub fn rows(&self, race: &Race, class: Option<&str>, budget: usize) -> Vec<WaysRow> {
+        let racers = in_cells(race);
+        let mut rows: Vec<WaysRow> = racers
+            .iter()
+            .map(|racer| WaysRow {
+                racer: *racer,
+                errors: Judged::ALL
+                    .map(|error| cell(race.judged(class, budget, *racer, error), error)),
                 won: std::array::from_fn(|i| {
                     let counts = &self.counts[i].1;
-                    let against = counts.iter().find(|(peer, ..)| *peer == entrant);
+                    let against = counts.iter().find(|(peer, ..)| peer == racer);
                     against.map_or_else(String::new, |(_, won, of)| per_cent(*won, *of))
                 }),
             })
             .collect();
-        for (i, error) in ErrorKind::ALL.into_iter().enumerate() {
-            let median = |e| spread(standing, class, budget, e, error).map(|s| s.median);
-            let least = Entrant::ALL.into_iter().filter_map(median);
+        for (i, error) in Judged::ALL.into_iter().enumerate() {
+            let median = |racer| race.judged(class, budget, racer, error).map(|s| s.median);
+            let least = racers.iter().copied().filter_map(median);
             let least = least.fold(f64::INFINITY, f64::min);
             for row in &mut rows {
-                row.errors[i].wins = median(row.entrant) == Some(least);
+                row.errors[i].wins = median(row.racer) == Some(least);
             }
         }
         rows
     }
 }
 
-/// What an entrant is, a sentence.
-pub fn about_entrant(entrant: Entrant) -> String {
-    match entrant {
-        Entrant::KnownLamps => "Up to two of the program's lamps, a short cosine series and lines \
-                                of their own width, chosen together; needs the program's list of \
-                                lamps."
-            .to_owned(),
-        Entrant::WideLines => {
-            "The same without known lamps: whoever has the formula can decode it.".to_owned()
-        }
-        Entrant::Today => "The best of the eight composites, chosen for each light.".to_owned(),
-        Entrant::Peer(family) => family.about().meaning.to_owned(),
-    }
-}
-
-fn spread(
-    standing: &Standing,
-    class: Option<&str>,
-    budget: usize,
-    entrant: Entrant,
-    error: ErrorKind,
-) -> Option<Spread> {
-    let is_in = |lamp: &usize| class.is_none_or(|class| standing.lamps[*lamp].1 == class);
-    let values: Vec<f64> = (0..standing.lamps.len())
-        .filter(is_in)
-        .filter_map(|lamp| standing.errors(lamp, budget, entrant))
-        .map(|errors| error.of(errors))
-        .collect();
-    Spread::of(&values)
-}
-
-fn cell(spread: Option<Spread>, error: ErrorKind) -> RaceCell {
-    let factor = if error == ErrorKind::Blurred {
-        100.0
-    } else {
-        1.0
-    };
+fn cell(spread: Option<Spread>, error: Judged) -> RaceCell {
+    let factor = if error == Judged::Blurred { 100.0 } else { 1.0 };
     spread.map_or_else(RaceCell::default, |spread| {
         let [median, p95, worst] = figures(spread).map(|value| figure(factor * value));
         let is_one = median == worst;
@@ -171,22 +147,22 @@ fn cell(spread: Option<Spread>, error: ErrorKind) -> RaceCell {
     })
 }
 
-fn sentence(standing: &Standing, counts: &[Won]) -> String {
-    let who = match &standing.lamps[..] {
+fn sentence(race: &Race, counts: &[Won]) -> String {
+    let who = match &race.lamps[..] {
         [(name, _)] => format!("On {name}"),
         lamps => format!("On {} lights", lamps.len()),
     };
     let said = counts.iter().filter_map(|(ours, against)| {
-        let peers = || against.iter().filter(|(peer, ..)| *peer != Entrant::Today);
+        let peers = || against.iter().filter(|(peer, ..)| *peer != Racer::Chosen);
         let won: usize = peers().map(|(_, won, _)| won).sum();
         let of: usize = peers().map(|(.., of)| of).sum();
-        let share = |(_, won, of): &&(Entrant, usize, usize)| (1000 * won).checked_div(*of);
+        let share = |(_, won, of): &&(Racer, usize, usize)| (1000 * won).checked_div(*of);
         let least = peers()
             .filter(|count| share(count).is_some())
             .min_by_key(share)?;
         let (peer, least_won, least_of) = least;
         let title = match ours {
-            Entrant::KnownLamps => "known lamps with wide lines",
+            Racer::KnownLamps => "known lamps with wide lines",
             _ => "wide lines alone",
         };
         let least = if won == of {
@@ -214,7 +190,7 @@ mod tests {
         app::{
             App,
             memo::ByAddress,
-            studies::{Field, RaceAsk, WaysAsk},
+            studies::{Field, RaceAsk},
         },
         study::Progress,
     };
@@ -224,22 +200,22 @@ mod tests {
         let app = App::new();
         let light = app.entry("cie_fluorescent_1nm/FL11").expect("shipped");
         let field = Field::One(ByAddress(light));
-        let race = RaceAsk::of(app.document(), field, vec![20]);
-        let ask = WaysAsk::of(&race, &[11, 20], false).expect("in range");
-        let standing = ask.answer(&Progress::default()).expect("a light");
-        let ways = Ways::of(&standing);
+        let ask = RaceAsk::of(app.document(), field, vec![11, 15, 20]);
+        let race = ask.answer(&Progress::default()).expect("a light");
+        let ways = Ways::of(&ask, &race, &CELLS_AT).expect("counts in range");
         // Three errors, three figures, two counts, six peers.
         assert!(ways.sentence.contains(" of 108 cells"), "{}", ways.sentence);
         assert!(ways.sentence.starts_with("On FL11, known lamps"));
         assert_eq!(ways.notes().len(), 3);
-        let rows = ways.rows(&standing, None, 1);
-        assert_eq!(rows.len(), Entrant::ALL.len());
+        let rows = ways.rows(&race, None, 2);
+        assert_eq!(rows.len(), 9);
         for i in 0..3 {
             assert!(rows.iter().any(|row| row.errors[i].wins));
         }
-        let row = |word: &str| rows.iter().find(|row| row.entrant.word() == word);
+        let row = |word: &str| rows.iter().find(|row| row.racer.word() == word);
         assert_eq!(row("known-lamps").expect("ours").won, ["", ""]);
         assert!(row("samples").expect("a peer").won[0].ends_with(" %"));
+        assert!(Ways::of(&ask, &race, &[8]).is_none(), "nobody raced at 8");
     }
 
     #[test]

@@ -7,8 +7,8 @@ use crate::{
     app::{
         Entry,
         library::Library,
+        race_report::sets,
         studies::{Class, Field, RaceAsk},
-        study_report::sets,
     },
     preset::Preset,
     spectrum::Kind,

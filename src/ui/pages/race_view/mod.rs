@@ -19,7 +19,6 @@ use crate::{
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
     },
-    lamps::Standing,
     spectrum::Kind,
     study::{Measure, Race, race::Racer},
     ui::{
@@ -90,12 +89,13 @@ impl RaceView {
             );
             return;
         }
-        let ask = RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec());
+        let ask = RaceAsk {
+            strict: context.memory.race_strict,
+            ..RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec())
+        };
         let race = &mut context.studies.race;
         race.ask_by(&ask, context.wake, RaceAsk::answer);
         progress(ui, race, "The race");
-        let standing = ways::WaysView::ask(context, &ask);
-        let race = &mut context.studies.race;
         if race.stage() == Stage::Impossible {
             // What is still there answers another question.
             return;
@@ -103,7 +103,7 @@ impl RaceView {
         let Some((ask, race)) = race.answer().map(|(ask, race)| (ask.clone(), race.clone())) else {
             return;
         };
-        self.result(ui, context, (&ask, &race), standing.as_ref());
+        self.result(ui, context, (&ask, &race));
     }
 
     /// Who races, on how many numbers, and what decides.
@@ -193,7 +193,6 @@ impl RaceView {
         ui: &mut Ui,
         context: &mut PageContext<'_>,
         (ask, race): (&RaceAsk, &Arc<Race>),
-        standing: Option<&Arc<Standing>>,
     ) {
         let numbers = context.memory.race_numbers;
         let Some(budget) = race.budgets.iter().position(|n| *n == numbers) else {
@@ -210,16 +209,14 @@ impl RaceView {
         let drawn = &*self.shown.get(key, |key| Shown::of(ask, key));
         let theme = context.theme;
         let ways = &mut self.ways;
-        if let Some(standing) = standing {
-            ways.headline(ui, context, standing);
-        }
+        ways.headline(ui, context, (ask, race));
         egui::ScrollArea::vertical()
             .auto_shrink(false)
             .show(ui, |ui| {
                 table_head(ui, context, ask, race, class, budget);
                 drawn.table.show(ui, theme, &mut self.costs);
                 ui.add_space(8.0);
-                ways.show(ui, context, standing, class);
+                ways.show(ui, context, (ask, race), (class, budget));
                 let wide = ui.available_width() >= WIDE;
                 let height = (360.0 * theme.scale).max(240.0);
                 if wide {

@@ -8,14 +8,14 @@ use egui::Ui;
 use super::{scaled, solid_bars};
 use crate::{
     app::{
-        charts::race::{CELLS_AT, Ways, WaysRow, about_entrant},
+        charts::race::{CELLS_AT, Ways, WaysRow, about, name},
         memo::{ByAddress, Memo},
-        studies::{RaceAsk, WaysAsk},
+        studies::RaceAsk,
     },
-    lamps::Standing,
+    study::Race,
     ui::{
         kit::{self, Column, Look, Row, Table},
-        pages::{PageContext, progress},
+        pages::PageContext,
         theme::section,
     },
 };
@@ -29,66 +29,54 @@ const LEAST_CELL: f32 = 92.0;
 /// The part of the page and what it keeps from frame to frame.
 #[derive(Default)]
 pub struct WaysView {
-    said: Memo<ByAddress<Standing>, Ways>,
-    rows: Memo<(ByAddress<Standing>, Option<String>, usize), Vec<Row>>,
+    said: Memo<ByAddress<Race>, Option<Ways>>,
+    rows: Memo<(ByAddress<Race>, Option<String>, usize), Vec<Row>>,
 }
 
 impl WaysView {
-    /// Asks for the race of the new ways; its result when it is of these lights.
-    pub fn ask(context: &mut PageContext<'_>, race: &RaceAsk) -> Option<Arc<Standing>> {
-        let ask = WaysAsk::of(race, &CELLS_AT, context.memory.race_strict)?;
-        let job = &mut context.studies.ways;
-        job.ask_by(&ask, context.wake, WaysAsk::answer);
-        let (of, standing) = job.answer()?;
-        (of.race == ask.race).then(|| standing.clone())
-    }
-
     /// The result in a sentence.
-    pub fn headline(&mut self, ui: &mut Ui, context: &PageContext<'_>, standing: &Arc<Standing>) {
-        let ways = self
-            .said
-            .get(ByAddress(standing.clone()), |s| Ways::of(&s.0));
-        kit::headline(ui, context.theme, &ways.sentence);
-        ui.add_space(4.0);
+    pub fn headline(
+        &mut self,
+        ui: &mut Ui,
+        context: &PageContext<'_>,
+        (ask, race): (&RaceAsk, &Arc<Race>),
+    ) {
+        let said = |race: &ByAddress<Race>| Ways::of(ask, &race.0, &CELLS_AT);
+        if let Some(ways) = self.said.get(ByAddress(race.clone()), said) {
+            kit::headline(ui, context.theme, &ways.sentence);
+            ui.add_space(4.0);
+        }
     }
 
-    /// The table of the count nearest to the page's.
+    /// The table of a count, by its place.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,
-        standing: Option<&Arc<Standing>>,
-        class: Option<&str>,
+        (ask, race): (&RaceAsk, &Arc<Race>),
+        (class, budget): (Option<&str>, usize),
     ) {
+        let said = |race: &ByAddress<Race>| Ways::of(ask, &race.0, &CELLS_AT);
+        let Some(ways) = self.said.get(ByAddress(race.clone()), said) else {
+            return;
+        };
         ui.horizontal_wrapped(|ui| {
-            section(ui, "With known lamps and lines of their own width");
+            section(
+                ui,
+                "How far known lamps and lines of their own width are ahead",
+            );
             ui.checkbox(&mut context.memory.race_strict, "count strictly")
                 .on_hover_text(
                     "Counts which lamp it is, and how wide a line is, as numbers of their own: a \
                      line takes three numbers, a known lamp two.",
                 );
         });
-        progress(ui, &mut context.studies.ways, "The race of known lamps");
-        let Some(standing) = standing else {
-            return;
-        };
-        let numbers = context.memory.race_numbers;
-        let nearest = standing.budgets.iter().enumerate();
-        let Some((budget, at)) = nearest.min_by_key(|(_, n)| n.abs_diff(numbers)) else {
-            return;
-        };
-        let ways = &*self
-            .said
-            .get(ByAddress(standing.clone()), |s| Ways::of(&s.0));
+        let at = race.budgets[budget];
         ui.weak(format!("At {at} numbers. ★ least error. {}", ways.how));
         ui.add_space(2.0);
-        let key = (
-            ByAddress(standing.clone()),
-            class.map(str::to_owned),
-            budget,
-        );
+        let key = (ByAddress(race.clone()), class.map(str::to_owned), budget);
         let rows = &*self.rows.get(key, |_| {
-            let rows = ways.rows(standing, class, budget);
+            let rows = ways.rows(race, class, budget);
             rows.iter().map(row).collect()
         });
         let theme = context.theme;
@@ -139,19 +127,19 @@ fn columns() -> [Column; 6] {
 }
 
 fn row(row: &WaysRow) -> Row {
-    let name = row.entrant.title();
+    let title = name(row.racer);
     let errors = row.errors.iter();
     let text = |cell: &crate::app::charts::race::RaceCell| match cell.wins {
         true => format!("★ {}", cell.text),
         false => cell.text.clone(),
     };
     Row {
-        name: name.to_owned(),
-        cells: std::iter::once(name.to_owned())
+        name: title.to_owned(),
+        cells: std::iter::once(title.to_owned())
             .chain(errors.clone().map(text))
             .chain(row.won.iter().cloned())
             .collect(),
-        note: about_entrant(row.entrant),
+        note: about(row.racer),
         tips: std::iter::once(String::new())
             .chain(errors.clone().map(|cell| cell.tip.clone()))
             .collect(),
