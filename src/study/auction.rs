@@ -466,7 +466,7 @@ impl<'a> Room<'a> {
     /// The plain models of a price: none, one, two ... of the heaviest lines. An even count of
     /// numbers is that of lines with widths.
     fn bid_plain(&mut self, numbers: usize) {
-        let (count, wide) = ((numbers - 1) / 2, numbers % 2 == 0);
+        let (count, wide) = ((numbers - 1) / 2, numbers.is_multiple_of(2));
         for lines in 0..=count.min(self.lines()) {
             self.bid(Choice::heaviest(count - lines, lines, wide));
         }
