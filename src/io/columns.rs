@@ -18,11 +18,14 @@ use super::layout::{self, Layout};
 use super::no_table;
 use super::pick::{self, Look, NoTable, Table};
 use super::roles::{self, Group};
+use super::row_order;
 use super::rows::{AlongRow, read_rows};
 use super::samples;
+use super::table::{BadCell, most_left_out};
 use super::titles::Titles;
 use super::{
-    Confidence, Format, Guess, Guessed, Input, ReadError, Reading, csv, reading::TableFound,
+    Choices, Confidence, Format, Guess, Guessed, Input, ReadError, Reading, csv,
+    reading::TableFound,
 };
 
 /// Plain columns of numbers.
@@ -43,11 +46,14 @@ fn sniff(input: &Input) -> Confidence {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_long_text()?.text;
-    let own = Own::of(text).filter(|_| input.choices.dialect.is_none());
-    let look = match (&own, input.choices.dialect) {
+    let Choices {
+        dialect, delimiter, ..
+    } = input.choices;
+    let own = Own::of(text).filter(|_| dialect.is_none() && delimiter.is_none());
+    let look = match (&own, dialect) {
         (Some(_), _) => Look::at_all(text, csv::DIALECT),
         (None, Some(dialect)) => Look::at_all(text, dialect),
-        (None, None) => pick::look(text),
+        (None, None) => pick::look(text, delimiter),
     };
     let dialect = look.dialect;
     let found = match &own {
@@ -172,7 +178,9 @@ fn read_table(
                 Some(_) => (vec![all_beside(wavelength, table.block.width)], Vec::new()),
                 None => roles::groups(&table.block, &table.titles, wavelength),
             };
-            check(file, table, wavelength, &groups)?;
+            reading
+                .notes
+                .extend(check(file, table, wavelength, &groups)?);
             if let Some(found) = &mut reading.table
                 && found.values.is_empty()
                 && !table.is_short
@@ -219,8 +227,14 @@ fn all_beside(axis: usize, width: usize) -> Group {
     }
 }
 
-/// Refuses words among the numbers that count, and tables without any.
-fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Result<(), ReadError> {
+/// Refuses words among the numbers that count, and tables without any. Where a column is all numbers
+/// but for a word or two, these are gaps, and said.
+fn check(
+    file: &File,
+    table: &Table,
+    wavelength: usize,
+    groups: &[Group],
+) -> Result<Vec<String>, ReadError> {
     let block = &table.block;
     let mut counts = vec![false; block.width];
     counts[wavelength] = true;
@@ -231,8 +245,11 @@ fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Res
             .iter()
             .for_each(|column| counts[*column] = true);
     }
+    let most = most_left_out(block.rows());
     let bad = block.bad.iter().filter(|bad| counts[bad.column]);
-    if let Some(bad) = bad.min_by_key(|bad| bad.line) {
+    let (few, many): (Vec<&BadCell>, Vec<&BadCell>) =
+        bad.partition(|bad| block.columns[bad.column].texts <= most);
+    if let Some(bad) = many.into_iter().min_by_key(|bad| bad.line) {
         return Err(bad.refusal(file.input));
     }
     if groups.iter().all(|group| group.values.is_empty()) {
@@ -245,7 +262,7 @@ fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Res
             )
             .at_line(block.lines[0] as usize));
     }
-    Ok(())
+    Ok(few.into_iter().map(|bad| bad.left_out("cell")).collect())
 }
 
 /// What speaks against the cells of a table with commas between them: fewer titles than numbers in
@@ -313,14 +330,18 @@ fn read_groups(
     let is_rgb = are_rgb(&table.titles, &all);
     let mut before = 0;
     for group in groups {
-        let rows = match groups {
-            [_] => table.block.rows(),
-            _ => rows_of(table, group),
-        };
         let mut of_samples = group.clone();
         let named = match groups {
             [_] => samples::together(&mut table.block, file.dialect, group.axis, &group.values),
             _ => None,
+        };
+        if groups.len() == 1 && named.is_none() {
+            let said = row_order::put_right(&mut table.block, group.axis, &group.values);
+            reading.notes.extend(said);
+        }
+        let rows = match groups {
+            [_] => table.block.rows(),
+            _ => rows_of(table, group),
         };
         let axis = table.block.column(group.axis)[..rows].to_vec();
         let (runs, names): (Vec<_>, Vec<_>) = match named {
@@ -435,7 +456,10 @@ fn read_columns(
                 },
             },
             title: match file.own {
-                None if !rows.is_rgb => titles.whole(*column),
+                None if !rows.is_rgb => match &block.columns[*column].unit {
+                    Some(unit) => format!("{} [{unit}]", titles.whole(*column)),
+                    None => titles.whole(*column),
+                },
                 _ => String::new(),
             },
             axis_title: axis_title.clone(),

@@ -293,6 +293,7 @@ impl Draft<'_> {
         let percent = match Counted::of_scale(scale) {
             Counted::Percent => "from per cent",
             Counted::TenThousandths => "from ten thousandths",
+            Counted::SixteenBits => "from 16-bit numbers",
             Counted::Fraction | Counted::Otherwise => "",
         };
         let mut spectrum = NamedSpectrum {

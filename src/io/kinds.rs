@@ -155,47 +155,115 @@ const WORDS: [(Kind, &[&str]); 8] = [
             "photon",
             "intensi",
             "counts",
+            "dark subtracted",
         ],
     ),
 ];
 
+/// How a word of a file's name is known.
+enum Named {
+    /// By the whole of it.
+    Whole(&'static [&'static str]),
+    /// By how it begins.
+    Begins(&'static [&'static str]),
+    /// By the whole of it, where it is the name's last: `Au.k`, `SiO2_n`.
+    Last(&'static [&'static str]),
+}
+
 /// Words in a file's name only: too weak for a line of text.
-const NAME_WORDS: [(Kind, &[&str]); 8] = [
-    (Kind::Weighting, &RECEPTORS),
+const NAME_WORDS: [(Kind, Named); 10] = [
+    (Kind::Other, Named::Last(&["eta", "k", "n"])),
     (
-        Kind::Other,
-        &[
-            ".eta.", ".k.", ".n.", "_eta.", "_k.", "_n.", "-eta.", "-k.", "-n.",
-        ],
+        Kind::Weighting,
+        Named::Whole(&["cmf", "cmfs", "xyz", "vlambda", "vl", "opic", "action"]),
     ),
     (
         Kind::Weighting,
-        &[
-            "cmf", "xyz_", "ciexyz", "linss", "sbrgb", "vlambda", "vl_", "|action", "sensitiv",
-        ],
+        Named::Begins(&["ciexyz", "linss", "sbrgb", "sensitiv"]),
     ),
+    (Kind::Reflectance, Named::Whole(&["refl"])),
     (
         Kind::Reflectance,
-        &[
+        Named::Begins(&[
             "reflect",
             "macbeth",
             "colorchecker",
             "colourchecker",
             "munsell",
-            "_refl",
-        ],
+        ]),
     ),
-    (Kind::Transmittance, &["transm", "filter"]),
-    (Kind::Absorbance, &["absorb"]),
+    (Kind::Transmittance, Named::Whole(&["filter", "filters"])),
+    (Kind::Transmittance, Named::Begins(&["transm"])),
+    (Kind::Absorbance, Named::Begins(&["absorb"])),
     (
         Kind::Light,
-        &[
-            "irrad", "radian", "spd", "lamp", "led", "illum", "light", "emission", "daylight",
-            "halogen",
-        ],
+        Named::Whole(&[
+            "lamp",
+            "lamps",
+            "led",
+            "leds",
+            "light",
+            "lights",
+            "daylight",
+            "sunlight",
+            "skylight",
+            "moonlight",
+            "spd",
+        ]),
     ),
-    (Kind::Lines, &[]),
+    (
+        Kind::Light,
+        Named::Begins(&[
+            "irrad", "radian", "illum", "stdillum", "emission", "halogen",
+        ]),
+    ),
 ];
+
+/// The words of a file's name without its ending, lower case: letters, apart from figures and from
+/// the next word's capital.
+fn words_of_name(name: &str) -> Vec<String> {
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let letters: Vec<char> = stem.chars().collect();
+    let mut words = vec![String::new()];
+    for (at, letter) in letters.iter().enumerate() {
+        let is_lower = |at: usize| letters.get(at).is_some_and(|c| c.is_lowercase());
+        let starts = letter.is_uppercase()
+            && (at > 0 && is_lower(at - 1)
+                || is_lower(at + 1) && letters[at.saturating_sub(1)].is_uppercase());
+        if starts || !letter.is_alphabetic() {
+            words.push(String::new());
+        }
+        if let Some(word) = words.last_mut().filter(|_| letter.is_alphabetic()) {
+            word.extend(letter.to_lowercase());
+        }
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// The kinds that the words of a file's name tell, in their order.
+fn kinds_of_name(name: &str) -> Vec<Kind> {
+    let words = words_of_name(name);
+    let mut kinds: Vec<Kind> = Vec::new();
+    for (at, word) in words.iter().enumerate() {
+        let word = word.as_str();
+        let is_known = |known: &Named| match known {
+            Named::Whole(whole) => whole.contains(&word),
+            Named::Begins(starts) => starts.iter().any(|start| word.starts_with(start)),
+            Named::Last(whole) => at > 0 && at + 1 == words.len() && whole.contains(&word),
+        };
+        let found = NAME_WORDS.iter().find(|(_, known)| is_known(known));
+        kinds.extend(found.map(|(kind, _)| *kind));
+    }
+    if holds_any(&name.to_lowercase(), &RECEPTORS) {
+        kinds.push(Kind::Weighting);
+    }
+    // An ending `.spd` is that of reflectances and indices too.
+    if kinds.is_empty() && name.to_lowercase().ends_with(".spd") {
+        kinds.push(Kind::Light);
+    }
+    kinds
+}
 
 /// The kind that a title tells by its words or its one letter (`R`, `T`, `%R`, `n`, `k`).
 pub fn kind_of_title(title: &str) -> Option<Kind> {
@@ -250,22 +318,18 @@ pub fn kind_of_words(line: &str) -> Option<Kind> {
         .map(|(kind, _)| *kind)
 }
 
-/// The kind that a file's name suggests.
+/// The kind that a file's name suggests, by whole words: of several the last, which is what the
+/// others tell more of ("filtered lamp", "lamp filter").
 pub fn kind_of_name(name: &str) -> Option<Kind> {
-    let name = name.to_lowercase();
-    NAME_WORDS
-        .iter()
-        .find(|(_, words)| holds_any(&name, words))
-        .map(|(kind, _)| *kind)
+    kinds_of_name(name).last().copied()
 }
 
 /// Whether the words in a file's name all mean one kind.
 pub fn is_plain_name(name: &str) -> bool {
-    // An ending `.spd` is that of reflectances and indices too.
-    let name = name.to_lowercase();
-    let name = name.strip_suffix("spd").unwrap_or(&name);
-    let tells = |(_, words): &&(Kind, &[&str])| words.iter().any(|w| name.contains(w));
-    NAME_WORDS.iter().filter(tells).count() == 1
+    let kinds = kinds_of_name(name);
+    kinds
+        .first()
+        .is_some_and(|first| kinds.iter().all(|kind| kind == first))
 }
 
 /// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
@@ -278,9 +342,18 @@ pub fn states_values(line: &str) -> bool {
         "unit",
         "measurement",
         "quantity",
+        "technique",
     ]
     .iter()
     .any(|start| line.starts_with(start))
+}
+
+/// Whether a line titles columns of several kinds: it tells nothing of one without a kind.
+fn titles_several(line: &str) -> bool {
+    let cells = line.split([';', '\t', ',']);
+    let mut kinds = cells.filter_map(kind_of_words);
+    let first = kinds.next();
+    kinds.any(|kind| Some(kind) != first)
 }
 
 /// What the lines above a table say of the kind of its values.
@@ -304,7 +377,7 @@ impl FromHeader {
         });
         let telling = lines()
             .filter(|line| states_values(line))
-            .chain(lines())
+            .chain(lines().filter(|line| !titles_several(line)))
             .find_map(|line| kind_of_words(line).map(|kind| (kind, short(line))));
         Self {
             own,
@@ -327,6 +400,17 @@ pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Kin
     }
     if let Some(kind) = kind_of_title(title) {
         return stated(kind, format!("the column's title \"{}\"", short(title)));
+    }
+    if holds_any(&title.to_lowercase(), &["|%tr|", "|%t/r|"]) {
+        return KindFound {
+            kind: Kind::Transmittance,
+            because: format!(
+                "the column's title \"{}\"; it may be a reflectance",
+                short(title)
+            ),
+            stated: false,
+            plain: false,
+        };
     }
     if let Some((kind, line)) = &header.telling {
         return stated(*kind, format!("the header line \"{line}\""));
@@ -459,6 +543,66 @@ mod tests {
         ] {
             assert_eq!(kind_of_words(text), Some(kind), "{text}");
         }
-        assert_eq!(kind_of_name("tropical_fruit.csv"), None);
+    }
+
+    #[test]
+    fn parts_of_words_in_a_files_name_tell_no_kind() {
+        for name in [
+            "tropical_fruit.csv",
+            "recycled_paper.csv",
+            "modelled.csv",
+            "peeled.csv",
+            "scaled.csv",
+            "shuffled.csv",
+            "delight.csv",
+            "unfiltered.csv",
+            "k.csv",
+        ] {
+            assert_eq!(kind_of_name(name), None, "{name}");
+        }
+        for (name, kind) in [
+            ("red_led_5.csv", Kind::Light),
+            ("LEDWhitesPlusCanaryYellow.txt", Kind::Light),
+            ("unfiltered_lamp.csv", Kind::Light),
+            ("xyz_lamp.csv", Kind::Light),
+            ("lampFilter.csv", Kind::Transmittance),
+            ("ciexyz31.csv", Kind::Weighting),
+            ("lin2012xyz2e_1_7sf.csv", Kind::Weighting),
+            ("Au.eta.spd", Kind::Other),
+            ("macbeth-1.spd", Kind::Reflectance),
+            ("F8.spd", Kind::Light),
+        ] {
+            assert_eq!(kind_of_name(name), Some(kind), "{name}");
+        }
+        assert!(is_plain_name("red_led.csv") && is_plain_name("macbeth-1.spd"));
+        assert!(!is_plain_name("xyz_lamp.csv") && !is_plain_name("paper.csv"));
+    }
+
+    #[test]
+    fn a_line_of_titles_of_several_kinds_tells_nothing_of_the_others() {
+        let header = [(1, "Dark Subtracted #1;%TR #1;Absorbance #1;Irradiance #1")];
+        let header = FromHeader::of(&header);
+        assert_eq!(
+            kind("else", &header, "a.txt", &[5.0]).because,
+            "nothing states it"
+        );
+        assert_eq!(
+            kind("Dark Subtracted #1", &header, "a.txt", &[5.0]).kind,
+            Kind::Light
+        );
+        let ratio = kind("%TR #1", &header, "a.txt", &[5.0]);
+        assert_eq!((ratio.kind, ratio.plain), (Kind::Transmittance, false));
+    }
+
+    #[test]
+    fn the_technique_outweighs_a_setting_of_another_instrument() {
+        let header = [
+            (1, "Raman Intensity Corrected,False"),
+            (2, "Technique,Transmission"),
+        ];
+        for lines in [&header[..], &[header[1], header[0]]] {
+            let found = kind("Processed", &FromHeader::of(lines), "a.csv", &[80.0]);
+            assert_eq!((found.kind, found.stated), (Kind::Transmittance, true));
+        }
     }
 }

@@ -34,13 +34,16 @@ const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
 /// Largest values that are neither: remote sensing stores ten thousandths.
 const TEN_THOUSANDTHS: std::ops::RangeInclusive<f64> = 1000.0..=12_000.0;
 
+/// Largest values that are whole numbers of 16 bits; beyond them nobody knows.
+const SIXTEEN_BITS: std::ops::RangeInclusive<f64> = 12_000.0..=65_535.0;
+
 /// Whether the largest values leave hardly a doubt about what they are counted in.
 pub fn is_plain_size(counted: Counted, high: f64) -> bool {
     match counted {
         Counted::Fraction => PLAIN_FRACTION.contains(&high),
         Counted::Percent => PLAIN_PERCENT.contains(&high),
         Counted::TenThousandths => PLAIN_PERCENT.contains(&(0.01 * high)),
-        Counted::Otherwise => false,
+        Counted::SixteenBits | Counted::Otherwise => false,
     }
 }
 
@@ -113,6 +116,8 @@ pub fn percent_told(
     let percent = high > 1.5 && (middle > 1.5 || middle < 0.03 * high);
     let counted = if percent && TEN_THOUSANDTHS.contains(&high) {
         Counted::TenThousandths
+    } else if percent && SIXTEEN_BITS.contains(&high) {
+        Counted::SixteenBits
     } else {
         Counted::percent(percent)
     };
@@ -269,6 +274,14 @@ mod tests {
         filter[90..100].fill(80.0);
         assert!(percent("", &[], false, &filter).percent);
         assert!(percent("", &[], false, &[40.0, 50.0, 60.0]).percent);
+    }
+
+    #[test]
+    fn whole_numbers_of_sixteen_bits_are_no_per_cent_and_are_asked_about() {
+        let found = percent("", &[], false, &[6553.5, 32_767.0, 65_535.0]);
+        assert_eq!((found.counted, found.plain), (Counted::SixteenBits, false));
+        let found = percent("", &[], false, &[1000.0, 5000.0, 10_000.0]);
+        assert_eq!(found.counted, Counted::TenThousandths);
     }
 
     #[test]

@@ -65,6 +65,7 @@ pub mod raman;
 pub mod reading;
 pub mod refractive_yaml;
 pub mod roles;
+pub mod row_order;
 pub mod rows;
 pub mod samples;
 pub mod scan;
@@ -265,6 +266,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     decided::settle(large_numbers, &input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
+    reading.tell_holes();
+    reading.tell_unused(&input.choices);
     reading.tidy();
     reading.name_apart();
     reading.notes.extend(input.text_notes());

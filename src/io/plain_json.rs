@@ -549,7 +549,9 @@ fn one_number(value: &Tree) -> Option<f64> {
         Tree::Nothing => Some(f64::NAN),
         Tree::Number(number) => Some(*number),
         Tree::Text(text) => match number::parse(text, false) {
-            Cell::Number(number) | Cell::Nanometres(number) => Some(number),
+            Cell::Number(number) | Cell::Nanometres(number) | Cell::WithUnit(number) => {
+                Some(number)
+            }
             Cell::Gap => Some(f64::NAN),
             Cell::Percent(_) | Cell::Empty | Cell::Text => None,
         },

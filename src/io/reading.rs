@@ -2,8 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::{Counted, Dialect, units::WavelengthUnit};
-use crate::spectrum::{Composite, Kind, NamedSpectrum, SpectralImage};
+use super::{Choices, Counted, Dialect, decided::BY_HAND, units::WavelengthUnit};
+use crate::spectrum::{Composite, Kind, NamedSpectrum, Sampled, SpectralImage};
 
 use super::error::printable_line;
 use super::makers_results::MakersResult;
@@ -246,6 +246,37 @@ impl Reading {
         texts.into_iter().for_each(tidy);
     }
 
+    /// Says of every spectrum where nothing was measured in its midst. A file that was written here
+    /// may say so already.
+    pub fn tell_holes(&mut self) {
+        for spectrum in &mut self.spectra {
+            let told = hole_notes(&spectrum.samples);
+            let new = told
+                .into_iter()
+                .filter(|note| !spectrum.notes.contains(note));
+            let new: Vec<String> = new.collect();
+            spectrum.notes.extend(new);
+        }
+    }
+
+    /// Says which of a person's decisions about the table do not apply to the file's format.
+    pub fn tell_unused(&mut self, choices: &Choices) {
+        let is_by_hand = |understood: &Understood| match &understood.axis {
+            Some(AxisTold::Unit(told)) => told.because == BY_HAND,
+            Some(AxisTold::Laser(_)) | None => false,
+        };
+        let mut all = self.understood.iter().chain(&self.images_understood);
+        if choices.wavelengths.is_some() && !all.any(is_by_hand) {
+            let note = "the unit chosen for the wavelengths is not used: the format has its own";
+            self.notes.push(note.to_owned());
+        }
+        let of_cells = choices.axis_column.is_some() || choices.delimiter.is_some();
+        if of_cells && self.table.is_none() {
+            let note = "the column or delimiter that was chosen is not used: no plain table";
+            self.notes.push(note.to_owned());
+        }
+    }
+
     /// Gives every spectrum a name of its own: doubles get "(2)", "(3)", ...
     pub fn name_apart(&mut self) {
         // The names as the file has them are taken first: one of them may end in "(2)".
@@ -278,6 +309,32 @@ fn tidy(text: &mut String) {
     if line != text.as_str() {
         *text = line.to_owned();
     }
+}
+
+/// Holes that are told one by one.
+const MOST_HOLES: usize = 3;
+
+/// Where a spectrum has no samples in its midst, a sentence each.
+fn hole_notes(samples: &Sampled) -> Vec<String> {
+    let holes = samples.holes();
+    let range = samples.last_nm() - samples.first_nm();
+    let share = |holes: &[[f64; 2]]| {
+        let wide: f64 = holes.iter().map(|[from, to]| to - from).sum();
+        round_step(100.0 * wide / range)
+    };
+    if holes.len() > MOST_HOLES {
+        let count = holes.len();
+        return vec![format!(
+            "{count} holes without measurements, {} % of the range",
+            share(&holes)
+        )];
+    }
+    let told = |hole: &[f64; 2]| {
+        let [from, to] = hole.map(round3);
+        let share = share(&[*hole]);
+        format!("nothing measured between {from} and {to} nm, {share} % of the range")
+    };
+    holes.iter().map(told).collect()
 }
 
 /// One line about a spectrum: grid, points, unit, and counts of what is odd.
@@ -331,7 +388,6 @@ fn round3(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Sampled;
 
     fn spectrum(name: &str) -> NamedSpectrum {
         NamedSpectrum {
@@ -350,6 +406,24 @@ mod tests {
         assert_eq!(
             provenance(&spectrum("a"), &["decimal comma"]),
             "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1, decimal comma, 1 negative value kept"
+        );
+    }
+
+    #[test]
+    fn a_hole_is_told_with_its_share_of_the_range_and_once() {
+        let nm: Vec<f64> = (380..=420).chain(680..=780).map(f64::from).collect();
+        let values = vec![1.0; nm.len()];
+        let mut holed = spectrum("a");
+        holed.samples = Sampled::new(nm, values).unwrap();
+        let mut reading = Reading {
+            spectra: vec![holed],
+            ..Reading::default()
+        };
+        reading.tell_holes();
+        reading.tell_holes();
+        assert_eq!(
+            reading.spectra[0].notes,
+            ["nothing measured between 420 and 680 nm, 65 % of the range"]
         );
     }
 

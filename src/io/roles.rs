@@ -91,6 +91,8 @@ fn roles(
             leave_out("counts the rows and was left out");
         } else if column < wavelength && title.is_empty() && block.is_constant(column) {
             leave_out("is one number throughout and was left out");
+        } else if title.is_empty() && is_setting(block, column, wavelength) {
+            leave_out("holds whole numbers below zero throughout, a setting, and was left out");
         } else if is_spread(&title) {
             spreads.push(column);
         } else if names_axis_beside(&title, titles, wavelength)
@@ -128,6 +130,15 @@ fn roles(
         values.sort_by_key(made_of);
     }
     (values, notes)
+}
+
+/// Whether a column holds a setting of each point, such as the range of an amplifier: whole numbers
+/// below zero throughout, beside measured ones.
+fn is_setting(block: &Block, column: usize, wavelength: usize) -> bool {
+    let numbers = |column: usize| block.column(column).iter().filter(|v| !v.is_nan());
+    let mut others = (0..block.width).filter(|other| *other != column && *other != wavelength);
+    numbers(column).all(|v| *v < 0.0 && v.fract() == 0.0)
+        && others.any(|other| numbers(other).any(|v| *v > 0.0 && v.fract() != 0.0))
 }
 
 /// A column that counts detector elements, by its title.
@@ -357,6 +368,14 @@ mod tests {
         let titles = Titles::of(&blocks[0], dialect);
         assert_eq!(value_columns(&blocks[0], &titles, 1).0, [2]);
         assert_eq!(values("Unit;nm\n300;1\n301;2\n").0, [1]);
+    }
+
+    #[test]
+    fn whole_numbers_below_zero_beside_measured_ones_are_a_setting() {
+        let (columns, notes) = values("250;0.51;-10\n251;0.52;-10\n252;0.6;-9\n");
+        assert_eq!(columns, [1]);
+        assert!(notes[0].contains("a setting"), "{notes:?}");
+        assert_eq!(values("250;1;-10\n251;2;-9\n252;3;-8\n").0, [1, 2]);
     }
 
     #[test]

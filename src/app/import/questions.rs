@@ -206,12 +206,13 @@ fn counted_question(told: Option<&Told<Counted>>, format: &str) -> Question {
         Counted::Percent,
         Counted::Fraction,
         Counted::TenThousandths,
+        Counted::SixteenBits,
         Counted::Otherwise,
     ]
     .into_iter()
     .filter(|counted| match counted {
         Counted::Percent | Counted::Fraction => true,
-        Counted::TenThousandths => is_stored_large(*counted),
+        Counted::TenThousandths | Counted::SixteenBits => is_stored_large(*counted),
         Counted::Otherwise => is == Some(*counted),
     });
     Question {
@@ -279,12 +280,6 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
     let because =
         |by_hand: bool, otherwise: &str| if by_hand { BY_HAND } else { otherwise }.to_owned();
     let by_hand = choices.dialect.is_some();
-    let delimiters = [
-        Delimiter::Tab,
-        Delimiter::Semicolon,
-        Delimiter::Comma,
-        Delimiter::Space,
-    ];
     let mut questions = Vec::new();
     if let Some(axis) = table.axis_column {
         let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
@@ -307,7 +302,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
             what: "Cells between",
             meaning: "What stands between two cells of a row.",
             answers: answers(
-                delimiters,
+                Delimiter::ALL,
                 table.dialect.delimiter,
                 Flip::Delimiter,
                 |delimiter| {
