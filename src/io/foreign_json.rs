@@ -56,7 +56,6 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if reading.spectra.is_empty() {
         return Err(input.error("JSON with no spectrum in it", KNOWN));
     }
-    reading.notes.insert(0, reading.spectra[0].notes[0].clone());
     Ok(reading)
 }
 

@@ -5,21 +5,9 @@
 
 use crate::spectrum::Kind;
 
+use super::interpret::decision::Decision;
 use super::text::NumberedLines;
 use super::words::{holds, holds_any};
-
-/// A kind and what told it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KindFound {
-    /// The kind.
-    pub kind: Kind,
-    /// What told it, for the person who may flip it.
-    pub because: String,
-    /// Whether the file states it, or it is only likely.
-    pub stated: bool,
-    /// Whether it is stated, or guessed from words that can mean nothing else.
-    pub plain: bool,
-}
 
 /// Words for what repeated measurements differ by.
 const SPREAD: [&str; 5] = [
@@ -388,44 +376,24 @@ impl FromHeader {
 }
 
 /// The kind of one column.
-pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> KindFound {
-    let stated = |kind, because: String| KindFound {
-        kind,
-        because,
-        stated: true,
-        plain: true,
-    };
+pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Decision<Kind> {
     if let Some(kind) = header.own {
-        return stated(kind, "the header".to_owned());
+        return Decision::stated(kind, "the header");
     }
     if let Some(kind) = kind_of_title(title) {
-        return stated(kind, format!("the column's title \"{}\"", short(title)));
+        return Decision::stated(kind, format!("the column's title \"{}\"", short(title)));
     }
+    let guess = |kind, because: &str| Decision::guessed(kind, false, because);
     if holds_any(&title.to_lowercase(), &["|%tr|", "|%t/r|"]) {
-        return KindFound {
-            kind: Kind::Transmittance,
-            because: format!(
-                "the column's title \"{}\"; it may be a reflectance",
-                short(title)
-            ),
-            stated: false,
-            plain: false,
-        };
+        let title = short(title);
+        let because = format!("the column's title \"{title}\"; it may be a reflectance");
+        return guess(Kind::Transmittance, &because);
     }
     if let Some((kind, line)) = &header.telling {
-        return stated(*kind, format!("the header line \"{line}\""));
+        return Decision::stated(*kind, format!("the header line \"{line}\""));
     }
-    let guess = |kind, because: &str| KindFound {
-        kind,
-        because: because.to_owned(),
-        stated: false,
-        plain: false,
-    };
     if let Some(kind) = kind_of_name(file) {
-        return KindFound {
-            plain: is_plain_name(file),
-            ..guess(kind, "the file's name")
-        };
+        return Decision::guessed(kind, is_plain_name(file), "the file's name");
     }
     // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
     let mut sorted: Vec<f64> = Vec::new();
@@ -497,7 +465,7 @@ mod tests {
             (2, "irradiance of the sample"),
         ];
         assert_eq!(
-            kind("", &FromHeader::of(&header), "a.txt", &[50.0]).kind,
+            kind("", &FromHeader::of(&header), "a.txt", &[50.0]).value,
             Kind::Reflectance
         );
     }
@@ -506,17 +474,17 @@ mod tests {
     fn a_kind_that_nothing_states_is_a_guess() {
         let none = FromHeader::default();
         let found = kind("", &none, "x.csv", &[0.1, 0.5]);
-        assert_eq!((found.kind, found.stated), (Kind::Light, false));
-        assert!(found.because.contains("may be a reflectance"));
+        assert_eq!((found.value, found.is_guess()), (Kind::Light, true));
+        assert!(found.reason.contains("may be a reflectance"));
         assert_eq!(
-            kind("a.asd", &none, "x.txt", &[0.1, 0.5]).kind,
+            kind("a.asd", &none, "x.txt", &[0.1, 0.5]).value,
             Kind::Reflectance
         );
         assert_eq!(
-            kind("a.asd", &none, "irrad.txt", &[0.1, 0.5]).kind,
+            kind("a.asd", &none, "irrad.txt", &[0.1, 0.5]).value,
             Kind::Light
         );
-        assert_eq!(kind("", &none, "Au.eta.spd", &[1.0]).kind, Kind::Other);
+        assert_eq!(kind("", &none, "Au.eta.spd", &[1.0]).value, Kind::Other);
     }
 
     #[test]
@@ -583,15 +551,18 @@ mod tests {
         let header = [(1, "Dark Subtracted #1;%TR #1;Absorbance #1;Irradiance #1")];
         let header = FromHeader::of(&header);
         assert_eq!(
-            kind("else", &header, "a.txt", &[5.0]).because,
+            kind("else", &header, "a.txt", &[5.0]).reason,
             "nothing states it"
         );
         assert_eq!(
-            kind("Dark Subtracted #1", &header, "a.txt", &[5.0]).kind,
+            kind("Dark Subtracted #1", &header, "a.txt", &[5.0]).value,
             Kind::Light
         );
         let ratio = kind("%TR #1", &header, "a.txt", &[5.0]);
-        assert_eq!((ratio.kind, ratio.plain), (Kind::Transmittance, false));
+        assert_eq!(
+            (ratio.value, ratio.is_doubtful()),
+            (Kind::Transmittance, true)
+        );
     }
 
     #[test]
@@ -602,7 +573,10 @@ mod tests {
         ];
         for lines in [&header[..], &[header[1], header[0]]] {
             let found = kind("Processed", &FromHeader::of(lines), "a.csv", &[80.0]);
-            assert_eq!((found.kind, found.stated), (Kind::Transmittance, true));
+            assert_eq!(
+                (found.value, found.is_guess()),
+                (Kind::Transmittance, false)
+            );
         }
     }
 }

@@ -6,14 +6,14 @@
 //!
 //! ```text
 //! bytes -> text (encoding) -> sniff -> the format's reader -> Reading
-//!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> meaning -> curve
-//!   an instrument's own: keyed_lines, cgats_tables, ... -> measured -> curve; makers_results
+//!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> RawSpectrum
+//!   an instrument's own: keyed_lines, cgats_tables, ... -> RawSpectrum; makers_results
+//!   interpret: RawSpectrum -> axis, kind, scale decided -> curve -> Facts -> agree -> describe
 //! ```
 //!
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
 //! Nothing here touches colour or the window.
 
-pub mod alike;
 pub mod alternating;
 pub mod archive;
 pub mod argyll_write;
@@ -30,9 +30,7 @@ pub mod composite_line;
 pub mod csv;
 pub mod curve;
 pub mod cxf;
-pub mod decided;
 pub mod dialect;
-pub mod draft;
 pub mod envi;
 pub mod error;
 pub mod foreign_json;
@@ -41,6 +39,7 @@ pub mod gdtf;
 pub mod guarded;
 pub mod heading;
 pub mod input;
+pub mod interpret;
 pub mod jcamp;
 pub mod keyed_json;
 pub mod keyed_lines;
@@ -52,7 +51,6 @@ pub mod macam;
 pub mod makers_results;
 pub mod many;
 pub mod meaning;
-pub mod measured;
 pub mod no_table;
 pub mod number;
 pub mod perkin_elmer;
@@ -260,10 +258,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     };
     let mut reading = (format.read)(input)?;
-    alike::settle(&mut reading);
-    // Factors in ENVI files may be whole numbers to 10,000.
-    let large_numbers = format.name == envi::FORMAT.name;
-    decided::settle(large_numbers, &input.choices, &mut reading);
+    interpret::describe::finish(&input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
     reading.tell_holes();
