@@ -207,11 +207,9 @@ const NAME_WORDS: [(Kind, Named); 10] = [
     ),
 ];
 
-/// The words of a file's name without its ending, lower case: letters, apart from figures and from
-/// the next word's capital.
-fn words_of_name(name: &str) -> Vec<String> {
-    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    let letters: Vec<char> = stem.chars().collect();
+/// The words of a text, lower case: letters, apart from figures and from the next word's capital.
+fn words_of(text: &str) -> Vec<String> {
+    let letters: Vec<char> = text.chars().collect();
     let mut words = vec![String::new()];
     for (at, letter) in letters.iter().enumerate() {
         let is_lower = |at: usize| letters.get(at).is_some_and(|c| c.is_lowercase());
@@ -231,14 +229,20 @@ fn words_of_name(name: &str) -> Vec<String> {
 
 /// The kinds that the words of a file's name tell, in their order.
 fn kinds_of_name(name: &str) -> Vec<Kind> {
-    let words = words_of_name(name);
+    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
+    let mut words = words_of(stem);
+    let of_stem = words.len();
+    // An ending `.spd` is that of reflectances and indices too.
+    if !ending.eq_ignore_ascii_case("spd") {
+        words.extend(words_of(ending));
+    }
     let mut kinds: Vec<Kind> = Vec::new();
     for (at, word) in words.iter().enumerate() {
         let word = word.as_str();
         let is_known = |known: &Named| match known {
             Named::Whole(whole) => whole.contains(&word),
             Named::Begins(starts) => starts.iter().any(|start| word.starts_with(start)),
-            Named::Last(whole) => at > 0 && at + 1 == words.len() && whole.contains(&word),
+            Named::Last(whole) => at > 0 && at + 1 == of_stem && whole.contains(&word),
         };
         let found = NAME_WORDS.iter().find(|(_, known)| is_known(known));
         kinds.extend(found.map(|(kind, _)| *kind));
@@ -246,8 +250,7 @@ fn kinds_of_name(name: &str) -> Vec<Kind> {
     if holds_any(&name.to_lowercase(), &RECEPTORS) {
         kinds.push(Kind::Weighting);
     }
-    // An ending `.spd` is that of reflectances and indices too.
-    if kinds.is_empty() && name.to_lowercase().ends_with(".spd") {
+    if kinds.is_empty() && ending.eq_ignore_ascii_case("spd") {
         kinds.push(Kind::Light);
     }
     kinds
@@ -538,6 +541,7 @@ mod tests {
             ("lin2012xyz2e_1_7sf.csv", Kind::Weighting),
             ("Au.eta.spd", Kind::Other),
             ("macbeth-1.spd", Kind::Reflectance),
+            ("FMNH6834.Master.Transmission", Kind::Transmittance),
             ("F8.spd", Kind::Light),
         ] {
             assert_eq!(kind_of_name(name), Some(kind), "{name}");

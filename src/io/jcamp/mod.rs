@@ -22,6 +22,7 @@ use super::heading::Heading;
 use super::interpret::decision::Decision;
 use super::interpret::interpret;
 use super::interpret::raw::{RawSpectrum, Scale};
+use super::interpret::remark::Remark;
 use super::kinds;
 use super::units::WavelengthUnit;
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -199,6 +200,7 @@ fn read_block(
         notes.push(format!("taken as counts: {because}"));
         if let Some(facts) = reading.facts.get_mut(index) {
             facts.decisions.kind = Decision::guessed(spectrum.kind, false, because);
+            facts.remarks.retain(|remark| *remark != Remark::Kind);
         }
     } else if !y_units.is_empty() && spectrum.unit.is_empty() {
         notes.push(format!("values in {}", y_units.to_lowercase()));
