@@ -347,11 +347,11 @@ fn judge(file: &str, answer: &Answer, whole: bool) {
         table: _,
         understood,
         images_understood,
-        axis: _,
         results,
         images,
         guesses,
-        image_guesses: _,
+        facts: _,
+        in_front: _,
         notes,
     } = reading;
     assert!(understood.len() <= spectra.len(), "{understood:?}");

@@ -162,11 +162,11 @@ fn from_reading(
         table,
         understood,
         images_understood,
-        axis: _,
         results,
         images,
         guesses,
-        image_guesses: _,
+        facts: _,
+        in_front: _,
         notes,
     } = reading;
     let composites = composites.into_iter();

@@ -9,8 +9,7 @@ use super::origin::FromFile;
 
 use crate::{
     io::{
-        Choices, Guess, Guessed, MakersResult,
-        reading::{TableFound, Understood},
+        Choices, Guess, Guessed, MakersResult, interpret::decision::Decisions, reading::TableFound,
     },
     spectrum::{Composite, NamedSpectrum, SpectralImage},
 };
@@ -39,9 +38,9 @@ pub struct Opened {
     /// How its first plain table was taken apart.
     pub table: Option<TableFound>,
     /// How its first spectra were understood, in their order.
-    pub understood: Vec<Understood>,
+    pub understood: Vec<Decisions>,
     /// How each of its images was understood.
-    pub images_understood: Vec<Understood>,
+    pub images_understood: Vec<Decisions>,
     /// Whether one of its lights counts photons, in the file.
     pub photons: bool,
     /// What had to be guessed.
@@ -79,7 +78,7 @@ impl Opened {
     /// Whether a person should look at how it was read.
     pub fn is_doubtful(&self) -> bool {
         self.guesses.iter().any(Guess::is_doubtful)
-            || self.images_understood.iter().any(Understood::is_doubtful)
+            || self.images_understood.iter().any(Decisions::is_doubtful)
     }
 
     /// Which of its spectra are of a kind that is doubtful.

@@ -33,11 +33,11 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 table: _,
                 understood: _,
                 images_understood: _,
-                axis: _,
                 results,
                 images,
                 guesses: _,
-                image_guesses: _,
+                facts: _,
+                in_front: _,
                 notes,
             } = reading;
             json!({

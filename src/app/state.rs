@@ -146,10 +146,14 @@ impl App {
     pub fn measured_points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let samples = &self.document.subject_entry().spectrum.samples;
         let table = samples.first_nm().floor()..=samples.last_nm().ceil();
+        let holes = samples.holes();
         let points = self.derived.band.grid().zip(&self.derived.measured);
         points
-            .map(|(nm, value)| (nm, *value))
             .filter(move |(nm, _)| table.contains(nm))
+            .map(move |(nm, value)| {
+                let is_missing = holes.iter().any(|[from, to]| (*from < nm) && (nm < *to));
+                (nm, if is_missing { f64::NAN } else { *value })
+            })
     }
 
     /// The shared tables, for benches and studies.

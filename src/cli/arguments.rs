@@ -11,7 +11,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::{Args, Parser, Subcommand};
 
 use super::{
-    options::{ModelOptions, PickOptions},
+    options::{FileOptions, ModelOptions, PickOptions},
     words::{self, Form},
 };
 use crate::{
@@ -98,12 +98,42 @@ pub enum Command {
     Convert(Convert),
 }
 
+impl Command {
+    /// How the command's files are read; `None` for one that reads none.
+    pub fn files(&self) -> Option<FileOptions> {
+        match self {
+            Self::Report(options) => Some(options.pick.files),
+            Self::Light(options) => Some(options.files),
+            Self::Sweep(options) => Some(options.pick.files),
+            Self::Auction(options) => Some(options.pick.files),
+            Self::Race(options) => Some(options.pick.files),
+            Self::Product(options) => Some(options.files),
+            Self::Recover(options) => Some(options.files),
+            Self::Mix(options) => Some(options.files),
+            Self::Encode(options) => Some(options.pick.files),
+            Self::Prism(options) => Some(options.files),
+            Self::Rainbow(options) => Some(options.files),
+            Self::Gem(options) => Some(options.files),
+            Self::Picture(options) => Some(options.files),
+            Self::Fit(options) => Some(options.files),
+            Self::Read(options) => Some(options.files),
+            Self::Render(options) => Some(options.pick.files),
+            Self::Plot(options) => Some(options.pick.files),
+            Self::Convert(options) => Some(options.pick.files),
+            Self::Decode(_) | Self::List(_) | Self::Lessons(_) => None,
+        }
+    }
+}
+
 /// Options of `read`.
 #[derive(Args, Debug)]
 pub struct Read {
     /// Files, or folders whose files are read; - is standard input.
     #[arg(value_name = "FILE", required = true)]
-    pub files: Vec<PathBuf>,
+    pub inputs: Vec<PathBuf>,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// Print JSON, a list with one object a file; its keys are stable.
     #[arg(long)]
     pub json: bool,
@@ -137,6 +167,9 @@ pub struct Light {
     /// licensed.
     #[arg(value_name = "INPUT", required = true)]
     pub lights: Vec<OsString>,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,
@@ -253,6 +286,9 @@ pub struct Product {
     /// [default: as each file says].
     #[arg(long, value_name = "KIND", value_parser = words::factor_kind)]
     pub kind: Option<Kind>,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// The model.
     #[command(flatten)]
     pub model: ModelOptions,

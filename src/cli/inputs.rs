@@ -9,7 +9,10 @@ use std::{
     sync::Arc,
 };
 
-use super::{options::ModelOptions, remark};
+use super::{
+    options::{FileOptions, ModelOptions},
+    remark,
+};
 use crate::{
     app::open::{self, Found, Loaded, Wanted, named},
     io::{
@@ -26,6 +29,8 @@ pub struct Inputs<'e> {
     err: &'e mut dyn Write,
     streams: HashMap<OsString, Arc<[u8]>>,
     notes: Vec<String>,
+    /// What the command line says of every file's table.
+    table: Choices,
 }
 
 impl<'e> Inputs<'e> {
@@ -35,7 +40,13 @@ impl<'e> Inputs<'e> {
             err,
             streams: HashMap::new(),
             notes: Vec::new(),
+            table: Choices::default(),
         }
+    }
+
+    /// Reads all files as the command line says.
+    pub fn read_as(&mut self, files: FileOptions) {
+        self.table = files.choices();
     }
 
     /// Says something now.
@@ -79,6 +90,7 @@ impl<'e> Inputs<'e> {
 
     /// A project, or any other file with decisions about it.
     pub fn load(&mut self, path: &Path, choices: &Choices) -> Loaded {
+        let choices = &choices.or_table_of(&self.table);
         match self.stream(path) {
             None => open::load_named(path, choices),
             Some(Ok(bytes)) => open::load_bytes_with(&name_at(path), &bytes, choices),
@@ -100,6 +112,7 @@ impl<'e> Inputs<'e> {
     /// # Errors
     /// [`ReadError`] with the file's path.
     pub fn reading(&mut self, path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
+        let choices = &choices.or_table_of(&self.table);
         let reading = match self.stream(path) {
             None => io::read_path_as(path, choices),
             Some(bytes) => io::read_bytes_as(&name_at(path), &bytes?, choices),

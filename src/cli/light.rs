@@ -33,6 +33,7 @@ use crate::{
 pub fn run(options: &Light, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Light {
         lights: words,
+        files: _,
         model,
         json: as_json,
         csv,

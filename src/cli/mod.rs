@@ -106,6 +106,8 @@ pub fn run(
     let done = match Arguments::try_parse_from(args) {
         Ok(arguments) => {
             let mut inputs = Inputs::new(&mut *err);
+            let files = arguments.command.as_ref().and_then(Command::files);
+            inputs.read_as(files.unwrap_or_default());
             match carry_out(arguments, pictures, out, &mut inputs) {
                 Ok(outcome) => {
                     inputs.tell_notes();

@@ -8,9 +8,37 @@ use super::words;
 use crate::{
     app::{Settings, open::Wanted},
     color::Observer,
-    io::Choices,
+    io::{Choices, dialect::Delimiter, units::WavelengthUnit},
     spectrum::{Band, Basis, Kind, Rect, Sampling},
 };
+
+/// How the tables of a file are read, where that was guessed wrong.
+#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+pub struct FileOptions {
+    /// What the wavelength axis of a file counts: nm, um, A, 1/cm, eV, pm, meV, THz, GHz or m
+    /// [default: as the file says].
+    #[arg(long, value_name = "UNIT", value_parser = words::wavelength_unit)]
+    pub wavelength_unit: Option<WavelengthUnit>,
+    /// Which column of a table holds the wavelengths, from 1 [default: the one that looks like it].
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, value_parser = words::column)]
+    pub column: Option<usize>,
+    /// What stands between the cells of a table: tab, semicolon, comma or space
+    /// [default: what makes the most even table].
+    #[arg(long, value_name = "DELIMITER", value_parser = words::delimiter)]
+    pub delimiter: Option<Delimiter>,
+}
+
+impl FileOptions {
+    /// The decisions about files that these options are.
+    pub fn choices(self) -> Choices {
+        Choices {
+            wavelengths: self.wavelength_unit,
+            axis_column: self.column.map(|column| column - 1),
+            delimiter: self.delimiter,
+            ..Choices::default()
+        }
+    }
+}
 
 /// Which spectrum is meant, what it is and what shines on it.
 #[derive(Args, Clone, Debug, Default)]
@@ -32,6 +60,9 @@ pub struct PickOptions {
     /// Which part of a spectral image: first column and row, from 0, width and height; its mean.
     #[arg(long, value_name = "X,Y,W,H", value_parser = words::region)]
     pub region: Option<Rect>,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
 }
 
 impl PickOptions {

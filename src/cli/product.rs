@@ -35,6 +35,7 @@ use crate::{
 /// without one.
 pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Product {
+        files: _,
         light: light_name,
         factors,
         set,

@@ -20,6 +20,7 @@ use crate::optics::{Light, Material, rainbow_json};
 pub fn run(options: &Rainbow, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Rainbow {
         input,
+        files: _,
         at,
         material: word,
         model,

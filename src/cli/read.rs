@@ -26,7 +26,7 @@ pub fn run(options: &Read, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(
         path,
         refused: why,
         ..
-    } in folders::every_file(&options.files)
+    } in folders::every_file(&options.inputs)
     {
         // A folder that holds nothing or cannot be listed has no reading.
         if let Some(why) = why {

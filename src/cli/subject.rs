@@ -101,6 +101,8 @@ pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal
         light,
         pixel,
         region,
+        // A set of files may be meant instead.
+        files: _,
     } = pick;
     let about_input = [
         ("--spectrum", spectrum.is_some()),

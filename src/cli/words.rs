@@ -16,7 +16,11 @@ use crate::{
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
     color::Observer,
-    io::error::quoted,
+    io::{
+        dialect::{Delimiter, MOST_COLUMNS},
+        error::quoted,
+        units::WavelengthUnit,
+    },
     spectrum::{
         Band, Basis, Kind, Rect, Sampling,
         band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
@@ -185,6 +189,35 @@ pub fn observer(word: &str) -> Result<Observer, String> {
 /// `--sampling`.
 pub fn sampling(word: &str) -> Result<Sampling, String> {
     one_of(word, &Sampling::ALL, Sampling::word)
+}
+
+/// `--wavelength-unit`: a unit by its sign, as a keyboard has it too.
+pub fn wavelength_unit(word: &str) -> Result<WavelengthUnit, String> {
+    let sign = match word {
+        "A" | "angstrom" => "Å",
+        "µm" => "um",
+        "cm-1" => "1/cm",
+        other => other,
+    };
+    one_of(sign, &WavelengthUnit::ALL, WavelengthUnit::word)
+}
+
+/// `--column`, from 1.
+pub fn column(word: &str) -> Result<usize, String> {
+    let number = word.parse().ok();
+    number
+        .filter(|number| (1..=MOST_COLUMNS).contains(number))
+        .ok_or_else(|| {
+            refused(
+                word,
+                format_args!("a whole number from 1 to {MOST_COLUMNS}"),
+            )
+        })
+}
+
+/// `--delimiter`.
+pub fn delimiter(word: &str) -> Result<Delimiter, String> {
+    one_of(word, &Delimiter::ALL, Delimiter::word)
 }
 
 /// `--kind` of an input: what the program can take.

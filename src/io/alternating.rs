@@ -1,7 +1,8 @@
 //! One number a line: wavelengths and values by turns, as Macam radiometers write them.
 
-use super::draft::{Draft, Scale};
 use super::heading::Heading;
+use super::interpret::interpret;
+use super::interpret::raw::{RawSpectrum, Scale};
 use super::number::{self, Cell};
 use super::text::{kept_line, lines};
 use super::units::WavelengthUnit;
@@ -126,19 +127,12 @@ pub fn find(text: &str) -> Option<Pairs<'_>> {
 /// [`ReadError`] when they are none.
 pub fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
     let mut reading = Reading::default();
-    let draft = Draft {
-        name: input.stem().to_owned(),
-        title: String::new(),
-        axis_title: String::new(),
-        says_nm: false,
-        heading: &Heading::of(&pairs.header),
-        axis: &Scale::new(&pairs.axis),
-        values: pairs.values.clone(),
+    let (scale, heading) = (Scale::new(&pairs.axis), Heading::of(&pairs.header));
+    let raw = RawSpectrum {
         lines: &pairs.lines,
-        percent_signs: false,
-        decimal_comma: pairs.decimal_comma,
+        ..RawSpectrum::written(input.stem(), &scale, "", pairs.values.clone(), &heading)
     };
-    draft.finish(input, &mut reading)?;
+    interpret(raw.with_comma(pairs.decimal_comma), input, &mut reading)?;
     reading
         .notes
         .push("one number a line: wavelength and value by turns".to_owned());

@@ -1,34 +1,11 @@
 //! The unit of a table's wavelength axis: told by a title or the header, else guessed.
 
+use super::interpret::decision::Decision;
 use super::text::NumberedLines;
 use super::units::{
     WavelengthUnit, is_of_lengths, looks_like_metres, names_wavelength, unknown_unit,
 };
 use super::words::holds_any;
-
-/// A unit and what told it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AxisUnit {
-    /// The unit.
-    pub unit: WavelengthUnit,
-    /// What told it, for the person who may flip it.
-    pub because: String,
-    /// Whether the file states it.
-    pub stated: bool,
-    /// Another unit that the file names, which makes no sense or is not known here.
-    pub against: Option<String>,
-}
-
-impl AxisUnit {
-    /// The unit in words: "nm", or "nm, not Å" where the file says otherwise and a person should
-    /// look.
-    pub fn words(&self) -> String {
-        match &self.against {
-            Some(other) => format!("{}, not {other}", self.unit.word()),
-            None => self.unit.word().to_owned(),
-        }
-    }
-}
 
 /// What is known of an axis.
 #[derive(Clone, Copy, Debug)]
@@ -73,13 +50,9 @@ pub fn units_of_header(lines: &NumberedLines) -> Vec<WavelengthUnit> {
 /// 1 mm) is passed over; one that takes numbers which would be plausible nanometres to where hardly
 /// any light is measured is a guess: a length is then taken for nanometres, other quantities for
 /// what they say they are.
-pub fn unit(axis: &Axis) -> AxisUnit {
-    let told = |unit, because: &str, stated| AxisUnit {
-        unit,
-        because: because.to_owned(),
-        stated,
-        against: None,
-    };
+///
+/// With it another unit that the file names, which makes no sense or is not known here.
+pub fn unit(axis: &Axis) -> (Decision<WavelengthUnit>, Option<String>) {
     let (min, max) = axis.range;
     let ends = |unit: WavelengthUnit| {
         let (a, b) = (unit.to_nm(min), unit.to_nm(max));
@@ -87,8 +60,10 @@ pub fn unit(axis: &Axis) -> AxisUnit {
     };
     let makes_sense = |unit: &WavelengthUnit| ends(*unit).0 >= 1.0 && ends(*unit).1 <= 1e6;
     let is_plausible = |(low, high): (f64, f64)| low >= PLAUSIBLE_NM.0 && high <= PLAUSIBLE_NM.1;
+    let guess = |unit, because: &str| Decision::guessed(unit, false, because);
     if axis.says_nm {
-        return told(WavelengthUnit::Nanometre, "the file's own labels", true);
+        let labels = Decision::stated(WavelengthUnit::Nanometre, "the file's own labels");
+        return (labels, None);
     }
     let by_title = WavelengthUnit::of_title(axis.title).map(|unit| (unit, "the column's title"));
     // A header may speak of the wave numbers in a column beside the wavelengths.
@@ -101,7 +76,7 @@ pub fn unit(axis: &Axis) -> AxisUnit {
     let named = || by_title.into_iter().chain(by_header());
     if let Some((unit, whence)) = named().find(|(unit, _)| makes_sense(unit)) {
         if is_plausible(ends(unit)) || !is_plausible((min, max)) {
-            return told(unit, whence, true);
+            return (Decision::stated(unit, whence), None);
         }
         let (low, high) = ends(unit);
         let because = format!(
@@ -109,46 +84,42 @@ pub fn unit(axis: &Axis) -> AxisUnit {
             unit.word()
         );
         return if unit.is_length() {
-            AxisUnit {
-                against: Some(unit.word().to_owned()),
-                ..told(WavelengthUnit::Nanometre, &because, false)
-            }
+            let other = unit.word().to_owned();
+            (guess(WavelengthUnit::Nanometre, &because), Some(other))
         } else {
-            told(unit, &because, false)
+            (guess(unit, &because), None)
         };
     }
     if axis.is_dpt {
         let because = "Bruker's .dpt tables mostly count wave numbers; flip it if these are nm";
-        return told(WavelengthUnit::PerCentimetre, because, false);
+        return (guess(WavelengthUnit::PerCentimetre, because), None);
     }
     let guessed = match WavelengthUnit::of_range(min, max) {
         Some(WavelengthUnit::PerCentimetre) if of_lengths => {
             let because = format!("wavelengths in the range {min} to {max}");
-            told(WavelengthUnit::Angstrom, &because, false)
+            guess(WavelengthUnit::Angstrom, &because)
         }
-        Some(unit) => told(unit, &format!("the range {min} to {max}"), false),
+        Some(unit) => guess(unit, &format!("the range {min} to {max}")),
         None if looks_like_metres(min, max) => {
             let because = format!("the range {min:e} to {max:e}");
-            told(WavelengthUnit::Metre, &because, false)
+            guess(WavelengthUnit::Metre, &because)
         }
-        None => told(
+        None => guess(
             WavelengthUnit::Nanometre,
             &format!("no unit fits the range {min} to {max} well"),
-            false,
         ),
     };
     let nonsense = by_title.map(|(unit, _)| unit.word().to_owned());
-    AxisUnit {
-        against: nonsense
-            .or_else(|| unknown_unit(axis.title))
-            .filter(|other| other != guessed.unit.word()),
-        ..guessed
-    }
+    let against = nonsense
+        .or_else(|| unknown_unit(axis.title))
+        .filter(|other| other != guessed.value.word());
+    (guessed, against)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::io::interpret::remark::unit_words;
 
     #[test]
     fn a_title_outweighs_the_header_and_the_header_the_range() {
@@ -160,21 +131,21 @@ mod tests {
             is_dpt: false,
             range: (350.0, 2500.0),
         };
-        assert_eq!(unit(&axis).unit, WavelengthUnit::Nanometre);
+        assert_eq!(unit(&axis).0.value, WavelengthUnit::Nanometre);
         axis.title = "";
         assert_eq!(
-            unit(&axis).unit,
+            unit(&axis).0.value,
             WavelengthUnit::Nanometre,
             "2500 um is nonsense"
         );
         axis.range = (0.35, 2.5);
-        let found = unit(&axis);
+        let (found, _) = unit(&axis);
         assert_eq!(
-            (found.unit, found.stated),
-            (WavelengthUnit::Micrometre, true)
+            (found.value, found.is_guess()),
+            (WavelengthUnit::Micrometre, false)
         );
         axis.header = &[];
-        assert!(!unit(&axis).stated);
+        assert!(unit(&axis).0.is_guess());
     }
 
     #[test]
@@ -186,20 +157,21 @@ mod tests {
             is_dpt: true,
             range: (800.0, 2500.0),
         };
-        assert_eq!(unit(&axis).unit, WavelengthUnit::PerCentimetre);
+        assert_eq!(unit(&axis).0.value, WavelengthUnit::PerCentimetre);
     }
 
     /// The unit of 380 to 780 under a title and a header line, and whether a person should look.
     fn of_visible(title: &str, line: &str) -> (String, bool) {
         let header = units_of_header(&[(1, line)]);
-        let found = unit(&Axis {
+        let (found, against) = unit(&Axis {
             title,
             header: &header,
             says_nm: false,
             is_dpt: false,
             range: (380.0, 780.0),
         });
-        (found.words(), found.stated)
+        let words = unit_words(found.value, against.as_deref());
+        (words, !found.is_guess())
     }
 
     #[test]

@@ -28,9 +28,11 @@ use crate::spectrum::Kind;
 use super::argyll_write::LABELS_NM;
 use super::cgats_tables::{self, CgatsTable};
 use super::error::quoted;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
 use super::kinds::{is_plain_name, kind_of_name, kind_of_words};
-use super::measured::Measured;
-use super::provenance::{ORIGINATOR, add_notes_of_a_line};
+use super::provenance::ORIGINATOR;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Argyll and CGATS text.
@@ -217,14 +219,21 @@ fn grid(table: &CgatsTable, labels: &[f64]) -> (Vec<f64>, Option<String>) {
     }
 }
 
-/// A kind, what told it when the file does not state it, and the unit of a light.
-struct Meaning {
-    kind: Kind,
-    because: Option<String>,
-    /// Whether that leaves hardly a doubt.
-    plain: bool,
+/// A kind, the unit of a light, and what is to be said of it.
+struct Quantity {
+    kind: Decision<Kind>,
     unit: String,
     note: Option<String>,
+}
+
+impl From<Decision<Kind>> for Quantity {
+    fn from(kind: Decision<Kind>) -> Self {
+        Self {
+            kind,
+            unit: String::new(),
+            note: None,
+        }
+    }
 }
 
 /// What Argyll's `MEAS_TYPE` and the words of others say.
@@ -268,16 +277,24 @@ fn is_own(table: &CgatsTable) -> bool {
         .is_some_and(|v| v.starts_with(ORIGINATOR))
 }
 
-fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]) -> Meaning {
+/// What the values of a table are: as its keywords state, else as labels, descriptions or the
+/// file's name tell, else by their size.
+fn quantity(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]) -> Quantity {
+    stated_quantity(table)
+        .or_else(|| kind_of_labels(group).map(Quantity::from))
+        .or_else(|| kind_of_measurement(table).map(Quantity::from))
+        .or_else(|| kind_of_description(table).map(Quantity::from))
+        .unwrap_or_else(|| kind_of_rest(input, table, values).into())
+}
+
+/// What keywords state.
+fn stated_quantity(table: &CgatsTable) -> Option<Quantity> {
     let own = table.key("KIND").filter(|_| is_own(table));
     if let Some(kind) = own.and_then(|word| Kind::ALL.into_iter().find(|k| k.word() == word)) {
-        return Meaning {
-            kind,
-            because: None,
-            plain: true,
+        return Some(Quantity {
             unit: table.key("UNIT").unwrap_or_default().to_owned(),
-            note: None,
-        };
+            ..Decision::of_format(kind).into()
+        });
     }
     let argyll = table.number("SPECTRAL_NORM").is_none_or(|norm| norm == 1.0)
         && table
@@ -290,69 +307,63 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
             let unit = if argyll { unit } else { "" };
             let note = (!unit.is_empty())
                 .then(|| format!("{unit} is Argyll's unit; the file states none"));
-            return Meaning {
-                kind,
-                because: None,
-                plain: true,
+            return Some(Quantity {
+                kind: Decision::of_format(kind),
                 unit: unit.to_owned(),
                 note,
-            };
+            });
         }
     }
-    let told = |kind| Meaning {
-        kind,
-        because: None,
-        plain: true,
-        unit: String::new(),
-        note: None,
-    };
     if table.kind == "CCSS" {
-        return Meaning {
+        return Some(Quantity {
             unit: "relative".to_owned(),
-            ..told(Kind::Light)
-        };
+            ..Decision::of_format(Kind::Light).into()
+        });
     }
-    match table.key("DEVICE_CLASS") {
-        Some("DISPLAY") => return told(Kind::Light),
-        Some("OUTPUT" | "INPUT") => return told(Kind::Reflectance),
-        _ => {}
-    }
-    let guess = |kind, because: String| Meaning {
-        kind,
-        because: Some(because),
-        plain: false,
-        unit: String::new(),
-        note: None,
+    let kind = match table.key("DEVICE_CLASS")? {
+        "DISPLAY" => Kind::Light,
+        "OUTPUT" | "INPUT" => Kind::Reflectance,
+        _ => return None,
     };
-    let plain = |kind, because: String| Meaning {
-        plain: true,
-        ..guess(kind, because)
-    };
+    Some(Decision::of_format(kind).into())
+}
+
+/// What the labels of the columns tell.
+fn kind_of_labels(group: &Bands) -> Option<Decision<Kind>> {
     let word = group.word.to_uppercase();
-    if word.starts_with("SPECTRAL_DEC")
-        || word.starts_with("SPECTRAL_PCT")
-        || word.starts_with("R|")
-    {
-        return plain(Kind::Reflectance, "the columns' labels".to_owned());
-    }
-    if word.starts_with("T|") {
-        return plain(Kind::Transmittance, "the columns' labels".to_owned());
-    }
-    for key in [
+    let starts = |starts: &[&str]| starts.iter().any(|start| word.starts_with(start));
+    let kind = if starts(&["SPECTRAL_DEC", "SPECTRAL_PCT", "R|"]) {
+        Kind::Reflectance
+    } else if starts(&["T|"]) {
+        Kind::Transmittance
+    } else {
+        return None;
+    };
+    Some(Decision::guessed(kind, true, "the columns' labels"))
+}
+
+/// What the way of measuring tells.
+fn kind_of_measurement(table: &CgatsTable) -> Option<Decision<Kind>> {
+    const KEYS: [&str; 3] = [
         "MEASUREMENT_SOURCE",
         "MEASUREMENT_GEOMETRY",
         "MEASUREMENT_CONDITIONS",
-    ] {
+    ];
+    KEYS.iter().find_map(|key| {
         let value = table.key(key).unwrap_or("");
         let kind = stated_kind(value).map(|s| s.0);
         let lower = value.to_lowercase();
         // A white that values are counted from makes them factors.
         let white = lower.contains("whitebase") || lower.contains("45/0") || lower.contains("d/8");
-        if let Some(kind) = kind.or(white.then_some(Kind::Reflectance)) {
-            return plain(kind, says(key, value));
-        }
-    }
-    for key in ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"] {
+        let kind = kind.or(white.then_some(Kind::Reflectance))?;
+        Some(Decision::guessed(kind, true, says(key, value)))
+    })
+}
+
+/// What descriptions tell.
+fn kind_of_description(table: &CgatsTable) -> Option<Decision<Kind>> {
+    const KEYS: [&str; 4] = ["DESCRIPTOR", "DISPLAY", "FILE_DESCRIPTOR", "TARGET_NAME"];
+    KEYS.iter().find_map(|key| {
         let value = table.key(key).unwrap_or("");
         let whole = value.to_lowercase();
         // Argyll writes it over lights and samples alike.
@@ -366,22 +377,15 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
         } else {
             kind_of_words(&words)
         };
-        if let Some(kind) = kind {
-            let because = says(key, value);
-            return if light && sample || words != whole {
-                guess(kind, because)
-            } else {
-                plain(kind, because)
-            };
-        }
-    }
+        let is_evident = !(light && sample || words != whole);
+        kind.map(|kind| Decision::guessed(kind, is_evident, says(key, value)))
+    })
+}
+
+/// What the file's name tells, else the size of the values.
+fn kind_of_rest(input: &Input, table: &CgatsTable, values: &[Vec<f64>]) -> Decision<Kind> {
     if let Some(kind) = kind_of_name(&input.name) {
-        let because = "the file's name".to_owned();
-        return if is_plain_name(&input.name) {
-            plain(kind, because)
-        } else {
-            guess(kind, because)
-        };
+        return Decision::guessed(kind, is_plain_name(&input.name), "the file's name");
     }
     let all_in = |low: f64, high: f64| {
         let mut known = values.iter().flatten().filter(|v| !v.is_nan());
@@ -389,19 +393,16 @@ fn meaning(input: &Input, table: &CgatsTable, group: &Bands, values: &[Vec<f64>]
     };
     // Several patches of a chart with per cent, by a program that is not Argyll.
     let is_chart = values.len() > 1 && table.kind.starts_with("CGATS") && all_in(-1.0, 130.0);
-    if is_chart && !all_in(-0.05, 1.3) {
-        guess(
-            Kind::Reflectance,
-            "nothing states it; several sets with values of 0..100".to_owned(),
-        )
+    let (kind, because) = if is_chart && !all_in(-0.05, 1.3) {
+        let because = "nothing states it; several sets with values of 0..100";
+        (Kind::Reflectance, because)
     } else if all_in(-0.05, 1.3) {
-        guess(
-            Kind::Reflectance,
-            "nothing states it; all values lie in 0..1".to_owned(),
-        )
+        let because = "nothing states it; all values lie in 0..1";
+        (Kind::Reflectance, because)
     } else {
-        guess(Kind::Light, "nothing states it".to_owned())
-    }
+        (Kind::Light, "nothing states it")
+    };
+    Decision::guessed(kind, false, because)
 }
 
 /// What a field says, in its own words.
@@ -534,14 +535,14 @@ fn read_group(
     } else {
         axes.extend((0..table.sets()).map(|set| row(set, &nm_columns)));
     }
-    let found = meaning(input, table, group, &values);
+    let found = quantity(input, table, group, &values);
     let norm = table.number("SPECTRAL_NORM");
     let good_norm = norm.filter(|n| (1e-9..=1e9).contains(n));
     let scale = match good_norm {
-        Some(norm) if norm != 1.0 => Some(1.0 / norm),
-        Some(_) if is_own(table) => Some(1.0),
-        _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => Some(0.01),
-        _ => None,
+        Some(norm) if norm != 1.0 => KnownScale::Stated(1.0 / norm),
+        Some(_) if is_own(table) => KnownScale::Stated(1.0),
+        _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => KnownScale::Stated(0.01),
+        _ => KnownScale::Open,
     };
     let several = values.len() > 1;
     for (set, values) in values.into_iter().enumerate() {
@@ -554,7 +555,7 @@ fn read_group(
         notes.extend(found.note.clone());
         match (good_norm, norm) {
             (Some(1.0), _) | (None, None) => {}
-            (Some(norm), _) if found.kind.is_factor() && norm == 100.0 => {
+            (Some(norm), _) if found.kind.value.is_factor() && norm == 100.0 => {
                 notes.push("divided by SPECTRAL_NORM 100".to_owned());
             }
             (Some(_), _) => {}
@@ -562,40 +563,30 @@ fn read_group(
                 "SPECTRAL_NORM {bad} makes no sense and was passed over"
             )),
         }
-        let unit = match (found.kind, found.unit.as_str()) {
+        let unit = match (found.kind.value, found.unit.as_str()) {
             (Kind::Light, "") if good_norm.is_some_and(|n| n != 1.0) => "relative",
             (_, unit) => unit,
         };
         let mut how = Vec::new();
         if let Some(norm) =
-            good_norm.filter(|n| *n != 1.0 && (*n != 100.0 || !found.kind.is_factor()))
+            good_norm.filter(|n| *n != 1.0 && (*n != 100.0 || !found.kind.value.is_factor()))
         {
             how.push(format!("divided by SPECTRAL_NORM {norm}"));
         }
         if table.decimal_comma {
             how.push("decimal comma".to_owned());
         }
-        Measured {
-            name,
-            nm: axes.get(set).unwrap_or(&axes[0]),
-            values,
-            lines: lines.get(set..=set).unwrap_or(&[]),
-            kind: found.kind,
-            kind_because: found.because.clone(),
-            kind_is_plain: found.plain,
-            unit: unit.to_owned(),
-            scale,
-            how,
-            notes,
+        let nm = axes.get(set).unwrap_or(&axes[0]);
+        let kind = found.kind.clone();
+        let mut spectrum = RawSpectrum::known(name, nm, values, kind, unit);
+        spectrum.known.scale = scale.clone();
+        spectrum.lines = lines.get(set..=set).unwrap_or(&[]);
+        (spectrum.how, spectrum.notes) = (how, notes);
+        if let Some(source) = table.key("SOURCE").filter(|_| is_own(table)) {
+            spectrum.source = Some(source.to_owned());
+            spectrum.before = table.key("NOTES").unwrap_or("");
         }
-        .finish(input, reading)?;
-        if let Some(source) = table.key("SOURCE").filter(|_| is_own(table))
-            && let Some(spectrum) = reading.spectra.last_mut()
-        {
-            source.clone_into(&mut spectrum.source);
-            let notes = table.key("NOTES").unwrap_or("");
-            add_notes_of_a_line(&mut spectrum.notes, notes);
-        }
+        interpret(spectrum, input, reading)?;
     }
     if let Some(note) = grid_note {
         reading.notes.push(note);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Dialect, units::WavelengthUnit};
+use super::{Dialect, dialect::Delimiter, units::WavelengthUnit};
 use crate::spectrum::Kind;
 
 /// Decisions about one file; what is `None` the reader decides.
@@ -15,6 +15,9 @@ pub struct Choices {
     /// What stands between cells and marks decimals, in plain columns.
     #[serde(skip)]
     pub dialect: Option<Dialect>,
+    /// What stands between cells, in plain columns, where the decimal mark is left to the reader.
+    #[serde(skip)]
+    pub delimiter: Option<Delimiter>,
     /// The column of wavelengths, from 0, in plain columns.
     #[serde(skip)]
     pub axis_column: Option<usize>,
@@ -58,13 +61,20 @@ pub enum Counted {
     Percent,
     /// 10 000 is all of the light, as remote sensing stores it.
     TenThousandths,
+    /// 65 535 is all of the light, the largest whole number of 16 bits.
+    SixteenBits,
     /// Another number is, which the file states.
     Otherwise,
 }
 
 impl Counted {
     /// Those that a person may choose.
-    pub const OFFERED: [Self; 3] = [Self::Fraction, Self::Percent, Self::TenThousandths];
+    pub const OFFERED: [Self; 4] = [
+        Self::Fraction,
+        Self::Percent,
+        Self::TenThousandths,
+        Self::SixteenBits,
+    ];
 
     /// Per cent or fraction.
     pub fn percent(is_percent: bool) -> Self {
@@ -82,6 +92,7 @@ impl Counted {
             () if is(1.0) => Self::Fraction,
             () if is(0.01) => Self::Percent,
             () if is(1e-4) => Self::TenThousandths,
+            () if is(1.0 / 65_535.0) => Self::SixteenBits,
             () => Self::Otherwise,
         }
     }
@@ -92,6 +103,7 @@ impl Counted {
             Self::Fraction => Some(1.0),
             Self::Percent => Some(0.01),
             Self::TenThousandths => Some(1e-4),
+            Self::SixteenBits => Some(1.0 / 65_535.0),
             Self::Otherwise => None,
         }
     }
@@ -102,6 +114,7 @@ impl Counted {
             Self::Fraction => "fraction",
             Self::Percent => "percent",
             Self::TenThousandths => "fraction x 10000",
+            Self::SixteenBits => "fraction x 65535",
             Self::Otherwise => "as the file states",
         }
     }
@@ -120,6 +133,18 @@ impl Choices {
         own.or(self.counted)
     }
 
+    /// The same, and how tables are written as others have it where nothing is said here.
+    #[must_use]
+    pub fn or_table_of(&self, others: &Self) -> Self {
+        Self {
+            dialect: self.dialect.or(others.dialect),
+            delimiter: self.delimiter.or(others.delimiter),
+            axis_column: self.axis_column.or(others.axis_column),
+            wavelengths: self.wavelengths.or(others.wavelengths),
+            ..self.clone()
+        }
+    }
+
     /// The same for a part of a file whose first spectrum is the file's `first`.
     #[must_use]
     pub fn from(&self, first: usize) -> Self {
@@ -134,7 +159,7 @@ impl Choices {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{Guessed, dialect::Delimiter, read_bytes, read_bytes_as};
+    use crate::io::{Guessed, read_bytes, read_bytes_as};
     use crate::spectrum::NamedSpectrum;
 
     fn read(text: &str, choices: Choices) -> NamedSpectrum {

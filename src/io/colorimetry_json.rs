@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::spectrum::Kind;
 
 use super::curve::MOST_SAMPLES;
-use super::foreign_spectrum::{Found, add, numbers, word};
+use super::foreign_spectrum::{JsonSpectrum, add, numbers, word};
 use super::kinds;
 use super::provenance::shortest;
 use super::{Input, ReadError, Reading};
@@ -51,7 +51,7 @@ pub fn read_colorimetry(
     let name = word(value, "/metadata/title")
         .or_else(|| word(value, "/id"))
         .unwrap_or(input.stem());
-    let found = Found {
+    let found = JsonSpectrum {
         name: name.to_owned(),
         kind: kind.unwrap_or(Kind::Light),
         kind_stated: kind.is_some(),
@@ -61,7 +61,7 @@ pub fn read_colorimetry(
             .unwrap_or(&input.name)
             .to_owned(),
     };
-    add(input, found, &nm, &values, reading)
+    add(input, found, &nm, values, reading)
 }
 
 /// The wavelengths of a range for some values: no more are made than there are values.

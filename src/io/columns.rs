@@ -12,17 +12,21 @@ use std::ops::Range;
 use super::alternating;
 use super::csv::Own;
 use super::dialect::{Delimiter, Dialect, used};
-use super::draft::{Draft, Scale, check_room};
 use super::heading::Heading;
+use super::interpret::raw::{RawSpectrum, Scale};
+use super::interpret::{check_room, interpret};
 use super::layout::{self, Layout};
 use super::no_table;
 use super::pick::{self, Look, NoTable, Table};
-use super::roles::{self, Group};
+use super::roles::{self, Group, LeftOut};
+use super::row_order;
 use super::rows::{AlongRow, read_rows};
 use super::samples;
+use super::table::{BadCell, most_left_out};
 use super::titles::Titles;
 use super::{
-    Confidence, Format, Guess, Guessed, Input, ReadError, Reading, csv, reading::TableFound,
+    Choices, Confidence, Format, Guess, Guessed, Input, ReadError, Reading, csv,
+    reading::TableFound,
 };
 
 /// Plain columns of numbers.
@@ -42,12 +46,26 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
+    let mut reading = read_cells(input)?;
+    let dialect = reading.table.as_ref().map(|table| table.dialect);
+    reading.notes.extend(dialect.map(Dialect::words));
+    Ok(reading)
+}
+
+/// Reads columns; how their cells are set apart is not told.
+///
+/// # Errors
+/// [`ReadError`] when there is no table.
+pub fn read_cells(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_long_text()?.text;
-    let own = Own::of(text).filter(|_| input.choices.dialect.is_none());
-    let look = match (&own, input.choices.dialect) {
+    let Choices {
+        dialect, delimiter, ..
+    } = input.choices;
+    let own = Own::of(text).filter(|_| dialect.is_none() && delimiter.is_none());
+    let look = match (&own, dialect) {
         (Some(_), _) => Look::at_all(text, csv::DIALECT),
         (None, Some(dialect)) => Look::at_all(text, dialect),
-        (None, None) => pick::look(text),
+        (None, None) => pick::look(text, delimiter),
     };
     let dialect = look.dialect;
     let found = match &own {
@@ -113,7 +131,6 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if reading.spectra.is_empty() {
         return Err(too_sparse(input, &tables));
     }
-    reading.notes.push(dialect.words());
     Ok(reading)
 }
 
@@ -172,7 +189,9 @@ fn read_table(
                 Some(_) => (vec![all_beside(wavelength, table.block.width)], Vec::new()),
                 None => roles::groups(&table.block, &table.titles, wavelength),
             };
-            check(file, table, wavelength, &groups)?;
+            reading
+                .notes
+                .extend(check(file, table, wavelength, &groups)?);
             if let Some(found) = &mut reading.table
                 && found.values.is_empty()
                 && !table.is_short
@@ -219,8 +238,14 @@ fn all_beside(axis: usize, width: usize) -> Group {
     }
 }
 
-/// Refuses words among the numbers that count, and tables without any.
-fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Result<(), ReadError> {
+/// Refuses words among the numbers that count, and tables without any. Where a column is all numbers
+/// but for a word or two, these are gaps, and said.
+fn check(
+    file: &File,
+    table: &Table,
+    wavelength: usize,
+    groups: &[Group],
+) -> Result<Vec<String>, ReadError> {
     let block = &table.block;
     let mut counts = vec![false; block.width];
     counts[wavelength] = true;
@@ -231,8 +256,11 @@ fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Res
             .iter()
             .for_each(|column| counts[*column] = true);
     }
+    let most = most_left_out(block.rows());
     let bad = block.bad.iter().filter(|bad| counts[bad.column]);
-    if let Some(bad) = bad.min_by_key(|bad| bad.line) {
+    let (few, many): (Vec<&BadCell>, Vec<&BadCell>) =
+        bad.partition(|bad| block.columns[bad.column].texts <= most);
+    if let Some(bad) = many.into_iter().min_by_key(|bad| bad.line) {
         return Err(bad.refusal(file.input));
     }
     if groups.iter().all(|group| group.values.is_empty()) {
@@ -245,7 +273,7 @@ fn check(file: &File, table: &Table, wavelength: usize, groups: &[Group]) -> Res
             )
             .at_line(block.lines[0] as usize));
     }
-    Ok(())
+    Ok(few.into_iter().map(|bad| bad.left_out("cell")).collect())
 }
 
 /// What speaks against the cells of a table with commas between them: fewer titles than numbers in
@@ -296,7 +324,7 @@ fn read_groups(
     table: &mut Table,
     groups: &[Group],
     part: &str,
-    mut left_out: Vec<String>,
+    mut left_out: Vec<LeftOut>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
     let heading = match file.own {
@@ -311,21 +339,28 @@ fn read_groups(
     let heading = heading.shared_by(columns);
     let above = names_above(&table.block, file.dialect, &table.titles, &all);
     let is_rgb = are_rgb(&table.titles, &all);
+    let mut told_apart = Vec::new();
     let mut before = 0;
     for group in groups {
-        let rows = match groups {
-            [_] => table.block.rows(),
-            _ => rows_of(table, group),
-        };
         let mut of_samples = group.clone();
         let named = match groups {
             [_] => samples::together(&mut table.block, file.dialect, group.axis, &group.values),
             _ => None,
         };
+        if groups.len() == 1 && named.is_none() {
+            let said = row_order::put_right(&mut table.block, group.axis, &group.values);
+            reading.notes.extend(said);
+        }
+        let rows = match groups {
+            [_] => table.block.rows(),
+            _ => rows_of(table, group),
+        };
         let axis = table.block.column(group.axis)[..rows].to_vec();
         let (runs, names): (Vec<_>, Vec<_>) = match named {
             Some((column, samples)) => {
-                told_apart(&mut left_out, &table.titles, column);
+                left_out.retain(|other| other.column != column);
+                let shown = roles::shown(&table.titles, column);
+                told_apart.push(format!("{shown} tells the spectra apart"));
                 of_samples.values.retain(|of_values| *of_values != column);
                 let is_number = table.block.columns[column].numbers > 0;
                 let title = if is_number {
@@ -369,16 +404,9 @@ fn read_groups(
         }
         before += group.values.len();
     }
-    reading.notes.extend(left_out);
+    let left_out = left_out.iter().map(|column| column.words(&table.titles));
+    reading.notes.extend(left_out.chain(told_apart));
     Ok(())
-}
-
-/// Says of a column of words or numbers what it was of use for.
-fn told_apart(notes: &mut Vec<String>, titles: &Titles, column: usize) {
-    let shown = roles::shown(titles, column);
-    let left_out = format!("{shown} {}", roles::HOLDS_WORDS);
-    notes.retain(|note| *note != left_out);
-    notes.push(format!("{shown} tells the spectra apart"));
 }
 
 /// Rows of a table beside another, without those below its end.
@@ -425,37 +453,37 @@ fn read_columns(
             Some(name) => name.clone(),
             None => column_name(titles, *column, rows.columns),
         };
-        let draft = Draft {
-            name: match file.own {
-                Some(own) => own.name(*column).unwrap_or(stem).to_owned(),
-                None => match (rows.sample, name.is_empty()) {
-                    (Some(sample), true) => format!("{sample}{}", rows.part),
-                    (Some(sample), false) => format!("{sample} {name}{}", rows.part),
-                    (None, _) => name_with_part(stem, &name, &rows.part),
-                },
-            },
-            title: match file.own {
-                None if !rows.is_rgb => titles.whole(*column),
-                _ => String::new(),
-            },
-            axis_title: axis_title.clone(),
-            says_nm,
-            heading,
-            axis: &scale,
-            values: of_column,
-            lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
-            percent_signs: block.columns[*column].percents > 0,
-            decimal_comma: file.dialect.decimal_comma,
-        };
         // A column that is empty in this part of the table is no spectrum; others still are.
-        if values.len() > 1 && draft.values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
+        if values.len() > 1 && of_column.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
             reading.notes.push(format!(
                 "column {} holds no values and was left out",
                 column + 1
             ));
             continue;
         }
-        draft.finish(file.input, reading)?;
+        let name = match file.own {
+            Some(own) => own.name(*column).unwrap_or(stem).to_owned(),
+            None => match (rows.sample, name.is_empty()) {
+                (Some(sample), true) => format!("{sample}{}", rows.part),
+                (Some(sample), false) => format!("{sample} {name}{}", rows.part),
+                (None, _) => name_with_part(stem, &name, &rows.part),
+            },
+        };
+        let title = match &block.columns[*column].unit {
+            _ if rows.is_rgb || file.own.is_some() => String::new(),
+            Some(unit) => format!("{} [{unit}]", titles.whole(*column)),
+            None => titles.whole(*column),
+        };
+        let raw = RawSpectrum {
+            title,
+            lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
+            percent_signs: block.columns[*column].percents > 0,
+            ..RawSpectrum::written(name, &scale, &axis_title, of_column, heading)
+        };
+        let raw = raw
+            .saying_nm(says_nm)
+            .with_comma(file.dialect.decimal_comma);
+        interpret(raw, file.input, reading)?;
     }
     Ok(())
 }
@@ -692,6 +720,70 @@ mod tests {
     fn a_long_name_of_a_wavelength_column_is_no_unit() {
         let reading = read("Våglängd;Reflektans\n380;0.2\n580;0.4\n780;0.5\n");
         assert_eq!(reading.spectra[0].samples.nm(), [380.0, 580.0, 780.0]);
+    }
+
+    /// Rows of wavelengths from 400 nm on and what a function makes of each.
+    fn rows_of(count: u32, row: impl Fn(f64) -> String) -> String {
+        (0..count).map(|i| row(f64::from(i)) + "\n").collect()
+    }
+
+    #[test]
+    fn wavelengths_that_are_numbered_stand_under_their_number() {
+        let rows = rows_of(30, |i| {
+            let (one, other) = (400.0 + 5.0 * i, 500.0 + 10.0 * i);
+            format!("{one}\t{}\t{other}\t{}", 20.0 + i, 60.0 + i)
+        });
+        let text = "w.length.1\ttransmittance.1\tw.length.2\ttransmittance.2\n".to_owned() + &rows;
+        let reading = read_bytes("gel.txt", text.as_bytes()).expect("a table");
+        assert_eq!(names(&reading), ["transmittance.1", "transmittance.2"]);
+        assert_eq!(reading.spectra[1].samples.last_nm(), 790.0);
+    }
+
+    #[test]
+    fn the_technique_of_a_spectrometer_tells_what_it_measured() {
+        let rows = rows_of(30, |i| format!("{},{}", 400.0 + i, 80.0 + 0.1 * i));
+        let text = "Raman Intensity Corrected,False\nLaser Wavelength,0.0\n\
+                    Technique,Transmission\n\nWavelength,Processed\n"
+            .to_owned()
+            + &rows;
+        let spectrum = &read_bytes("enlighten.csv", text.as_bytes())
+            .expect("a table")
+            .spectra[0];
+        assert_eq!((spectrum.kind, spectrum.scale), (Kind::Transmittance, 0.01));
+    }
+
+    #[test]
+    fn of_several_titled_columns_each_is_what_its_own_title_says() {
+        let rows = rows_of(30, |i| {
+            format!("{i};{};900;65535;{};50.5;0.3", 540.0 + i, 900.0 + 60.0 * i)
+        });
+        let text = "laser_wavelength;532\n\
+                    Pixel;Wavelength;Dark;Reference;Dark Subtracted #1;%TR #1;Absorbance #1\n"
+            .to_owned()
+            + &rows;
+        let reading = read_bytes("bw.txt", text.as_bytes()).expect("a table");
+        let kinds: Vec<Kind> = reading.spectra.iter().map(|s| s.kind).collect();
+        assert_eq!(kinds, [Kind::Light, Kind::Transmittance, Kind::Absorbance]);
+        let may_be = |note: &String| note.contains("may be a reflectance");
+        assert!(reading.spectra[1].notes.iter().any(may_be));
+    }
+
+    #[test]
+    fn a_value_with_its_unit_and_a_wavelength_with_a_colon_are_read() {
+        let rows = rows_of(9, |i| format!("{} nm,{} W/m2", 400.0 + i, 0.5 + i));
+        let spectrum = &read(&rows).spectra[0];
+        assert_eq!(
+            (spectrum.unit.as_str(), spectrum.samples.len()),
+            ("W/m2", 9)
+        );
+        let rows = rows_of(9, |i| format!("{}: {}", 400.0 + i, 0.5 + i));
+        assert_eq!(read(&rows).spectra[0].samples.len(), 9);
+        let lists = "wavelengths: [400, 410, 420, 430, 440]\nvalues: [1, 2, 3, 4, 5]\n";
+        let spectrum = &read(lists).spectra[0];
+        assert_eq!(
+            (spectrum.name.as_str(), spectrum.samples.len()),
+            ("values", 5)
+        );
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::spectrum::Sampled;
 
+use super::interpret::remark::Remark;
 use super::number::is_measured;
 
 /// Most samples of one spectrum.
@@ -21,8 +22,8 @@ pub const TRACED_REVERSALS: f64 = 0.5;
 pub struct Cleaned {
     /// The table.
     pub samples: Sampled,
-    /// What was done, a sentence each.
-    pub notes: Vec<String>,
+    /// What was done.
+    pub remarks: Vec<Remark>,
 }
 
 /// Why numbers are no spectrum. Indices count the points given, from 0.
@@ -88,7 +89,7 @@ pub fn beside(other: &Sampled, values: Vec<f64>) -> Result<Cleaned, Vec<f64>> {
     match other.sharing(values) {
         Ok(samples) => Ok(Cleaned {
             samples,
-            notes: Vec::new(),
+            remarks: Vec::new(),
         }),
         Err((_, values)) => Err(values),
     }
@@ -110,7 +111,7 @@ pub fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
 /// # Errors
 /// As [`clean`].
 pub fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<Cleaned, Trouble> {
-    let mut notes = Vec::new();
+    let mut remarks = Vec::new();
     let given = nm.len().min(values.len());
     let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
     let mut whence: Vec<u32> = Vec::new();
@@ -131,16 +132,9 @@ pub fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<C
             points.push((*w, *v));
         }
     }
-    match zeros {
-        0 => {}
-        1 => notes.push("1 point at a wavelength of 0 dropped".to_owned()),
-        n => notes.push(format!("{n} points at a wavelength of 0 dropped")),
-    }
-    match given - points.len() - zeros {
-        0 => {}
-        1 => notes.push("1 missing value dropped".to_owned()),
-        n => notes.push(format!("{n} missing values dropped")),
-    }
+    let missing = given - points.len() - zeros;
+    remarks.extend((zeros > 0).then_some(Remark::AtZero(zeros)));
+    remarks.extend((missing > 0).then_some(Remark::Missing(missing)));
     if points.len() < 2 {
         return Err(Trouble::TooFew {
             found: points.len(),
@@ -151,11 +145,11 @@ pub fn clean_within(nm: &[f64], values: &[f64], most_reversals: f64) -> Result<C
             found: points.len(),
         });
     }
-    put_in_order(&mut points, &whence, most_reversals, &mut notes)?;
-    average_doubles(&mut points, &mut notes);
+    put_in_order(&mut points, &whence, most_reversals, &mut remarks)?;
+    average_doubles(&mut points, &mut remarks);
     let (nm, values) = points.iter().copied().unzip();
     match Sampled::new(nm, values) {
-        Ok(samples) => Ok(Cleaned { samples, notes }),
+        Ok(samples) => Ok(Cleaned { samples, remarks }),
         Err(_) => Err(Trouble::TooFew {
             found: points.len(),
         }),
@@ -166,7 +160,7 @@ fn put_in_order(
     points: &mut [(f64, f64)],
     whence: &[u32],
     most_reversals: f64,
-    notes: &mut Vec<String>,
+    remarks: &mut Vec<Remark>,
 ) -> Result<(), Trouble> {
     let steps = points.len() - 1;
     let (mut up, mut down) = (0, 0);
@@ -195,19 +189,16 @@ fn put_in_order(
     }
     if falling {
         points.reverse();
-        notes.push("falling wavelengths turned round".to_owned());
+        remarks.push(Remark::TurnedRound);
     }
     if reversals > 0 {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        notes.push(match reversals {
-            1 => "wavelengths step back once: put in rising order".to_owned(),
-            n => format!("wavelengths step back {n} times: put in rising order"),
-        });
+        remarks.push(Remark::StepsBack(reversals));
     }
     Ok(())
 }
 
-fn average_doubles(points: &mut Vec<(f64, f64)>, notes: &mut Vec<String>) {
+fn average_doubles(points: &mut Vec<(f64, f64)>, remarks: &mut Vec<Remark>) {
     let before = points.len();
     let mut kept = 0;
     let mut from = 0;
@@ -228,11 +219,8 @@ fn average_doubles(points: &mut Vec<(f64, f64)>, notes: &mut Vec<String>) {
         from += count;
     }
     points.truncate(kept);
-    match before - kept {
-        0 => {}
-        1 => notes.push("1 doubled wavelength averaged".to_owned()),
-        n => notes.push(format!("{n} doubled wavelengths averaged")),
-    }
+    let doubles = before - kept;
+    remarks.extend((doubles > 0).then_some(Remark::Averaged(doubles)));
 }
 
 #[cfg(test)]
@@ -244,7 +232,7 @@ mod tests {
         let read = clean(&[500.0, 400.0], &[1.0, 2.0]).unwrap();
         assert_eq!(read.samples.nm(), [400.0, 500.0]);
         assert_eq!(read.samples.values(), [2.0, 1.0]);
-        assert_eq!(read.notes, ["falling wavelengths turned round"]);
+        assert_eq!(read.remarks, [Remark::TurnedRound]);
     }
 
     #[test]
@@ -255,10 +243,7 @@ mod tests {
         )
         .unwrap();
         assert_eq!(read.samples.values(), [1.0, 3.0, 5.0]);
-        assert_eq!(
-            read.notes,
-            ["1 missing value dropped", "1 doubled wavelength averaged"]
-        );
+        assert_eq!(read.remarks, [Remark::Missing(1), Remark::Averaged(1)]);
     }
 
     #[test]
@@ -270,10 +255,7 @@ mod tests {
             .collect();
         let read = clean(&nm, &vec![1.0; nm.len()]).unwrap();
         assert_eq!(read.samples.len(), 22);
-        assert_eq!(
-            read.notes,
-            ["wavelengths step back once: put in rising order"]
-        );
+        assert_eq!(read.remarks, [Remark::StepsBack(1)]);
     }
 
     #[test]

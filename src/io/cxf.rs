@@ -9,12 +9,14 @@ use std::collections::HashMap;
 
 use roxmltree::Node;
 
-use crate::spectrum::{Kind, NamedSpectrum};
+use crate::spectrum::Kind;
 
 use super::error::quoted;
-use super::reading::provenance;
-use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
-use super::{budget, curve, meaning, number, xml};
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
+use super::{Confidence, Format, Input, ReadError, Reading};
+use super::{budget, number, xml};
 
 /// CxF3.
 pub const FORMAT: Format = Format {
@@ -30,11 +32,11 @@ const SPECTRUM_BYTES: usize = 1000;
 /// How far above a spectrum its object is looked for.
 const DEEPEST: usize = 16;
 
-const SPECTRA: [(&str, Kind, &str); 4] = [
-    ("ReflectanceSpectrum", Kind::Reflectance, "fraction"),
-    ("TransmittanceSpectrum", Kind::Transmittance, "fraction"),
-    ("EmissiveSpectrum", Kind::Light, ""),
-    ("EmissionSpectrum", Kind::Light, ""),
+const SPECTRA: [(&str, Kind); 4] = [
+    ("ReflectanceSpectrum", Kind::Reflectance),
+    ("TransmittanceSpectrum", Kind::Transmittance),
+    ("EmissiveSpectrum", Kind::Light),
+    ("EmissionSpectrum", Kind::Light),
 ];
 
 fn sniff(input: &Input) -> Confidence {
@@ -62,7 +64,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut left = budget::of(input.bytes.len()) / 2;
     for node in root.descendants().filter(Node::is_element) {
         let word = node.tag_name().name();
-        let Some((_, kind, unit)) = SPECTRA.iter().find(|(known, ..)| *known == word) else {
+        let Some((_, kind)) = SPECTRA.iter().find(|(known, _)| *known == word) else {
             continue;
         };
         let Some(object) = object_of(node) else {
@@ -71,22 +73,14 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let name = xml::attribute(object, "Name")
             .or_else(|| xml::attribute(object, "Id"))
             .unwrap_or(input.stem());
-        let mut spectrum = read_spectrum(input, node, &ranges, *kind, &mut reading)?;
+        let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
         left = left
-            .checked_sub(SPECTRUM_BYTES + 32 * spectrum.samples.len())
+            .checked_sub(SPECTRUM_BYTES + 32 * points)
             .ok_or_else(|| {
                 input
                     .error("far more spectra than its size allows", budget::WORDS)
                     .at_line(xml::line(node))
             })?;
-        name.clone_into(&mut spectrum.name);
-        (*unit).clone_into(&mut spectrum.unit);
-        let line = provenance(&spectrum, &[]);
-        if reading.spectra.is_empty() {
-            reading.notes.push(line.clone());
-        }
-        spectrum.notes.insert(0, line);
-        reading.spectra.push(spectrum);
     }
     if reading.spectra.is_empty() {
         return Err(input.error(
@@ -104,13 +98,14 @@ fn object_of<'a, 'i>(node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
         .find(|n| n.tag_name().name().eq_ignore_ascii_case("Object"))
 }
 
+/// Adds the spectrum of an element; its number of points.
 fn read_spectrum(
     input: &Input,
     node: Node,
     ranges: &HashMap<&str, Node>,
-    kind: Kind,
+    (name, kind): (&str, Kind),
     reading: &mut Reading,
-) -> Result<NamedSpectrum, ReadError> {
+) -> Result<usize, ReadError> {
     // Counted from the file's start, so only where there is trouble.
     let at = || xml::line(node);
     let range = xml::attribute(node, "ColorSpecification").and_then(|id| ranges.get(id));
@@ -152,36 +147,12 @@ fn read_spectrum(
         })?);
     }
     let nm: Vec<f64> = (0..values.len()).map(|i| start + i as f64 * step).collect();
-    let cleaned = curve::clean(&nm, &values).map_err(|trouble| {
-        input
-            .error(trouble.to_string(), trouble.expected())
-            .at_line(at())
-    })?;
-    notes.extend(cleaned.notes);
-    let mut scale = 1.0;
-    if kind.is_factor() {
-        let percent = meaning::percent("", &[], false, cleaned.samples.values());
-        if percent.percent {
-            scale = 0.01;
-            notes.push(format!("taken as percent: {}", percent.because));
-            reading.guesses.push(Guess {
-                spectrum: reading.spectra.len(),
-                what: Guessed::Percent,
-                chosen: "percent".to_owned(),
-                because: percent.because,
-                plain: percent.plain,
-            });
-        }
-    }
-    Ok(NamedSpectrum {
-        name: String::new(),
-        kind,
-        unit: String::new(),
-        scale,
-        samples: cleaned.samples.scaled(scale),
-        notes,
-        source: input.name.clone(),
-    })
+    let mut raw = RawSpectrum::known(name, &nm, values, Decision::of_format(kind), "");
+    raw.known.scale = KnownScale::Fractions;
+    raw.notes = notes;
+    interpret(raw, input, reading).map_err(|refusal| refusal.at_line(at()))?;
+    reading.keep_scale_to_notes();
+    Ok(nm.len())
 }
 
 #[cfg(test)]

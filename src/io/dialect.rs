@@ -1,5 +1,7 @@
 //! How a text table separates its cells and marks its decimals.
 
+use super::number;
+
 /// Most columns of one table: far more than any instrument writes.
 pub const MOST_COLUMNS: usize = 65_536;
 
@@ -14,6 +16,21 @@ pub enum Delimiter {
     Comma,
     /// Any run of blanks and TABs.
     Space,
+}
+
+impl Delimiter {
+    /// Every one of them.
+    pub const ALL: [Self; 4] = [Self::Tab, Self::Semicolon, Self::Comma, Self::Space];
+
+    /// In a word: `tab`, `semicolon`, `comma`, `space`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Tab => "tab",
+            Self::Semicolon => "semicolon",
+            Self::Comma => "comma",
+            Self::Space => "space",
+        }
+    }
 }
 
 /// A delimiter and a decimal mark, found together because either alone misleads.
@@ -68,8 +85,21 @@ impl Dialect {
     pub fn split<'a>(self, line: &'a str, cells: &mut Vec<&'a str>) {
         const MOST_CELLS: usize = MOST_COLUMNS + 1;
         cells.clear();
+        let line = match list_behind_key(line) {
+            Some((key, list)) => {
+                cells.push(key);
+                list
+            }
+            None => line,
+        };
         let Some(mark) = self.mark() else {
-            cells.extend(line.split_ascii_whitespace().take(MOST_CELLS));
+            let words = line.split_ascii_whitespace();
+            if line.is_ascii() {
+                cells.extend(words.take(MOST_CELLS));
+            } else {
+                let parts = words.flat_map(|word| self.split_at_fixed_blanks(word));
+                cells.extend(parts.take(MOST_CELLS));
+            }
             return;
         };
         if !line.contains('"') {
@@ -94,13 +124,23 @@ impl Dialect {
         cells.push(unquoted(&line[start..]));
     }
 
+    /// The cells of a word that blanks stand in which break no line; between the thousands of a
+    /// number they part nothing.
+    fn split_at_fixed_blanks(self, word: &str) -> impl Iterator<Item = &str> {
+        let is_one = || number::parse(word, self.decimal_comma).value().is_some();
+        let parts = !word.contains(FIXED_BLANKS) || is_one();
+        let is_mark = move |c: char| !parts && FIXED_BLANKS.contains(&c);
+        word.split(is_mark).filter(|part| !part.is_empty())
+    }
+
     /// Whether a line may have more than one cell, at a glance.
     pub fn parts(self, line: &str) -> bool {
         let found = match self.mark() {
             Some(mark) => memchr::memchr(mark, line.as_bytes()),
             None => memchr::memchr3(b' ', b'\t', b'\x0c', line.as_bytes()),
         };
-        found.is_some()
+        let is_fixed = || self.mark().is_none() && line.contains(FIXED_BLANKS);
+        found.is_some() || !line.is_ascii() && is_fixed()
     }
 
     /// How many cells a line has, were there ever so many.
@@ -125,6 +165,25 @@ impl Dialect {
             Delimiter::Space => None,
         }
     }
+}
+
+/// Blanks at which no line is broken.
+const FIXED_BLANKS: [char; 2] = ['\u{a0}', '\u{202f}'];
+
+/// Fewest numbers in brackets that are a row.
+const FEWEST_IN_A_LIST: usize = 5;
+
+/// The key and the list of a line such as `wavelengths: [380, 385, 390]` or `x = [380 385 390];`.
+fn list_behind_key(line: &str) -> Option<(&str, &str)> {
+    let open = memchr::memchr(b'[', line.as_bytes())?;
+    let body = line.trim_end().trim_end_matches([';', ',']).trim_end();
+    let list = body.strip_suffix(']')?.get(open + 1..)?;
+    let key = line[..open].trim().strip_suffix([':', '='])?.trim();
+    let parts = list.split([',', ';', ' ', '\t']);
+    let filled = parts.filter(|part| !part.is_empty());
+    let is_list = filled.take(FEWEST_IN_A_LIST).count() == FEWEST_IN_A_LIST;
+    let has_key = key.contains(char::is_alphabetic);
+    (is_list && has_key && !list.contains(['[', ']'])).then_some((key, list))
 }
 
 fn unquoted(cell: &str) -> &str {
@@ -168,6 +227,30 @@ mod tests {
             assert_eq!(cells.len(), MOST_COLUMNS + 1);
             assert_eq!(dialect.count(&line), count);
         }
+    }
+
+    #[test]
+    fn a_list_behind_its_key_is_a_cell_and_its_numbers() {
+        let mut cells = Vec::new();
+        let split = |text: &'static str, delimiter, cells: &mut Vec<&'static str>| {
+            Dialect::new(delimiter, false).split(text, cells);
+        };
+        split("wavelengths: [1, 2, 3, 4, 5]", Delimiter::Comma, &mut cells);
+        assert_eq!(cells, ["wavelengths", "1", "2", "3", "4", "5"]);
+        split("x = [1 2 3 4 5];", Delimiter::Space, &mut cells);
+        assert_eq!(cells, ["x", "1", "2", "3", "4", "5"]);
+        split("Limits: [380, 780]", Delimiter::Comma, &mut cells);
+        assert_eq!(cells, ["Limits: [380", "780]"]);
+        split("Wave [nm], a b c [W/m2]", Delimiter::Comma, &mut cells);
+        assert_eq!(cells, ["Wave [nm]", "a b c [W/m2]"]);
+    }
+
+    #[test]
+    fn blanks_that_break_no_line_part_cells_but_no_thousands() {
+        let mut cells = Vec::new();
+        Dialect::new(Delimiter::Space, true).split("380\u{a0}0,5 1\u{a0}630,3", &mut cells);
+        assert_eq!(cells, ["380", "0,5", "1\u{a0}630,3"]);
+        assert!(Dialect::new(Delimiter::Space, false).parts("380\u{a0}0.5"));
     }
 
     #[test]

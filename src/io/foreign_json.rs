@@ -11,6 +11,8 @@
 //! tobes-ui        {"name", "spd": {"340": 0.0, ...}}
 //! ```
 
+use std::borrow::Cow;
+
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::{Map, Value};
@@ -46,7 +48,7 @@ fn sniff(input: &Input) -> Confidence {
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_long_text()?.text;
+    let text = &*without_nan(&input.needs_long_text()?.text);
     let mut reading = Reading::default();
     if !has_known_keys(text) || !read_known(input, &any_json(input, text)?, &mut reading)? {
         return read_plain(input, &tree::of(input, text)?);
@@ -54,8 +56,41 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if reading.spectra.is_empty() {
         return Err(input.error("JSON with no spectrum in it", KNOWN));
     }
-    reading.notes.insert(0, reading.spectra[0].notes[0].clone());
     Ok(reading)
+}
+
+/// The text with `null` for the numbers that JSON cannot write and many programs do: `NaN`,
+/// `Infinity` and `-Infinity`, outside of words.
+fn without_nan(text: &str) -> Cow<'_, str> {
+    if !text.contains("NaN") && !text.contains("Infinity") {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    // Where quotes stand words and the rest take turns; a quote behind a stroke is a letter.
+    let mut is_word = false;
+    let mut kept = 0;
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() {
+        let number = ["NaN", "-Infinity", "Infinity"]
+            .into_iter()
+            .find(|number| !is_word && text.as_bytes()[at..].starts_with(number.as_bytes()));
+        match (bytes[at], number) {
+            (_, Some(number)) => {
+                out.push_str(&text[kept..at]);
+                out.push_str("null");
+                at += number.len();
+                kept = at;
+                continue;
+            }
+            (b'\\', None) if is_word => at += 1,
+            (b'"', None) => is_word = !is_word,
+            _ => {}
+        }
+        at += 1;
+    }
+    out.push_str(&text[kept..]);
+    Cow::Owned(out)
 }
 
 /// The keys by which known programs are told.
@@ -138,6 +173,16 @@ fn is_keyed(object: &Map<String, Value>) -> bool {
 #[cfg(test)]
 mod tests {
     use crate::io::read_bytes;
+
+    #[test]
+    fn numbers_that_json_cannot_write_are_gaps_and_words_stay() {
+        let text = r#"{"name": "a \" NaN", "wavelengths": [380, 390, 400, 410],
+            "values": [1, NaN, -Infinity, 4]}"#;
+        let reading = read_bytes("a.json", text.as_bytes()).unwrap();
+        let spectrum = &reading.spectra[0];
+        assert_eq!(spectrum.samples.nm(), [380.0, 410.0]);
+        assert_eq!(spectrum.name, "a \" NaN");
+    }
 
     #[test]
     fn other_json_is_refused_with_its_keys() {

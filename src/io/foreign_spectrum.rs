@@ -2,16 +2,16 @@
 
 use serde_json::Value;
 
-use crate::spectrum::{Kind, NamedSpectrum};
+use crate::spectrum::Kind;
 
-use super::curve;
 use super::error::{kept, quoted};
-use super::meaning;
-use super::reading::provenance as provenance_line;
-use super::{Guess, Guessed, Input, ReadError, Reading};
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
+use super::{Input, ReadError, Reading};
 
 /// What is known of a spectrum before its numbers are put in order.
-pub struct Found {
+pub struct JsonSpectrum {
     /// What to call it.
     pub name: String,
     /// What it is.
@@ -32,66 +32,24 @@ pub struct Found {
 /// [`ReadError`] when the numbers are no spectrum.
 pub fn add(
     input: &Input,
-    found: Found,
+    found: JsonSpectrum,
     nm: &[f64],
-    values: &[f64],
+    values: Vec<f64>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let cleaned = curve::clean(nm, values)
-        .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
-    let (mut samples, mut notes) = (cleaned.samples, cleaned.notes);
-    let index = reading.spectra.len();
-    let mut guess = |what, chosen: &str, because: String, plain| {
-        notes.push(format!("taken as {chosen}: {because}"));
-        reading.guesses.push(Guess {
-            spectrum: index,
-            what,
-            chosen: chosen.to_owned(),
-            because,
-            plain,
-        });
+    let kind = match found.kind_stated {
+        true => Decision::of_format(found.kind),
+        false => Decision::guessed(found.kind, false, "nothing states it"),
     };
-    if !found.kind_stated {
-        guess(
-            Guessed::Kind,
-            found.kind.word(),
-            "nothing states it".to_owned(),
-            false,
-        );
-    }
-    let mut scale = 1.0;
-    if found.kind.is_factor() {
-        let percent = found.percent.unwrap_or_else(|| {
-            let guessed = meaning::percent("", &[], false, samples.values());
-            let chosen = if guessed.percent {
-                "percent"
-            } else {
-                "fraction"
-            };
-            guess(Guessed::Percent, chosen, guessed.because, guessed.plain);
-            guessed.percent
-        });
-        if percent {
-            scale = 0.01;
-            samples = samples.scaled(scale);
-        }
-    }
-    let mut spectrum = NamedSpectrum {
-        name: found.name,
-        kind: found.kind,
-        unit: if found.kind.is_factor() {
-            "fraction".to_owned()
-        } else {
-            found.unit
-        },
-        scale,
-        samples,
-        notes: Vec::new(),
-        source: found.source,
+    let mut raw = RawSpectrum::known(found.name, nm, values, kind, &found.unit);
+    raw.known.scale = match found.percent {
+        Some(true) => KnownScale::Stated(0.01),
+        Some(false) => KnownScale::Stated(1.0),
+        None => KnownScale::Open,
     };
-    spectrum.notes.push(provenance_line(&spectrum, &[]));
-    spectrum.notes.extend(notes);
-    reading.spectra.push(spectrum);
+    raw.source = Some(found.source);
+    interpret(raw, input, reading)?;
+    reading.keep_scale_to_notes();
     Ok(())
 }
 

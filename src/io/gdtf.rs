@@ -9,14 +9,15 @@ use std::collections::HashMap;
 
 use roxmltree::Node;
 
-use crate::spectrum::{Kind, NamedSpectrum};
+use crate::spectrum::Kind;
 
 use super::archive::{Archive, seems_to_hold};
 use super::error::{kept, quoted};
-use super::meaning;
-use super::reading::provenance;
-use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
-use super::{curve, number, text, xml};
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
+use super::{Confidence, Format, Input, ReadError, Reading};
+use super::{number, text, xml};
 
 /// GDTF fixtures.
 pub const FORMAT: Format = Format {
@@ -64,21 +65,21 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 .collect();
             without += usize::from(measurements.is_empty());
             for measurement in &measurements {
-                let mut spectrum = read_measurement(input, *measurement, kind, &mut reading)?;
-                let name = xml::attribute(node, "Name").unwrap_or(element);
-                spectrum.name = match xml::attribute(*measurement, "Physical") {
+                let of_element = xml::attribute(node, "Name").unwrap_or(element);
+                let name = match xml::attribute(*measurement, "Physical") {
                     Some(physical) if measurements.len() > 1 => {
-                        format!("{fixture} {name}, dimmer {physical}")
+                        format!("{fixture} {of_element}, dimmer {physical}")
                     }
-                    _ => format!("{fixture} {name}"),
+                    _ => format!("{fixture} {of_element}"),
                 };
-                if let Some(slot) = slots.get(name).filter(|_| kind == Kind::Transmittance) {
-                    spectrum.notes.push(format!("in the wheel as {slot}"));
+                let mut notes = read_measurement(input, *measurement, (name, kind), &mut reading)?;
+                let slot = slots.get(of_element);
+                if let Some(slot) = slot.filter(|_| kind == Kind::Transmittance) {
+                    notes.push(format!("in the wheel as {slot}"));
                 }
-                if reading.spectra.is_empty() {
-                    reading.notes.push(spectrum.notes[0].clone());
+                if let Some(spectrum) = reading.spectra.last_mut() {
+                    spectrum.notes = notes;
                 }
-                reading.spectra.push(spectrum);
             }
         }
     }
@@ -95,12 +96,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     Ok(reading)
 }
 
+/// Adds the spectrum of a measurement; what else is to be said of it.
 fn read_measurement(
     input: &Input,
     node: Node,
-    kind: Kind,
+    (name, kind): (String, Kind),
     reading: &mut Reading,
-) -> Result<NamedSpectrum, ReadError> {
+) -> Result<Vec<String>, ReadError> {
     let (mut nm, mut values) = (Vec::new(), Vec::new());
     for point in xml::children(node, "MeasurementPoint") {
         let get = |name: &str| {
@@ -116,28 +118,12 @@ fn read_measurement(
         nm.push(get("WaveLength")?);
         values.push(get("Energy")?);
     }
-    let cleaned = curve::clean(&nm, &values).map_err(|trouble| {
-        input
-            .error(trouble.to_string(), trouble.expected())
-            .at_line(xml::line(node))
-    })?;
-    let mut notes = cleaned.notes;
-    let (mut scale, mut unit) = (1.0, "relative");
-    if kind.is_factor() {
-        unit = "fraction";
-        let percent = meaning::percent("", &[], false, cleaned.samples.values());
-        if percent.percent {
-            scale = 0.01;
-            notes.push(format!("taken as percent: {}", percent.because));
-            reading.guesses.push(Guess {
-                spectrum: reading.spectra.len(),
-                what: Guessed::Percent,
-                chosen: "percent".to_owned(),
-                because: percent.because,
-                plain: percent.plain,
-            });
-        }
-    }
+    let kind = Decision::of_format(kind);
+    let mut raw = RawSpectrum::known(name, &nm, values, kind, "relative");
+    raw.known.scale = KnownScale::Fractions;
+    interpret(raw, input, reading).map_err(|refusal| refusal.at_line(xml::line(node)))?;
+    reading.keep_scale_to_notes();
+    let mut notes = Vec::new();
     for (name, what) in [
         ("Physical", "dimmer at"),
         ("LuminousIntensity", "luminous intensity"),
@@ -147,18 +133,7 @@ fn read_measurement(
             notes.push(format!("{what} {text}"));
         }
     }
-    let mut spectrum = NamedSpectrum {
-        name: String::new(),
-        kind,
-        unit: unit.to_owned(),
-        scale,
-        samples: cleaned.samples.scaled(scale),
-        notes: Vec::new(),
-        source: input.name.clone(),
-    };
-    spectrum.notes.push(provenance(&spectrum, &[]));
-    spectrum.notes.extend(notes);
-    Ok(spectrum)
+    Ok(notes)
 }
 
 /// The wheel slots by the filters in them, the first of each.

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use crate::spectrum::Kind;
 
 use super::error::quoted;
-use super::foreign_spectrum::{Found, add, numbers, word};
+use super::foreign_spectrum::{JsonSpectrum, add, numbers, word};
 use super::kinds;
 use super::{Input, ReadError, Reading};
 
@@ -73,7 +73,7 @@ pub fn read_rawtoaces(
                 None
             })
             .or_else(|| kinds::kind_of_words(title));
-        let found = Found {
+        let found = JsonSpectrum {
             name: if width == 1 {
                 title.to_owned()
             } else {
@@ -87,7 +87,7 @@ pub fn read_rawtoaces(
                 .unwrap_or(&input.name)
                 .to_owned(),
         };
-        add(input, found, &nm, &values, reading)?;
+        add(input, found, &nm, values, reading)?;
     }
     Ok(())
 }
@@ -115,7 +115,7 @@ pub fn read_tobes(
         .get("y_axis")
         .or_else(|| root.get("units"))
         .and_then(Value::as_str);
-    let found = Found {
+    let found = JsonSpectrum {
         name: name.unwrap_or(input.stem()).to_owned(),
         kind: Kind::Light,
         kind_stated: true,
@@ -123,7 +123,7 @@ pub fn read_tobes(
         percent: None,
         source: input.name.clone(),
     };
-    add(input, found, &nm, &values, reading)
+    add(input, found, &nm, values, reading)
 }
 
 #[cfg(test)]

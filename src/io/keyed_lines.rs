@@ -13,8 +13,9 @@ use std::ops::Range;
 
 use super::dialect::{Delimiter, Dialect, used};
 use super::error::quoted;
+use super::interpret::interpret;
+use super::interpret::raw::RawSpectrum;
 use super::makers_results::{MakersResult, room_for};
-use super::measured::Measured;
 use super::number::{self, label_nm};
 use super::text::{kept_line, lines};
 use super::{Input, ReadError, Reading};
@@ -284,7 +285,7 @@ pub fn reading_of<'k>(
     input: &Input,
     found: &'k KeyedLines<'_>,
     points: Range<usize>,
-    of: impl Fn(usize, Vec<f64>, &[MakersResult]) -> Measured<'k>,
+    of: impl Fn(usize, Vec<f64>, &[MakersResult]) -> RawSpectrum<'k>,
 ) -> Result<Reading, ReadError> {
     let mut reading = Reading::default();
     for column in 0..found.columns {
@@ -299,7 +300,7 @@ pub fn reading_of<'k>(
         if found.decimal_comma {
             spectrum.how.push("decimal comma".to_owned());
         }
-        spectrum.finish(input, &mut reading)?;
+        interpret(spectrum, input, &mut reading)?;
         reading.results.extend(results);
     }
     if reading.spectra.is_empty() {

@@ -5,21 +5,9 @@
 
 use crate::spectrum::Kind;
 
+use super::interpret::decision::Decision;
 use super::text::NumberedLines;
 use super::words::{holds, holds_any};
-
-/// A kind and what told it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KindFound {
-    /// The kind.
-    pub kind: Kind,
-    /// What told it, for the person who may flip it.
-    pub because: String,
-    /// Whether the file states it, or it is only likely.
-    pub stated: bool,
-    /// Whether it is stated, or guessed from words that can mean nothing else.
-    pub plain: bool,
-}
 
 /// Words for what repeated measurements differ by.
 const SPREAD: [&str; 5] = [
@@ -155,47 +143,118 @@ const WORDS: [(Kind, &[&str]); 8] = [
             "photon",
             "intensi",
             "counts",
+            "dark subtracted",
         ],
     ),
 ];
 
+/// How a word of a file's name is known.
+enum Named {
+    /// By the whole of it.
+    Whole(&'static [&'static str]),
+    /// By how it begins.
+    Begins(&'static [&'static str]),
+    /// By the whole of it, where it is the name's last: `Au.k`, `SiO2_n`.
+    Last(&'static [&'static str]),
+}
+
 /// Words in a file's name only: too weak for a line of text.
-const NAME_WORDS: [(Kind, &[&str]); 8] = [
-    (Kind::Weighting, &RECEPTORS),
+const NAME_WORDS: [(Kind, Named); 10] = [
+    (Kind::Other, Named::Last(&["eta", "k", "n"])),
     (
-        Kind::Other,
-        &[
-            ".eta.", ".k.", ".n.", "_eta.", "_k.", "_n.", "-eta.", "-k.", "-n.",
-        ],
+        Kind::Weighting,
+        Named::Whole(&["cmf", "cmfs", "xyz", "vlambda", "vl", "opic", "action"]),
     ),
     (
         Kind::Weighting,
-        &[
-            "cmf", "xyz_", "ciexyz", "linss", "sbrgb", "vlambda", "vl_", "|action", "sensitiv",
-        ],
+        Named::Begins(&["ciexyz", "linss", "sbrgb", "sensitiv"]),
     ),
+    (Kind::Reflectance, Named::Whole(&["refl"])),
     (
         Kind::Reflectance,
-        &[
+        Named::Begins(&[
             "reflect",
             "macbeth",
             "colorchecker",
             "colourchecker",
             "munsell",
-            "_refl",
-        ],
+        ]),
     ),
-    (Kind::Transmittance, &["transm", "filter"]),
-    (Kind::Absorbance, &["absorb"]),
+    (Kind::Transmittance, Named::Whole(&["filter", "filters"])),
+    (Kind::Transmittance, Named::Begins(&["transm"])),
+    (Kind::Absorbance, Named::Begins(&["absorb"])),
     (
         Kind::Light,
-        &[
-            "irrad", "radian", "spd", "lamp", "led", "illum", "light", "emission", "daylight",
-            "halogen",
-        ],
+        Named::Whole(&[
+            "lamp",
+            "lamps",
+            "led",
+            "leds",
+            "light",
+            "lights",
+            "daylight",
+            "sunlight",
+            "skylight",
+            "moonlight",
+            "spd",
+        ]),
     ),
-    (Kind::Lines, &[]),
+    (
+        Kind::Light,
+        Named::Begins(&[
+            "irrad", "radian", "illum", "stdillum", "emission", "halogen",
+        ]),
+    ),
 ];
+
+/// The words of a text, lower case: letters, apart from figures and from the next word's capital.
+fn words_of(text: &str) -> Vec<String> {
+    let letters: Vec<char> = text.chars().collect();
+    let mut words = vec![String::new()];
+    for (at, letter) in letters.iter().enumerate() {
+        let is_lower = |at: usize| letters.get(at).is_some_and(|c| c.is_lowercase());
+        let starts = letter.is_uppercase()
+            && (at > 0 && is_lower(at - 1)
+                || is_lower(at + 1) && letters[at.saturating_sub(1)].is_uppercase());
+        if starts || !letter.is_alphabetic() {
+            words.push(String::new());
+        }
+        if let Some(word) = words.last_mut().filter(|_| letter.is_alphabetic()) {
+            word.extend(letter.to_lowercase());
+        }
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// The kinds that the words of a file's name tell, in their order.
+fn kinds_of_name(name: &str) -> Vec<Kind> {
+    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
+    let mut words = words_of(stem);
+    let of_stem = words.len();
+    // An ending `.spd` is that of reflectances and indices too.
+    if !ending.eq_ignore_ascii_case("spd") {
+        words.extend(words_of(ending));
+    }
+    let mut kinds: Vec<Kind> = Vec::new();
+    for (at, word) in words.iter().enumerate() {
+        let word = word.as_str();
+        let is_known = |known: &Named| match known {
+            Named::Whole(whole) => whole.contains(&word),
+            Named::Begins(starts) => starts.iter().any(|start| word.starts_with(start)),
+            Named::Last(whole) => at > 0 && at + 1 == of_stem && whole.contains(&word),
+        };
+        let found = NAME_WORDS.iter().find(|(_, known)| is_known(known));
+        kinds.extend(found.map(|(kind, _)| *kind));
+    }
+    if holds_any(&name.to_lowercase(), &RECEPTORS) {
+        kinds.push(Kind::Weighting);
+    }
+    if kinds.is_empty() && ending.eq_ignore_ascii_case("spd") {
+        kinds.push(Kind::Light);
+    }
+    kinds
+}
 
 /// The kind that a title tells by its words or its one letter (`R`, `T`, `%R`, `n`, `k`).
 pub fn kind_of_title(title: &str) -> Option<Kind> {
@@ -250,22 +309,18 @@ pub fn kind_of_words(line: &str) -> Option<Kind> {
         .map(|(kind, _)| *kind)
 }
 
-/// The kind that a file's name suggests.
+/// The kind that a file's name suggests, by whole words: of several the last, which is what the
+/// others tell more of ("filtered lamp", "lamp filter").
 pub fn kind_of_name(name: &str) -> Option<Kind> {
-    let name = name.to_lowercase();
-    NAME_WORDS
-        .iter()
-        .find(|(_, words)| holds_any(&name, words))
-        .map(|(kind, _)| *kind)
+    kinds_of_name(name).last().copied()
 }
 
 /// Whether the words in a file's name all mean one kind.
 pub fn is_plain_name(name: &str) -> bool {
-    // An ending `.spd` is that of reflectances and indices too.
-    let name = name.to_lowercase();
-    let name = name.strip_suffix("spd").unwrap_or(&name);
-    let tells = |(_, words): &&(Kind, &[&str])| words.iter().any(|w| name.contains(w));
-    NAME_WORDS.iter().filter(tells).count() == 1
+    let kinds = kinds_of_name(name);
+    kinds
+        .first()
+        .is_some_and(|first| kinds.iter().all(|kind| kind == first))
 }
 
 /// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
@@ -278,9 +333,18 @@ pub fn states_values(line: &str) -> bool {
         "unit",
         "measurement",
         "quantity",
+        "technique",
     ]
     .iter()
     .any(|start| line.starts_with(start))
+}
+
+/// Whether a line titles columns of several kinds: it tells nothing of one without a kind.
+fn titles_several(line: &str) -> bool {
+    let cells = line.split([';', '\t', ',']);
+    let mut kinds = cells.filter_map(kind_of_words);
+    let first = kinds.next();
+    kinds.any(|kind| Some(kind) != first)
 }
 
 /// What the lines above a table say of the kind of its values.
@@ -304,7 +368,7 @@ impl FromHeader {
         });
         let telling = lines()
             .filter(|line| states_values(line))
-            .chain(lines())
+            .chain(lines().filter(|line| !titles_several(line)))
             .find_map(|line| kind_of_words(line).map(|kind| (kind, short(line))));
         Self {
             own,
@@ -315,33 +379,24 @@ impl FromHeader {
 }
 
 /// The kind of one column.
-pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> KindFound {
-    let stated = |kind, because: String| KindFound {
-        kind,
-        because,
-        stated: true,
-        plain: true,
-    };
+pub fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Decision<Kind> {
     if let Some(kind) = header.own {
-        return stated(kind, "the header".to_owned());
+        return Decision::stated(kind, "the header");
     }
     if let Some(kind) = kind_of_title(title) {
-        return stated(kind, format!("the column's title \"{}\"", short(title)));
+        return Decision::stated(kind, format!("the column's title \"{}\"", short(title)));
+    }
+    let guess = |kind, because: &str| Decision::guessed(kind, false, because);
+    if holds_any(&title.to_lowercase(), &["|%tr|", "|%t/r|"]) {
+        let title = short(title);
+        let because = format!("the column's title \"{title}\"; it may be a reflectance");
+        return guess(Kind::Transmittance, &because);
     }
     if let Some((kind, line)) = &header.telling {
-        return stated(*kind, format!("the header line \"{line}\""));
+        return Decision::stated(*kind, format!("the header line \"{line}\""));
     }
-    let guess = |kind, because: &str| KindFound {
-        kind,
-        because: because.to_owned(),
-        stated: false,
-        plain: false,
-    };
     if let Some(kind) = kind_of_name(file) {
-        return KindFound {
-            plain: is_plain_name(file),
-            ..guess(kind, "the file's name")
-        };
+        return Decision::guessed(kind, is_plain_name(file), "the file's name");
     }
     // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
     let mut sorted: Vec<f64> = Vec::new();
@@ -413,7 +468,7 @@ mod tests {
             (2, "irradiance of the sample"),
         ];
         assert_eq!(
-            kind("", &FromHeader::of(&header), "a.txt", &[50.0]).kind,
+            kind("", &FromHeader::of(&header), "a.txt", &[50.0]).value,
             Kind::Reflectance
         );
     }
@@ -422,17 +477,17 @@ mod tests {
     fn a_kind_that_nothing_states_is_a_guess() {
         let none = FromHeader::default();
         let found = kind("", &none, "x.csv", &[0.1, 0.5]);
-        assert_eq!((found.kind, found.stated), (Kind::Light, false));
-        assert!(found.because.contains("may be a reflectance"));
+        assert_eq!((found.value, found.is_guess()), (Kind::Light, true));
+        assert!(found.reason.contains("may be a reflectance"));
         assert_eq!(
-            kind("a.asd", &none, "x.txt", &[0.1, 0.5]).kind,
+            kind("a.asd", &none, "x.txt", &[0.1, 0.5]).value,
             Kind::Reflectance
         );
         assert_eq!(
-            kind("a.asd", &none, "irrad.txt", &[0.1, 0.5]).kind,
+            kind("a.asd", &none, "irrad.txt", &[0.1, 0.5]).value,
             Kind::Light
         );
-        assert_eq!(kind("", &none, "Au.eta.spd", &[1.0]).kind, Kind::Other);
+        assert_eq!(kind("", &none, "Au.eta.spd", &[1.0]).value, Kind::Other);
     }
 
     #[test]
@@ -459,6 +514,73 @@ mod tests {
         ] {
             assert_eq!(kind_of_words(text), Some(kind), "{text}");
         }
-        assert_eq!(kind_of_name("tropical_fruit.csv"), None);
+    }
+
+    #[test]
+    fn parts_of_words_in_a_files_name_tell_no_kind() {
+        for name in [
+            "tropical_fruit.csv",
+            "recycled_paper.csv",
+            "modelled.csv",
+            "peeled.csv",
+            "scaled.csv",
+            "shuffled.csv",
+            "delight.csv",
+            "unfiltered.csv",
+            "k.csv",
+        ] {
+            assert_eq!(kind_of_name(name), None, "{name}");
+        }
+        for (name, kind) in [
+            ("red_led_5.csv", Kind::Light),
+            ("LEDWhitesPlusCanaryYellow.txt", Kind::Light),
+            ("unfiltered_lamp.csv", Kind::Light),
+            ("xyz_lamp.csv", Kind::Light),
+            ("lampFilter.csv", Kind::Transmittance),
+            ("ciexyz31.csv", Kind::Weighting),
+            ("lin2012xyz2e_1_7sf.csv", Kind::Weighting),
+            ("Au.eta.spd", Kind::Other),
+            ("macbeth-1.spd", Kind::Reflectance),
+            ("FMNH6834.Master.Transmission", Kind::Transmittance),
+            ("F8.spd", Kind::Light),
+        ] {
+            assert_eq!(kind_of_name(name), Some(kind), "{name}");
+        }
+        assert!(is_plain_name("red_led.csv") && is_plain_name("macbeth-1.spd"));
+        assert!(!is_plain_name("xyz_lamp.csv") && !is_plain_name("paper.csv"));
+    }
+
+    #[test]
+    fn a_line_of_titles_of_several_kinds_tells_nothing_of_the_others() {
+        let header = [(1, "Dark Subtracted #1;%TR #1;Absorbance #1;Irradiance #1")];
+        let header = FromHeader::of(&header);
+        assert_eq!(
+            kind("else", &header, "a.txt", &[5.0]).reason,
+            "nothing states it"
+        );
+        assert_eq!(
+            kind("Dark Subtracted #1", &header, "a.txt", &[5.0]).value,
+            Kind::Light
+        );
+        let ratio = kind("%TR #1", &header, "a.txt", &[5.0]);
+        assert_eq!(
+            (ratio.value, ratio.is_doubtful()),
+            (Kind::Transmittance, true)
+        );
+    }
+
+    #[test]
+    fn the_technique_outweighs_a_setting_of_another_instrument() {
+        let header = [
+            (1, "Raman Intensity Corrected,False"),
+            (2, "Technique,Transmission"),
+        ];
+        for lines in [&header[..], &[header[1], header[0]]] {
+            let found = kind("Processed", &FromHeader::of(lines), "a.csv", &[80.0]);
+            assert_eq!(
+                (found.value, found.is_guess()),
+                (Kind::Transmittance, false)
+            );
+        }
     }
 }

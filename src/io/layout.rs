@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::dialect::{Dialect, used};
 use super::number::label_nm;
+use super::row_order::are_shuffled_nanometres;
 use super::table::Block;
 use super::titles::Titles;
 use super::units::{WavelengthUnit, looks_like_metres, names_wavelength};
@@ -45,6 +46,9 @@ const FEW_REVERSALS: usize = 10;
 /// The same under a title that names wavelengths: a curve traced by hand goes back and forth.
 const TRACED_REVERSALS: usize = 50;
 
+/// What nanometres in random order score: less than any that rise or fall.
+const SHUFFLED: u32 = 1;
+
 /// What numbers in the range of nanometres score, and every axis that is titled so.
 const CLEAR: u32 = 4;
 
@@ -54,11 +58,7 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
     let mut max = f64::NEG_INFINITY;
     let (mut count, mut up, mut down, mut ones) = (0usize, 0usize, 0usize, 0usize);
     let mut last = f64::NAN;
-    for v in values {
-        // Some tables begin with a zero that is no wavelength.
-        if v.is_nan() || v == 0.0 && count == 0 {
-            continue;
-        }
+    let mut look = |v: f64| {
         count += 1;
         min = min.min(v);
         max = max.max(v);
@@ -66,6 +66,20 @@ fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) ->
         down += usize::from(v < last);
         ones += usize::from(v - last == 1.0);
         last = v;
+    };
+    // Some tables begin or end with a zero that is no wavelength.
+    let (mut begun, mut zeros) = (false, 0);
+    for v in values.filter(|v| !v.is_nan()) {
+        if v == 0.0 {
+            zeros += usize::from(begun);
+            continue;
+        }
+        begun = true;
+        (0..std::mem::take(&mut zeros)).for_each(|_| look(0.0));
+        look(v);
+    }
+    if zeros > 1 {
+        (0..zeros).for_each(|_| look(0.0));
     }
     let reversals = up.min(down);
     // Numbers that hardly ever change are readings, unless a title says otherwise.
@@ -132,7 +146,11 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         } else {
             FEW_REVERSALS
         };
-        let by_values = strength(block.column(column).iter().copied(), most_reversals);
+        let numbers = block.column(column);
+        let by_values = match strength(numbers.iter().copied(), most_reversals) {
+            0 if column == 0 && !titled && are_shuffled_nanometres(numbers) => SHUFFLED,
+            found => found,
+        };
         let score = match (by_values, titled || stats.nanometres * 2 > stats.numbers) {
             (0, _) => 0,
             (s, true) => s + 10,
@@ -219,7 +237,7 @@ pub fn runs(axis: &[f64]) -> Vec<Range<usize>> {
         .iter()
         .copied()
         .enumerate()
-        .filter(|(_, v)| !v.is_nan())
+        .filter(|(_, v)| !v.is_nan() && *v != 0.0)
     {
         let against = match rising {
             Some(true) => last - v,

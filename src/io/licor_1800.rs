@@ -12,9 +12,11 @@
 use crate::spectrum::Kind;
 
 use super::error::quoted;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
 use super::makers_results::{MakersResult, Quantity};
 use super::meaning::{PHOTON_NOTE, PHOTONS};
-use super::measured::Measured;
 use super::number::{self, Cell};
 use super::text::{kept_line, lines};
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -108,11 +110,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .unwrap_or("")
         .trim();
     let name = if name.is_empty() { input.stem() } else { name };
-    let mut spectrum = Measured::light(name, &nm, values, unit);
+    let mut spectrum = RawSpectrum::light(name, &nm, values, unit);
     spectrum.lines = &at;
     if let Some(kind) = factor {
-        (spectrum.kind, spectrum.scale) = (kind, None);
-        spectrum.kind_because = Some("the words of the remark".to_owned());
+        let kind = Decision::guessed(kind, false, "the words of the remark");
+        (spectrum.known.kind, spectrum.known.scale) = (Some(kind), KnownScale::Open);
     } else {
         spectrum.notes.push(because.to_owned());
     }
@@ -120,7 +122,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         spectrum.notes.push(PHOTON_NOTE.to_owned());
     }
     let mut reading = Reading::default();
-    spectrum.finish(input, &mut reading)?;
+    interpret(spectrum, input, &mut reading)?;
     if let Some(found) = peak
         && let Some(first) = found.split_whitespace().next()
         && let Cell::Nanometres(value) = number::parse(first, false)

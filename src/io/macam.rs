@@ -9,7 +9,8 @@
 //! ```
 
 use super::alternating;
-use super::measured::Measured;
+use super::interpret::interpret;
+use super::interpret::raw::RawSpectrum;
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
@@ -51,7 +52,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .map(str::trim)
         .find(|title| !title.is_empty() && !title.eq_ignore_ascii_case("no title"));
     let name = title.unwrap_or(input.stem());
-    let mut spectrum = Measured::light(name, &pairs.axis, pairs.values, "W m-2 nm-1");
+    let mut spectrum = RawSpectrum::light(name, &pairs.axis, pairs.values, "W m-2 nm-1");
     spectrum.lines = &pairs.lines;
     spectrum
         .notes
@@ -60,7 +61,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         spectrum.how.push("decimal comma".to_owned());
     }
     let mut reading = Reading::default();
-    spectrum.finish(input, &mut reading)?;
+    interpret(spectrum, input, &mut reading)?;
     reading
         .notes
         .push("one number a line: wavelength and value by turns".to_owned());

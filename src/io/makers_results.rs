@@ -274,7 +274,7 @@ fn number_and_unit(text: &str, decimal_comma: bool) -> Option<(f64, &str)> {
         Cell::Number(value) | Cell::Nanometres(value) => return Some((value, "")),
         Cell::Percent(value) => return Some((value, "%")),
         Cell::Empty | Cell::Gap => return None,
-        Cell::Text => {}
+        Cell::Text | Cell::WithUnit(_) => {}
     }
     if !decimal_comma && let Some(value) = with_commas(text) {
         return Some((value, ""));

@@ -3,6 +3,7 @@
 use crate::spectrum::Kind;
 
 use super::Counted;
+use super::interpret::decision::Decision;
 use super::kinds::{kind_of_words, states_values};
 use super::text::NumberedLines;
 
@@ -34,76 +35,56 @@ const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
 /// Largest values that are neither: remote sensing stores ten thousandths.
 const TEN_THOUSANDTHS: std::ops::RangeInclusive<f64> = 1000.0..=12_000.0;
 
+/// Largest values that are whole numbers of 16 bits; beyond them nobody knows.
+const SIXTEEN_BITS: std::ops::RangeInclusive<f64> = 12_000.0..=65_535.0;
+
 /// Whether the largest values leave hardly a doubt about what they are counted in.
 pub fn is_plain_size(counted: Counted, high: f64) -> bool {
     match counted {
         Counted::Fraction => PLAIN_FRACTION.contains(&high),
         Counted::Percent => PLAIN_PERCENT.contains(&high),
         Counted::TenThousandths => PLAIN_PERCENT.contains(&(0.01 * high)),
-        Counted::Otherwise => false,
+        Counted::SixteenBits | Counted::Otherwise => false,
     }
 }
 
-/// Whether values of a factor (reflectance, transmittance) are per cent.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PercentFound {
-    /// Per cent rather than a fraction.
-    pub percent: bool,
-    /// The same where tables count in ten thousandths, too.
-    pub counted: Counted,
-    /// What told it.
-    pub because: String,
-    /// Whether the file states it.
-    pub stated: bool,
-    /// Whether it is stated, or the size of the values leaves hardly a doubt.
-    pub plain: bool,
-}
-
-/// Per cent or fraction for the values of a factor.
+/// What the values of a factor (reflectance, transmittance) are counted in: as their title states,
+/// per cent signs, or the header (`header` is per cent), else by their size.
 ///
 /// Unstated, it is per cent when more than 1 % of the values exceed 1.5 and they are not just
 /// noise over fractions: the middle value exceeds 1.5 too, or lies far under the largest (a
 /// narrow filter is near 0 nearly everywhere).
-pub fn percent(title: &str, header: &NumberedLines, signs: bool, values: &[f64]) -> PercentFound {
-    percent_told(title, percent_of_header(header), signs, values)
-}
-
-/// Per cent or fraction as [`percent`], where it is known what the header says.
-pub fn percent_told(
+pub fn counted(
     title: &str,
     header: Option<bool>,
     signs: bool,
     values: &[f64],
-) -> PercentFound {
-    let stated = |percent, because: &str| PercentFound {
-        percent,
-        counted: Counted::percent(percent),
-        because: because.to_owned(),
-        stated: true,
-        plain: true,
-    };
+) -> Decision<Counted> {
     let title = title.to_lowercase();
+    let of_title = |counted| Decision::stated(counted, "the column's title");
     if counts_ten_thousandths(&title) {
-        return PercentFound {
-            counted: Counted::TenThousandths,
-            ..stated(false, "the column's title")
-        };
+        return of_title(Counted::TenThousandths);
     }
     if signs {
-        return stated(true, "per cent signs");
+        return Decision::stated(Counted::Percent, "per cent signs");
     }
     if title.contains('%') || title.contains("percent") || ["tpc", "rpc"].contains(&title.trim()) {
-        return stated(true, "the column's title");
+        return of_title(Counted::Percent);
     }
     if title.contains("[1.0]")
         || title.contains("fraction")
         || ["tfr", "rfr"].contains(&title.trim())
     {
-        return stated(false, "the column's title");
+        return of_title(Counted::Fraction);
     }
     if let Some(percent) = header {
-        return stated(percent, "the header");
+        return Decision::stated(Counted::percent(percent), "the header");
     }
+    by_size(values)
+}
+
+/// What the size of the values tells.
+pub fn by_size(values: &[f64]) -> Decision<Counted> {
     let mut sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
     let mut at = |share: f64| {
         let index = (share * sizes.len() as f64) as usize;
@@ -111,18 +92,13 @@ pub fn percent_told(
     };
     let (middle, high) = (at(0.5).unwrap_or(0.0), at(0.99).unwrap_or(0.0));
     let percent = high > 1.5 && (middle > 1.5 || middle < 0.03 * high);
-    let counted = if percent && TEN_THOUSANDTHS.contains(&high) {
-        Counted::TenThousandths
-    } else {
-        Counted::percent(percent)
+    let counted = match percent {
+        true if TEN_THOUSANDTHS.contains(&high) => Counted::TenThousandths,
+        true if SIXTEEN_BITS.contains(&high) => Counted::SixteenBits,
+        _ => Counted::percent(percent),
     };
-    PercentFound {
-        percent,
-        counted,
-        because: format!("the values' size (up to about {high:.3})"),
-        stated: false,
-        plain: is_plain_size(counted, high),
-    }
+    let reason = format!("the values' size (up to about {high:.3})");
+    Decision::guessed(counted, is_plain_size(counted, high), reason)
 }
 
 /// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
@@ -264,18 +240,28 @@ mod tests {
     fn per_cent_is_told_from_noisy_fractions() {
         let mut noisy = vec![0.9; 200];
         noisy[5..15].fill(20.0);
-        assert!(!percent("", &[], false, &noisy).percent);
+        assert!(by_size(&noisy).value != Counted::Percent);
         let mut filter = vec![0.01; 200];
         filter[90..100].fill(80.0);
-        assert!(percent("", &[], false, &filter).percent);
-        assert!(percent("", &[], false, &[40.0, 50.0, 60.0]).percent);
+        assert!(by_size(&filter).value == Counted::Percent);
+        assert!(by_size(&[40.0, 50.0, 60.0]).value == Counted::Percent);
+    }
+
+    #[test]
+    fn whole_numbers_of_sixteen_bits_are_no_per_cent_and_are_asked_about() {
+        let found = by_size(&[6553.5, 32_767.0, 65_535.0]);
+        let known = (found.value, found.is_doubtful());
+        assert_eq!(known, (Counted::SixteenBits, true));
+        let found = by_size(&[1000.0, 5000.0, 10_000.0]);
+        assert_eq!(found.value, Counted::TenThousandths);
     }
 
     #[test]
     fn a_stated_per_cent_needs_no_look_at_the_values() {
-        let header = [(1, "Y Units: Reflectance (percent)")];
-        assert!(percent("", &header, false, &[0.5]).percent);
-        assert!(!percent("Reflect. [1.0]", &header, false, &[50.0]).percent);
+        let header = percent_of_header(&[(1, "Y Units: Reflectance (percent)")]);
+        let of = |title, values: &[f64]| counted(title, header, false, values).value;
+        assert_eq!(of("", &[0.5]), Counted::Percent);
+        assert_eq!(of("Reflect. [1.0]", &[50.0]), Counted::Fraction);
     }
 
     #[test]

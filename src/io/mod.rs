@@ -6,14 +6,14 @@
 //!
 //! ```text
 //! bytes -> text (encoding) -> sniff -> the format's reader -> Reading
-//!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> meaning -> curve
-//!   an instrument's own: keyed_lines, cgats_tables, ... -> measured -> curve; makers_results
+//!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> RawSpectrum
+//!   an instrument's own: keyed_lines, cgats_tables, ... -> RawSpectrum; makers_results
+//!   interpret: RawSpectrum -> axis, kind, scale decided -> curve -> Facts -> agree -> describe
 //! ```
 //!
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
 //! Nothing here touches colour or the window.
 
-pub mod alike;
 pub mod alternating;
 pub mod archive;
 pub mod argyll_write;
@@ -31,9 +31,7 @@ pub mod composite_line;
 pub mod csv;
 pub mod curve;
 pub mod cxf;
-pub mod decided;
 pub mod dialect;
-pub mod draft;
 pub mod envi;
 pub mod error;
 pub mod foreign_json;
@@ -42,6 +40,7 @@ pub mod gdtf;
 pub mod guarded;
 pub mod heading;
 pub mod input;
+pub mod interpret;
 pub mod jcamp;
 pub mod keyed_json;
 pub mod keyed_lines;
@@ -53,7 +52,6 @@ pub mod macam;
 pub mod makers_results;
 pub mod many;
 pub mod meaning;
-pub mod measured;
 pub mod no_table;
 pub mod number;
 pub mod perkin_elmer;
@@ -66,6 +64,7 @@ pub mod raman;
 pub mod reading;
 pub mod refractive_yaml;
 pub mod roles;
+pub mod row_order;
 pub mod rows;
 pub mod samples;
 pub mod scan;
@@ -260,12 +259,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     };
     let mut reading = (format.read)(input)?;
-    alike::settle(&mut reading);
-    // Factors in ENVI files may be whole numbers to 10,000.
-    let large_numbers = format.name == envi::FORMAT.name;
-    decided::settle(large_numbers, &input.choices, &mut reading);
+    interpret::describe::finish(&input.choices, &mut reading);
     reading.file.clone_from(&input.name);
     reading.format = format.name;
+    reading.tell_holes();
+    reading.tell_unused(&input.choices);
     reading.tidy();
     reading.name_apart();
     reading.notes.extend(input.text_notes());

@@ -9,6 +9,8 @@ pub enum Cell {
     Percent(f64),
     /// A wavelength with its unit behind it: `380nm`, `Spectral Data 380[nm]`.
     Nanometres(f64),
+    /// A finite number with a unit of light behind it: `58 W`, `0.2 mW/m2`.
+    WithUnit(f64),
     /// Nothing at all.
     Empty,
     /// A word or number that stands for a missing value: `NaN`, `n/a`, `-1.23e34`.
@@ -21,7 +23,10 @@ impl Cell {
     /// The number, whatever stands behind it; NaN for a missing value, `None` for a word.
     pub fn value(self) -> Option<f64> {
         match self {
-            Self::Number(value) | Self::Percent(value) | Self::Nanometres(value) => Some(value),
+            Self::Number(value)
+            | Self::Percent(value)
+            | Self::Nanometres(value)
+            | Self::WithUnit(value) => Some(value),
             Self::Empty | Self::Gap => Some(f64::NAN),
             Self::Text => None,
         }
@@ -30,7 +35,7 @@ impl Cell {
     /// The same where nothing may stand behind the number.
     pub fn plain_value(self) -> Option<f64> {
         match self {
-            Self::Percent(_) | Self::Nanometres(_) => None,
+            Self::Percent(_) | Self::Nanometres(_) | Self::WithUnit(_) => None,
             other => other.value(),
         }
     }
@@ -121,10 +126,30 @@ fn slow(cell: &str, decimal_comma: bool) -> Cell {
             return sized(value, Cell::Number);
         }
     }
-    match label_nm(cell) {
-        Some((value, true)) => sized(value, Cell::Nanometres),
-        Some((_, false)) | None => Cell::Text,
+    if let Some((value, true)) = label_nm(cell) {
+        return sized(value, Cell::Nanometres);
     }
+    // "380: 58".
+    let body = cell.strip_suffix(':').map(str::trim_end);
+    if let Some(value) = body.and_then(|body| number(body, decimal_comma)) {
+        return sized(value, Cell::Number);
+    }
+    let body = unit_behind(cell).map(|unit| cell[..cell.len() - unit.len()].trim_end());
+    body.and_then(|body| number(body, decimal_comma))
+        .map_or(Cell::Text, |value| sized(value, Cell::WithUnit))
+}
+
+/// What a unit of light begins with.
+const UNITS: [&str; 8] = ["W", "mW", "uW", "µW", "μW", "kW", "counts", "a.u."];
+
+/// The unit of light behind a number and a blank: `58 W/m2`.
+pub fn unit_behind(cell: &str) -> Option<&str> {
+    let cell = cell.trim_matches(|c: char| c.is_whitespace() || c == '"');
+    let unit = cell.split_once(char::is_whitespace)?.1.trim_start();
+    let behind = |start: &&str| unit.strip_prefix(*start);
+    let ends = |rest: &str| rest.is_empty() || rest.starts_with(['/', ' ', '·', '*']);
+    let is_unit = UNITS.iter().filter_map(|start| behind(start)).any(ends);
+    (is_unit && unit.len() <= 40).then_some(unit)
 }
 
 /// A number whose thousands are set apart, as spreadsheets write it: `1.344,49` with a decimal comma,
@@ -288,5 +313,16 @@ mod tests {
         assert_eq!(label_nm("SPEC_380"), Some((380.0, false)));
         assert_eq!(label_nm("nm380"), Some((380.0, false)));
         assert_eq!(label_nm("TL-01"), None);
+    }
+
+    #[test]
+    fn a_value_may_carry_its_unit_and_a_wavelength_a_colon() {
+        assert_eq!(parse("58 W", false), Cell::WithUnit(58.0));
+        assert_eq!(parse("0,2 mW/m2", true), Cell::WithUnit(0.2));
+        assert_eq!(unit_behind("0,2 mW/m2"), Some("mW/m2"));
+        assert_eq!(parse("380:", false), Cell::Number(380.0));
+        for cell in ["5 Wide", "W", "12:30", "a: 5", "60 Watch"] {
+            assert_eq!(parse(cell, false), Cell::Text, "{cell}");
+        }
     }
 }

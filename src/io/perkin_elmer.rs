@@ -14,7 +14,9 @@
 use crate::spectrum::Kind;
 
 use super::error::quoted;
-use super::measured::Measured;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
 use super::number;
 use super::text::{kept_line, lines};
 use super::units::WavelengthUnit;
@@ -106,19 +108,23 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         _ => (
             Kind::Light,
             1.0,
-            Some("#GR names no unit of the values".to_owned()),
+            Some("#GR names no unit of the values"),
             "",
         ),
     };
     if fluorescence {
         notes.push("a fluorescence spectrum, intensities in arbitrary units".to_owned());
     }
-    let mut spectrum = Measured::light(input.stem(), &nm, values, unit);
+    let mut spectrum = RawSpectrum::light(input.stem(), &nm, values, unit);
     spectrum.lines = &at;
     spectrum.notes = notes;
-    (spectrum.kind, spectrum.scale, spectrum.kind_because) = (kind, Some(scale), because);
+    spectrum.known.kind = Some(match because {
+        Some(because) => Decision::guessed(kind, false, because),
+        None => Decision::of_format(kind),
+    });
+    spectrum.known.scale = KnownScale::Stated(scale);
     let mut reading = Reading::default();
-    spectrum.finish(input, &mut reading)?;
+    interpret(spectrum, input, &mut reading)?;
     Ok(reading)
 }
 

@@ -1,10 +1,10 @@
 //! Chooses the dialect of a text table and finds its tables.
 
 use super::csv::{self, Own};
-use super::dialect::Dialect;
+use super::dialect::{Delimiter, Dialect};
 use super::layout::{self, Layout};
 use super::scan::{TooMuch, scan, scan_behind, scan_start};
-use super::table::{BadCell, Block, carries_on, row_gone_wrong_above};
+use super::table::{BadCell, Block, carries_on, most_left_out, row_gone_wrong_above};
 use super::text::first_line;
 use super::titles::Titles;
 use super::units::{WavelengthUnit, names_wavelength};
@@ -104,15 +104,17 @@ impl<'a> Look<'a> {
 ///
 /// Words among the numbers count against a dialect: `380,5 0,3` has two numbers and a word with
 /// commas between cells, and two numbers and no word with decimal commas and blanks.
-pub fn look(text: &str) -> Look<'_> {
+///
+/// A delimiter that a person chose is the only one that is tried.
+pub fn look(text: &str, chosen: Option<Delimiter>) -> Look<'_> {
     let short = (SAMPLE_BYTES, usize::MAX);
     let sample = first_lines(text, short);
-    let (found, dialect) = best_of(sample);
+    let (found, dialect) = best_of(sample, chosen);
     if found || sample.len() == text.len() {
         return Look::at_all(text, dialect);
     }
     let sample = start(text);
-    let (found, dialect) = best_of(sample);
+    let (found, dialect) = best_of(sample, chosen);
     Look {
         dialect,
         text,
@@ -127,10 +129,13 @@ pub fn start(text: &str) -> &str {
 
 /// Whether a text has a table with wavelengths under any dialect, and the best of them. Where there
 /// are no rows at all, the one under which they are too many says more than any other.
-fn best_of(sample: &str) -> (bool, Dialect) {
-    let mut best = ((0, 0), Dialect::ALL[0]);
+fn best_of(sample: &str, chosen: Option<Delimiter>) -> (bool, Dialect) {
+    let may_be = |dialect: &Dialect| chosen.is_none_or(|chosen| dialect.delimiter == chosen);
+    let mut dialects = Dialect::ALL.into_iter().filter(may_be).peekable();
+    let first = dialects.peek().copied().unwrap_or(Dialect::ALL[0]);
+    let mut best = ((0, 0), first);
     let mut too_much = None;
-    for dialect in Dialect::ALL {
+    for dialect in dialects {
         match scan_start(sample, dialect).map(|blocks| score(&blocks, dialect)) {
             Ok(score) if score > best.0 => best = (score, dialect),
             Ok(_) => {}
@@ -314,53 +319,65 @@ fn step_back(block: &Block) -> Option<(usize, f64, f64)> {
     Some((block.lines[at + 1] as usize, axis[at + 1], axis[at]))
 }
 
-/// Joins blocks that one table was broken into by a page head or a stray line.
+/// A block, what was passed over to get it, and the rows with a word that it was broken by.
+struct Joined<'a> {
+    block: Block<'a>,
+    notes: Vec<String>,
+    bad: Vec<BadCell>,
+}
+
+/// Joins blocks that one table was broken into by a page head or a stray line. Of a table whose
+/// other rows agree a row with a word is left out.
 fn joined(
     blocks: Vec<Block<'_>>,
     dialect: Dialect,
 ) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
-    let mut out: Vec<(Block, Vec<String>)> = Vec::new();
+    let mut out: Vec<Joined> = Vec::new();
     for block in blocks {
-        if let Some(bad) = row_gone_wrong_above(&block, dialect) {
-            return Err(NoTable::Bad(bad));
-        }
-        let Some((last, notes)) = out.last_mut() else {
-            out.push((block, Vec::new()));
+        let above = row_gone_wrong_above(&block, dialect);
+        let goes_on_with = out.last_mut().filter(|last| goes_on(&last.block, &block));
+        let Some(Joined {
+            block: last,
+            notes,
+            bad,
+        }) = goes_on_with
+        else {
+            out.push(Joined {
+                bad: above.into_iter().collect(),
+                block,
+                notes: Vec::new(),
+            });
             continue;
         };
-        if !goes_on(last, &block) {
-            out.push((block, Vec::new()));
-            continue;
-        }
-        if let Some(bad) = &last.ended_by {
-            return Err(NoTable::Bad(bad.clone()));
-        }
-        notes.push(match block.header.as_slice() {
-            [(line, _)] => format!("line {line} is no row of the table and was left out"),
-            [(first, _), .., (last, _)] => {
-                format!("lines {first} to {last} are no rows of the table and were left out")
+        let between = last.ended_by.take().or(above);
+        match (between, block.header.as_slice()) {
+            (Some(row), [_]) => bad.push(row),
+            (Some(row), _) => return Err(NoTable::Bad(row)),
+            (None, [(line, _)]) => {
+                notes.push(format!(
+                    "line {line} is no row of the table and was left out"
+                ));
             }
-            [] => "the table is interrupted once".to_owned(),
-        });
-        for (column, more) in last.values.iter_mut().zip(&block.values) {
-            column.extend(more);
+            (None, [(first, _), .., (last, _)]) => notes.push(format!(
+                "lines {first} to {last} are no rows of the table and were left out"
+            )),
+            (None, []) => notes.push("the table is interrupted once".to_owned()),
         }
-        last.lines.extend(&block.lines);
-        for (sum, part) in last.columns.iter_mut().zip(&block.columns) {
-            sum.numbers += part.numbers;
-            sum.texts += part.texts;
-            sum.percents += part.percents;
-            sum.nanometres += part.nanometres;
+        last.append(block);
+    }
+    for Joined {
+        block, notes, bad, ..
+    } in &mut out
+    {
+        // A word in the very last row, with nothing behind it that would tell.
+        bad.extend(block.ended_by.take().filter(|row| row.certain));
+        if bad.len() > most_left_out(block.rows()) {
+            return Err(NoTable::Bad(bad.swap_remove(0)));
         }
-        last.bad.extend(block.bad);
-        last.ended_by = block.ended_by;
+        notes.extend(bad.iter().map(|row| row.left_out("row")));
     }
-    // A word in the very last row, with nothing behind it that would tell.
-    let last_row = out.iter().find_map(|(block, _)| block.ended_by.as_ref());
-    match last_row.filter(|bad| bad.certain) {
-        Some(bad) => Err(NoTable::Bad(bad.clone())),
-        None => Ok(out),
-    }
+    let parts = |Joined { block, notes, .. }| (block, notes);
+    Ok(out.into_iter().map(parts).collect())
 }
 
 /// Whether `next` continues `block`: as wide, close behind, and its first column carries on.
@@ -375,7 +392,6 @@ fn goes_on(block: &Block, next: &Block) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::dialect::Delimiter;
 
     #[test]
     fn delimiter_and_decimal_mark_are_found_together() {
@@ -393,7 +409,7 @@ mod tests {
             let text: String = (0..5)
                 .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
                 .collect();
-            let found = look(&text).dialect;
+            let found = look(&text, None).dialect;
             assert_eq!(
                 (found.delimiter, found.decimal_comma),
                 (delimiter, comma),
@@ -405,18 +421,18 @@ mod tests {
     #[test]
     fn numbers_above_a_column_of_wavelengths_are_titles() {
         let text = "Wavelength,1,2,405\n380,1,2,3\n385,2,3,4\n390,3,4,5\n";
-        let tables = tables(text, look(text).dialect).unwrap();
+        let tables = tables(text, look(text, None).dialect).unwrap();
         assert_eq!(tables[0].block.rows(), 3);
         assert_eq!(tables[0].titles.names, ["Wavelength", "1", "2", "405"]);
         let along = "wavelength,380,385,390,395,400\n101,1,2,3,4,5\n102,2,3,4,5,6\n";
-        let tables = super::tables(along, look(along).dialect).unwrap();
+        let tables = super::tables(along, look(along, None).dialect).unwrap();
         assert!(matches!(tables[0].layout, Layout::Row { .. }));
     }
 
     #[test]
     fn a_page_head_inside_a_table_is_passed_over_and_said() {
         let text = "380 1\n385 2\n390 3\nPage two\n395 4\n400 5\n";
-        let tables = tables(text, look(text).dialect).unwrap();
+        let tables = tables(text, look(text, None).dialect).unwrap();
         assert_eq!(tables.len(), 1);
         assert_eq!(tables[0].block.rows(), 5);
         assert_eq!(
@@ -439,7 +455,7 @@ mod tests {
                 };
                 text += if row == at { ",1.234.5\n" } else { "\n" };
             }
-            let found = tables(&text, look(&text).dialect);
+            let found = tables(&text, look(&text, None).dialect);
             let Err(NoTable::Bad(bad)) = found else {
                 panic!("row {at}: {found:?}");
             };
@@ -455,7 +471,7 @@ mod tests {
         for nm in 290..330 {
             text += &format!("{nm} 0.5 0.25\n");
         }
-        let tables = tables(&text, look(&text).dialect).unwrap();
+        let tables = tables(&text, look(&text, None).dialect).unwrap();
         assert!(
             tables[0]
                 .block
@@ -468,7 +484,7 @@ mod tests {
     #[test]
     fn a_word_where_a_number_should_be_is_an_error_with_its_line() {
         let text = "380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n";
-        let Err(NoTable::Bad(bad)) = tables(text, look(text).dialect) else {
+        let Err(NoTable::Bad(bad)) = tables(text, look(text, None).dialect) else {
             panic!("an error expected");
         };
         assert_eq!((bad.line, bad.column, bad.text.as_str()), (4, 1, "abc"));

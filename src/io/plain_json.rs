@@ -16,9 +16,10 @@ pub mod tree;
 
 use std::collections::HashMap;
 
-use super::draft::{Draft, Scale};
 use super::error::kept;
 use super::heading::Heading;
+use super::interpret::interpret;
+use super::interpret::raw::{RawSpectrum, Scale};
 use super::kinds;
 use super::number::{self, Cell};
 use super::units::names_wavelength;
@@ -212,27 +213,21 @@ impl Finder<'_, '_, '_> {
         let are_channels = are_channels(&table.columns);
         let stem = heading.name.unwrap_or(self.input.stem());
         for column in table.columns {
-            Draft {
-                name: match (column.name, several) {
-                    (Some(name), _) => name.to_owned(),
-                    (None, true) if !column.title.is_empty() => format!("{stem} {}", column.title),
-                    _ => stem.to_owned(),
+            let name = match (column.name, several) {
+                (Some(name), _) => name.to_owned(),
+                (None, true) if !column.title.is_empty() => format!("{stem} {}", column.title),
+                _ => stem.to_owned(),
+            };
+            let axis_title = &table.axis_title;
+            let raw = RawSpectrum::written(name, &scale, axis_title, column.values, &heading);
+            let raw = RawSpectrum {
+                title: match are_channels {
+                    true => title_of_channel(column.title).to_owned(),
+                    false => spaced(column.title),
                 },
-                title: if are_channels {
-                    title_of_channel(column.title).to_owned()
-                } else {
-                    spaced(column.title)
-                },
-                axis_title: table.axis_title.clone(),
-                says_nm: table.says_nm,
-                heading: &heading,
-                axis: &scale,
-                values: column.values,
-                lines: &[],
-                percent_signs: false,
-                decimal_comma: false,
-            }
-            .finish(self.input, self.reading)?;
+                ..raw.saying_nm(table.says_nm)
+            };
+            interpret(raw, self.input, self.reading)?;
         }
         Ok(())
     }
@@ -549,7 +544,9 @@ fn one_number(value: &Tree) -> Option<f64> {
         Tree::Nothing => Some(f64::NAN),
         Tree::Number(number) => Some(*number),
         Tree::Text(text) => match number::parse(text, false) {
-            Cell::Number(number) | Cell::Nanometres(number) => Some(number),
+            Cell::Number(number) | Cell::Nanometres(number) | Cell::WithUnit(number) => {
+                Some(number)
+            }
             Cell::Gap => Some(f64::NAN),
             Cell::Percent(_) | Cell::Empty | Cell::Text => None,
         },

@@ -10,8 +10,9 @@ use roxmltree::Node;
 use crate::spectrum::Kind;
 
 use super::archive::{Archive, is_zip, seems_to_hold};
-use super::draft::{Draft, Scale};
 use super::heading::Heading;
+use super::interpret::interpret;
+use super::interpret::raw::{RawSpectrum, Scale};
 use super::number;
 use super::{Confidence, Format, Input, ReadError, Reading, text, xml};
 
@@ -145,19 +146,12 @@ fn read_spectrum(
         said.trim()
     };
     let index = reading.spectra.len();
-    Draft {
-        name,
+    let (scale, heading) = (Scale::new(&axis), Heading::default());
+    let raw = RawSpectrum {
         title: title.to_owned(),
-        axis_title: "nm".to_owned(),
-        says_nm: true,
-        heading: &Heading::default(),
-        axis: &Scale::new(&axis),
-        values,
-        lines: &[],
-        percent_signs: false,
-        decimal_comma: false,
-    }
-    .finish(input, reading)?;
+        ..RawSpectrum::written(name, &scale, "nm", values, &heading).saying_nm(true)
+    };
+    interpret(raw, input, reading)?;
     let spectrum = &mut reading.spectra[index];
     if spectrum.kind == Kind::Light && title == "counts" {
         spectrum

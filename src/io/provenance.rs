@@ -86,13 +86,9 @@ fn notes_in_a_line(notes: &[String]) -> String {
     line
 }
 
-/// Adds the notes that [`Provenance::of`] wrote in one line, but what the first note says already:
-/// how the file before this one was read is most often how this one is.
-pub fn add_notes_of_a_line(notes: &mut Vec<String>, line: &str) {
-    let told = |note: &&str| !notes.first().is_some_and(|first| first.starts_with(note));
-    let written = line.split(BETWEEN_NOTES).map(str::trim);
-    let new: Vec<String> = written.filter(told).map(str::to_owned).collect();
-    notes.extend(new);
+/// The notes that [`Provenance::of`] wrote in one line.
+pub fn notes_of_a_line(line: &str) -> impl Iterator<Item = &str> {
+    line.split(BETWEEN_NOTES).map(str::trim)
 }
 
 /// Title of the column of measured samples.

@@ -15,18 +15,19 @@
 //! ```
 
 use super::columns;
-use super::decided::BY_HAND;
 use super::dialect::Dialect;
+use super::interpret::decision::{AxisDecision, Decision};
+use super::interpret::interpret;
+use super::interpret::raw::{RawAxis, RawSpectrum};
+use super::interpret::remark::taken_as;
 use super::layout::Layout;
-use super::measured::Measured;
 use super::pick;
-use super::reading::{AxisTold, Told};
 use super::roles::value_columns;
 use super::scan::scan;
 use super::table::Block;
 use super::text::lines;
 use super::titles::Titles;
-use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
+use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Raman text.
 pub const FORMAT: Format = Format {
@@ -336,16 +337,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "the spectrum of one point: #Wave and #Intensity",
         ));
     }
-    let by_hand = input.choices.laser_nm.map(|nm| (nm, BY_HAND, true));
-    let by_header = || laser_of_header(text).map(|nm| (nm, "the header", true));
-    let by_name = || laser_of_name(&input.name).map(|nm| (nm, "the file's name", false));
-    let Some((laser, because, stated)) = by_hand.or_else(by_header).or_else(by_name) else {
+    let by_hand = input.choices.laser_nm.map(Decision::chosen);
+    let by_header = || laser_of_header(text).map(|nm| Decision::stated(nm, "the header"));
+    // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
+    let of_name = |nm| Decision::guessed(nm, true, "the file's name");
+    let by_name = || laser_of_name(&input.name).map(of_name);
+    let Some(laser) = by_hand.or_else(by_header).or_else(by_name) else {
         return Err(input.error(
             "Raman shifts (1/cm) from a laser that is not named",
             NEEDS_LASER,
         ));
     };
-    let look = pick::look(text);
+    let look = pick::look(text, input.choices.delimiter);
     let dialect = look.dialect;
     let (mut tables, mut notes) = tables_of(look.seen, dialect);
     if look.is_part() && !tables.is_empty() {
@@ -357,18 +360,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         return Err(refusal.unwrap_or_else(|| no_shifts(input)));
     }
     let mut reading = Reading {
-        axis: Some(AxisTold::Laser(Told {
-            is: laser,
-            because: because.to_owned(),
-            stated,
-            // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
-            plain: true,
-        })),
         notes,
         ..Reading::default()
     };
     for table in &tables {
-        add(input, table, (laser, because), dialect, &mut reading)?;
+        add(input, table, &laser, dialect, &mut reading)?;
     }
     if reading.spectra.is_empty() {
         return Err(no_shifts(input));
@@ -381,11 +377,11 @@ fn no_shifts(input: &Input) -> ReadError {
     input.error("no column of Raman shifts", "shifts (1/cm) and values")
 }
 
-/// Adds the spectra of a table; the laser in nm, and what told it.
+/// Adds the spectra of a table; the laser in nm.
 fn add(
     input: &Input,
     table: &Shifts,
-    (laser, because): (f64, &str),
+    laser: &Decision<f64>,
     dialect: Dialect,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
@@ -393,7 +389,7 @@ fn add(
     let nm: Vec<f64> = block
         .column(axis)
         .iter()
-        .map(|shift| 1e7 / (1e7 / laser - shift))
+        .map(|shift| 1e7 / (1e7 / laser.value - shift))
         .collect();
     let (values, _) = value_columns(block, &table.titles, axis);
     let is_used = |column| column == axis || values.contains(&column);
@@ -406,25 +402,18 @@ fn add(
             1 => stem.clone(),
             _ => format!("{stem}, column {}", column + 1),
         };
-        let mut spectrum = Measured::light(name, &nm, block.column(*column).to_vec(), "");
+        let mut spectrum = RawSpectrum::light(name, &nm, block.column(*column).to_vec(), "");
         spectrum.lines = &block.lines;
         spectrum
             .how
-            .push(format!("from Raman shifts of {laser} nm"));
-        spectrum
-            .notes
-            .push(format!("taken as Raman shifts from {laser} nm: {because}"));
+            .push(format!("from Raman shifts of {} nm", laser.value));
+        let chosen = format!("Raman shifts from {} nm", laser.value);
+        spectrum.notes.push(taken_as(&chosen, &laser.reason));
+        spectrum.axis = RawAxis::Nm(&nm, Some(AxisDecision::Laser(laser.clone())));
         if dialect.decimal_comma {
             spectrum.how.push("decimal comma".to_owned());
         }
-        reading.guesses.push(Guess {
-            spectrum: reading.spectra.len(),
-            what: Guessed::WavelengthUnit,
-            chosen: format!("Raman shift from {laser} nm"),
-            because: because.to_owned(),
-            plain: true,
-        });
-        spectrum.finish(input, reading)?;
+        interpret(spectrum, input, reading)?;
     }
     Ok(())
 }

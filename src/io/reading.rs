@@ -2,8 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::{Counted, Dialect, units::WavelengthUnit};
-use crate::spectrum::{Composite, Kind, NamedSpectrum, SpectralImage};
+use super::interpret::decision::{AxisDecision, Decisions, Origin};
+use super::interpret::facts::Facts;
+use super::{Choices, Dialect, units::WavelengthUnit};
+use crate::spectrum::{Composite, Kind, NamedSpectrum, Sampled, SpectralImage};
 
 use super::error::printable_line;
 use super::makers_results::MakersResult;
@@ -51,80 +53,6 @@ pub struct TableFound {
     pub values: Vec<usize>,
 }
 
-/// A decision about a file and what spoke for it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Told<T> {
-    /// What was decided.
-    pub is: T,
-    /// What spoke for it.
-    pub because: String,
-    /// Whether the file (or a person) states it, or it is only likely.
-    pub stated: bool,
-    /// Whether it is stated, or guessed from what leaves hardly a doubt.
-    pub plain: bool,
-}
-
-/// What the wavelength axis of a file counts.
-#[derive(Clone, Debug, PartialEq)]
-pub enum AxisTold {
-    /// Wavelengths or their like.
-    Unit(Told<WavelengthUnit>),
-    /// Raman shifts from the line of a laser, nm.
-    Laser(Told<f64>),
-}
-
-impl AxisTold {
-    /// Whether a person should look.
-    pub fn is_doubtful(&self) -> bool {
-        match self {
-            Self::Unit(told) => !told.plain && told.is != WavelengthUnit::Nanometre,
-            Self::Laser(told) => !told.plain,
-        }
-    }
-}
-
-/// How a spectrum or an image was understood, what was stated as well as what was guessed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Understood {
-    /// What the wavelength axis counts; `None` where the format leaves it no choice.
-    pub axis: Option<AxisTold>,
-    /// What the values stand for.
-    pub kind: Told<Kind>,
-    /// What the values are counted in; `None` where they are no factor.
-    pub counted: Option<Told<Counted>>,
-}
-
-impl Understood {
-    /// What spoke for each decision.
-    fn reasons(&mut self) -> impl Iterator<Item = &mut String> {
-        let Self {
-            axis,
-            kind,
-            counted,
-        } = self;
-        let axis = axis.as_mut().map(|axis| match axis {
-            AxisTold::Unit(told) => &mut told.because,
-            AxisTold::Laser(told) => &mut told.because,
-        });
-        let counted = counted.as_mut().map(|told| &mut told.because);
-        [Some(&mut kind.because), axis, counted]
-            .into_iter()
-            .flatten()
-    }
-
-    /// Whether a person should look.
-    pub fn is_doubtful(&self) -> bool {
-        let Self {
-            axis,
-            kind,
-            counted,
-        } = self;
-        !kind.plain
-            || counted.as_ref().is_some_and(|told| !told.plain)
-            || axis.as_ref().is_some_and(AxisTold::is_doubtful)
-    }
-}
-
 impl Guess {
     /// Whether a person should look: the kind and per cent can hardly be told from numbers, and
     /// anything but nanometres is rare enough to ask.
@@ -168,19 +96,19 @@ pub struct Reading {
     /// How its first plain table was taken apart; `None` for other formats.
     pub table: Option<TableFound>,
     /// How its first spectra were understood, in their order.
-    pub understood: Vec<Understood>,
+    pub understood: Vec<Decisions>,
     /// How each of its images was understood.
-    pub images_understood: Vec<Understood>,
-    /// What the wavelengths of the whole file count, where its format leaves that open.
-    pub axis: Option<AxisTold>,
+    pub images_understood: Vec<Decisions>,
     /// What the instrument itself computed and wrote beside its spectra.
     pub results: Vec<MakersResult>,
     /// Images whose pixels are spectra.
     pub images: Vec<SpectralImage>,
     /// What had to be guessed of its spectra.
     pub guesses: Vec<Guess>,
-    /// What a reader guessed of its images, by their place; afterwards `images_understood` tells.
-    pub image_guesses: Vec<Guess>,
+    /// What is known of each spectrum until all is put in words; empty afterwards.
+    pub facts: Vec<Facts>,
+    /// What stands in front of the first spectrum's line of provenance in the file's own notes.
+    pub in_front: String,
     /// Provenance and whatever is odd about the file, a line each; the first is the line that the
     /// window and the command line show ("1 nm block, 401 points, W m-2 nm-1, decimal comma").
     pub notes: Vec<String>,
@@ -190,7 +118,14 @@ impl Reading {
     /// Whether a person should look at how the file was read.
     pub fn is_doubtful(&self) -> bool {
         self.guesses.iter().any(Guess::is_doubtful)
-            || self.images_understood.iter().any(Understood::is_doubtful)
+            || self.images_understood.iter().any(Decisions::is_doubtful)
+    }
+
+    /// Lets the last spectrum's line of provenance not tell of per cent: its notes do.
+    pub fn keep_scale_to_notes(&mut self) {
+        if let Some(facts) = self.facts.last_mut() {
+            facts.tells_scale = false;
+        }
     }
 
     /// Makes every text one line without control characters: files put anything into their titles.
@@ -204,11 +139,11 @@ impl Reading {
             table: _,
             understood,
             images_understood,
-            axis: _,
             results,
             images,
             guesses,
-            image_guesses: _,
+            facts: _,
+            in_front: _,
             notes,
         } = self;
         let mut names: Vec<&mut String> = Vec::new();
@@ -246,6 +181,37 @@ impl Reading {
         texts.into_iter().for_each(tidy);
     }
 
+    /// Says of every spectrum where nothing was measured in its midst. A file that was written here
+    /// may say so already.
+    pub fn tell_holes(&mut self) {
+        for spectrum in &mut self.spectra {
+            let told = hole_notes(&spectrum.samples);
+            let new = told
+                .into_iter()
+                .filter(|note| !spectrum.notes.contains(note));
+            let new: Vec<String> = new.collect();
+            spectrum.notes.extend(new);
+        }
+    }
+
+    /// Says which of a person's decisions about the table do not apply to the file's format.
+    pub fn tell_unused(&mut self, choices: &Choices) {
+        let is_by_hand = |decisions: &Decisions| match &decisions.axis {
+            Some(AxisDecision::Unit(unit)) => unit.origin == Origin::Chosen,
+            Some(AxisDecision::Laser(_)) | None => false,
+        };
+        let mut all = self.understood.iter().chain(&self.images_understood);
+        if choices.wavelengths.is_some() && !all.any(is_by_hand) {
+            let note = "the unit chosen for the wavelengths is not used: the format has its own";
+            self.notes.push(note.to_owned());
+        }
+        let of_cells = choices.axis_column.is_some() || choices.delimiter.is_some();
+        if of_cells && self.table.is_none() {
+            let note = "the column or delimiter that was chosen is not used: no plain table";
+            self.notes.push(note.to_owned());
+        }
+    }
+
     /// Gives every spectrum a name of its own: doubles get "(2)", "(3)", ...
     pub fn name_apart(&mut self) {
         // The names as the file has them are taken first: one of them may end in "(2)".
@@ -278,6 +244,32 @@ fn tidy(text: &mut String) {
     if line != text.as_str() {
         *text = line.to_owned();
     }
+}
+
+/// Holes that are told one by one.
+const MOST_HOLES: usize = 3;
+
+/// Where a spectrum has no samples in its midst, a sentence each.
+fn hole_notes(samples: &Sampled) -> Vec<String> {
+    let holes = samples.holes();
+    let range = samples.last_nm() - samples.first_nm();
+    let share = |holes: &[[f64; 2]]| {
+        let wide: f64 = holes.iter().map(|[from, to]| to - from).sum();
+        round_step(100.0 * wide / range)
+    };
+    if holes.len() > MOST_HOLES {
+        let count = holes.len();
+        return vec![format!(
+            "{count} holes without measurements, {} % of the range",
+            share(&holes)
+        )];
+    }
+    let told = |hole: &[f64; 2]| {
+        let [from, to] = hole.map(round3);
+        let share = share(&[*hole]);
+        format!("nothing measured between {from} and {to} nm, {share} % of the range")
+    };
+    holes.iter().map(told).collect()
 }
 
 /// One line about a spectrum: grid, points, unit, and counts of what is odd.
@@ -331,7 +323,6 @@ fn round3(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spectrum::Sampled;
 
     fn spectrum(name: &str) -> NamedSpectrum {
         NamedSpectrum {
@@ -350,6 +341,24 @@ mod tests {
         assert_eq!(
             provenance(&spectrum("a"), &["decimal comma"]),
             "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1, decimal comma, 1 negative value kept"
+        );
+    }
+
+    #[test]
+    fn a_hole_is_told_with_its_share_of_the_range_and_once() {
+        let nm: Vec<f64> = (380..=420).chain(680..=780).map(f64::from).collect();
+        let values = vec![1.0; nm.len()];
+        let mut holed = spectrum("a");
+        holed.samples = Sampled::new(nm, values).unwrap();
+        let mut reading = Reading {
+            spectra: vec![holed],
+            ..Reading::default()
+        };
+        reading.tell_holes();
+        reading.tell_holes();
+        assert_eq!(
+            reading.spectra[0].notes,
+            ["nothing measured between 420 and 680 nm, 65 % of the range"]
         );
     }
 

@@ -6,11 +6,54 @@ use super::titles::Titles;
 use super::units::{WavelengthUnit, names_wavelength};
 use super::words::{holds, without_brackets};
 
-/// What is said of a column without numbers.
-pub const HOLDS_WORDS: &str = "holds words and was left out";
+/// A column that is no spectrum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its place, from 0.
+    pub column: usize,
+    /// What it is instead.
+    pub why: Why,
+}
 
-/// What is said of further columns of wavelengths that nothing stands under.
-const SECOND_AXIS: &str = "is a second axis and was left out";
+/// What a column is that is no spectrum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// Words.
+    Words,
+    /// Numbers of the rows.
+    Counter,
+    /// One number in every row.
+    Constant,
+    /// A setting of each point.
+    Setting,
+    /// Wavelengths that nothing stands under.
+    SecondAxis,
+    /// A reading that the values beside it were made of.
+    Raw,
+    /// What repeated measurements differ by.
+    Spread,
+    /// The wavelengths of the columns behind it: these are read.
+    Wavelengths,
+}
+
+impl LeftOut {
+    /// What is said of it.
+    pub fn words(&self, titles: &Titles) -> String {
+        let why = match self.why {
+            Why::Words => "holds words and was left out",
+            Why::Counter => "counts the rows and was left out",
+            Why::Constant => "is one number throughout and was left out",
+            Why::Setting => {
+                "holds whole numbers below zero throughout, a setting, and was left out"
+            }
+            Why::SecondAxis => "is a second axis and was left out",
+            Why::Raw => "is a raw reading and was left out",
+            Why::Spread => "is a spread and was left out",
+            Why::Wavelengths => "holds the wavelengths of the columns behind it",
+        };
+        format!("{} {why}", shown(titles, self.column))
+    }
+}
 
 /// A column of wavelengths and the columns with values at them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,9 +68,9 @@ pub struct Group {
 ///
 /// Tables that stand side by side have several columns of wavelengths: each holds for the columns
 /// behind it up to the next.
-pub fn groups(block: &Block, titles: &Titles, wavelength: usize) -> (Vec<Group>, Vec<String>) {
+pub fn groups(block: &Block, titles: &Titles, wavelength: usize) -> (Vec<Group>, Vec<LeftOut>) {
     let axes = axes(block, titles, wavelength);
-    let (values, mut notes) = roles(block, titles, wavelength, &axes);
+    let (values, mut left_out) = roles(block, titles, wavelength, &axes);
     let mut of_axis = vec![Vec::new(); axes.len()];
     for column in values {
         let before = axes.partition_point(|axis| *axis < column);
@@ -40,13 +83,11 @@ pub fn groups(block: &Block, titles: &Titles, wavelength: usize) -> (Vec<Group>,
         .map(|(axis, values)| Group { axis, values })
         .collect();
     let others = groups.iter().filter(|group| group.axis != wavelength);
-    notes.extend(others.map(|group| {
-        format!(
-            "{} holds the wavelengths of the columns behind it",
-            shown(titles, group.axis)
-        )
+    left_out.extend(others.map(|group| LeftOut {
+        column: group.axis,
+        why: Why::Wavelengths,
     }));
-    (groups, notes)
+    (groups, left_out)
 }
 
 /// Columns that are spectra under one column of wavelengths, and why others were left out, a
@@ -55,11 +96,10 @@ pub fn value_columns(
     block: &Block,
     titles: &Titles,
     wavelength: usize,
-) -> (Vec<usize>, Vec<String>) {
+) -> (Vec<usize>, Vec<LeftOut>) {
     roles(block, titles, wavelength, &[wavelength])
 }
 
-/// A column as notes call it.
 /// A column by its place and title, for notes.
 pub fn shown(titles: &Titles, column: usize) -> String {
     let title = titles.whole(column);
@@ -75,30 +115,32 @@ fn roles(
     titles: &Titles,
     wavelength: usize,
     axes: &[usize],
-) -> (Vec<usize>, Vec<String>) {
-    let (mut values, mut notes) = (Vec::new(), Vec::new());
+) -> (Vec<usize>, Vec<LeftOut>) {
+    let (mut values, mut left_out) = (Vec::new(), Vec::new());
     let mut spreads = Vec::new();
     let raw_beside = beside_processed(titles, wavelength);
     for column in (0..block.width).filter(|c| axes.binary_search(c).is_err()) {
         let stats = &block.columns[column];
         let title = titles.whole(column);
-        let mut leave_out = |why: &str| notes.push(format!("{} {why}", shown(titles, column)));
+        let mut leave_out = |why| left_out.push(LeftOut { column, why });
         if stats.numbers == 0 {
             if stats.texts > 0 {
-                leave_out(HOLDS_WORDS);
+                leave_out(Why::Words);
             }
         } else if column < wavelength && (block.counts_rows(column) || is_counter(&title)) {
-            leave_out("counts the rows and was left out");
+            leave_out(Why::Counter);
         } else if column < wavelength && title.is_empty() && block.is_constant(column) {
-            leave_out("is one number throughout and was left out");
+            leave_out(Why::Constant);
+        } else if title.is_empty() && is_setting(block, column, wavelength) {
+            leave_out(Why::Setting);
         } else if is_spread(&title) {
             spreads.push(column);
         } else if names_axis_beside(&title, titles, wavelength)
             || holds(&title.to_lowercase(), "raman shift")
         {
-            leave_out(SECOND_AXIS);
+            leave_out(Why::SecondAxis);
         } else if raw_beside.binary_search(&column).is_ok() {
-            leave_out("is a raw reading and was left out");
+            leave_out(Why::Raw);
         } else {
             values.push(column);
         }
@@ -106,8 +148,10 @@ fn roles(
     if values.is_empty() {
         values = spreads;
     } else {
-        let left_out = |column| format!("{} is a spread and was left out", shown(titles, column));
-        notes.extend(spreads.into_iter().map(left_out));
+        left_out.extend(spreads.into_iter().map(|column| LeftOut {
+            column,
+            why: Why::Spread,
+        }));
     }
     // "AxisUnit = nm" above the values is no second axis: there is nothing else that they could be.
     if values.is_empty() {
@@ -117,7 +161,7 @@ fn roles(
                 && names_wavelength(&titles.whole(*column))
         };
         values.extend((0..block.width).find(second_axis));
-        notes.retain(|note| !note.ends_with(SECOND_AXIS));
+        left_out.retain(|column| column.why != Why::SecondAxis);
     }
     // The ratio before the readings that it was made of, where all are kept.
     let made_of = |column: &usize| {
@@ -127,7 +171,16 @@ fn roles(
     if values.iter().any(made_of) {
         values.sort_by_key(made_of);
     }
-    (values, notes)
+    (values, left_out)
+}
+
+/// Whether a column holds a setting of each point, such as the range of an amplifier: whole numbers
+/// below zero throughout, beside measured ones.
+fn is_setting(block: &Block, column: usize, wavelength: usize) -> bool {
+    let numbers = |column: usize| block.column(column).iter().filter(|v| !v.is_nan());
+    let mut others = (0..block.width).filter(|other| *other != column && *other != wavelength);
+    numbers(column).all(|v| *v < 0.0 && v.fract() == 0.0)
+        && others.any(|other| numbers(other).any(|v| *v > 0.0 && v.fract() != 0.0))
 }
 
 /// A column that counts detector elements, by its title.
@@ -303,13 +356,20 @@ mod tests {
     use crate::io::scan::scan;
 
     fn values(text: &str) -> (Vec<usize>, Vec<String>) {
+        found(text, 0)
+    }
+
+    fn found(text: &str, wavelength: usize) -> (Vec<usize>, Vec<String>) {
         let dialect = Dialect {
             delimiter: Delimiter::Semicolon,
             decimal_comma: false,
         };
         let blocks = scan(text, dialect).unwrap();
         let block = &blocks[0];
-        value_columns(block, &Titles::of(block, dialect), 0)
+        let titles = Titles::of(block, dialect);
+        let (values, left_out) = value_columns(block, &titles, wavelength);
+        let words = left_out.iter().map(|column| column.words(&titles));
+        (values, words.collect())
     }
 
     #[test]
@@ -360,14 +420,16 @@ mod tests {
     }
 
     #[test]
+    fn whole_numbers_below_zero_beside_measured_ones_are_a_setting() {
+        let (columns, notes) = values("250;0.51;-10\n251;0.52;-10\n252;0.6;-9\n");
+        assert_eq!(columns, [1]);
+        assert!(notes[0].contains("a setting"), "{notes:?}");
+        assert_eq!(values("250;1;-10\n251;2;-9\n252;3;-8\n").0, [1, 2]);
+    }
+
+    #[test]
     fn one_number_before_every_wavelength_is_no_spectrum() {
-        let text = "210;290;1\n210;291;2\n210;292;5\n";
-        let dialect = Dialect {
-            delimiter: Delimiter::Semicolon,
-            decimal_comma: false,
-        };
-        let blocks = scan(text, dialect).unwrap();
-        let (columns, notes) = value_columns(&blocks[0], &Titles::default(), 1);
+        let (columns, notes) = found("210;290;1\n210;291;2\n210;292;5\n", 1);
         assert_eq!(columns, [2]);
         assert!(notes[0].contains("one number throughout"), "{notes:?}");
     }

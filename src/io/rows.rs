@@ -1,8 +1,9 @@
 //! Tables with their wavelengths along a row: one spectrum in each further row.
 
 use super::dialect::Dialect;
-use super::draft::{Draft, Scale, check_room};
 use super::heading::Heading;
+use super::interpret::raw::{RawSpectrum, Scale};
+use super::interpret::{check_room, interpret};
 use super::kinds::{kind_of_title, kind_of_words};
 use super::number::number;
 use super::pick::Table;
@@ -59,32 +60,27 @@ pub fn read_rows(
             Ok(_) => format!("{}, row {name}", input.stem()),
             Err(_) => name,
         };
-        let draft = Draft {
-            name,
-            title: kind_word(words)
-                .map(str::to_owned)
-                .or_else(|| percent_label(words))
-                .unwrap_or_else(|| corner.clone()),
-            axis_title: kind_title.clone(),
-            says_nm: along.says_nm,
-            heading: &heading,
-            axis: &scale,
-            values: block.values[columns.clone()]
-                .iter()
-                .map(|c| c[row])
-                .collect(),
-            lines: std::slice::from_ref(&block.lines[row]),
-            percent_signs: false,
-            decimal_comma: dialect.decimal_comma,
-        };
-        if draft.values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
+        let values: Vec<f64> = block.values[columns.clone()]
+            .iter()
+            .map(|c| c[row])
+            .collect();
+        if values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
             reading.notes.push(format!(
                 "line {} holds no values and was left out",
                 block.lines[row]
             ));
             continue;
         }
-        draft.finish(input, reading)?;
+        let raw = RawSpectrum::written(name, &scale, &kind_title, values, &heading);
+        let raw = RawSpectrum {
+            title: kind_word(words)
+                .map(str::to_owned)
+                .or_else(|| percent_label(words))
+                .unwrap_or_else(|| corner.clone()),
+            lines: std::slice::from_ref(&block.lines[row]),
+            ..raw.saying_nm(along.says_nm)
+        };
+        interpret(raw.with_comma(dialect.decimal_comma), input, reading)?;
     }
     reading
         .notes

@@ -65,10 +65,7 @@ pub fn together(
         .collect();
     let order = found.order;
     if !order.is_sorted() {
-        for values in &mut block.values {
-            *values = order.iter().map(|row| values[*row]).collect();
-        }
-        block.lines = order.iter().map(|row| block.lines[*row]).collect();
+        block.arrange(&order);
     }
     Some((column, samples))
 }

@@ -213,12 +213,13 @@ impl<'a> Scanner<'a> {
         {
             return Ok(false);
         }
-        self.dialect.split(content_with_tabs(raw), &mut self.cells);
-        let decimal_comma = self.dialect.decimal_comma;
-        let kinds = self.cells.iter();
-        self.kinds
-            .extend(kinds.map(|cell| number::parse(cell, decimal_comma)));
-        let is_row = looks_like_row(&self.kinds);
+        let mut is_row = self.take_apart(raw);
+        if self.kinds.contains(&Cell::Text)
+            && let Some(before) = before_comment(raw)
+        {
+            let is_whole = self.take_apart(before) && !self.kinds.contains(&Cell::Text);
+            is_row = is_whole || self.take_apart(raw);
+        }
         // Words with blanks between them are no columns.
         let are_cells = is_row || self.dialect.delimiter != Delimiter::Space;
         if self.cells.len() > MOST_COLUMNS && are_cells {
@@ -228,6 +229,17 @@ impl<'a> Scanner<'a> {
             });
         }
         Ok(is_row)
+    }
+
+    /// The cells of a line and what they hold; whether it looks like a row.
+    fn take_apart(&mut self, line: &'a str) -> bool {
+        self.dialect.split(content_with_tabs(line), &mut self.cells);
+        let decimal_comma = self.dialect.decimal_comma;
+        let kinds = self.cells.iter();
+        self.kinds.clear();
+        self.kinds
+            .extend(kinds.map(|cell| number::parse(cell, decimal_comma)));
+        looks_like_row(&self.kinds)
     }
 
     /// Ends the open block. A single row is a header line ("Index,13,14,15"): it goes back to where
@@ -274,12 +286,23 @@ fn comment(content: &str) -> Option<&str> {
     (!starts_row).then(|| body.trim_start_matches(['#', '/', '%', ';']).trim_ascii())
 }
 
+/// A line without the comment behind it: `380,1 # at noon`.
+fn before_comment(line: &str) -> Option<&str> {
+    let at = [" #", "\t#", " //", "\t//"]
+        .iter()
+        .filter_map(|mark| line.find(mark))
+        .min()?;
+    Some(line[..at].trim_end_matches([',', ';', ' ']))
+}
+
 fn looks_like_row(kinds: &[Cell]) -> bool {
     let (mut numbers, mut gaps, mut texts) = (0, 0, 0);
     let mut first_gap_or_empty = 0;
     for kind in kinds {
         match kind {
-            Cell::Number(_) | Cell::Percent(_) | Cell::Nanometres(_) => numbers += 1,
+            Cell::Number(_) | Cell::Percent(_) | Cell::Nanometres(_) | Cell::WithUnit(_) => {
+                numbers += 1;
+            }
             Cell::Gap => gaps += 1,
             Cell::Empty => first_gap_or_empty += 1,
             Cell::Text => texts += 1,
@@ -345,6 +368,15 @@ mod tests {
         let found = blocks("380,1\n385,2\nSecond\n380,3\n385,4\n");
         assert_eq!(found.len(), 2);
         assert_eq!(found[1].header, [(3, "Second")]);
+    }
+
+    #[test]
+    fn a_comment_behind_a_row_is_no_cell_of_it() {
+        let found = blocks("380,1,2 # first\n385,2,3\n390,3,4 // c\n395,leaf #1,5\n400,5,6\n");
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].values[2], [2.0, 3.0, 4.0, 5.0, 6.0]);
+        let bad: Vec<&str> = found[0].bad.iter().map(|bad| &*bad.text).collect();
+        assert_eq!(bad, ["leaf #1"]);
     }
 
     #[test]

@@ -14,8 +14,8 @@
 
 use std::ops::Range;
 
+use super::interpret::raw::RawSpectrum;
 use super::keyed_lines::{KeyedLines, is_point, reading_of};
-use super::measured::Measured;
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
@@ -98,7 +98,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let unit = if flash { "W s m-2 nm-1" } else { "W m-2 nm-1" };
     reading_of(input, &found, finest.clone(), |column, values, _| {
         let name = found.get_of("Title", column).unwrap_or(input.stem());
-        let mut spectrum = Measured::light(name, nm, values, unit);
+        let mut spectrum = RawSpectrum::light(name, nm, values, unit);
         for block in all.iter().filter(|b| *b != finest).take(5) {
             spectrum.notes.push(format!(
                 "a block of {} points every {:.4} nm, lines {} to {}, stands beside it and was left out",

@@ -7,9 +7,10 @@ use std::fmt::Write;
 
 use crate::spectrum::NamedSpectrum;
 
-use super::draft::{Draft, Scale};
 use super::error::quoted;
 use super::heading::Heading;
+use super::interpret::interpret;
+use super::interpret::raw::{RawSpectrum, Scale};
 use super::number;
 use super::provenance::{Provenance, shortest};
 use super::text::{kept_line, lines};
@@ -73,20 +74,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     let heading = Heading::of(&comments);
     let name = heading.name.unwrap_or(input.stem());
-    let draft = Draft {
-        name: name.to_owned(),
-        title: String::new(),
-        axis_title: String::new(),
-        says_nm: true,
-        heading: &heading,
-        axis: &Scale::new(&nm),
-        values,
+    let scale = Scale::new(&nm);
+    let raw = RawSpectrum {
         lines: &at,
-        percent_signs: false,
-        decimal_comma: false,
+        ..RawSpectrum::written(name, &scale, "", values, &heading).saying_nm(true)
     };
     let mut reading = Reading::default();
-    draft.finish(input, &mut reading)?;
+    interpret(raw, input, &mut reading)?;
     Ok(reading)
 }
 

@@ -6,18 +6,19 @@
 
 use roxmltree::Node;
 
-use crate::spectrum::{Kind, NamedSpectrum};
+use crate::spectrum::Kind;
 
-use super::curve;
 use super::error::{kept, quoted};
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
+use super::interpret::remark::Remark;
 use super::kinds;
-use super::meaning;
 use super::number;
-use super::provenance::ORIGINATOR;
-use super::provenance::add_notes_of_a_line;
-use super::reading::provenance as provenance_line;
+use super::provenance::{ORIGINATOR, notes_of_a_line};
+use super::text::kept_line;
 use super::xml;
-use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
+use super::{Confidence, Format, Input, ReadError, Reading};
 
 /// Behind this stand the notes in the comments of a file of this program.
 const NOTES_AT: &str = "; notes: ";
@@ -138,28 +139,29 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
                     .eq_ignore_ascii_case("SpectralDistribution")
         })
     };
+    let source = match maker.is_empty() {
+        true => input.name.clone(),
+        false => maker,
+    };
     for distribution in distributions() {
-        let mut spectrum = read_distribution(input, distribution, &mut reading)?;
-        name.clone_into(&mut spectrum.name);
-        spectrum.source = if maker.is_empty() {
-            input.name.clone()
-        } else {
-            maker.clone()
+        let width = read_distribution(input, distribution, (name, &source), &mut reading)?;
+        let (Some(spectrum), Some(facts)) = (reading.spectra.last_mut(), reading.facts.last_mut())
+        else {
+            continue;
         };
-        if let Some(comments) = field(header, "Comments") {
-            if is_own {
-                let notes = comments.split_once(NOTES_AT);
-                let notes = notes.map_or("", |(_, notes)| notes);
-                add_notes_of_a_line(&mut spectrum.notes, notes);
-            } else {
-                let note = format!("comment in the file: {comments}");
-                spectrum.notes.push(note);
-            }
+        spectrum.notes.extend(width);
+        let Some(comments) = field(header, "Comments") else {
+            continue;
+        };
+        if is_own {
+            let notes = comments.split_once(NOTES_AT);
+            let notes = notes_of_a_line(notes.map_or("", |(_, notes)| notes));
+            let notes = notes.map(|note| Remark::Before(note.to_owned()));
+            facts.remarks.extend(notes);
+        } else {
+            let note = format!("comment in the file: {comments}");
+            spectrum.notes.push(note);
         }
-        if reading.spectra.is_empty() {
-            reading.notes.insert(0, spectrum.notes[0].clone());
-        }
-        reading.spectra.push(spectrum);
     }
     if reading.spectra.is_empty() {
         return Err(input
@@ -172,11 +174,13 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
     Ok(reading)
 }
 
+/// Adds the spectrum of an element; what is to be said of its bandwidth.
 fn read_distribution<'a>(
     input: &Input,
     node: Node<'a, 'a>,
+    (name, source): (&str, &str),
     reading: &mut Reading,
-) -> Result<NamedSpectrum, ReadError> {
+) -> Result<Option<String>, ReadError> {
     let (mut nm, mut values, mut at) = (vec![], vec![], vec![]);
     for data in node
         .children()
@@ -199,62 +203,31 @@ fn read_distribution<'a>(
         )?);
         at.push(data);
     }
-    let cleaned = curve::clean(&nm, &values).map_err(|trouble| {
-        let at = trouble.index().and_then(|i| at.get(i)).copied();
-        input
-            .error(trouble.to_string(), trouble.expected())
-            .at_line(line(at.unwrap_or(node)))
-    })?;
-    let mut notes = cleaned.notes;
-    let stated = field(Some(node), "SpectralQuantity").unwrap_or("");
-    let index = reading.spectra.len();
-    let (kind, unit) = quantity(stated, index, &mut notes, reading);
-    if let Some(width) = field(Some(node), "BandwidthFWHM") {
-        notes.push(format!("bandwidth {width} nm (FWHM)"));
-    }
-    let mut scale = 1.0;
-    let mut samples = cleaned.samples;
-    if kind.is_factor() {
-        let percent = meaning::percent("", &[], false, samples.values());
-        if percent.percent {
-            scale = 0.01;
-            samples = samples.scaled(scale);
-            notes.push(format!("taken as percent: {}", percent.because));
-            reading.guesses.push(Guess {
-                spectrum: index,
-                what: Guessed::Percent,
-                chosen: "percent".to_owned(),
-                because: percent.because,
-                plain: percent.plain,
-            });
-        }
-    }
-    let mut spectrum = NamedSpectrum {
-        name: String::new(),
-        kind,
-        unit,
-        scale,
-        samples,
-        notes: Vec::new(),
-        source: String::new(),
+    // Lines are counted from the file's start, so only where there is trouble.
+    let at_line = |refusal: ReadError| {
+        let index = refusal.line.and_then(|index| at.get(index));
+        refusal.at_line(line(index.copied().unwrap_or(node)))
     };
-    spectrum.notes.push(provenance_line(&spectrum, &[]));
-    spectrum.notes.extend(notes);
-    Ok(spectrum)
+    let points: Vec<u32> = (0..at.len()).map(kept_line).collect();
+    let stated = field(Some(node), "SpectralQuantity").unwrap_or("");
+    let (kind, unit) = quantity(stated);
+    let mut raw = RawSpectrum::known(name, &nm, values, kind, &unit);
+    raw.known.scale = KnownScale::Fractions;
+    raw.lines = &points;
+    raw.source = Some(source.to_owned());
+    interpret(raw, input, reading).map_err(at_line)?;
+    reading.keep_scale_to_notes();
+    let width = field(Some(node), "BandwidthFWHM");
+    Ok(width.map(|width| format!("bandwidth {width} nm (FWHM)")))
 }
 
 /// Kind and unit of a spectral quantity; writers put units there too ("W/nm").
-fn quantity(
-    stated: &str,
-    index: usize,
-    notes: &mut Vec<String>,
-    reading: &mut Reading,
-) -> (Kind, String) {
+fn quantity(stated: &str) -> (Decision<Kind>, String) {
     let known = QUANTITIES
         .iter()
         .find(|(word, ..)| word.eq_ignore_ascii_case(stated));
     if let Some((_, kind, unit)) = known {
-        return (*kind, (*unit).to_owned());
+        return (Decision::of_format(*kind), (*unit).to_owned());
     }
     let by_words = kinds::kind_of_words(stated);
     let kind = by_words.unwrap_or(Kind::Light);
@@ -262,22 +235,15 @@ fn quantity(
         "the spectral quantity {} is none of TM-27's",
         quoted(stated)
     );
-    notes.push(format!("taken as {}: {because}", kind.word()));
-    reading.guesses.push(Guess {
-        spectrum: index,
-        what: Guessed::Kind,
-        chosen: kind.word().to_owned(),
-        because,
-        // Writers put units there too ("W/nm"), which say as much.
-        plain: by_words.is_some(),
-    });
+    // Writers put units there too ("W/nm"), which say as much.
+    let kind = Decision::guessed(kind, by_words.is_some(), because);
     (kind, stated.to_owned())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::{Guessed, read_bytes};
 
     fn file(quantity: &str, data: &str) -> String {
         format!(

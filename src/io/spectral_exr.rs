@@ -24,7 +24,10 @@ use crate::spectrum::{Kind, SpectralImage};
 
 use super::error::quoted;
 use super::guarded::guarded;
-use super::{Confidence, Format, Input, ReadError, Reading, budget, number, spectral_image};
+use super::interpret::decision::Decision;
+use super::interpret::raw::{Known, KnownScale};
+use super::spectral_image::{self, RawImage};
+use super::{Confidence, Format, Input, ReadError, Reading, budget, number};
 
 /// Spectral OpenEXR.
 pub const FORMAT: Format = Format {
@@ -241,17 +244,30 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             } else {
                 ""
             };
-            let one = spectral_image::reading(SpectralImage {
-                name: format!("{}{part}{both}", input.stem()),
-                kind,
-                unit,
-                scale: 1.0,
-                cube,
-                notes,
-                source: input.name.clone(),
-            });
+            let raw = RawImage {
+                image: SpectralImage {
+                    name: format!("{}{part}{both}", input.stem()),
+                    kind,
+                    unit: String::new(),
+                    scale: 1.0,
+                    cube,
+                    notes,
+                    source: input.name.clone(),
+                },
+                known: Known {
+                    kind: Some(Decision::of_format(kind)),
+                    unit: Some(unit),
+                    scale: KnownScale::Stated(1.0),
+                    may_be_large: false,
+                },
+                axis: None,
+                against: None,
+            };
+            let one = spectral_image::reading(raw, reading.images.len(), &input.choices);
             reading.spectra.extend(one.spectra);
+            reading.facts.extend(one.facts);
             reading.images.extend(one.images);
+            reading.images_understood.extend(one.images_understood);
             reading.notes.extend(one.notes);
         }
     }

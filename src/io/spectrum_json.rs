@@ -12,10 +12,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::spectrum::{Kind, NamedSpectrum};
 
-use super::curve;
 use super::error::quoted;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::RawSpectrum;
+use super::interpret::remark::Remark;
 use super::provenance::Provenance;
-use super::reading::provenance as provenance_line;
 use super::{Confidence, Format, Input, ReadError, Reading, budget};
 
 /// The word in `format`.
@@ -139,28 +141,22 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "one value for each wavelength",
         ));
     }
-    let cleaned = curve::clean(&wavelengths_nm, &values)
-        .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
-    let mut spectrum = NamedSpectrum {
-        name: if name.is_empty() {
-            input.stem().to_owned()
-        } else {
-            name
-        },
-        kind,
-        unit,
-        scale: 1.0,
-        samples: cleaned.samples,
-        notes,
-        source,
+    let name = match name.is_empty() {
+        true => input.stem().to_owned(),
+        false => name,
     };
-    let line = provenance_line(&spectrum, &[]);
-    spectrum.notes.extend(cleaned.notes);
-    Ok(Reading {
-        spectra: vec![spectrum],
-        notes: vec![line],
-        ..Reading::default()
-    })
+    let mut reading = Reading::default();
+    let kind = Decision::of_format(kind);
+    let mut raw = RawSpectrum::known(name, &wavelengths_nm, values, kind, &unit);
+    raw.notes = notes;
+    raw.source = Some(source);
+    interpret(raw, input, &mut reading)?;
+    if let (Some(spectrum), Some(facts)) = (reading.spectra.last_mut(), reading.facts.last_mut()) {
+        spectrum.unit = unit;
+        // Its notes begin with the line of the file before.
+        facts.remarks.retain(|remark| *remark != Remark::Line);
+    }
+    Ok(reading)
 }
 
 /// A spectrum as JSON.

@@ -9,9 +9,13 @@
 //!
 //! Without the spectrum it is refused, by what it is.
 
+use crate::spectrum::Kind;
+
 use super::error::quoted;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::RawSpectrum;
 use super::makers_results::{MakersResult, room_for};
-use super::measured::Measured;
 use super::number::{self, Cell};
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -86,11 +90,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                     .map(|i| first + (last - first) * i as f64 / (bands - 1) as f64)
                     .collect();
                 let name = input.stem().to_owned();
-                let mut spectrum = Measured::light(name, &nm, std::mem::take(&mut values), "");
-                spectrum.kind_because = Some("spotread does not print the kind".to_owned());
+                let mut spectrum = RawSpectrum::light(name, &nm, std::mem::take(&mut values), "");
+                let because = "spotread does not print the kind";
+                spectrum.known.kind = Some(Decision::guessed(Kind::Light, false, because));
                 let lines = [u32::try_from(at).unwrap_or(u32::MAX)];
                 spectrum.lines = &lines;
-                spectrum.finish(input, &mut reading)?;
+                interpret(spectrum, input, &mut reading)?;
                 open = None;
                 if reading.spectra.len() >= MOST_SPECTRA {
                     break;

@@ -15,7 +15,9 @@
 use crate::spectrum::Kind;
 
 use super::error::quoted;
-use super::measured::Measured;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
 use super::number;
 use super::text::{kept_line, lines};
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -104,11 +106,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let [nm, reference, target, ratio] = columns;
     let mut reading = Reading::default();
     if width == 4 {
-        let mut spectrum = Measured::light(name, &nm, ratio, "");
-        spectrum.kind = Kind::Reflectance;
-        spectrum.scale = Some(0.01);
+        let mut spectrum = RawSpectrum::light(name, &nm, ratio, "");
+        spectrum.known.kind = Some(Decision::of_format(Kind::Reflectance));
+        spectrum.known.scale = KnownScale::Stated(0.01);
         spectrum.lines = &at;
-        spectrum.finish(input, &mut reading)?;
+        interpret(spectrum, input, &mut reading)?;
     }
     for (index, (values, role)) in [(reference, "reference"), (target, "target")]
         .into_iter()
@@ -131,12 +133,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         } else {
             format!("{name}, {role}")
         };
-        let mut spectrum = Measured::light(called, &nm, values, unit);
+        let mut spectrum = RawSpectrum::light(called, &nm, values, unit);
         spectrum.lines = &at;
         spectrum
             .notes
             .push(format!("the {role}, in the file's units \"{word}\""));
-        spectrum.finish(input, &mut reading)?;
+        interpret(spectrum, input, &mut reading)?;
     }
     Ok(reading)
 }

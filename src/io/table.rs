@@ -9,6 +9,17 @@ use super::{Input, ReadError};
 /// Rows after which a block has shown its width.
 pub const SETTLED: usize = 3;
 
+/// Fewest rows of a table that agree so clearly that one which does not is left out.
+pub const FEWEST_THAT_AGREE: usize = 20;
+
+/// How many rows of a table may be left out as mistyped: one in fifty, none of a short table.
+pub fn most_left_out(rows: usize) -> usize {
+    if rows < FEWEST_THAT_AGREE {
+        return 0;
+    }
+    (rows / 50).max(1)
+}
+
 /// What one column of a block holds.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Column {
@@ -20,6 +31,8 @@ pub struct Column {
     pub percents: usize,
     /// Numbers with "nm" behind them.
     pub nanometres: usize,
+    /// The unit behind its first number that has one.
+    pub unit: Option<String>,
     /// Whether a word below a number is in the block's list already.
     has_bad: bool,
 }
@@ -42,6 +55,13 @@ impl BadCell {
     pub fn refusal(&self, input: &Input) -> ReadError {
         let expected = format!("a number in column {}", self.column + 1);
         input.error(quoted(&self.text), expected).at_line(self.line)
+    }
+
+    /// What is said where `what` (the row, the cell) was left out.
+    pub fn left_out(&self, what: &str) -> String {
+        let (line, column) = (self.line, self.column + 1);
+        let text = quoted(&self.text);
+        format!("line {line}: found {text} in column {column}: the {what} was left out")
     }
 }
 
@@ -126,6 +146,14 @@ impl<'a> Block<'a> {
         self.header.push((line, self.first_row));
     }
 
+    /// Leaves these rows, in this order.
+    pub fn arrange(&mut self, order: &[usize]) {
+        for values in &mut self.values {
+            *values = order.iter().map(|row| values[*row]).collect();
+        }
+        self.lines = order.iter().map(|row| self.lines[*row]).collect();
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.lines.len()
@@ -177,6 +205,23 @@ impl<'a> Block<'a> {
         }
     }
 
+    /// Adds the rows of a block that goes on with this one.
+    pub fn append(&mut self, more: Self) {
+        for (column, more) in self.values.iter_mut().zip(&more.values) {
+            column.extend(more);
+        }
+        self.lines.extend(&more.lines);
+        for (sum, part) in self.columns.iter_mut().zip(more.columns) {
+            sum.numbers += part.numbers;
+            sum.texts += part.texts;
+            sum.percents += part.percents;
+            sum.nanometres += part.nanometres;
+            sum.unit = sum.unit.take().or(part.unit);
+        }
+        self.bad.extend(more.bad);
+        self.ended_by = more.ended_by;
+    }
+
     /// Gives back the room for rows that did not come.
     pub fn shrink(&mut self) {
         if self.lines.capacity() > 2 * self.rows() {
@@ -216,6 +261,11 @@ impl<'a> Block<'a> {
                 }
                 Cell::Nanometres(v) => {
                     stats.nanometres += 1;
+                    v
+                }
+                Cell::WithUnit(v) => {
+                    let unit = cells.get(column).and_then(|cell| number::unit_behind(cell));
+                    stats.unit = stats.unit.take().or(unit.map(str::to_owned));
                     v
                 }
                 Cell::Empty | Cell::Gap => f64::NAN,

@@ -10,7 +10,8 @@
 //! Each row is a band; its spectrum stands at the band's middle. The total comes first.
 
 use super::error::quoted;
-use super::measured::Measured;
+use super::interpret::interpret;
+use super::interpret::raw::RawSpectrum;
 use super::number::{self, Cell};
 use super::text::{kept_line, lines};
 use super::{Confidence, Format, Input, ReadError, Reading};
@@ -113,13 +114,14 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             |title| title.to_lowercase(),
         );
         let name = format!("{}, {title}", input.stem());
-        let mut spectrum = Measured::light(name, &nm, std::mem::take(&mut columns[column]), unit);
+        let mut spectrum =
+            RawSpectrum::light(name, &nm, std::mem::take(&mut columns[column]), unit);
         spectrum.lines = &at;
         spectrum.how.push("middles of bands".to_owned());
         spectrum
             .notes
             .extend(sun.map(|angle| format!("solar zenith angle {angle} degrees")));
-        spectrum.finish(input, &mut reading)?;
+        interpret(spectrum, input, &mut reading)?;
     }
     Ok(reading)
 }

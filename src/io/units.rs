@@ -246,8 +246,9 @@ pub fn names_wavelength(title: &str) -> bool {
     ) {
         return true;
     }
-    const STARTS: [&str; 10] = [
+    const STARTS: [&str; 11] = [
         "wave",
+        "w.length",
         "wvl",
         "lambda",
         "longitud",
@@ -389,6 +390,7 @@ mod tests {
             "nm",
             "Vacuum wavelength (nm)",
             "Frequency (THz)",
+            "w.length.2",
         ] {
             assert!(names_wavelength(title), "{title}");
         }

@@ -13,10 +13,10 @@
 
 use std::ops::RangeInclusive;
 
+use super::interpret::raw::RawSpectrum;
 use super::keyed_lines::{KeyedLines, is_point, reading_of};
 use super::makers_results::{MakersResult, Quantity};
 use super::meaning::{PHOTON_NOTE, PHOTONS};
-use super::measured::Measured;
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
@@ -95,7 +95,7 @@ pub fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadError> {
                     },
                     str::to_owned,
                 );
-            let mut spectrum = Measured::light(name, &found.nm, values, unit.unit);
+            let mut spectrum = RawSpectrum::light(name, &found.nm, values, unit.unit);
             spectrum.notes.push(unit.because);
             if unit.unit == PHOTONS {
                 spectrum.notes.push(PHOTON_NOTE.to_owned());

@@ -15,7 +15,9 @@ use std::path::Path;
 use crate::spectrum::Kind;
 
 use super::error::quoted;
-use super::measured::Measured;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::RawSpectrum;
 use super::number::{self, Cell};
 use super::text::{self, kept_line, lines};
 use super::units::WavelengthUnit;
@@ -200,14 +202,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     } else {
         words.join(" ")
     };
-    let mut spectrum = Measured::light(name, &nm, list.numbers, "");
-    spectrum.kind = kind;
-    spectrum.kind_because = (!stated).then(|| "the library mostly holds reflectances".to_owned());
+    let mut spectrum = RawSpectrum::light(name, &nm, list.numbers, "");
+    spectrum.known.kind = Some(match stated {
+        true => Decision::of_format(kind),
+        false => Decision::guessed(kind, false, "the library mostly holds reflectances"),
+    });
     spectrum.lines = &list.lines;
     spectrum.notes.push(note.clone());
     spectrum.notes.push(list.title.to_owned());
     let mut reading = Reading::default();
-    spectrum.finish(input, &mut reading)?;
+    interpret(spectrum, input, &mut reading)?;
     reading.notes.push(note);
     Ok(reading)
 }

@@ -14,7 +14,9 @@ use serde_json::Value;
 use crate::spectrum::Kind;
 
 use super::foreign_spectrum::{numbers, word};
-use super::measured::Measured;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{KnownScale, RawSpectrum};
 use super::spectrum_json::any_json;
 use super::{Confidence, Format, Input, ReadError, Reading};
 
@@ -103,17 +105,18 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let technique = word(&value, "/metadata/Technique").unwrap_or("");
     let lower = technique.to_lowercase();
     let (kind, scale, unit) = if lower.contains("reflect") {
-        (Kind::Reflectance, Some(0.01), "")
+        (Kind::Reflectance, 0.01, "")
     } else if lower.contains("transmi") {
-        (Kind::Transmittance, Some(0.01), "")
+        (Kind::Transmittance, 0.01, "")
     } else if lower.contains("absorb") {
-        (Kind::Absorbance, Some(1.0), "")
+        (Kind::Absorbance, 1.0, "")
     } else {
-        (Kind::Light, Some(1.0), "counts")
+        (Kind::Light, 1.0, "counts")
     };
     let name = word(&value, "/metadata/Label").unwrap_or(input.stem());
-    let mut spectrum = Measured::light(name, nm, values, unit);
-    (spectrum.kind, spectrum.scale) = (kind, scale);
+    let mut spectrum = RawSpectrum::light(name, nm, values, unit);
+    spectrum.known.kind = Some(Decision::of_format(kind));
+    spectrum.known.scale = KnownScale::Stated(scale);
     spectrum.notes.extend(note.map(str::to_owned));
     if !technique.is_empty() {
         spectrum.notes.push(format!("technique: {technique}"));
@@ -124,7 +127,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .push("raw and dark readings beside it were left out".to_owned());
     }
     let mut reading = Reading::default();
-    spectrum.finish(input, &mut reading)?;
+    interpret(spectrum, input, &mut reading)?;
     Ok(reading)
 }
 

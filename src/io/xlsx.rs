@@ -13,7 +13,6 @@ use std::io::Cursor;
 use calamine::{DataRef, Reader, Xlsx};
 
 use super::archive::{Archive, seems_to_hold};
-use super::decided::MOST_UNDERSTOOD;
 use super::guarded::guarded;
 use super::{
     Choices, Confidence, Format, Guess, Input, ReadError, Reading, budget, columns, number,
@@ -141,7 +140,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             ..input.choices.from(reading.spectra.len())
         };
         let as_text = Input::new(&input.name, text.as_bytes()).deciding(&choices);
-        match (columns::FORMAT.read)(&as_text) {
+        match columns::read_cells(&as_text) {
             Ok(one) => {
                 let first = reading.spectra.len();
                 for mut spectrum in one.spectra {
@@ -157,16 +156,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                         spectrum: guess.spectrum + first,
                         ..guess
                     }));
-                // Cells are cells: how they are set apart on the way is of no interest.
-                let on_the_way = one.table.map(|table| table.dialect.words());
-                let notes = one.notes.into_iter();
-                let notes = notes.filter(|note| Some(note) != on_the_way.as_ref());
-                reading.notes.extend(notes);
-                if reading.understood.len() == first {
-                    let room = MOST_UNDERSTOOD.saturating_sub(first);
-                    let told = one.understood.into_iter().take(room);
-                    reading.understood.extend(told);
-                }
+                reading.facts.extend(one.facts);
+                reading.notes.extend(one.notes);
             }
             Err(refusal) => refusals.push((title, refusal)),
         }

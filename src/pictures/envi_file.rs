@@ -5,7 +5,9 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
+use crate::io::choices::OfOne;
 use crate::io::envi::{all_bytes, header::Header, meaning, pair};
+use crate::io::spectral_image::Meant;
 use crate::spectrum::cube::{Interleave, Number, is_missing};
 
 use super::{Bands, KeptBands, PictureError, Pixels};
@@ -92,17 +94,18 @@ impl EnviFile {
             .file_name()
             .map(|n| n.to_string_lossy().into_owned())
             .unwrap_or_default();
-        let values = meaning::values(&opened.header, &name, &sample).map_err(trouble)?;
+        let (known, _) = meaning::values(&opened.header, &name, &sample).map_err(trouble)?;
+        let meant = Meant::of(known, OfOne::default(), || sample);
         let kept = KeptBands::of_file(&nm, &gone, all);
         let width = bandwidth_nm(&opened.header, &nm, &stored);
-        opened.bands = kept.bands(values.kind)?.with_bandwidth(width);
+        opened.bands = kept.bands(meant.kind.value)?.with_bandwidth(width);
         opened.of = kept
             .of
             .iter()
             .map(|g| g.iter().map(|b| stored[*b]).collect())
             .collect();
         opened.said.extend(kept.said);
-        (opened.scale, opened.unit) = (values.scale, values.unit);
+        (opened.scale, opened.unit) = (meant.scale, meant.unit);
         Ok(opened)
     }
 

@@ -205,6 +205,31 @@ impl Sampled {
         })
     }
 
+    /// Stretches without samples among others that have them, each with its ends, nm: steps of more
+    /// than three median steps, and of more than three of the middle ones around. Where steps grow
+    /// all along, as in tables of optical constants, none is a hole.
+    pub fn holes(&self) -> Vec<[f64; 2]> {
+        const MOST_STEPS: f64 = 3.0;
+        const AROUND: usize = 4;
+        if self.has_even_steps() {
+            return Vec::new();
+        }
+        let nm = self.nm();
+        let most = MOST_STEPS * self.step_nm();
+        let wide = (1..nm.len()).filter(|i| nm[*i] - nm[i - 1] > most);
+        let stands_out = |i: &usize| {
+            let near = i.saturating_sub(AROUND).max(1)..(i + AROUND + 1).min(nm.len());
+            let others = near.filter(|other| other != i);
+            let mut steps: Vec<f64> = others.map(|i| nm[i] - nm[i - 1]).collect();
+            steps.sort_by(f64::total_cmp);
+            let middle = steps.get(steps.len() / 2);
+            middle.is_some_and(|middle| nm[*i] - nm[i - 1] > MOST_STEPS * middle)
+        };
+        wide.filter(stands_out)
+            .map(|i| [nm[i - 1], nm[i]])
+            .collect()
+    }
+
     /// Value at a wavelength by straight lines between samples.
     pub fn at(&self, at_nm: f64, outside: Outside) -> f64 {
         let last = self.nm().len() - 1;
@@ -262,6 +287,23 @@ impl Sampled {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_stretch_without_samples_is_a_hole_and_steps_that_grow_are_none() {
+        let of = |nm: Vec<f64>| {
+            let values = vec![1.0; nm.len()];
+            Sampled::new(nm, values).expect("rising").holes()
+        };
+        let near = (380..=420).chain(680..=780).map(f64::from);
+        assert_eq!(of(near.clone().collect()), [[420.0, 680.0]]);
+        // A lone sample in between parts the hole in two.
+        let mut lone: Vec<f64> = near.chain([550.0]).collect();
+        lone.sort_by(f64::total_cmp);
+        assert_eq!(of(lone), [[420.0, 550.0], [550.0, 680.0]]);
+        assert!(of((0..30).map(|i| 300.0 * 1.2_f64.powi(i)).collect()).is_empty());
+        assert!(of(vec![400.0, 401.0, 402.0, 405.0, 406.0, 407.0]).is_empty());
+        assert!(of(vec![400.0, 700.0]).is_empty());
+    }
 
     #[test]
     fn the_integral_counts_what_lies_in_the_band_and_what_the_table_is_outside() {

@@ -652,3 +652,68 @@ fn a_spectrum_of_our_own_says_once_how_it_was_read() {
         assert_eq!(count, 1, "{out}: {}", told.out);
     }
 }
+
+#[test]
+fn tables_are_read_as_the_command_line_says() {
+    let desk = Desk::new();
+    let rows = |from: u32, step: u32| -> String {
+        (0..81)
+            .map(|i| format!("{},{}\n", from + step * i, 1 + i))
+            .collect()
+    };
+    desk.put("angstrom.csv", rows(3800, 50));
+    let plain = desk.run(&["read", "angstrom.csv"]);
+    assert!(plain.out.contains("taken as 1/cm"), "{}", plain.out);
+    let told = desk.run(&["read", "angstrom.csv", "--wavelength-unit", "A"]);
+    assert!(told.out.contains("380-780 nm"), "{}", told.out);
+    assert!(told.out.contains("chosen by hand"), "{}", told.out);
+    let report = desk.run(&["report", "angstrom.csv", "--wavelength-unit", "A"]);
+    assert_eq!(report.code, 0, "{}", report.err);
+
+    let two: String = (0..81)
+        .map(|i| format!("{},{}\n", 900 - i, 380 + 5 * i))
+        .collect();
+    desk.put("two.csv", two);
+    let second = desk.run(&["read", "two.csv", "--column", "2"]);
+    assert!(
+        second.out.contains("5 nm steps, 81 points, 380-780 nm"),
+        "{}",
+        second.out
+    );
+    let none = desk.run(&["read", "two.csv", "--column", "3"]);
+    assert_eq!(none.code, 1);
+    assert!(none.err.contains("a table of 2 columns"), "{}", none.err);
+    assert_eq!(desk.run(&["read", "two.csv", "--column", "0"]).code, 2);
+
+    desk.put("commas.csv", "380,5 1,5\n385,5 2,5\n390,5 3,5\n395,5 4,5\n");
+    let blanks = desk.run(&["read", "commas.csv", "--delimiter", "space"]);
+    assert!(
+        blanks
+            .out
+            .contains("cells separated by blanks, decimal comma"),
+        "{}",
+        blanks.out
+    );
+    let word = desk.run(&["read", "two.csv", "--delimiter", "dots"]);
+    assert_eq!(word.code, 2);
+
+    desk.put(
+        "own.json",
+        r#"{"format":"spectral-explorer-spectrum","version":1,"kind":"light",
+        "wavelengths_nm":[380,480,580],"values":[1,2,3]}"#,
+    );
+    let fixed = desk.run(&[
+        "read",
+        "own.json",
+        "--wavelength-unit",
+        "um",
+        "--column",
+        "2",
+    ]);
+    assert!(
+        fixed.out.contains("the format has its own"),
+        "{}",
+        fixed.out
+    );
+    assert!(fixed.out.contains("no plain table"), "{}", fixed.out);
+}

@@ -19,7 +19,11 @@ use spectral_explorer::{
 const DOCUMENT: &str = "docs/command_line.md";
 
 /// The options that several commands take, by their headings.
-const SHARED: [&str; 2] = ["### Which spectrum", "### The model"];
+const SHARED: [&str; 3] = [
+    "### Which spectrum",
+    "### How files are read",
+    "### The model",
+];
 
 /// What a command that works prints.
 fn printed(args: &[&str]) -> String {

@@ -1,5 +1,6 @@
 //! The curves of a file that was just read, for the look at how it was read.
 
+use super::spectrum::broken_at_holes;
 use crate::{
     app::{
         chart::Inks,
@@ -142,14 +143,15 @@ fn height(spectra: &[NamedSpectrum]) -> Option<([f64; 2], f64)> {
 fn points(spectrum: &NamedSpectrum) -> Vec<[f64; 2]> {
     let (nm, values) = (spectrum.samples.nm(), spectrum.samples.values());
     let step = nm.len().div_ceil(MOST_POINTS).max(1);
-    nm.chunks(step)
+    let points = nm
+        .chunks(step)
         .zip(values.chunks(step))
         .filter_map(|(nm, values)| {
             let pairs = nm.iter().zip(values);
             let (nm, value) = pairs.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
             Some([*nm, *value])
-        })
-        .collect()
+        });
+    broken_at_holes(points.collect(), &spectrum.samples)
 }
 
 #[cfg(test)]
@@ -169,6 +171,23 @@ mod tests {
             notes: Vec::new(),
             source: String::new(),
         }
+    }
+
+    #[test]
+    fn a_hole_in_the_measurement_breaks_the_curve() {
+        let nm: Vec<f64> = (380..=420).chain(680..=780).map(f64::from).collect();
+        let values = vec![1.0; nm.len()];
+        let mut holed = spectrum(2);
+        holed.samples = Sampled::new(nm, values).expect("rising");
+        let chart = curves("a.csv", &[holed], Theme::Dark);
+        let points = chart.series[0].marks.points();
+        let broken: Vec<f64> = points
+            .iter()
+            .filter(|p| p[1].is_nan())
+            .map(|p| p[0])
+            .collect();
+        assert_eq!(broken, [550.0]);
+        assert_eq!(points.len(), 143);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::{
     },
     color::{srgb_of_fill, xyz::xyz_from_light},
     io::many::{many, numbers},
-    spectrum::{Kind, NamedSpectrum, Outside, Spike},
+    spectrum::{Kind, NamedSpectrum, Outside, Sampled, Spike},
 };
 
 /// Spectra laid over that are named where they stand; more names would hide the curves.
@@ -276,12 +276,22 @@ pub fn overlay_factor(app: &App, entry: &Entry) -> (f64, bool) {
     (factor.unwrap_or_else(as_high), true)
 }
 
+/// A curve of samples, interrupted where nothing was measured.
+pub(super) fn broken_at_holes(mut points: Vec<[f64; 2]>, samples: &Sampled) -> Vec<[f64; 2]> {
+    for [from, to] in samples.holes() {
+        let behind = points.partition_point(|[nm, _]| *nm <= from);
+        points.insert(behind, [0.5 * (from + to), f64::NAN]);
+    }
+    points
+}
+
 /// A spectrum laid over the subject, on its axis.
 fn overlay(app: &App, entry: &Entry, index: usize, inks: Inks) -> Series {
     let samples = &entry.spectrum.samples;
     let (factor, _) = overlay_factor(app, entry);
     let points = samples.nm().iter().zip(samples.values());
     let points = points.map(|(nm, v)| [*nm, v * factor]).collect();
+    let points = broken_at_holes(points, samples);
     let colours = inks.overlays;
     // The second round of inks is thinner: dashes of many curves cost a third of a frame.
     let width = (1.8 / (1 + index / colours.len()) as f64).max(0.7);

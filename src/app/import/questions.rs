@@ -5,10 +5,13 @@ use crate::{
     app::opened::Opened,
     io::{
         Choices, Counted, Guess, Guessed,
-        decided::{BY_HAND, MOST_UNDERSTOOD},
         dialect::Delimiter,
         envi,
-        reading::{AxisTold, TableFound, Told, Understood},
+        interpret::{
+            decision::{AxisDecision, Decision, Decisions, Origin},
+            describe::MOST_UNDERSTOOD,
+        },
+        reading::TableFound,
         units::WavelengthUnit,
     },
     spectrum::Kind,
@@ -62,7 +65,7 @@ pub(super) fn alike(opened: &Opened) -> Vec<Alike> {
             .enumerate()
             .map(|(at, (image, understood))| Alike {
                 kind: image.kind,
-                guessed: !understood.kind.stated,
+                guessed: understood.kind.is_guess(),
                 by_hand: each_image.contains_key(&at),
                 doubtful: understood.is_doubtful(),
             })
@@ -106,17 +109,17 @@ pub(super) fn all(opened: &Opened, alike: Option<&Alike>, at: usize) -> Vec<Ques
         ));
     }
     match understood.and_then(|u| u.axis.as_ref()) {
-        Some(AxisTold::Unit(told)) => questions.push(Question {
+        Some(axis @ AxisDecision::Unit(unit)) => questions.push(Question {
             what: "Wavelengths in",
             meaning: "What the numbers of the wavelength axis count.",
-            answers: answers(WavelengthUnit::ALL, told.is, Flip::Wavelengths, |unit| {
+            answers: answers(WavelengthUnit::ALL, unit.value, Flip::Wavelengths, |unit| {
                 unit.word().to_owned()
             }),
-            because: why(told),
-            doubtful: AxisTold::Unit(told.clone()).is_doubtful(),
+            because: why(unit),
+            doubtful: axis.is_doubtful(),
             applies: true,
         }),
-        Some(AxisTold::Laser(told)) => questions.push(laser_question(told)),
+        Some(AxisDecision::Laser(laser)) => questions.push(laser_question(laser)),
         None => {}
     }
     if opened.photons {
@@ -148,7 +151,7 @@ fn photon_question(choices: &Choices) -> Question {
             },
         ),
         because: if choices.keep_photons {
-            "chosen by hand".to_owned()
+            by_hand()
         } else {
             "the unit counts photons".to_owned()
         },
@@ -168,7 +171,7 @@ const KINDS: [Kind; 5] = [
 
 fn kind_question(
     one: &Alike,
-    understood: Option<&Understood>,
+    understood: Option<&Decisions>,
     opened: &Opened,
     at: usize,
 ) -> Question {
@@ -177,11 +180,11 @@ fn kind_question(
     let because = match (understood, guess) {
         (Some(understood), _) => why(&understood.kind),
         (None, Some(guess)) => guess.because.clone(),
-        (None, None) if opened.choices.kind_of(at).is_some() => BY_HAND.to_owned(),
+        (None, None) if opened.choices.kind_of(at).is_some() => by_hand(),
         (None, None) => "stated by the file".to_owned(),
     };
     let doubtful = match understood {
-        Some(understood) => !understood.kind.plain,
+        Some(understood) => understood.kind.is_doubtful(),
         None => guess.is_some_and(Guess::is_doubtful),
     };
     let mut kinds = KINDS.to_vec();
@@ -199,19 +202,20 @@ fn kind_question(
     }
 }
 
-fn counted_question(told: Option<&Told<Counted>>, format: &str) -> Question {
-    let is = told.map(|told| told.is);
+fn counted_question(told: Option<&Decision<Counted>>, format: &str) -> Question {
+    let is = told.map(|told| told.value);
     let is_stored_large = |counted| is == Some(counted) || format == envi::FORMAT.name;
     let offered = [
         Counted::Percent,
         Counted::Fraction,
         Counted::TenThousandths,
+        Counted::SixteenBits,
         Counted::Otherwise,
     ]
     .into_iter()
     .filter(|counted| match counted {
         Counted::Percent | Counted::Fraction => true,
-        Counted::TenThousandths => is_stored_large(*counted),
+        Counted::TenThousandths | Counted::SixteenBits => is_stored_large(*counted),
         Counted::Otherwise => is == Some(*counted),
     });
     Question {
@@ -229,7 +233,7 @@ fn counted_question(told: Option<&Told<Counted>>, format: &str) -> Question {
             || "asked of reflectances and transmittances".to_owned(),
             why,
         ),
-        doubtful: told.is_some_and(|told| !told.plain),
+        doubtful: told.is_some_and(Decision::is_doubtful),
         applies: told.is_some(),
     }
 }
@@ -237,27 +241,32 @@ fn counted_question(told: Option<&Told<Counted>>, format: &str) -> Question {
 /// Lasers of Raman spectrometers that are sold, nm.
 const LASERS_NM: [f64; 7] = [405.0, 488.0, 514.5, 532.0, 633.0, 785.0, 1064.0];
 
-fn laser_question(told: &Told<f64>) -> Question {
+fn laser_question(told: &Decision<f64>) -> Question {
     let mut lasers = LASERS_NM.to_vec();
-    if !lasers.contains(&told.is) {
-        lasers.push(told.is);
+    if !lasers.contains(&told.value) {
+        lasers.push(told.value);
         lasers.sort_by(f64::total_cmp);
     }
     Question {
         what: "Shifts from",
         meaning: "The laser, in nm, from whose line the Raman shifts count.",
-        answers: answers(lasers, told.is, Flip::Laser, |nm| format!("{nm} nm")),
+        answers: answers(lasers, told.value, Flip::Laser, |nm| format!("{nm} nm")),
         because: why(told),
-        doubtful: !told.plain,
+        doubtful: told.is_doubtful(),
         applies: true,
     }
 }
 
-fn why<T>(told: &Told<T>) -> String {
-    match (told.stated, told.because.as_str()) {
-        (false, because) => because.to_owned(),
-        (true, BY_HAND) => BY_HAND.to_owned(),
-        (true, because) => format!("stated by the file: {because}"),
+/// What spoke for a decision that a person took.
+fn by_hand() -> String {
+    Decision::chosen(()).reason
+}
+
+fn why<T>(decision: &Decision<T>) -> String {
+    let reason = &decision.reason;
+    match decision.origin {
+        Origin::Stated => format!("stated by the file: {reason}"),
+        Origin::Chosen | Origin::Evident | Origin::Likely => reason.clone(),
     }
 }
 
@@ -276,15 +285,11 @@ fn answers<T: Copy + PartialEq>(
 }
 
 fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
-    let because =
-        |by_hand: bool, otherwise: &str| if by_hand { BY_HAND } else { otherwise }.to_owned();
-    let by_hand = choices.dialect.is_some();
-    let delimiters = [
-        Delimiter::Tab,
-        Delimiter::Semicolon,
-        Delimiter::Comma,
-        Delimiter::Space,
-    ];
+    let because = |is_chosen: bool, otherwise: &str| match is_chosen {
+        true => by_hand(),
+        false => otherwise.to_owned(),
+    };
+    let is_chosen = choices.dialect.is_some();
     let mut questions = Vec::new();
     if let Some(axis) = table.axis_column {
         let columns = (0..table.width).filter(|c| *c < MOST_COLUMNS || *c == axis);
@@ -307,7 +312,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
             what: "Cells between",
             meaning: "What stands between two cells of a row.",
             answers: answers(
-                delimiters,
+                Delimiter::ALL,
                 table.dialect.delimiter,
                 Flip::Delimiter,
                 |delimiter| {
@@ -320,7 +325,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
                     .to_owned()
                 },
             ),
-            because: because(by_hand, "it makes the most even table"),
+            because: because(is_chosen, "it makes the most even table"),
             doubtful: false,
             applies: true,
         },
@@ -340,7 +345,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
                     .to_owned()
                 },
             ),
-            because: because(by_hand, "it makes the most numbers"),
+            because: because(is_chosen, "it makes the most numbers"),
             doubtful: false,
             applies: true,
         },

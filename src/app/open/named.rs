@@ -138,7 +138,7 @@ impl Choice {
         let of_image = |spectra: Vec<NamedSpectrum>, images: &Opened, is_whole| {
             let mut told = images.images_understood.iter();
             Self {
-                open: vec![told.any(|told| !told.kind.plain); spectra.len()],
+                open: vec![told.any(|told| told.kind.is_doubtful()); spectra.len()],
                 makers: Vec::new(),
                 composites: Vec::new(),
                 spectra,

@@ -5,7 +5,7 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::room_words,
+    cli::{options::FileOptions, room_words},
     color::Srgb,
     design::{
         recover::Method,
@@ -66,6 +66,9 @@ pub struct Recover {
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
     pub force: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// Print JSON; its keys are stable.
     #[arg(long)]
     pub json: bool,
@@ -106,6 +109,9 @@ pub struct Mix {
         allow_negative_numbers = true,
         value_parser = room_words::free_lines)]
     pub lines: Option<usize>,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// Print JSON; its keys are stable.
     #[arg(long)]
     pub json: bool,

@@ -5,7 +5,10 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::{options::ModelOptions, room_words},
+    cli::{
+        options::{FileOptions, ModelOptions},
+        room_words,
+    },
     color::Adaptation,
     optics::View,
 };
@@ -64,6 +67,9 @@ pub struct Prism {
     /// The model, whose spikes are told of.
     #[command(flatten)]
     pub model: ModelOptions,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// Print JSON; its keys are stable.
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
@@ -89,6 +95,9 @@ pub struct Rainbow {
     /// The model, whose spikes are told of.
     #[command(flatten)]
     pub model: ModelOptions,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// Print JSON; its keys are stable.
     #[arg(long)]
     pub json: bool,
@@ -163,6 +172,9 @@ pub struct Gem {
     /// Let it replace any other file too, but for what is read.
     #[arg(long, requires = "out")]
     pub force: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// Print JSON; its keys are stable.
     #[arg(long)]
     pub json: bool,

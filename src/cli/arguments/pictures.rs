@@ -5,7 +5,10 @@ use std::{ffi::OsString, path::PathBuf};
 use clap::Args;
 
 use crate::{
-    cli::room_words::{self, Lines},
+    cli::{
+        options::FileOptions,
+        room_words::{self, Lines},
+    },
     pictures::ReferenceKind,
 };
 
@@ -53,6 +56,9 @@ pub struct Picture {
     /// Let it replace a file that exists.
     #[arg(long, requires = "out")]
     pub force: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
     /// Print JSON; its keys are stable.
     #[arg(long)]
     pub json: bool,
@@ -86,4 +92,7 @@ pub struct Fit {
     /// Print JSON; its keys are stable. Lines of JSON are answered by such lines anyhow.
     #[arg(long)]
     pub json: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub files: FileOptions,
 }

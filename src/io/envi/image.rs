@@ -2,18 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::spectrum::SpectralImage;
 use crate::spectrum::cube::{Cube, CubeError, Layout};
+use crate::spectrum::{Kind, SpectralImage};
 
-use super::super::reading::AxisTold;
-use super::super::spectral_image;
-use super::super::{Choices, Guess, ReadError, Reading};
+use super::super::spectral_image::{self, RawImage};
+use super::super::{Choices, ReadError, Reading};
 use super::header::Header;
 use super::library::short;
 use super::meaning;
-
-/// How many pixels decide kind and scale where the header is silent.
-const LOOKED_AT: usize = 400;
 
 /// Reads a cube; its numbers stay as they are.
 ///
@@ -52,35 +48,27 @@ pub fn read(
             header.error("bands", error.to_string(), "an image of two or more bands")
         }
     })?;
-    let pixels = cube.width() * cube.height();
-    let sample: Vec<f64> = (0..pixels)
-        .step_by(pixels.div_ceil(LOOKED_AT).max(1))
-        .flat_map(|i| cube.values_at(i % cube.width(), i / cube.width()))
-        .collect();
-    let values = meaning::values(header, data_name, &sample)?;
+    let sample = spectral_image::sample(&cube);
+    let (known, of_values) = meaning::values(header, data_name, &sample)?;
     let mut notes = channels.notes;
-    notes.extend(values.notes);
+    notes.extend(of_values);
     let stem = data_name
         .rsplit_once('.')
         .map_or(data_name, |(stem, _)| stem);
     let image = SpectralImage {
         name: stem.to_owned(),
-        kind: values.kind,
-        unit: values.unit,
-        scale: values.scale,
+        kind: Kind::Light,
+        unit: String::new(),
+        scale: 1.0,
         cube,
         notes,
         source: data_name.to_owned(),
     };
-    let mut reading = spectral_image::reading(image);
-    reading.axis = Some(AxisTold::Unit(channels.told));
-    reading.image_guesses.clone_from(&values.guesses);
-    for at in 0..reading.spectra.len() {
-        let of_it = values.guesses.iter().chain(&channels.guessed);
-        reading.guesses.extend(of_it.map(|guess| Guess {
-            spectrum: at,
-            ..guess.clone()
-        }));
-    }
-    Ok(reading)
+    let raw = RawImage {
+        image,
+        known,
+        axis: Some(channels.axis),
+        against: channels.against,
+    };
+    Ok(spectral_image::reading(raw, 0, choices))
 }

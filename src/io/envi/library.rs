@@ -1,13 +1,12 @@
 //! An ENVI spectral library: `lines` spectra of `samples` channels.
 
-use crate::spectrum::NamedSpectrum;
 use crate::spectrum::cube::{bytes_of, is_missing};
 
-use super::super::curve;
+use super::super::interpret;
+use super::super::interpret::raw::{RawAxis, RawSpectrum};
+use super::super::interpret::remark::Remark;
 use super::super::many::many;
-use super::super::reading::AxisTold;
-use super::super::reading::provenance;
-use super::super::{Choices, Guess, ReadError, Reading, budget};
+use super::super::{Input, ReadError, Reading, budget};
 use super::header::Header;
 use super::meaning;
 
@@ -29,7 +28,7 @@ pub fn read(
     data: &[u8],
     data_name: &str,
     file_bytes: usize,
-    choices: &Choices,
+    input: &Input,
 ) -> Result<Reading, ReadError> {
     let (channels, count) = (header.samples, header.lines);
     let size = bytes_of(channels, count, header.bands, header.number);
@@ -41,7 +40,7 @@ pub fn read(
     if need.is_none_or(|need| data.len() < need) {
         return Err(short(header, data.len(), data_name));
     }
-    let axis = meaning::channels(header, channels, choices.wavelengths)?;
+    let axis = meaning::channels(header, channels, input.choices.wavelengths)?;
     let memory = count.saturating_mul(SPECTRUM_BYTES + SAMPLE_BYTES * axis.bands.len());
     if memory > budget::of(file_bytes) {
         let found = format!("{count} spectra, which take {}", budget::in_words(memory));
@@ -63,11 +62,15 @@ pub fn read(
         .step_by(total.div_ceil(LOOKED_AT).max(1))
         .map(|i| value(i / channels, i % channels))
         .collect();
-    let meaning = meaning::values(header, data_name, &sample)?;
+    let (known, of_values) = meaning::values(header, data_name, &sample)?;
     let names = header.list("spectra names");
     let nm: Vec<f64> = axis.bands.iter().map(|(nm, _)| *nm).collect();
 
-    let mut reading = Reading::default();
+    let spectra = many(count, "spectrum", "spectra");
+    let mut reading = Reading {
+        in_front: format!("library of {spectra}: "),
+        ..Reading::default()
+    };
     let mut empty = 0_usize;
     for index in 0..count {
         let values: Vec<f64> = axis
@@ -75,34 +78,25 @@ pub fn read(
             .iter()
             .map(|(_, channel)| value(index, *channel))
             .collect();
-        let Ok(cleaned) = curve::clean(&nm, &values) else {
+        let name = names.get(index).filter(|name| !name.is_empty());
+        let name = name.map_or_else(|| format!("spectrum {}", index + 1), |n| (*n).to_owned());
+        let raw = RawSpectrum {
+            axis: RawAxis::Nm(&nm, Some(axis.axis.clone())),
+            known: known.clone(),
+            source: Some(data_name.to_owned()),
+            ..RawSpectrum::light(name, &nm, values, "")
+        };
+        if interpret::add(raw, input, &mut reading).is_err() {
             empty += 1;
             continue;
-        };
-        let name = names.get(index).filter(|name| !name.is_empty());
-        let at = reading.spectra.len();
-        let mut spectrum = NamedSpectrum {
-            name: name.map_or_else(|| format!("spectrum {}", index + 1), |n| (*n).to_owned()),
-            kind: meaning.kind,
-            unit: meaning.unit.clone(),
-            scale: meaning.scale,
-            samples: cleaned.samples.scaled(meaning.scale),
-            notes: Vec::new(),
-            source: data_name.to_owned(),
-        };
-        spectrum.notes.push(provenance(&spectrum, &[]));
-        spectrum.notes.extend(cleaned.notes);
-        if at == 0 {
-            let spectra = many(count, "spectrum", "spectra");
-            let line = format!("library of {spectra}: {}", spectrum.notes[0]);
-            reading.notes.push(line);
         }
-        let of_it = meaning.guesses.iter().chain(&axis.guessed);
-        reading.guesses.extend(of_it.map(|guess| Guess {
-            spectrum: at,
-            ..guess.clone()
-        }));
-        reading.spectra.push(spectrum);
+        if let Some(facts) = reading.facts.last_mut() {
+            // Said once, of the whole file.
+            let of_file = |remark: &Remark| matches!(remark, Remark::Kind | Remark::Counted);
+            facts.remarks.retain(|remark| !of_file(remark));
+            facts.against.clone_from(&axis.against);
+            facts.tells_scale = false;
+        }
     }
     if reading.spectra.is_empty() {
         return Err(ReadError::new(
@@ -127,9 +121,26 @@ pub fn read(
         reading.notes.push(note);
     }
     reading.notes.extend(axis.notes);
-    reading.axis = Some(AxisTold::Unit(axis.told));
-    reading.notes.extend(meaning.notes);
+    reading.notes.extend(of_values);
+    reading.notes.extend(guesses_in_words(&reading));
     Ok(reading)
+}
+
+/// What had to be guessed of the first spectrum, and of all others with it.
+fn guesses_in_words(reading: &Reading) -> Vec<String> {
+    let Some(facts) = reading.facts.first() else {
+        return Vec::new();
+    };
+    let counted = facts
+        .decisions
+        .counted
+        .as_ref()
+        .filter(|counted| counted.is_guess());
+    [Some(Remark::Kind), counted.map(|_| Remark::Counted)]
+        .into_iter()
+        .flatten()
+        .filter_map(|remark| remark.words(&facts.decisions, None))
+        .collect()
 }
 
 /// The refusal of data that end too early.

@@ -2,25 +2,25 @@
 
 use crate::spectrum::Kind;
 
-use super::super::axis::{self, Axis, AxisUnit};
-use super::super::decided::BY_HAND;
+use super::super::axis::{self, Axis};
 use super::super::error::quoted;
+use super::super::interpret::decision::{AxisDecision, Decision, Origin};
+use super::super::interpret::raw::{Known, KnownScale};
+use super::super::interpret::remark::{taken_as, unit_words};
 use super::super::kinds;
 use super::super::meaning::{MOST_PERCENT, is_plain_size, largest};
-use super::super::reading::Told;
 use super::super::units::WavelengthUnit;
-use super::super::{Counted, Guess, Guessed, ReadError};
+use super::super::{Counted, ReadError};
 use super::header::Header;
 
 /// The channels to read and what was done to find them.
 #[derive(Debug)]
-pub struct Channels {
+pub struct Chosen {
     /// Wavelength (nm, strictly rising) and channel (from 0).
     pub bands: Vec<(f64, usize)>,
-    /// The unit, where it was guessed.
-    pub guessed: Option<Guess>,
-    /// The unit and what told it.
-    pub told: Told<WavelengthUnit>,
+    /// What the wavelengths were counted in, and another unit that the header names.
+    pub axis: AxisDecision,
+    pub against: Option<String>,
     /// What was done, a sentence each.
     pub notes: Vec<String>,
 }
@@ -34,7 +34,7 @@ pub fn channels(
     header: &Header,
     stored: usize,
     chosen: Option<WavelengthUnit>,
-) -> Result<Channels, ReadError> {
+) -> Result<Chosen, ReadError> {
     let axis = header.numbers("wavelength")?;
     if axis.len() != stored {
         let found = match axis.len() {
@@ -44,7 +44,6 @@ pub fn channels(
         return Err(header.error("wavelength", found, "\"wavelength = {...}\", one a channel"));
     }
     let mut notes = Vec::new();
-    let mut guessed = None;
     let title = header.text("wavelength units").unwrap_or("");
     let range = axis
         .iter()
@@ -59,13 +58,8 @@ pub fn channels(
             "nanometers, micrometers, angstroms or wavenumber",
         ));
     }
-    let found = match chosen {
-        Some(unit) => AxisUnit {
-            unit,
-            because: BY_HAND.to_owned(),
-            stated: true,
-            against: None,
-        },
+    let (mut found, against) = match chosen {
+        Some(unit) => (Decision::chosen(unit), None),
         None => axis::unit(&Axis {
             title,
             header: &[],
@@ -74,28 +68,15 @@ pub fn channels(
             range,
         }),
     };
-    let unit = found.unit;
-    let told = Told {
-        is: unit,
-        because: if found.stated && chosen.is_none() {
-            format!("wavelength units = {title}")
-        } else {
-            found.because.clone()
-        },
-        stated: found.stated,
-        plain: found.stated,
-    };
-    if !found.stated {
-        notes.push(format!("taken as {}: {}", found.words(), found.because));
-        guessed = Some(Guess {
-            spectrum: 0,
-            what: Guessed::WavelengthUnit,
-            chosen: found.words(),
-            because: found.because,
-            plain: false,
-        });
+    let unit = found.value;
+    if found.is_guess() {
+        let words = unit_words(unit, against.as_deref());
+        notes.push(taken_as(&words, &found.reason));
     } else if unit != WavelengthUnit::Nanometre {
         notes.push(format!("wavelengths converted from {}", unit.word()));
+    }
+    if found.origin == Origin::Stated {
+        found.reason = format!("wavelength units = {title}");
     }
     let mut bands: Vec<(f64, usize)> = axis
         .iter()
@@ -111,10 +92,10 @@ pub fn channels(
             "at least 2 at different wavelengths above 0",
         ));
     }
-    Ok(Channels {
+    Ok(Chosen {
         bands,
-        guessed,
-        told,
+        axis: AxisDecision::Unit(found),
+        against,
         notes,
     })
 }
@@ -166,114 +147,96 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
 /// Scale factors that make sense; others are passed over.
 const SENSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 
-/// Kind and scale of the values.
-#[derive(Debug)]
-pub struct Values {
-    /// What they stand for.
-    pub kind: Kind,
-    /// Their unit.
-    pub unit: String,
-    /// Factor to the unit.
-    pub scale: f64,
-    /// What was guessed.
-    pub guesses: Vec<Guess>,
-    /// What was done, a sentence each.
-    pub notes: Vec<String>,
-}
-
-/// Kind and scale by the header, else by a sample of the values.
+/// What the values are by the header, else by a sample of them: kind, unit, scale, and what is to be
+/// said.
 ///
 /// # Errors
 /// [`ReadError`] when the scale factor is no number.
-pub fn values(header: &Header, data_name: &str, sample: &[f64]) -> Result<Values, ReadError> {
+pub fn values(
+    header: &Header,
+    data_name: &str,
+    sample: &[f64],
+) -> Result<(Known, Vec<String>), ReadError> {
     // The first title is the x axis's.
     let title = header.list("z plot titles");
     let title = title.get(1).copied().unwrap_or("");
+    let factor = header
+        .number("reflectance scale factor")?
+        .filter(|factor| SENSIBLE_FACTORS.contains(factor));
+    let high = largest(sample);
+    let kind = kind_of_values(header, title, factor.is_some(), data_name, sample);
+    let mut notes = Vec::new();
+    let mut scale = KnownScale::Stated(1.0);
+    if kind.value.is_factor() {
+        scale = match factor.or_else(|| stated_factor(title)) {
+            Some(factor) => {
+                if factor != 1.0 {
+                    notes.push(format!("values divided by {factor}, as the header says"));
+                }
+                KnownScale::Stated(1.0 / factor)
+            }
+            None => {
+                let counted = match high {
+                    h if h <= 1.6 => Counted::Fraction,
+                    h if h <= MOST_PERCENT => Counted::Percent,
+                    _ => Counted::TenThousandths,
+                };
+                let because = format!("the values' size (up to about {high:.3})");
+                let is_evident = is_plain_size(counted, high);
+                KnownScale::Told(Decision::guessed(counted, is_evident, because))
+            }
+        };
+    }
+    if header.text("data gain values").is_some() || header.text("data offset values").is_some() {
+        notes.push("gains and offsets of the header are not applied".to_owned());
+    }
+    let known = Known {
+        kind: Some(kind),
+        unit: Some(header.text("data units").unwrap_or("").to_owned()),
+        scale,
+        may_be_large: true,
+    };
+    Ok((known, notes))
+}
+
+/// What values stand for: by their title, the key that scales factors, the words of the header, else
+/// by what is usual.
+fn kind_of_values(
+    header: &Header,
+    title: &str,
+    has_factor: bool,
+    data_name: &str,
+    sample: &[f64],
+) -> Decision<Kind> {
+    if let Some(kind) = kinds::kind_of_title(title) {
+        return Decision::of_format(kind);
+    }
     let words: Vec<String> = ["data units", "description", "data values", "sensor type"]
         .iter()
         .filter_map(|key| header.text(key).map(str::to_lowercase))
         .collect();
     let lines: Vec<(usize, &str)> = words.iter().map(|w| (1, w.as_str())).collect();
-    let factor = header
-        .number("reflectance scale factor")?
-        .filter(|factor| SENSIBLE_FACTORS.contains(factor));
-    let mut guesses = Vec::new();
-    let mut guess = |what, chosen: &str, because: String, plain| {
-        guesses.push(Guess {
-            spectrum: 0,
-            what,
-            chosen: chosen.to_owned(),
-            because,
-            plain,
-        });
-    };
-    let high = largest(sample);
     let found = kinds::kind(title, &kinds::FromHeader::of(&lines), data_name, sample);
-    let of_title = kinds::kind_of_title(title);
-    let kind = if let Some(kind) = of_title {
-        kind
-    } else if factor.is_some() {
+    if has_factor {
         // Transmittances are scaled by the same key.
-        let is_factor = found.stated && found.kind.is_factor();
-        if is_factor {
-            found.kind
+        let is_factor = !found.is_guess() && found.value.is_factor();
+        let kind = if is_factor {
+            found.value
         } else {
             Kind::Reflectance
-        }
-    } else if found.stated {
-        found.kind
-    } else {
-        // Radiances come as counts beyond 20 000 or with their unit; reflectances mostly as
-        // fractions or times 10 000.
-        let (kind, because) = if high <= 20_000.0 {
-            (
-                Kind::Reflectance,
-                "nothing states it; ENVI files mostly hold reflectances",
-            )
-        } else {
-            (found.kind, "nothing states it")
         };
-        guess(Guessed::Kind, kind.word(), because.to_owned(), false);
-        kind
-    };
-    let mut notes = Vec::new();
-    let (mut scale, mut unit) = (1.0, header.text("data units").unwrap_or("").to_owned());
-    if kind.is_factor() {
-        "fraction".clone_into(&mut unit);
-        let stated = factor.or_else(|| stated_factor(title));
-        if let Some(factor) = stated {
-            if factor != 1.0 {
-                scale = 1.0 / factor;
-                notes.push(format!("values divided by {factor}, as the header says"));
-            }
-        } else {
-            let because = format!("the values' size (up to about {high:.3})");
-            let counted = match high {
-                h if h <= 1.6 => Counted::Fraction,
-                h if h <= MOST_PERCENT => Counted::Percent,
-                _ => Counted::TenThousandths,
-            };
-            scale = counted.scale().unwrap_or(1.0);
-            let plain = is_plain_size(counted, high);
-            guess(Guessed::Percent, counted.word(), because, plain);
-        }
+        return Decision::of_format(kind);
     }
-    for Guess {
-        chosen, because, ..
-    } in &guesses
-    {
-        notes.push(format!("taken as {chosen}: {because}"));
+    if !found.is_guess() {
+        return Decision::of_format(found.value);
     }
-    if header.text("data gain values").is_some() || header.text("data offset values").is_some() {
-        notes.push("gains and offsets of the header are not applied".to_owned());
+    // Radiances come as counts beyond 20 000 or with their unit; reflectances mostly as fractions or
+    // times 10 000.
+    if largest(sample) <= 20_000.0 {
+        let because = "nothing states it; ENVI files mostly hold reflectances";
+        return Decision::guessed(Kind::Reflectance, false, because);
     }
-    Ok(Values {
-        kind,
-        unit,
-        scale,
-        guesses,
-        notes,
-    })
+    Decision::guessed(found.value, false, "nothing states it")
 }
 
 /// The factor in a title such as `reflectance [*10000]` or `reflectance (%)`.

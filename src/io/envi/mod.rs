@@ -93,7 +93,7 @@ fn read_pair(
 ) -> Result<Reading, ReadError> {
     if header.is_library() {
         let file_bytes = data.len() + input.bytes.len();
-        library::read(header, &data, data_name, file_bytes, &input.choices)
+        library::read(header, &data, data_name, file_bytes, input)
     } else {
         image::read(header, data.into_owned(), data_name, &input.choices)
     }

@@ -17,12 +17,15 @@ pub mod packed;
 pub mod pairs;
 
 use super::budget;
-use super::draft::{Draft, Scale};
 use super::error::quoted;
 use super::heading::Heading;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::{RawSpectrum, Scale};
+use super::interpret::remark::Remark;
 use super::kinds;
 use super::units::WavelengthUnit;
-use super::{Confidence, Format, Guess, Guessed, Input, ReadError, Reading};
+use super::{Confidence, Format, Input, ReadError, Reading};
 use blocks::Block;
 
 /// JCAMP-DX.
@@ -181,19 +184,13 @@ fn read_block(
         Some(title) => title.to_owned(),
         None => input.stem().to_owned(),
     };
-    Draft {
-        name,
+    let (scale, heading, at) = (Scale::new(&axis), Heading::of(&header), [data.line as u32]);
+    let raw = RawSpectrum {
         title: title.to_owned(),
-        axis_title: axis_title.to_owned(),
-        says_nm: false,
-        heading: &Heading::of(&header),
-        axis: &Scale::new(&axis),
-        values,
-        lines: &[data.line as u32],
-        percent_signs: false,
-        decimal_comma,
-    }
-    .finish(input, reading)?;
+        lines: &at,
+        ..RawSpectrum::written(name, &scale, axis_title, values, &heading)
+    };
+    interpret(raw.with_comma(decimal_comma), input, reading)?;
     let spectrum = &mut reading.spectra[index];
     if counts && input.choices.kind_of(index).is_none() {
         let because = format!(
@@ -201,18 +198,9 @@ fn read_block(
             quoted(y_units)
         );
         notes.push(format!("taken as counts: {because}"));
-        reading.guesses.push(Guess {
-            spectrum: index,
-            what: Guessed::Kind,
-            chosen: spectrum.kind.word().to_owned(),
-            because,
-            plain: false,
-        });
-        if let Some(told) = reading.understood.get_mut(index) {
-            told.kind
-                .because
-                .clone_from(&reading.guesses[reading.guesses.len() - 1].because);
-            (told.kind.stated, told.kind.plain) = (false, false);
+        if let Some(facts) = reading.facts.get_mut(index) {
+            facts.decisions.kind = Decision::guessed(spectrum.kind, false, because);
+            facts.remarks.retain(|remark| *remark != Remark::Kind);
         }
     } else if !y_units.is_empty() && spectrum.unit.is_empty() {
         notes.push(format!("values in {}", y_units.to_lowercase()));

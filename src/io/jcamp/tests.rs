@@ -1,6 +1,7 @@
 //! Stories about files of our own.
 
 use super::*;
+use crate::io::Guessed;
 use crate::io::read_bytes;
 use crate::spectrum::Kind;
 

@@ -12,11 +12,14 @@ pub mod quoted_text;
 
 use serde::Deserialize;
 
-use crate::spectrum::{Kind, NamedSpectrum, Outside, Sampled};
+use crate::spectrum::{Kind, Outside, Sampled};
 
 use super::error::quoted;
 use super::guarded::guarded;
-use super::reading::provenance;
+use super::interpret::decision::Decision;
+use super::interpret::interpret;
+use super::interpret::raw::RawSpectrum;
+use super::interpret::remark::Remark;
 use super::text::lines;
 use super::{Confidence, Format, Input, ReadError, Reading, budget, curve, number};
 
@@ -145,7 +148,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             } else {
                 kept.get_or_insert_with(|| samples.clone());
             }
-            push(&mut reading, name, Kind::Other, samples, notes, &source);
+            let of_n_or_k = (name, Kind::Other);
+            push(input, &mut reading, of_n_or_k, &samples, notes, &source)?;
         }
     }
     if let Some(n) = &n {
@@ -154,14 +158,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             let mut notes = vec![how.to_owned()];
             notes.extend(about);
             let name = format!("{} reflectance", input.stem());
-            push(
-                &mut reading,
-                name,
-                Kind::Reflectance,
-                samples,
-                notes,
-                &source,
-            );
+            let of_surface = (name, Kind::Reflectance);
+            push(input, &mut reading, of_surface, &samples, notes, &source)?;
         }
     }
     if reading.spectra.is_empty() {
@@ -183,29 +181,19 @@ fn tabulates_n(kind: &str) -> bool {
 }
 
 fn push(
+    input: &Input,
     reading: &mut Reading,
-    name: String,
-    kind: Kind,
-    samples: Sampled,
+    (name, kind): (String, Kind),
+    samples: &Sampled,
     notes: Vec<String>,
     source: &str,
-) {
-    let unit = if kind.is_factor() { "fraction" } else { "" };
-    let mut spectrum = NamedSpectrum {
-        name,
-        kind,
-        unit: unit.to_owned(),
-        scale: 1.0,
-        samples,
-        notes: Vec::new(),
-        source: source.to_owned(),
-    };
-    spectrum.notes.push(provenance(&spectrum, &[]));
-    spectrum.notes.extend(notes);
-    if reading.spectra.is_empty() {
-        reading.notes.push(spectrum.notes[0].clone());
-    }
-    reading.spectra.push(spectrum);
+) -> Result<(), ReadError> {
+    let kind = Decision::of_format(kind);
+    let values = samples.values().to_vec();
+    let mut raw = RawSpectrum::known(name, samples.nm(), values, kind, "");
+    raw.notes = notes;
+    raw.source = Some(source.to_owned());
+    interpret(raw, input, reading)
 }
 
 /// Spectra of one table or formula: 'n' or 'k', and what was done.
@@ -242,7 +230,7 @@ fn read_data(
         let values: Vec<f64> = rows.iter().map(|row| row[place + 1]).collect();
         let cleaned = curve::clean(&nm, &values)
             .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
-        let mut notes = cleaned.notes;
+        let mut notes = in_words(&cleaned.remarks);
         notes.push("wavelengths converted from um".to_owned());
         found.push((letter, cleaned.samples, notes));
     }
@@ -316,9 +304,14 @@ fn read_formula(
         .collect();
     let cleaned = curve::clean(&nm, &values)
         .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
-    let mut notes = cleaned.notes;
+    let mut notes = in_words(&cleaned.remarks);
     notes.push(format!("n computed from dispersion formula {number} {how}"));
     Ok((cleaned.samples, notes))
+}
+
+/// What was done to put points in order.
+fn in_words(remarks: &[Remark]) -> Vec<String> {
+    remarks.iter().map(Remark::to_string).collect()
 }
 
 /// Reflectance at normal incidence from air, and how it came about.

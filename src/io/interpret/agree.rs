@@ -1,0 +1,93 @@
+//! Per cent or fraction is one answer for all spectra of a kind in a file: of a white and a black
+//! patch in per cent, the black one alone would look like a fraction.
+
+use crate::io::Reading;
+use crate::io::choices::Counted;
+use crate::spectrum::Kind;
+
+use super::decision::{Decision, Origin};
+use super::facts::Facts;
+
+/// Takes what was guessed to be a fraction for per cent where others of its kind in the file were
+/// guessed to be per cent. What the file states, or a person decided, stays. What is plain of one
+/// spectrum is plain of the others, so that nothing is asked about the black patch of a chart.
+pub fn agree(reading: &mut Reading) {
+    for kind in [Kind::Reflectance, Kind::Transmittance] {
+        count_alike(kind, reading);
+    }
+    let guesses = |facts: &Facts| facts.decisions.counted.clone().filter(Decision::is_guess);
+    let evident = reading.facts.iter().filter_map(guesses);
+    let evident = evident.filter(|counted| !counted.is_doubtful());
+    let mut evident: Vec<Counted> = evident.map(|counted| counted.value).collect();
+    evident.dedup();
+    for facts in &mut reading.facts {
+        if let Some(counted) = &mut facts.decisions.counted
+            && counted.is_doubtful()
+            && evident.contains(&counted.value)
+        {
+            counted.origin = Origin::Evident;
+        }
+    }
+}
+
+fn count_alike(kind: Kind, reading: &mut Reading) {
+    let guessed = |facts: &Facts, as_what: Counted| {
+        facts.decisions.kind.value == kind
+            && facts
+                .decisions
+                .counted
+                .as_ref()
+                .is_some_and(|counted| counted.is_guess() && counted.value == as_what)
+    };
+    let spectra = reading.spectra.iter().zip(&reading.facts);
+    let percent = spectra.filter(|(_, facts)| guessed(facts, Counted::Percent));
+    let highest = percent
+        .flat_map(|(spectrum, _)| spectrum.samples.values())
+        .fold(0.0_f64, |highest, value| highest.max(*value));
+    if highest <= 0.0 {
+        return;
+    }
+    let to_fraction = Counted::Percent.scale().unwrap_or(1.0);
+    let reason = format!("others in the file reach {:.3}", highest / to_fraction);
+    let spectra = reading.spectra.iter_mut().zip(&mut reading.facts);
+    for (spectrum, facts) in spectra.filter(|(_, facts)| guessed(facts, Counted::Fraction)) {
+        spectrum.samples = spectrum.samples.scaled(to_fraction);
+        spectrum.scale *= to_fraction;
+        facts.tells_scale = true;
+        facts.decisions.counted = Some(Decision::guessed(Counted::Percent, true, &*reason));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+
+    #[test]
+    fn a_dark_patch_beside_a_bright_one_is_counted_alike() {
+        let text = "nm,Reflectance black,Reflectance white\n400,0.6,91\n410,0.7,92\n420,0.7,91.5\n";
+        let reading = read_bytes("patches.csv", text.as_bytes()).unwrap();
+        let [black, white] = &reading.spectra[..] else {
+            panic!("{reading:?}");
+        };
+        assert_eq!((black.scale, white.scale), (0.01, 0.01));
+        assert!((black.samples.values()[1] - 0.007).abs() < 1e-12);
+        assert!(black.notes[0].contains("fraction, from per cent"));
+        assert!(
+            black
+                .notes
+                .iter()
+                .any(|n| n.ends_with("others in the file reach 92.000"))
+        );
+        assert!(!reading.is_doubtful(), "{:?}", reading.guesses);
+    }
+
+    #[test]
+    fn fractions_alone_and_what_a_title_states_stay() {
+        let text = "nm,Reflectance a,Reflectance b (%)\n400,0.6,91\n410,0.7,92\n420,0.7,91.5\n";
+        let reading = read_bytes("patches.csv", text.as_bytes()).unwrap();
+        assert_eq!(reading.spectra[0].scale, 1.0);
+        let alone = "nm,Reflectance a,Reflectance b\n400,0.6,0.1\n410,0.7,0.1\n";
+        let reading = read_bytes("patches.csv", alone.as_bytes()).unwrap();
+        assert!(reading.spectra.iter().all(|s| s.scale == 1.0));
+    }
+}

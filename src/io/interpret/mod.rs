@@ -1,0 +1,372 @@
+//! From what a reader found to a spectrum: axis, kind and scale are decided here and nowhere else,
+//! a person's decisions first. What is decided is kept as [`Decisions`] until the whole file was
+//! read; then spectra that must agree are brought together ([`agree`]) and everything is put in
+//! words ([`describe`]).
+
+pub mod agree;
+pub mod decision;
+pub mod describe;
+pub mod facts;
+pub mod raw;
+pub mod remark;
+
+use crate::io::axis::{self, Axis};
+use crate::io::choices::{Counted, OfOne};
+use crate::io::curve::{self, Trouble};
+use crate::io::heading::Heading;
+use crate::io::provenance::notes_of_a_line;
+use crate::io::units::{WavelengthUnit, names_wavelength};
+use crate::io::{Input, ReadError, Reading, budget, kinds, meaning};
+use crate::spectrum::{Kind, NamedSpectrum};
+
+use decision::{AxisDecision, Decision, Decisions};
+use facts::Facts;
+use raw::{Known, KnownScale, RawAxis, RawSpectrum};
+use remark::Remark;
+
+/// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
+/// tens of thousands of spectra of a few values each would take far more than their size.
+const BYTES_BESIDE: usize = 3072;
+
+/// Numbers that instruments write for "not measured", when they stand apart from the other
+/// values.
+const SENTINELS: [f64; 4] = [-9999.0, -999.0, -99.99, -9.999];
+
+/// Most spectra of one file: more than any library has, and all that are read in a few seconds.
+const MOST_SPECTRA: usize = 100_000;
+
+/// Refuses more spectra than one file may hold, or than fit into the memory that it may take; best
+/// before they are made.
+///
+/// # Errors
+/// [`ReadError`] with their number.
+pub fn check_room(input: &Input, spectra: usize) -> Result<(), ReadError> {
+    if spectra > MOST_SPECTRA {
+        let expected = format!("at most {MOST_SPECTRA} in one file");
+        return Err(input.error(format!("{spectra} spectra"), expected));
+    }
+    if spectra.saturating_sub(1) * BYTES_BESIDE <= budget::of(input.bytes.len()) {
+        return Ok(());
+    }
+    let found = format!("{spectra} spectra of a few values each");
+    Err(input.error(found, budget::WORDS))
+}
+
+/// Decides what a file leaves open about a spectrum and adds it to a reading.
+///
+/// # Errors
+/// [`ReadError`] when the numbers are no spectrum.
+pub fn interpret(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
+    check_room(input, reading.spectra.len() + 1)?;
+    add(raw, input, reading)
+}
+
+/// As [`interpret`], where the reader saw to it that there is room.
+///
+/// # Errors
+/// As [`interpret`].
+pub fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
+    let index = reading.spectra.len();
+    let RawSpectrum {
+        name,
+        axis,
+        mut values,
+        title,
+        percent_signs,
+        heading,
+        known,
+        lines,
+        how,
+        notes,
+        source,
+        before,
+    } = raw;
+    let none = Heading::default();
+    let is_written = matches!(axis, RawAxis::Written { .. });
+    let heading = heading.unwrap_or(&none);
+    let mut remarks = vec![Remark::Line];
+    remarks.extend(notes.into_iter().map(Remark::Note));
+
+    let (unit, axis_decision, against) = decide_axis(&axis, heading, input);
+    if is_written {
+        remarks.push(Remark::Axis);
+        // In a file of this program every number was measured.
+        if !heading.is_own {
+            drop_sentinels(&mut values, &mut remarks);
+        }
+    }
+    let cleaned = match &axis {
+        RawAxis::Nm(nm, _) => curve::clean(nm, &values),
+        RawAxis::Written { scale, title, .. } => {
+            let reversals = match names_wavelength(title) {
+                true => curve::TRACED_REVERSALS,
+                false => curve::MOST_REVERSALS,
+            };
+            scale.clean(unit, values, reversals)
+        }
+    };
+    let cleaned = cleaned.map_err(|trouble| refusal(input, &trouble, lines))?;
+    remarks.extend(cleaned.remarks);
+    let samples = cleaned.samples;
+
+    let chosen = OfOne {
+        kind: input.choices.kind_of(index),
+        counted: input.choices.counted_of(index),
+    };
+    let own = match &known.kind {
+        Some(kind) => kind.clone(),
+        None => kinds::kind(&title, &heading.kind, &input.name, samples.values()),
+    };
+    let own_kind = own.value;
+    let (kind, against_choice) = decide_kind(own, chosen.kind);
+    remarks.push(against_choice.unwrap_or(Remark::Kind));
+    let (counted, scale) =
+        decide_scale((kind.value, own_kind), &known.scale, chosen.counted, || {
+            let values = samples.values();
+            let size = meaning::counted(&title, heading.percent, percent_signs, values);
+            or_large(size, known.may_be_large, values)
+        });
+    if is_written || counted.as_ref().is_some_and(Decision::is_guess) {
+        remarks.push(Remark::Counted);
+    }
+    let samples = match scale {
+        1.0 => samples,
+        scale => samples.scaled(scale),
+    };
+    let unit_of_values = unit_of_values(kind.value, known, &title, heading);
+    if is_written && kind.value == Kind::Light {
+        if meaning::counts_photons(&unit_of_values) {
+            remarks.push(Remark::Photons);
+        }
+        if !unit.is_length() {
+            remarks.push(Remark::PerOther);
+        }
+    }
+    let before = notes_of_a_line(before).filter(|note| !note.is_empty());
+    remarks.extend(before.map(|note| Remark::Before(note.to_owned())));
+    reading.facts.push(Facts {
+        decisions: Decisions {
+            axis: axis_decision,
+            kind: kind.clone(),
+            counted,
+        },
+        against,
+        tells_scale: true,
+        how,
+        remarks,
+    });
+    reading.spectra.push(NamedSpectrum {
+        name,
+        kind: kind.value,
+        unit: unit_of_values,
+        scale,
+        samples,
+        notes: Vec::new(),
+        source: source.unwrap_or_else(|| heading.source.unwrap_or(&input.name).to_owned()),
+    });
+    Ok(())
+}
+
+/// The unit of an axis, what was decided about it, and another unit that the file names.
+fn decide_axis(
+    axis: &RawAxis,
+    heading: &Heading,
+    input: &Input,
+) -> (WavelengthUnit, Option<AxisDecision>, Option<String>) {
+    let (scale, title, says_nm) = match axis {
+        RawAxis::Nm(_, decision) => return (WavelengthUnit::Nanometre, decision.clone(), None),
+        RawAxis::Written {
+            scale,
+            title,
+            says_nm,
+        } => (scale, title, says_nm),
+    };
+    let (unit, against) = match input.choices.wavelengths {
+        Some(unit) => (Decision::chosen(unit), None),
+        None => axis::unit(&Axis {
+            title,
+            header: &heading.axis_units,
+            says_nm: *says_nm || heading.is_own,
+            is_dpt: input.has_extension("dpt"),
+            range: scale.extent(),
+        }),
+    };
+    (unit.value, Some(AxisDecision::Unit(unit)), against)
+}
+
+/// What values stand for: as a person says, else as the file does. With what goes against the
+/// person, where that is plain.
+pub fn decide_kind(own: Decision<Kind>, chosen: Option<Kind>) -> (Decision<Kind>, Option<Remark>) {
+    let Some(kind) = chosen else {
+        return (own, None);
+    };
+    let goes_against = !own.is_doubtful() && own.value != kind;
+    let against = goes_against.then_some(Remark::Against(own));
+    (Decision::chosen(kind), against)
+}
+
+/// What the values of a factor are counted in, and the factor to fractions; for other values the
+/// factor to their unit. `size` decides by titles and by the size of the values.
+pub fn decide_scale(
+    (kind, own): (Kind, Kind),
+    known: &KnownScale,
+    chosen: Option<Counted>,
+    size: impl FnOnce() -> Decision<Counted>,
+) -> (Option<Decision<Counted>>, f64) {
+    if !kind.is_factor() {
+        let scale = match known {
+            KnownScale::Stated(scale) => *scale,
+            _ => 1.0,
+        };
+        return (None, scale);
+    }
+    let is_own = own.is_factor();
+    let decision = match (chosen.filter(|counted| counted.scale().is_some()), known) {
+        (Some(counted), _) => Decision::chosen(counted),
+        (None, KnownScale::Stated(scale)) if is_own || *scale != 1.0 => {
+            let counted = Decision::of_format(Counted::of_scale(*scale));
+            return (Some(counted), *scale);
+        }
+        (None, KnownScale::Told(counted)) => counted.clone(),
+        (None, KnownScale::Fractions) if is_own => match size() {
+            fraction if fraction.value == Counted::Fraction => {
+                Decision::of_format(Counted::Fraction)
+            }
+            other => other,
+        },
+        (None, _) => size(),
+    };
+    let scale = decision.value.scale().unwrap_or(1.0);
+    (Some(decision), scale)
+}
+
+/// What the size of values tells, where they may be whole numbers to 10,000.
+pub fn or_large(size: Decision<Counted>, may_be_large: bool, values: &[f64]) -> Decision<Counted> {
+    let is_large = may_be_large && meaning::largest(values) > meaning::MOST_PERCENT;
+    match is_large {
+        true => Decision {
+            value: Counted::TenThousandths,
+            ..size
+        },
+        false => size,
+    }
+}
+
+/// Factors count as fractions, absorbances as themselves, all else as title, header or format say.
+fn unit_of_values(kind: Kind, known: Known, title: &str, heading: &Heading) -> String {
+    if kind.is_factor() {
+        return "fraction".to_owned();
+    }
+    if kind == Kind::Absorbance {
+        return String::new();
+    }
+    known.unit.unwrap_or_else(|| {
+        let of_title = meaning::unit_of_title(title).map(str::to_owned);
+        of_title.unwrap_or_else(|| heading.unit.clone())
+    })
+}
+
+/// The refusal of numbers that are no spectrum, at their line.
+fn refusal(input: &Input, trouble: &Trouble, lines: &[u32]) -> ReadError {
+    let error = input.error(trouble.to_string(), trouble.expected());
+    let of_point = trouble.index().and_then(|index| lines.get(index));
+    match of_point.or(lines.first()) {
+        Some(line) => error.at_line(*line as usize),
+        None => error,
+    }
+}
+
+/// Turns "not measured" numbers into gaps, if all other values lie well above them.
+fn drop_sentinels(values: &mut [f64], remarks: &mut Vec<Remark>) {
+    // All of them are below this: a long column is looked through once, not four times.
+    if !values.iter().fold(false, |low, v| low | (*v < -9.0)) {
+        return;
+    }
+    for value in SENTINELS {
+        let count = values.iter().filter(|v| **v == value).count();
+        // A single one of the small numbers may well have been measured.
+        let fewest = if value <= -999.0 { 1 } else { 2 };
+        if count < fewest {
+            continue;
+        }
+        let lowest = values
+            .iter()
+            .filter(|v| **v != value && !v.is_nan())
+            .fold(f64::INFINITY, |a, v| a.min(*v));
+        if lowest.is_finite() && lowest > 0.5 * value {
+            for v in values.iter_mut().filter(|v| **v == value) {
+                *v = f64::NAN;
+            }
+            remarks.push(Remark::NotMeasured { value, count });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Choices, Reading, read_bytes, read_bytes_as};
+    use crate::spectrum::Kind;
+
+    fn read(text: &str) -> Reading {
+        read_bytes("a.csv", text.as_bytes()).expect("a table")
+    }
+
+    #[test]
+    fn a_single_not_measured_number_is_a_gap_too() {
+        let one = read("nm,lamp\n380,1\n390,-9999\n400,2\n");
+        assert_eq!(one.spectra[0].samples.values(), [1.0, 2.0]);
+        let notes = &one.spectra[0].notes;
+        assert!(notes.contains(&"1 value of -9999 taken as not measured".to_owned()));
+        let low = read("nm,lamp\n380,1\n390,-9.999\n400,2\n");
+        assert_eq!(low.spectra[0].samples.values(), [1.0, -9.999, 2.0]);
+    }
+
+    #[test]
+    fn a_kind_that_goes_against_the_file_is_noted() {
+        let choices = Choices {
+            kind: Some(Kind::Transmittance),
+            ..Choices::default()
+        };
+        let notes = |text: &str| {
+            let reading = read_bytes_as("a.csv", text.as_bytes(), &choices).expect("a table");
+            reading.spectra[0].notes.join("; ")
+        };
+        let against =
+            "chosen by hand as transmittance: the column's title \"absorbance\" tells absorbance";
+        let told = notes("nm,absorbance\n380,0.1\n390,0.5\n");
+        assert!(told.contains(against), "{told}");
+        for agrees in ["nm,transmittance\n380,0.1\n390,0.5\n", "380,0.1\n390,0.5\n"] {
+            let told = notes(agrees);
+            assert!(!told.contains("by hand"), "{told}");
+        }
+    }
+
+    #[test]
+    fn metres_are_told_by_a_title_and_guessed_from_their_size() {
+        let told = read("wavelength (m),irradiance\n3.8e-7,1\n5e-7,2\n7.8e-07,3\n");
+        let samples = &told.spectra[0].samples;
+        assert!((samples.first_nm() - 380.0).abs() < 1e-9);
+        assert!(
+            !told.is_doubtful() || told.guesses.iter().all(|g| g.plain),
+            "{:?}",
+            told.guesses
+        );
+        let bare = read("3.8e-7 1e-6\n5.0e-7 3e-6\n6.0e-7 2e-6\n");
+        assert!((bare.spectra[0].samples.last_nm() - 600.0).abs() < 1e-9);
+        assert!(bare.is_doubtful());
+    }
+
+    #[test]
+    fn frequencies_and_small_units_are_turned_into_wavelengths_and_said() {
+        let thz = read("Frequency (THz),lamp\n400,1\n500,2\n600,3\n");
+        let samples = &thz.spectra[0].samples;
+        assert!((samples.last_nm() - 299_792.458 / 400.0).abs() < 1e-9);
+        assert_eq!(samples.values(), [3.0, 2.0, 1.0]);
+        let notes = thz.spectra[0].notes.join("; ");
+        assert!(notes.contains("not rescaled"), "{notes}");
+        let mev = read("Energy (meV),lamp\n1600,1\n2000,2\n");
+        assert!((mev.spectra[0].samples.first_nm() - 619.92).abs() < 0.01);
+        let odd = read("Frequency (PHz),lamp [W/m2/nm]\n400,1\n500,2\n");
+        assert!(odd.is_doubtful(), "{:?}", odd.guesses);
+    }
+}

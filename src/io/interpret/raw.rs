@@ -1,0 +1,244 @@
+//! One spectrum as its reader found it: numbers and words, nothing decided.
+
+use std::cell::{OnceCell, RefCell};
+
+use crate::io::choices::Counted;
+use crate::io::curve::{self, Cleaned, Trouble};
+use crate::io::heading::Heading;
+use crate::io::units::WavelengthUnit;
+use crate::spectrum::{Kind, Sampled};
+
+use super::decision::{AxisDecision, Decision};
+
+/// A spectrum on its way from a reader to [`interpret`](super::interpret()).
+pub struct RawSpectrum<'a> {
+    /// What to call it.
+    pub name: String,
+    /// Its wavelengths.
+    pub axis: RawAxis<'a>,
+    /// Values in the file's number; NaN where one is missing.
+    pub values: Vec<f64>,
+    /// Title and unit above its values.
+    pub title: String,
+    /// Whether values carry per cent signs.
+    pub percent_signs: bool,
+    /// What the lines above its table say.
+    pub heading: Option<&'a Heading<'a>>,
+    /// What its format knows of it.
+    pub known: Known,
+    /// Lines of the points in the file, for messages; one only for a spectrum in a row.
+    pub lines: &'a [u32],
+    /// Words for the line of provenance ("1 nm block", "decimal comma").
+    pub how: Vec<String>,
+    /// What its reader has to say about it, a sentence each.
+    pub notes: Vec<String>,
+    /// Where it comes from, where the file says so.
+    pub source: Option<String>,
+    /// The notes that a file of this program has in one line.
+    pub before: &'a str,
+}
+
+/// The wavelengths of a spectrum.
+pub enum RawAxis<'a> {
+    /// In nm, as the format knows; NaN where one is missing. What else was decided to get them.
+    Nm(&'a [f64], Option<AxisDecision>),
+    /// As a table has them.
+    Written {
+        /// The numbers.
+        scale: &'a Scale<'a>,
+        /// Title and unit above them.
+        title: String,
+        /// Whether they say "nm" themselves.
+        says_nm: bool,
+    },
+}
+
+/// What a format knows of a spectrum; what it does not is decided by words and numbers.
+#[derive(Clone, Debug, Default)]
+pub struct Known {
+    /// What its values stand for.
+    pub kind: Option<Decision<Kind>>,
+    /// Unit of its values, the scale applied; factors count as fractions.
+    pub unit: Option<String>,
+    /// What its values are multiplied by.
+    pub scale: KnownScale,
+    /// Whether factors may be stored as whole numbers to 10,000.
+    pub may_be_large: bool,
+}
+
+/// What a format knows of the factor from the file's numbers to the unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum KnownScale {
+    /// Nothing: of a factor titles or the size of the values must tell.
+    #[default]
+    Open,
+    /// This factor.
+    Stated(f64),
+    /// Factors are fractions, unless their size says that somebody wrote per cent.
+    Fractions,
+    /// What the reader decided for all spectra of the file.
+    Told(Decision<Counted>),
+}
+
+impl<'a> RawSpectrum<'a> {
+    /// A spectrum of a light on wavelengths in nm, with nothing more to say about it.
+    pub fn light(name: impl Into<String>, nm: &'a [f64], values: Vec<f64>, unit: &str) -> Self {
+        Self::known(name, nm, values, Decision::of_format(Kind::Light), unit)
+    }
+
+    /// A spectrum of a known kind on wavelengths in nm.
+    pub fn known(
+        name: impl Into<String>,
+        nm: &'a [f64],
+        values: Vec<f64>,
+        kind: Decision<Kind>,
+        unit: &str,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            axis: RawAxis::Nm(nm, None),
+            values,
+            title: String::new(),
+            percent_signs: false,
+            heading: None,
+            known: Known {
+                kind: Some(kind),
+                unit: Some(unit.to_owned()),
+                scale: KnownScale::Stated(1.0),
+                may_be_large: false,
+            },
+            lines: &[],
+            how: Vec::new(),
+            notes: Vec::new(),
+            source: None,
+            before: "",
+        }
+    }
+
+    /// A spectrum of a table, of which titles and numbers tell everything.
+    pub fn written(
+        name: impl Into<String>,
+        scale: &'a Scale<'a>,
+        axis_title: &str,
+        values: Vec<f64>,
+        heading: &'a Heading<'a>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            axis: RawAxis::Written {
+                scale,
+                title: axis_title.to_owned(),
+                says_nm: false,
+            },
+            values,
+            title: String::new(),
+            percent_signs: false,
+            heading: Some(heading),
+            known: Known::default(),
+            lines: &[],
+            how: Vec::new(),
+            notes: Vec::new(),
+            source: None,
+            before: heading.notes.unwrap_or(""),
+        }
+    }
+
+    /// The same, its decimals marked by commas or not.
+    #[must_use]
+    pub fn with_comma(mut self, decimal_comma: bool) -> Self {
+        if decimal_comma {
+            self.how.push("decimal comma".to_owned());
+        }
+        self
+    }
+
+    /// The same with wavelengths that say "nm", or not.
+    #[must_use]
+    pub fn saying_nm(mut self, says: bool) -> Self {
+        if let RawAxis::Written { says_nm, .. } = &mut self.axis {
+            *says_nm = says;
+        }
+        self
+    }
+}
+
+/// Wavelengths as a file gives them, and what was found of them: a long table has one column of
+/// them for many of values.
+pub struct Scale<'a> {
+    /// In the file's unit; NaN where one is missing.
+    numbers: &'a [f64],
+    extent: OnceCell<(f64, f64)>,
+    /// A spectrum whose wavelengths are these, turned from a unit and otherwise unchanged.
+    kept: RefCell<Option<(WavelengthUnit, Sampled)>>,
+}
+
+impl<'a> Scale<'a> {
+    /// Wavelengths in the file's unit; NaN where one is missing.
+    pub fn new(numbers: &'a [f64]) -> Self {
+        Self {
+            numbers,
+            extent: OnceCell::new(),
+            kept: RefCell::default(),
+        }
+    }
+
+    /// The least and the greatest of them.
+    pub(super) fn extent(&self) -> (f64, f64) {
+        *self.extent.get_or_init(|| extent(self.numbers))
+    }
+
+    /// A spectrum of these wavelengths and of values, in order and without gaps.
+    pub(super) fn clean(
+        &self,
+        unit: WavelengthUnit,
+        values: Vec<f64>,
+        reversals: f64,
+    ) -> Result<Cleaned, Trouble> {
+        let beside = match &*self.kept.borrow() {
+            Some((of, kept)) if *of == unit => curve::beside(kept, values),
+            _ => Err(values),
+        };
+        match beside {
+            Ok(cleaned) => Ok(cleaned),
+            Err(values) => self.clean_alone(unit, &values, reversals),
+        }
+    }
+
+    fn clean_alone(
+        &self,
+        unit: WavelengthUnit,
+        values: &[f64],
+        reversals: f64,
+    ) -> Result<Cleaned, Trouble> {
+        let turned: Vec<f64>;
+        let nm = match unit {
+            WavelengthUnit::Nanometre => self.numbers,
+            _ => {
+                turned = self.numbers.iter().map(|x| unit.to_nm(*x)).collect();
+                &turned
+            }
+        };
+        let cleaned = curve::clean_within(nm, values, reversals)?;
+        if cleaned.samples.nm() == nm {
+            *self.kept.borrow_mut() = Some((unit, cleaned.samples.clone()));
+        }
+        Ok(cleaned)
+    }
+}
+
+fn extent(axis: &[f64]) -> (f64, f64) {
+    // Eight at a time: a long axis is looked through for each of its columns.
+    let (mut low, mut high) = ([f64::INFINITY; 8], [f64::NEG_INFINITY; 8]);
+    let (eights, rest) = axis.as_chunks::<8>();
+    for some in eights.iter().map(|eight| &eight[..]).chain([rest]) {
+        for (i, x) in some.iter().enumerate() {
+            // Neither is true of a gap. A zero is no wavelength.
+            low[i] = if *x < low[i] && *x > 0.0 { *x } else { low[i] };
+            high[i] = if *x > high[i] { *x } else { high[i] };
+        }
+    }
+    (
+        low.into_iter().fold(f64::INFINITY, f64::min),
+        high.into_iter().fold(f64::NEG_INFINITY, f64::max),
+    )
+}
