@@ -148,7 +148,7 @@ pub fn unit_behind(cell: &str) -> Option<&str> {
     let unit = cell.split_once(char::is_whitespace)?.1.trim_start();
     let behind = |start: &&str| unit.strip_prefix(*start);
     let ends = |rest: &str| rest.is_empty() || rest.starts_with(['/', ' ', '·', '*']);
-    let is_unit = UNITS.iter().filter_map(|start| behind(start)).any(ends);
+    let is_unit = UNITS.iter().filter_map(behind).any(ends);
     (is_unit && unit.len() <= 40).then_some(unit)
 }
 
