@@ -190,9 +190,14 @@ pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 32] = [
         "The whole range into view",
     ),
     (
-        KeyboardShortcut::new(Modifiers::NONE, Key::F1),
+        KeyboardShortcut::new(Modifiers::SHIFT, Key::F1),
         Act::Shortcuts,
         "This list",
+    ),
+    (
+        KeyboardShortcut::new(Modifiers::NONE, Key::F1),
+        Act::Greeting,
+        "The ways to begin",
     ),
     (
         KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft),

@@ -383,7 +383,7 @@ fn a_low_window_scrolls_its_page_instead_of_covering_the_plot() {
 fn small_windows_over_the_window_keep_their_buttons_within_it() {
     let screen = Rect::from_min_size(pos2(0.0, 0.0), SMALL.into());
     let mut ui = over(zoomed(), SMALL);
-    ui.key_press(egui::Key::F1);
+    ui.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::F1);
     rest(&mut ui);
     let close = rect(&ui, Role::Button, "Close").expect("a way out");
     assert!(screen.contains_rect(close), "shortcuts: {close:?}");

@@ -1270,9 +1270,12 @@ fn theme_presenting_and_zoom_change_by_button_and_by_key() {
 }
 
 #[test]
-fn the_list_of_shortcuts_opens_by_key_and_keeps_keys_to_itself() {
+fn the_ways_to_begin_and_the_list_of_shortcuts_open_by_key_and_keeps_keys_to_itself() {
     let mut ui = fresh();
     press(&mut ui, Key::F1);
+    control(&ui, Role::Button, "Show a class");
+    press(&mut ui, Key::Escape);
+    shortcut(&mut ui, Modifiers::SHIFT, Key::F1);
     assert_written(&ui, "Order N plus one");
     control(&ui, Role::Button, "Close");
     press(&mut ui, Key::ArrowRight);
@@ -1420,7 +1423,7 @@ fn every_small_window_and_menu_is_drawn_with_names() {
         ui.state_mut().preferences.dark = dark;
         ui.state_mut().preferences.present = present;
         ui.run();
-        press(&mut ui, Key::F1);
+        shortcut(&mut ui, Modifiers::SHIFT, Key::F1);
         assert_written(&ui, "Undo");
         assert_sound(&ui, "shortcuts");
         press(&mut ui, Key::Escape);

@@ -24,7 +24,7 @@ use crate::{
     study::Measure,
 };
 
-use super::names::entry;
+use super::names::light;
 
 /// What figures are taken of: the program's state and what its pages remember.
 #[derive(Clone, Copy, Debug)]
@@ -320,7 +320,7 @@ pub fn figure(scene: &Scene<'_>, key: &str, of: Option<&str>) -> Result<Told, St
         Some("model") => rows(&QualityShown::of(app).sheet.model),
         of => {
             let light = match of {
-                Some(name) => entry(app, name)?,
+                Some(name) => light(app, name)?,
                 None => app.document().light.clone(),
             };
             let (light, measured) = light_of(&light.spectrum);
@@ -360,7 +360,7 @@ fn told(title: &'static str, value: Option<f64>, unit: Unit) -> Told {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::names::entry, *};
     use crate::app::Command;
 
     #[test]

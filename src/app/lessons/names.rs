@@ -22,6 +22,18 @@ pub fn entry(app: &App, name: &str) -> Result<Arc<Entry>, String> {
     made.ok_or_else(|| format!("found a list of lines, {name}, expected a spectrum"))
 }
 
+/// What a name means where a light is asked for.
+///
+/// # Errors
+/// As [`entry`], and for a surface or a filter.
+pub fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
+    let found = entry(app, name)?;
+    match found.kind().is_factor() {
+        true => Err(format!("found {name} ({}), expected a light", found.kind())),
+        false => Ok(found),
+    }
+}
+
 /// Whether a name is in the library or among those that a lesson makes.
 ///
 /// # Errors

@@ -4,7 +4,11 @@
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 
-use super::{making::Making, names::entry, parsed::parsed};
+use super::{
+    making::Making,
+    names::{entry, light},
+    parsed::parsed,
+};
 use crate::app::{
     App, Command,
     document::{Document, Subject},
@@ -166,8 +170,7 @@ impl Stage {
             made.push(making.make(app)?);
         }
         if let Some(name) = &self.light {
-            let light = entry(app, name)?;
-            app.apply(Command::Show(light));
+            app.apply(Command::Show(light(app, name)?));
         }
         if let Some(name) = &self.surface {
             let surface = entry(app, name)?;
@@ -224,7 +227,7 @@ impl Stage {
             products.chain = met.iter().map(link).collect::<Result<_, _>>()?;
         }
         if let Some(name) = &self.other_light {
-            products.other_light = Some(entry(app, name)?);
+            products.other_light = Some(light(app, name)?);
         }
         app.apply(Command::Products(products));
         Ok(())
@@ -238,6 +241,16 @@ mod tests {
 
     fn stage(json: Value) -> Stage {
         parsed(json).expect("a stage")
+    }
+
+    #[test]
+    fn a_surface_is_no_light_of_a_stage() {
+        let (mut app, mut memory) = (App::new(), PageMemory::default());
+        let stage = stage(json!({"light": "colorchecker_ohta/red"}));
+        let refused = stage.set(&mut app, &mut memory, &mut Vec::new());
+        let why = refused.expect_err("no light");
+        assert!(why.contains("expected a light"), "{why}");
+        assert!(!app.can_undo(), "nothing was changed");
     }
 
     #[test]
