@@ -56,8 +56,7 @@ impl Plot {
     /// The box of a heat map inside the panel.
     pub fn cell(&self, cells: &Cells, index: usize) -> Option<Field> {
         let [x, y] = cells.sides(index)?;
-        let low = self.foot(x[0], y[0])?;
-        Field::between(low, self.place([x[1], y[1]])?).cut_to(self.field)
+        Field::between(self.foot(x[0], y[0])?, self.place([x[1], y[1]])?).cut_to(self.field)
     }
 }
 
