@@ -65,7 +65,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 32] = [
+pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 33] = [
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
         Act::Redo,

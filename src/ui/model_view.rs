@@ -184,29 +184,6 @@ fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     });
     ui.end_row();
 
-    threshold_row(ui, settings);
-
-    let enabled = settings.spikes;
-    let label = ui.add_enabled(enabled, egui::Label::new(names::WIDTH));
-    ui.add_enabled(
-        enabled,
-        Slider::new(&mut settings.max_width_nm, SLIDER_WIDTHS_NM)
-            .clamping(SliderClamping::Never)
-            .custom_formatter(|v, _| ticks::short(v))
-            .suffix(" nm"),
-    )
-    .labelled_by(label.id)
-    .on_hover_text(format!(
-        "Full width at half maximum of the widest line that may become a spike, nm. {} to {} can \
-         be typed.",
-        WIDTHS_NM.start(),
-        WIDTHS_NM.end()
-    ));
-    ui.end_row();
-}
-
-/// How little light still counts as a line, in the detector's own measure.
-fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
     let enabled = settings.spikes;
     if settings.detector == Detector::Gradient {
         let label = ui.add_enabled(enabled, egui::Label::new("Slope"));
@@ -237,6 +214,23 @@ fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
             THRESHOLDS_PERCENT.end()
         ));
     }
+    ui.end_row();
+
+    let label = ui.add_enabled(enabled, egui::Label::new(names::WIDTH));
+    ui.add_enabled(
+        enabled,
+        Slider::new(&mut settings.max_width_nm, SLIDER_WIDTHS_NM)
+            .clamping(SliderClamping::Never)
+            .custom_formatter(|v, _| ticks::short(v))
+            .suffix(" nm"),
+    )
+    .labelled_by(label.id)
+    .on_hover_text(format!(
+        "Full width at half maximum of the widest line that may become a spike, nm. {} to {} can \
+         be typed.",
+        WIDTHS_NM.start(),
+        WIDTHS_NM.end()
+    ));
     ui.end_row();
 }
 

@@ -105,6 +105,7 @@ fn setting_of(place: &Place) -> Place {
         "preferences" if is(3, "selection") => 4,
         "preferences" if is(2, "lessons_finished") => 3,
         "preferences" if is(4, "hidden") => 5,
+        "preferences" if is(4, "lines") => place.len().min(6),
         "preferences"
             if is(2, "kept")
                 || ["given", "second", "lines", "pixel", "xy"]

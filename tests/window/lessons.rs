@@ -168,15 +168,27 @@ fn a_ring_is_drawn_around_everything_that_a_step_points_at() {
             let Some(point) = &step.point else { continue };
             let what = format!("{}, step {}: {point:?}", lesson.name, index + 1);
             begun(&mut ui, lesson, index);
-            let memory = &ui.state().preferences.pages;
-            let around = match point.aim(app(&ui), memory).expect(&what) {
-                Aim::Named(name) => place(&ui, &name).unwrap_or_else(|| panic!("{what}")),
-                Aim::Nm(nm) => {
-                    let plot = ui.state().look.spectrum.transform.expect("a plot");
-                    let x = plot.position_from_point_x(nm);
-                    Rect::from_x_y_ranges(x - 2.0..=x + 2.0, plot.frame().y_range())
+            let aimed = |ui: &Ui| {
+                let memory = &ui.state().preferences.pages;
+                match point.aim(app(ui), memory).expect(&what) {
+                    Aim::Named(name) => place(ui, &name).unwrap_or_else(|| panic!("{what}")),
+                    Aim::Nm(nm) => {
+                        let plot = ui.state().look.spectrum.transform.expect("a plot");
+                        let x = plot.position_from_point_x(nm);
+                        Rect::from_x_y_ranges(x - 2.0..=x + 2.0, plot.frame().y_range())
+                    }
                 }
             };
+            // A page that computes moves for a few frames, and the ring with it.
+            let mut around = aimed(&ui);
+            for _ in 0..200 {
+                if is_ringed(&ui, around) {
+                    break;
+                }
+                std::thread::sleep(std::time::Duration::from_millis(10));
+                ui.step();
+                around = aimed(&ui);
+            }
             assert!(screen.contains_rect(around), "{what} is at {around:?}");
             assert!(is_ringed(&ui, around), "{what} has no ring");
             let spoken = place(&ui, &format!("Here: {}", point.label));

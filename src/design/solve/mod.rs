@@ -7,6 +7,7 @@
 //! polytope  all mixtures of a colour
 //! climb     the best by a figure that is no sum
 //! solution  weights for a wish
+//! best      the best by figures of samples, the fewest channels
 //! against   what efficacy is traded for
 //! front     the trade between efficacy and colour rendering with free lines
 //! light     a light of lines; all lights of two
@@ -18,6 +19,7 @@
 //! ```
 
 mod against;
+mod best;
 mod climb;
 mod figures;
 mod front;

@@ -260,7 +260,9 @@ fn unit_of_values(kind: Kind, known: Known, title: &str, heading: &Heading) -> S
     if kind == Kind::Absorbance {
         return String::new();
     }
-    known.unit.unwrap_or_else(|| {
+    // What a factor is counted in says nothing of what is taken for something else.
+    let unit = known.unit.filter(|unit| unit != "fraction");
+    unit.unwrap_or_else(|| {
         let of_title = meaning::unit_of_title(title).map(str::to_owned);
         of_title.unwrap_or_else(|| heading.unit.clone())
     })

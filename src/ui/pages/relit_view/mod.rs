@@ -102,7 +102,8 @@ impl RelitView {
             ui.allocate_ui(left, |ui| {
                 ui.vertical(|ui| self.picture(ui, context, (&fit.0, &turned.0), left));
             });
-            let right = vec2(beside, room.y);
+            // Lines below the picture may have taken a little of it.
+            let right = vec2(beside.min(ui.available_width()), room.y);
             ui.allocate_ui(right, |ui| {
                 ui.vertical(|ui| self.side(ui, context, &shown, right));
             });
