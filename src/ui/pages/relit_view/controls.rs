@@ -1,7 +1,7 @@
 //! Which picture, what lit it, what shines on it now, how many numbers, and saving.
 
 use eframe::egui;
-use egui::{RichText, Ui};
+use egui::{Button, RichText, TextWrapMode, Ui, containers::menu::MenuButton};
 
 use crate::{
     app::{
@@ -246,35 +246,35 @@ pub fn numbers(
 pub fn save(ui: &mut Ui, shown: &RelitShown) -> Option<PictureWish> {
     let ready = shown.turned.as_ref().zip(shown.stored.as_ref());
     let mut wish = None;
-    ui.add_enabled_ui(ready.is_some(), |ui| {
-        let menu = ui.menu_button(names::SAVE, |ui| {
-            let Some(((fit, _), stored)) = ready else {
-                return;
-            };
-            for form in Form::ALL {
-                let bytes = match form {
-                    Form::Full => stored.0.bytes.full,
-                    Form::Compact => stored.0.bytes.compact,
-                };
-                let words = format!(
-                    "As .{} ({})",
-                    form.ending(),
-                    crate::app::relit::bytes_words(bytes.unwrap_or(0))
-                );
-                let button = ui.button(RichText::new(words));
-                if button.on_hover_text(form.meaning()).clicked() {
-                    wish = Some(PictureWish {
-                        fit: fit.clone(),
-                        stored: stored.clone(),
-                        form,
-                    });
-                    ui.close();
-                }
-            }
-        });
-        menu.response
-            .on_hover_text("Saves the picture in few numbers.")
+    // It goes to the next row whole rather than into what is left of this one.
+    let button = Button::new(names::SAVE).wrap_mode(TextWrapMode::Extend);
+    let Some(((fit, _), stored)) = ready else {
+        ui.add_enabled(false, button)
             .on_disabled_hover_text("Its bytes are being measured.");
+        return wish;
+    };
+    let (menu, _) = MenuButton::from_button(button).ui(ui, |ui| {
+        for form in Form::ALL {
+            let bytes = match form {
+                Form::Full => stored.0.bytes.full,
+                Form::Compact => stored.0.bytes.compact,
+            };
+            let words = format!(
+                "As .{} ({})",
+                form.ending(),
+                crate::app::relit::bytes_words(bytes.unwrap_or(0))
+            );
+            let button = ui.button(RichText::new(words));
+            if button.on_hover_text(form.meaning()).clicked() {
+                wish = Some(PictureWish {
+                    fit: fit.clone(),
+                    stored: stored.clone(),
+                    form,
+                });
+                ui.close();
+            }
+        }
     });
+    menu.on_hover_text("Saves the picture in few numbers.");
     wish
 }
