@@ -1,15 +1,12 @@
 //! The mixtures that are best by figures of samples, and the fewest channels that do.
 
 use super::{
-    climb::{Place, Worth, climbed, worth},
+    climb::{MOST_LOOKS, Place, Worth, climbed, worth},
     polytope::Polytope,
     solution::Mixer,
     wish::{Favour, Wish},
 };
 use crate::design::scales::{BASIC, Scales, Sums};
-
-/// Mixtures looked at for a figure of samples: some 4 ms of Rf.
-pub(super) const MOST_LOOKS: usize = 240;
 
 /// Sets of channels that are looked through for the fewest.
 const MOST_SETS: usize = 4000;

@@ -9,6 +9,9 @@
 use super::wish::{Favour, Floors};
 use crate::design::scales::{Scales, Sums};
 
+/// Mixtures looked at for a figure of samples: some 4 ms of Rf.
+pub(super) const MOST_LOOKS: usize = 240;
+
 /// A step this small is none.
 const SMALLEST_STEP: f64 = 1e-4;
 

@@ -1,7 +1,7 @@
 //! Weights of channels for a wish.
 
 use super::{
-    best::MOST_LOOKS,
+    climb::MOST_LOOKS,
     figures::MixFigures,
     polytope::Polytope,
     wish::{Favour, Floors, Wish},
