@@ -8,7 +8,7 @@ use super::{
     state::App,
     ticks::short,
 };
-use crate::spectrum::Kind;
+use crate::{io::Choices, spectrum::Kind};
 
 /// Two lines: `report` with the model's settings, and `render` with page, size in points and theme.
 ///
@@ -25,13 +25,29 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
         return Err("The command line has no detector by steepness.".to_owned());
     }
     let subject = document.subject_entry();
-    let mut about = word_of(subject)?;
+    let mut about = words_of(subject)?;
     if subject.kind() != Kind::Light {
-        about += &format!(" --light {}", word_of(&document.light)?);
+        let light = words_of(&document.light)?;
+        if light.contains(" --spectrum ") {
+            return Err("The command line takes a light from a file of its own only.".to_owned());
+        }
+        about += &format!(" --light {light}");
     }
-    // A composite as it is has its own series, range and lines.
+    // A composite as it is has its own series, range and lines; any option would analyse it.
     let (report, render) = match document.as_given() {
-        Some(_) => (String::new(), String::new()),
+        Some(composite) => {
+            let plain = settings.with_model_of(Settings::plain());
+            if settings != plain.of_composite(composite)
+                || plain.observer != Settings::plain().observer
+                || plain.sampling != Settings::plain().sampling
+            {
+                return Err(
+                    "A composite as it is takes no options: save the project and name its file."
+                        .to_owned(),
+                );
+            }
+            (String::new(), String::new())
+        }
         None => (
             options(settings, Settings::plain()),
             options(settings, Settings::default()),
@@ -46,27 +62,32 @@ pub fn command_lines(app: &App, page: Page, size: [u32; 2], dark: bool) -> Resul
     ))
 }
 
-/// What finds an entry again on the command line.
-fn word_of(entry: &Entry) -> Result<String, String> {
-    let word = match &entry.origin {
-        Origin::Preset(_) => Some(entry.key.clone()),
-        Origin::File(from) => {
-            let path = from.reading.file.path.as_ref();
-            let path = path.map(|path| path.display().to_string());
-            path.map(|path| match from.reading.spectra {
-                1 => path,
-                _ => format!("{path} --spectrum {}", from.index + 1),
-            })
-        }
-        Origin::Made(_) | Origin::Numbers => None,
-    };
-    let word = word.ok_or_else(|| {
+/// What finds an entry again on the command line: its word, and which spectrum of a file it is.
+fn words_of(entry: &Entry) -> Result<String, String> {
+    let in_no_file = || {
         format!(
             "{} is in no file: save it, or the project, and name that file.",
             entry.name()
         )
-    })?;
-    Ok(quoted(&word))
+    };
+    let from = match &entry.origin {
+        Origin::Preset(_) => return Ok(quoted(&entry.key)),
+        Origin::File(from) => from,
+        Origin::Made(_) | Origin::Numbers => return Err(in_no_file()),
+    };
+    let file = &from.reading.file;
+    if from.reading.choices != Choices::default() {
+        return Err(format!(
+            "How {} is read was decided by hand: save the project and name its file.",
+            file.name
+        ));
+    }
+    let path = file.path.as_ref().ok_or_else(in_no_file)?;
+    let path = quoted(&path.display().to_string());
+    Ok(match from.reading.spectra {
+        1 => path,
+        _ => format!("{path} --spectrum {}", from.index + 1),
+    })
 }
 
 /// Between quotation marks where a shell would part it.
@@ -139,7 +160,10 @@ mod tests {
 
     use super::*;
     use crate::{
-        app::{Command, open::resolve},
+        app::{
+            Command,
+            open::{Loaded, load_path_as, resolve},
+        },
         spectrum::{Basis, NamedSpectrum},
     };
 
@@ -191,7 +215,43 @@ mod tests {
             told.starts_with("spectral-explorer report paper/Mercury\n"),
             "{told}"
         );
+        let order = Settings {
+            order: 3,
+            ..app.document().settings
+        };
+        app.apply(Command::Edit(order));
+        assert!(lines(&app).is_err_and(|why| why.contains("takes no options")));
         app.apply(Command::Adopt(vec![numbers]));
         assert!(lines(&app).is_err_and(|why| why.contains("in no file")));
+    }
+
+    #[test]
+    fn one_of_several_in_a_file_is_named_behind_the_quoted_path_and_other_readings_are_said() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("two of them.csv");
+        let rows: String = (0..9)
+            .map(|i| format!("{},1,{i}\n", 400 + 40 * i))
+            .collect();
+        std::fs::write(&path, format!("nm,a,b\n{rows}")).expect("written");
+        let shown = |choices: &Choices| {
+            let mut app = App::new();
+            let Loaded::File(opened) = load_path_as(&path, choices) else {
+                panic!("spectra");
+            };
+            app.apply(Command::Open(vec![*opened]));
+            lines(&app)
+        };
+        let told = shown(&Choices {
+            kind: None,
+            ..Choices::default()
+        })
+        .expect("in a file");
+        let start = format!("spectral-explorer report '{}' --spectrum ", path.display());
+        assert!(told.starts_with(&start), "{told}");
+        let by_hand = Choices {
+            kind: Some(Kind::Light),
+            ..Choices::default()
+        };
+        assert!(shown(&by_hand).is_err_and(|why| why.contains("by hand")));
     }
 }

@@ -160,6 +160,13 @@ pub const MOST_OWN_PATCHES: usize = 12;
 pub const MOST_OVERLAYS: usize = 100;
 
 impl Document {
+    /// What the entry of a key is called; a shipped one's name is the last part of its key.
+    pub fn name_of(&self, key: &str) -> String {
+        let own = self.own.iter().find(|entry| entry.key == key);
+        let last = || key.rsplit('/').next().unwrap_or(key);
+        own.map_or_else(last, |entry| entry.name()).to_owned()
+    }
+
     /// What is said of overlays beyond the most there may be.
     pub fn overlays_left_out(count: usize) -> String {
         let are = if count == 1 { "is" } else { "are" };

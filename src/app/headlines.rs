@@ -34,6 +34,13 @@ pub fn dark_lines(app: &App, dips: &[DipRow]) -> String {
     let least = short(settings.threshold_percent);
     match dips.len() {
         0 => format!("{name} has no dark line that takes {least} % of its power or more."),
+        1 => format!(
+            "{name} has 1 dark line, which has {} name.",
+            match dips.iter().all(|dip| dip.name.is_some()) {
+                true => "a",
+                false => "no",
+            }
+        ),
         count => format!(
             "{name} has {}, {} of them named.",
             many(count, "dark line", "dark lines"),
@@ -83,7 +90,7 @@ pub fn narrow(behind: &Behind, figures: &Figures, filter: &Filter) -> String {
             short(*centre_nm),
             short(*width_nm)
         ),
-        Filter::Real(entry) => format!("Behind {}", entry.name()),
+        Filter::Real(entry) => format!("Behind {},", entry.name()),
     };
     let [composite, series, samples] = figures.ways.map(|way| delta_e(way.delta_e_2000));
     format!(

@@ -129,7 +129,7 @@ fn of_channels(
     });
     let lights = lights.collect::<Result<Vec<_>, _>>()?;
     let powers: Vec<f64> = channels.iter().map(|(_, power)| *power).collect();
-    light::spectrum(&lights, &powers, gels).ok_or(WhyNot::Nothing)
+    light::spectrum(&lights, &powers, gels, &|key| document.name_of(key)).ok_or(WhyNot::Nothing)
 }
 
 /// A given colour under a light, with the names of both.

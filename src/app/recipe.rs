@@ -67,6 +67,9 @@ pub enum Recipe {
     },
 }
 
+/// What the entry of a key is called.
+pub type NameOf<'a> = &'a dyn Fn(&str) -> String;
+
 /// A filter before a light.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Gel {
@@ -78,10 +81,10 @@ pub struct Gel {
 
 impl Gel {
     /// Its name and thickness: "CTO x 0.5".
-    pub fn words(&self) -> String {
-        let name = self.key.rsplit('/').next().unwrap_or(&self.key);
+    pub fn words(&self, name_of: NameOf<'_>) -> String {
+        let name = name_of(&self.key);
         match self.thickness {
-            1.0 => name.to_owned(),
+            1.0 => name,
             thickness => format!("{name} \u{d7} {thickness:.2}"),
         }
     }

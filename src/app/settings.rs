@@ -158,6 +158,29 @@ impl Settings {
         }
     }
 
+    /// These with every part of the model that differs between `was` and `moved` as moved.
+    #[must_use]
+    pub fn with_moves(self, was: Self, moved: Self) -> Self {
+        macro_rules! either {
+            ($part:ident) => {
+                if moved.$part == was.$part {
+                    self.$part
+                } else {
+                    moved.$part
+                }
+            };
+        }
+        Self {
+            basis: either!(basis),
+            order: either!(order),
+            band: either!(band),
+            spikes: either!(spikes),
+            wide_lines: either!(wide_lines),
+            colour_exact: either!(colour_exact),
+            ..self
+        }
+    }
+
     /// Whether nothing is looked for otherwise: the same range, series and lines. The order only
     /// cuts a series, and colour-exact moves what is there.
     pub fn takes_apart_as(self, other: Self) -> bool {

@@ -263,7 +263,10 @@ impl App {
                 self.document.weigh_the_papers_lamps();
             }
             Command::ClearOverlays => self.document.overlays.clear(),
-            Command::About(subject) => self.document.subject = subject,
+            Command::About(subject) => {
+                self.document.subject = subject;
+                self.document.show_as_given();
+            }
             Command::EditSpikes(edits) => self.set_edits(edits),
             Command::TakeModel { settings, edits } => {
                 self.document.settings = settings.clamped();
@@ -375,8 +378,11 @@ impl App {
         let (now, then) = (&self.document, before);
         let same_subject = now.subject_entry().key == then.subject_entry().key;
         let changed = !now.settings.takes_apart_as(then.settings) || now.edits != then.edits;
-        if same_subject && now.given.is_some() && then.given == now.given && changed {
-            self.document.given = None;
+        if same_subject && then.given == now.given && changed {
+            // What was not moved just now is as it was before the composite was shown.
+            let (moved, was) = (now.settings, then.settings);
+            self.document.analyse();
+            self.document.settings = self.document.settings.with_moves(was, moved);
         }
     }
 

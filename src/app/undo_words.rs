@@ -40,7 +40,7 @@ pub fn difference(before: &Document, after: &Document) -> String {
     if before.patch_set != after.patch_set {
         words.push("another set of surfaces".to_owned());
     } else if before.own_patches != after.own_patches {
-        words.push("surfaces of my own among the patches".to_owned());
+        words.push("own surfaces among the patches".to_owned());
     } else if before.patch != after.patch {
         words.push("a surface chosen".to_owned());
     }
@@ -56,7 +56,11 @@ pub fn difference(before: &Document, after: &Document) -> String {
     if !before.products.is_same_as(&after.products) {
         words.push("what light meets".to_owned());
     }
-    words.extend(after.mix.changed_since(&before.mix));
+    words.extend(
+        after
+            .mix
+            .changed_since(&before.mix, &|key| after.name_of(key)),
+    );
     match words.len() {
         0 => "a change".to_owned(),
         1 | 2 => words.join(", "),

@@ -19,10 +19,7 @@ use super::{
     refusal::Refusal,
 };
 use crate::{
-    app::{
-        Settings,
-        quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
-    },
+    app::quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
     study::{Progress, in_parallel, processors},
 };
 
@@ -87,7 +84,7 @@ fn sheets(
     let Some(first) = lights.first() else {
         return Vec::new();
     };
-    let settings = model.over(Settings::plain());
+    let settings = model.settings();
     let modeller = Modeller::new(first.of.light().clone(), settings);
     let make = |asked: &AskedLight| {
         let [alone, among_others] = asked.names.clone();

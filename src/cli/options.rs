@@ -125,12 +125,19 @@ pub struct ModelOptions {
     /// [default: exact].
     #[arg(long, value_name = "POINTS", value_parser = words::sampling)]
     pub sampling: Option<Sampling>,
+    /// What is not given is as the window has it.
+    #[arg(skip)]
+    pub as_window: bool,
 }
 
 impl ModelOptions {
     /// Whether any of them was given.
     pub fn is_given(&self) -> bool {
-        *self != Self::default()
+        let none = Self {
+            as_window: self.as_window,
+            ..Self::default()
+        };
+        *self != none
     }
 
     /// The options that were given and say nothing about error against numbers.
@@ -148,6 +155,7 @@ impl ModelOptions {
             range: _,
             observer: _,
             sampling,
+            as_window: _,
         } = self;
         let given = [
             ("--no-spikes", *no_spikes),
@@ -160,12 +168,18 @@ impl ModelOptions {
     /// The same, and what is not given as the window has it at the start.
     #[must_use]
     pub fn of_window(self) -> Self {
-        let usual = Settings::default();
         Self {
-            basis: Some(self.basis.unwrap_or(usual.basis)),
-            colour_exact: self.colour_exact || usual.colour_exact && !self.plain,
+            as_window: true,
             ..self
         }
+    }
+
+    /// These options over what the command has without them.
+    pub fn settings(self) -> Settings {
+        self.over(match self.as_window {
+            true => Settings::default(),
+            false => Settings::plain(),
+        })
     }
 
     /// These options over other settings.
@@ -176,13 +190,14 @@ impl ModelOptions {
             max_width,
             basis,
             colour_exact,
-            plain: _,
+            plain,
             no_spikes,
             wide_lines,
             dips,
             range,
             observer,
             sampling,
+            as_window: _,
         } = self;
         Settings {
             basis: basis.unwrap_or(settings.basis),
@@ -194,7 +209,7 @@ impl ModelOptions {
             dips: settings.dips || dips,
             detector: settings.detector,
             gradient_percent: settings.gradient_percent,
-            colour_exact: settings.colour_exact || colour_exact,
+            colour_exact: settings.colour_exact && !plain || colour_exact,
             band: range.unwrap_or(settings.band),
             observer: observer.unwrap_or(settings.observer),
             sampling: sampling.unwrap_or(settings.sampling),

@@ -60,11 +60,6 @@ pub fn run(
         Some(input) => subject::app(input, pick, model.of_window(), inputs)?,
         None => subject::first_app(pick, model.of_window())?,
     };
-    if !model.is_given() {
-        // As the window shows it: a composite as it is.
-        let subject = app.document().subject_entry().clone();
-        app.apply(Command::Show(subject));
-    }
     let memory = ImageMemory {
         selection: pick.pixels(),
         ..ImageMemory::default()

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Document, Entry, Settings,
+        App, Command, Document, Entry,
         document::Subject,
         library::Library,
         open::{self, Loaded, Wanted},
@@ -70,7 +70,7 @@ pub fn app_of(
         None => open::resolve(USUAL_LIGHT, None, None).map_err(Refusal::File)?,
     };
     let mut document = Document::about(light.clone().into());
-    document.settings = model.over(Settings::plain()).clamped();
+    document.settings = model.settings().clamped();
     let mut app = App::with_document(document);
     if !is_light {
         show(&mut app, light);
@@ -86,7 +86,10 @@ pub fn app_of(
 /// The state about a light and nothing else.
 pub fn about_light(light: Entry, model: ModelOptions) -> App {
     let mut document = Document::about(light.into());
-    document.settings = model.over(Settings::plain()).clamped();
+    document.settings = model.settings().clamped();
+    if !model.is_given() {
+        document.show_as_given();
+    }
     App::with_document(document)
 }
 
@@ -117,7 +120,7 @@ pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal
         )));
     }
     let mut app = App::new();
-    let settings = model.over(Settings::plain());
+    let settings = model.settings();
     app.apply(Command::Edit(settings));
     Ok(app)
 }
@@ -236,9 +239,13 @@ fn of_project(
     for loss in &restored.losses {
         inputs.note(format!("{input}: {loss}"));
     }
-    let mut document = restored.document;
-    document.settings = model.over(document.settings).clamped();
+    let document = restored.document;
     let mut app = App::with_document(document);
+    if model.is_given() {
+        app.apply(Command::Analyse);
+        let settings = model.over(app.document().settings);
+        app.apply(Command::Edit(settings));
+    }
     if let Some(light) = light {
         let subject = app.document().subject;
         if subject == Subject::Light {

@@ -2,6 +2,7 @@
 
 use std::{
     io::{IsTerminal, Write},
+    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
     sync::atomic::{AtomicBool, Ordering},
     thread,
     time::Duration,
@@ -37,9 +38,9 @@ pub fn watched<T>(work: impl FnOnce(&Progress) -> T) -> T {
                 told = true;
             }
         });
-        let answer = work(&progress);
+        let answer = catch_unwind(AssertUnwindSafe(|| work(&progress)));
         is_done.store(true, Ordering::Release);
         watcher.thread().unpark();
-        answer
+        answer.unwrap_or_else(|panic| resume_unwind(panic))
     })
 }

@@ -43,7 +43,9 @@ pub fn add(
     };
     let mut raw = RawSpectrum::known(found.name, nm, values, kind, &found.unit);
     raw.known.scale = match found.percent {
-        Some(true) => KnownScale::Stated(0.01),
+        // What is no share of a whole has no per cent.
+        Some(true) if found.kind.is_factor() => KnownScale::Stated(0.01),
+        Some(true) => KnownScale::Open,
         Some(false) => KnownScale::Stated(1.0),
         None => KnownScale::Open,
     };

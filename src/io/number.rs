@@ -45,7 +45,7 @@ impl Cell {
 pub const ABSURD: f64 = 1e30;
 
 /// Words that instruments and programs write where a value is missing (lower case).
-const GAP_WORDS: [&str; 20] = [
+const GAP_WORDS: [&str; 25] = [
     "nan",
     "n/a",
     "na",
@@ -65,6 +65,11 @@ const GAP_WORDS: [&str; 20] = [
     "1.#qnan",
     "1.#inf",
     "#div/0!",
+    "#name?",
+    "#null!",
+    "#num!",
+    "#ref!",
+    "#value!",
     "missing",
 ];
 

@@ -286,9 +286,10 @@ fn comment(content: &str) -> Option<&str> {
     (!starts_row).then(|| body.trim_start_matches(['#', '/', '%', ';']).trim_ascii())
 }
 
-/// A line without the comment behind it: `380,1 # at noon`.
+/// A line without the comment behind it: `380,1 # at noon`. A mark with a word close behind it may
+/// be a cell: `#1`, `#VALUE!`.
 fn before_comment(line: &str) -> Option<&str> {
-    let at = [" #", "\t#", " //", "\t//"]
+    let at = [" # ", "\t# ", " //", "\t//"]
         .iter()
         .filter_map(|mark| line.find(mark))
         .min()?;
@@ -377,6 +378,18 @@ mod tests {
         assert_eq!(found[0].values[2], [2.0, 3.0, 4.0, 5.0, 6.0]);
         let bad: Vec<&str> = found[0].bad.iter().map(|bad| &*bad.text).collect();
         assert_eq!(bad, ["leaf #1"]);
+    }
+
+    #[test]
+    fn a_cell_that_begins_with_the_mark_of_a_comment_stays_with_those_behind_it() {
+        let found = blocks("380,0.1,2 #VALUE! ,3\n385,0.2, #VALUE!,4\n390,0.3,3,5\n395,0.4,4,6\n");
+        let last = found.last().expect("a table");
+        assert_eq!((last.columns.len(), last.values[3].last()), (4, Some(&6.0)));
+        let found = blocks("380,0.1,1\n385,0.2, #REF!,4\n390,0.3,3\n");
+        assert!(found.iter().all(|block| block.columns.len() >= 3));
+        let samples = "380,0.1, #1\n380,0.5, #2\n385,0.1, #1\n385,0.6, #2\n390,0.2, #1\n";
+        let found = blocks(samples);
+        assert_eq!((found.len(), found[0].columns.len()), (1, 3));
     }
 
     #[test]

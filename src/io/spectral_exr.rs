@@ -250,6 +250,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                     kind,
                     unit: String::new(),
                     scale: 1.0,
+                    bandwidth_nm: None,
                     cube,
                     notes,
                     source: input.name.clone(),

@@ -252,7 +252,16 @@ impl<'a> Block<'a> {
         self.lines.push(kept_line(line));
         let columns = self.columns.iter_mut().zip(&mut self.values);
         for (column, (stats, values)) in columns.enumerate() {
-            let kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
+            let mut kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
+            if let Cell::WithUnit(_) = kind {
+                let unit = cells.get(column).and_then(|cell| number::unit_behind(cell));
+                match (&stats.unit, unit) {
+                    (None, unit) => stats.unit = unit.map(str::to_owned),
+                    // Not the column's unit: its number counts something else.
+                    (Some(own), Some(unit)) if own != unit => kind = Cell::Text,
+                    _ => {}
+                }
+            }
             let value = match kind {
                 Cell::Number(v) => v,
                 Cell::Percent(v) => {
@@ -263,11 +272,7 @@ impl<'a> Block<'a> {
                     stats.nanometres += 1;
                     v
                 }
-                Cell::WithUnit(v) => {
-                    let unit = cells.get(column).and_then(|cell| number::unit_behind(cell));
-                    stats.unit = stats.unit.take().or(unit.map(str::to_owned));
-                    v
-                }
+                Cell::WithUnit(v) => v,
                 Cell::Empty | Cell::Gap => f64::NAN,
                 Cell::Text => {
                     stats.texts += 1;

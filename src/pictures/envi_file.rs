@@ -17,20 +17,6 @@ const ABSURD: f64 = 1e30;
 /// Numbers that decide kind and scale.
 const LOOKED_AT: usize = 400;
 
-/// The median width of a band, nm: "fwhm" in the unit of the wavelengths, where these are so many
-/// times nm; wave numbers are not.
-fn bandwidth_nm(header: &Header, nm: &[f64], stored: &[usize]) -> Option<f64> {
-    let written = header.numbers("wavelength").ok()?;
-    let mut widths = header.numbers("fwhm").ok()?;
-    let times = |at: usize| Some(nm.get(at)? / written.get(*stored.get(at)?)?);
-    let (first, last) = (times(0)?, times(nm.len().checked_sub(1)?)?);
-    if widths.is_empty() || (first / last - 1.0).abs() > 1e-6 {
-        return None;
-    }
-    let middle = widths.len() / 2;
-    Some(first * *widths.select_nth_unstable_by(middle, f64::total_cmp).1)
-}
-
 /// An ENVI cube whose pixels stay on disk.
 #[derive(Debug)]
 pub struct EnviFile {
@@ -97,7 +83,7 @@ impl EnviFile {
         let (known, _) = meaning::values(&opened.header, &name, &sample).map_err(trouble)?;
         let meant = Meant::of(known, OfOne::default(), || sample);
         let kept = KeptBands::of_file(&nm, &gone, all);
-        let width = bandwidth_nm(&opened.header, &nm, &stored);
+        let width = meaning::bandwidth_nm(&opened.header, &nm, &stored);
         opened.bands = kept.bands(meant.kind.value)?.with_bandwidth(width);
         opened.of = kept
             .of

@@ -146,6 +146,7 @@ impl<'a> OfImage<'a> {
             .collect();
         let kept = KeptBands::of_file(cube.nm(), &missing, all);
         let bands = kept.bands(image.kind)?;
+        let bands = bands.with_bandwidth(image.bandwidth_nm);
         Ok(Self { image, kept, bands })
     }
 

@@ -19,6 +19,8 @@ pub struct SpectralImage {
     pub scale: f64,
     /// The image in the file's own numbers.
     pub cube: Cube,
+    /// Width of a band at half of its height, nm, where the file has one.
+    pub bandwidth_nm: Option<f64>,
     /// How it was read and what is odd about it, a sentence each.
     pub notes: Vec<String>,
     /// Where it comes from; empty when unknown.

@@ -145,7 +145,7 @@ pub struct Course {
 pub struct Run {
     /// Numbers it took, at most the budget.
     pub numbers: usize,
-    /// Spikes among them (two numbers each).
+    /// Spikes among them (two numbers each; a line with a width of its own three, where it is counted).
     pub spikes: usize,
     /// Its errors.
     pub verdict: Verdict,

@@ -371,7 +371,7 @@ fn looks(ui: &mut Ui, preferences: &Preferences, room: Room, wishes: &mut Vec<Wi
         };
         wish(ui, "Shortcuts (Shift+F1)", Wish::Act(Act::Shortcuts));
         wish(ui, "Find anything… (Ctrl+K)", Wish::Act(Act::Palette));
-        wish(ui, "Three ways to begin", Wish::Act(Act::Greeting));
+        wish(ui, "The ways to begin", Wish::Act(Act::Greeting));
         wish(ui, "About and licences", Wish::About);
         ui.separator();
         wish(ui, "Larger (Ctrl++)", Wish::Act(Act::ZoomIn));

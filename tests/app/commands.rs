@@ -1270,6 +1270,30 @@ fn a_composite_is_analysed_on_request_and_its_tables_end_is_no_line() {
         app.document().as_given().is_none(),
         "another threshold asks for an analysis"
     );
+    // Only what was moved is as it was moved; the next light has the knobs of before.
+    let usual = Settings::default();
+    assert_eq!(
+        app.document().settings,
+        Settings {
+            threshold_percent: 2.0,
+            ..usual
+        }
+    );
+    app.apply(Command::Show(preset(&app, "CIE D65")));
+    assert_eq!(app.document().settings.basis, usual.basis);
+}
+
+#[test]
+fn a_surface_under_a_composite_has_the_knobs_of_before_it() {
+    let mut app = plain();
+    let usual = app.document().settings;
+    app.apply(Command::Show(preset(&app, "colorchecker_ohta/red")));
+    app.apply(Command::Show(preset(&app, "paper/Mercury")));
+    assert!(app.document().as_given().is_some());
+    app.apply(Command::About(Subject::Factor));
+    assert_eq!(app.document().settings, usual);
+    app.apply(Command::About(Subject::Light));
+    assert!(app.document().as_given().is_some());
 }
 
 #[test]

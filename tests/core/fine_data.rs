@@ -222,6 +222,7 @@ fn image(kind: Kind) -> SpectralImage {
         kind,
         unit: String::new(),
         scale: 1.0,
+        bandwidth_nm: None,
         cube: Cube::new(1, 1, &bands, layout, Arc::new(vec![0; 8])).expect("a sound cube"),
         notes: Vec::new(),
         source: String::new(),

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use spectral_explorer::color::Observer;
+use spectral_explorer::io::read_path;
 use spectral_explorer::pictures::*;
 use spectral_explorer::spectrum::Kind;
 use spectral_explorer::study::Progress;
@@ -285,6 +286,10 @@ fn a_file_on_disk_gives_the_same_pixels_in_every_interleave() {
         let read = InMemory::of(&file).unwrap();
         assert_eq!((file.size(), file.bands().len()), ((70, 40), 31));
         assert_eq!(file.bands().bandwidth_nm(), Some(12.5));
+        // The window holds the whole image: lines are looked for as wide in it.
+        let reading = read_path(&folder.path().join(format!("{interleave}.hdr"))).unwrap();
+        let image = OfImage::new(&reading.images[0], false).unwrap();
+        assert_eq!(image.bands().bandwidth_nm(), Some(12.5));
         let missing: Vec<usize> = (0..read.values().len())
             .filter(|i| read.values()[*i].is_nan())
             .collect();

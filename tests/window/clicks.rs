@@ -23,7 +23,7 @@ impl Person {
         Self { ui, acts: 0 }
     }
 
-    /// Leaves the three ways to begin.
+    /// Leaves the ways to begin.
     fn escapes(&mut self) {
         self.ui.key_press(egui::Key::Escape);
         self.ui.run();

@@ -65,6 +65,7 @@ fn image(
         kind,
         unit: String::new(),
         scale: 0.5,
+        bandwidth_nm: None,
         cube,
         notes: vec!["made by a test".to_owned()],
         source: "scene.img".to_owned(),

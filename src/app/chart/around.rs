@@ -15,7 +15,7 @@ use super::{
 impl Drawing<'_> {
     /// What a series looks like, and its name.
     pub(super) fn legend_entry(&self, out: &mut Vec<Primitive>, series: &Series, field: Field) {
-        let (looks, colour) = (self.looks, series.colour);
+        let (looks, colour) = (self.looks, self.palette().legible(series.colour));
         let length = SAMPLE * looks.scale;
         let middle = [field.left + length / 2.0, field.top + field.height / 2.0];
         let [x, y] = middle;

@@ -45,7 +45,21 @@ impl Palette {
             },
         }
     }
+
+    /// A sample's colour on the paper: black or white ink that would be lost there takes the text's.
+    pub fn legible(&self, ink: Rgb) -> Rgb {
+        let parts = ink.iter().zip(self.paper);
+        let farthest = parts.map(|(one, other)| one.abs_diff(other)).max();
+        if farthest < Some(LOST) {
+            self.text
+        } else {
+            ink
+        }
+    }
 }
+
+/// An ink all of whose parts are nearer to the paper than this is not seen on it.
+const LOST: u8 = 40;
 
 /// Line colours that colour-blind eyes tell apart, after Okabe and Ito (2008), tuned for a ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,6 +113,30 @@ impl Inks {
         match theme {
             Theme::Dark => Self::DARK,
             Theme::Light => Self::LIGHT,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_ink_is_seen_on_the_paper_of_its_theme_and_a_seen_one_is_left_as_it_is() {
+        for theme in [Theme::Dark, Theme::Light] {
+            let palette = Palette::of(theme);
+            for ink in [[0; 3], [255; 3], palette.paper] {
+                let drawn = palette.legible(ink);
+                assert!(
+                    drawn[0].abs_diff(palette.paper[0]) >= LOST,
+                    "{ink:?} as {drawn:?} on {:?}",
+                    palette.paper
+                );
+            }
+            let inks = Inks::of(theme);
+            for ink in [inks.measured, inks.smooth, inks.spikes, inks.residual] {
+                assert_eq!(palette.legible(ink), ink);
+            }
         }
     }
 }

@@ -95,7 +95,7 @@ fn lines_panel(light: &LineLight, theme: Theme) -> Panel {
         series.push(Series::new("", colour, stem));
     }
     Panel {
-        y_label: "Light of lines".to_owned(),
+        y_label: "Light of lines, power a nm".to_owned(),
         y_range: None,
         series,
     }

@@ -12,6 +12,7 @@ use crate::{
         studies::ManyAsk,
         ticks::short,
     },
+    io::many,
     spectrum::basis::numbers_of_order,
     study::{ManyLights, Measure, Way, many::SweptLight},
 };
@@ -66,7 +67,7 @@ impl Wanted {
 pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
     let total = many.lights.len();
     let percent = short(100.0 * wanted.share);
-    let lights = format!("{percent} % of {total} lights");
+    let lights = format!("{percent} % of {}", many::many(total, "light", "lights"));
     let ways = [wanted.with_spikes(true), wanted.with_spikes(false)];
     let words = |(order, count): (usize, usize)| {
         format!(

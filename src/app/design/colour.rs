@@ -289,7 +289,7 @@ impl ColourSheet {
 /// A given colour under a light, with the light's name.
 fn asked(given: &Given, key: &str, document: &Document) -> Result<(String, Asked), String> {
     let light = table_of(document, key).ok_or_else(|| missing(key))?;
-    let name = key.rsplit('/').next().unwrap_or_default().to_owned();
+    let name = document.name_of(key);
     let surface = surface_of(given, document)?;
     let measured = surface.as_ref().map(|entry| &entry.spectrum.samples);
     match Asked::new(given, &light, measured) {

@@ -69,7 +69,12 @@ impl Desk {
         let strips: Vec<Strip> = mix
             .channels
             .iter()
-            .map(|channel| Strip::of(channel.title(), strip(&channel.source)))
+            .map(|channel| {
+                Strip::of(
+                    channel.title(&|key| document.name_of(key)),
+                    strip(&channel.source),
+                )
+            })
             .collect();
         let mut desk = Self {
             mix,

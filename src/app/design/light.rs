@@ -7,7 +7,7 @@ use crate::{
         design::mix::title,
         entry::Entry,
         products::Link,
-        recipe::{Gel, Times},
+        recipe::{Gel, NameOf, Times},
     },
     color::xyz::{FIRST_NM, LAST_NM},
     design::mixture::{Channel, MixError, Source, Spec, mixed},
@@ -53,7 +53,12 @@ pub fn gels_on_nm(gels: &[Gel], find: impl Fn(&str) -> Option<Arc<Entry>>) -> Op
 }
 
 /// The mixture as a light on whole nm 360-830; `None` where nothing shines.
-pub fn spectrum(channels: &[Channel], powers: &[f64], gels: &[Gel]) -> Option<NamedSpectrum> {
+pub fn spectrum(
+    channels: &[Channel],
+    powers: &[f64],
+    gels: &[Gel],
+    name_of: NameOf<'_>,
+) -> Option<NamedSpectrum> {
     let values = mixed(channels, powers);
     let both = channels.iter().zip(powers);
     let shine: Vec<(&Channel, f64)> = both.map(|(c, power)| (c, power * c.power())).collect();
@@ -62,14 +67,16 @@ pub fn spectrum(channels: &[Channel], powers: &[f64], gels: &[Gel]) -> Option<Na
     let parts: Vec<String> = shine
         .iter()
         .filter(|(_, power)| *power > 0.0)
-        .map(|(channel, power)| format!("{} {}", title(&channel.spec.source), share(power)))
+        .map(|(channel, power)| {
+            format!("{} {}", title(&channel.spec.source, name_of), share(power))
+        })
         .collect();
     let name = match &parts[..] {
         [] => return None,
         [one] => format!("Mixture of {one}"),
         many => format!("Mixture of {} channels", many.len()),
     };
-    let behind: Vec<String> = gels.iter().map(Gel::words).collect();
+    let behind: Vec<String> = gels.iter().map(|gel| gel.words(name_of)).collect();
     let behind = match &behind[..] {
         [] => String::new(),
         gels => format!(" behind {}", gels.join(" and ")),

@@ -3,7 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    app::{products::THICKNESSES, recipe::Gel, ticks::short},
+    app::{
+        products::THICKNESSES,
+        recipe::{Gel, NameOf},
+        ticks::short,
+    },
     design::mixture::Source,
 };
 
@@ -54,19 +58,19 @@ impl MixChannel {
     }
 
     /// What it is, in words.
-    pub fn title(&self) -> String {
-        title(&self.source)
+    pub fn title(&self, name_of: NameOf<'_>) -> String {
+        title(&self.source, name_of)
     }
 }
 
-/// What a channel is made of, in words; of a light of the library the last part of its key.
-pub fn title(source: &Source) -> String {
+/// What a channel is made of, in words; of a light of the library its name.
+pub fn title(source: &Source, name_of: NameOf<'_>) -> String {
     match source {
         Source::Line { at_nm } => format!("line {} nm", short(*at_nm)),
         Source::Gauss { centre_nm, .. } => format!("LED {} nm", short(*centre_nm)),
         Source::Blackbody { kelvin } => format!("blackbody {kelvin:.0} K"),
         Source::Daylight { kelvin } => format!("daylight {kelvin:.0} K"),
-        Source::Named(key) => key.rsplit('/').next().unwrap_or(key).to_owned(),
+        Source::Named(key) => name_of(key),
     }
 }
 
@@ -204,13 +208,13 @@ impl Mix {
     }
 
     /// What changed, in words; `None` for nothing.
-    pub fn changed_since(&self, before: &Self) -> Option<String> {
+    pub fn changed_since(&self, before: &Self, name_of: NameOf<'_>) -> Option<String> {
         if self == before {
             return None;
         }
         let (is, was) = (&self.channels, &before.channels);
         if self.gels != before.gels {
-            return Some(self.changed_gel(before));
+            return Some(self.changed_gel(before, name_of));
         }
         if is.len() != was.len() {
             let more = if is.len() > was.len() {
@@ -229,9 +233,9 @@ impl Mix {
                 false => "faders of the mixture".to_owned(),
             });
         };
-        let name = now.title();
+        let name = now.title(name_of);
         Some(if now.source != then.source {
-            format!("{} to {name}", then.title())
+            format!("{} to {name}", then.title(name_of))
         } else if now.level != then.level {
             format!("fader of {name} to {:.0} %", now.level)
         } else if now.group != then.group {
@@ -247,15 +251,15 @@ impl Mix {
 
 impl Mix {
     /// What changed of the gels, in words.
-    fn changed_gel(&self, before: &Self) -> String {
+    fn changed_gel(&self, before: &Self, name_of: NameOf<'_>) -> String {
         let (is, was) = (&self.gels, &before.gels);
         let new = is.iter().find(|gel| !was.iter().any(|b| b.key == gel.key));
         let gone = was.iter().find(|gel| !is.iter().any(|b| b.key == gel.key));
         let other = is.iter().zip(was).find(|(a, b)| a != b);
         match (new, gone, other) {
-            (Some(gel), _, _) => format!("gel {} put on", gel.words()),
-            (None, Some(gel), _) => format!("gel {} taken off", gel.words()),
-            (None, None, Some((gel, _))) => format!("gel {}", gel.words()),
+            (Some(gel), _, _) => format!("gel {} put on", gel.words(name_of)),
+            (None, Some(gel), _) => format!("gel {} taken off", gel.words(name_of)),
+            (None, None, Some((gel, _))) => format!("gel {}", gel.words(name_of)),
             (None, None, None) => "gels of the mixture".to_owned(),
         }
     }
@@ -328,7 +332,7 @@ mod tests {
         let moved = mix.clone().group_dimmed(1, 37.5);
         let levels: Vec<f64> = moved.channels.iter().map(|c| c.level).collect();
         assert_eq!(levels, [12.0, 37.5, 40.0, 100.0]);
-        let words = moved.changed_since(&mix);
+        let words = moved.changed_since(&mix, &str::to_owned);
         assert_eq!(words.as_deref(), Some("fader of group 1"));
         // A group that is all the way down stays there: its shares are lost.
         mix.channels[0].level = 0.0;
@@ -348,10 +352,16 @@ mod tests {
             ..Mix::first()
         };
         let (one, thick) = (with(&[gel(1.0)]), with(&[gel(2.0)]));
-        let told = |now: &Mix, before: &Mix| now.changed_since(before).unwrap_or_default();
-        assert_eq!(told(&one, &bare), "gel 7 put on");
-        assert_eq!(told(&thick, &one), "gel 7 \u{d7} 2.00");
-        assert_eq!(told(&bare, &thick), "gel 7 \u{d7} 2.00 taken off");
+        let told = |now: &Mix, before: &Mix| {
+            let name_of = |key: &str| format!("steel blue of {key}");
+            now.changed_since(before, &name_of).unwrap_or_default()
+        };
+        assert_eq!(told(&one, &bare), "gel steel blue of own/7 put on");
+        assert_eq!(told(&thick, &one), "gel steel blue of own/7 \u{d7} 2.00");
+        assert_eq!(
+            told(&bare, &thick),
+            "gel steel blue of own/7 \u{d7} 2.00 taken off"
+        );
         let twice = with(&[gel(1.0), gel(1.0)]);
         assert_eq!(told(&twice, &one), "gels of the mixture");
         let mut mix = one.clone();

@@ -122,9 +122,9 @@ impl MixWish {
     }
 
     /// The colour in words.
-    pub fn colour_words(&self) -> String {
+    pub fn colour_words(&self, document: &Document) -> String {
         match (&self.light, self.xy) {
-            (Some(key), _) => key.rsplit('/').next().unwrap_or(key).to_owned(),
+            (Some(key), _) => document.name_of(key),
             (None, Some([x, y])) => format!("x {x:.4}, y {y:.4}"),
             (None, None) if self.duv == 0.0 => format!("{:.0} K", self.kelvin),
             (None, None) => format!("{:.0} K, Duv {:+.4}", self.kelvin, self.duv),
@@ -182,14 +182,13 @@ impl Solved {
             target_uv: target.uv(),
             mix: desk.mix.clone().at_powers(&powers).clamped(),
             reached: solution.reached,
-            sentence: told(wish, &solution),
+            sentence: told(&wish.colour_words(document), &solution),
         })
     }
 }
 
-fn told(wish: &MixWish, solution: &Solution) -> String {
+fn told(asked: &str, solution: &Solution) -> String {
     let found = words(&solution.figures, None);
-    let asked = wish.colour_words();
     match (solution.reached, solution.delta_uv_to_target) {
         (true, _) => format!("These channels can make the colour of {asked} exactly. {found}"),
         (false, Some(off)) if off < 1e-6 => {
@@ -276,7 +275,7 @@ mod tests {
             ..MixWish::default()
         };
         let light = light.clamped();
-        assert_eq!(light.colour_words(), "CIE A");
+        assert_eq!(light.colour_words(app.document()), "CIE A");
         let of_light = light.target(app.document()).expect("a white");
         assert!((of_light.xy()[0] - 0.4476).abs() < 1e-3);
         assert_eq!(light.xy, Some([1.0 / 3.0, 0.3]));

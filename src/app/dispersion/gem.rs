@@ -351,7 +351,10 @@ pub fn facts_of(film: &GemFilm, light: &Light) -> Vec<String> {
         ));
     }
     if film.film.studio().absorption().is_floored() {
-        facts.push("What the filter lets less than a millionth of through counts as that.".into());
+        facts.push(
+            "Where the filter lets less than a millionth through, a millionth is reckoned with."
+                .into(),
+        );
     }
     let cut = film.film.traced().cut;
     if cut > 0 {

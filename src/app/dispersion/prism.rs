@@ -219,8 +219,7 @@ fn told(at: &Landing) -> String {
         .map_or_else(String::new, |least| format!(" (at least {least:.3}\u{b0})"));
     format!(
         "{:.1} nm: n {:.5}, turned by {:.3}\u{b0}{least}, {:+.4}\u{b0} a nm; {:.1} % pass; it lands \
-         at {:.2} mm, {:.3} mm wide; lines {:.2} nm apart are told apart (resolving power {:.0}, \
-         by the {}).",
+         at {:.2} mm, {:.3} mm wide; {}.",
         at.at_nm,
         at.n,
         at.deviation_deg,
@@ -228,10 +227,20 @@ fn told(at: &Landing) -> String {
         100.0 * at.transmittance,
         at.x_mm,
         at.width_mm,
-        at.at_nm / at.resolving.power(),
-        at.resolving.power(),
-        at.resolving.limit(),
+        told_apart(at).map_or_else(
+            || "no lines are told apart".to_owned(),
+            |apart| format!(
+                "lines {apart:.2} nm apart are told apart (resolving power {:.0}, by the {})",
+                at.resolving.power(),
+                at.resolving.limit()
+            )
+        ),
     )
+}
+
+/// Two lines nearer than this run together, nm; `None` where the glass does not spread light.
+fn told_apart(at: &Landing) -> Option<f64> {
+    Some(at.at_nm / at.resolving.power()).filter(|apart| apart.is_finite())
 }
 
 /// Step of what is hatched, nm.
@@ -329,14 +338,16 @@ fn row(line: &Line, landing: Option<&Landing>) -> Vec<String> {
     let mut cells = vec![line.name.clone(), format!("{:.2}", line.at_nm)];
     match landing {
         Some(at) => {
-            let power = at.resolving.power();
             cells.extend([
                 format!("{:.5}", at.n),
                 format!("{:.3}", at.deviation_deg),
                 format!("{:.3}", at.x_mm),
                 format!("{:.3}", at.width_mm),
                 format!("{:.1}", 100.0 * at.transmittance),
-                format!("{:.2} ({})", at.at_nm / power, at.resolving.limit()),
+                told_apart(at).map_or_else(
+                    || "-".to_owned(),
+                    |apart| format!("{apart:.2} ({})", at.resolving.limit()),
+                ),
             ]);
         }
         None => cells.extend(std::iter::repeat_n("-".to_owned(), 6)),

@@ -149,7 +149,7 @@ pub fn own_indices(app: &App) -> impl Iterator<Item = &Arc<Entry>> {
 
 /// Whether a spectrum is a curve of n as the reader of refractive indices names it.
 pub fn is_index(spectrum: &NamedSpectrum) -> bool {
-    spectrum.kind == Kind::Other && stem_of(&spectrum.name).is_some()
+    spectrum.kind == Kind::Other && (spectrum.name == "n" || stem_of(&spectrum.name).is_some())
 }
 
 /// "glass" of "glass n" and of "glass n by formula 2".
@@ -158,8 +158,9 @@ fn stem_of(name: &str) -> Option<&str> {
     before(" n by ").or_else(|| name.strip_suffix(" n"))
 }
 
+/// What the curve is of: a column that is named "n" alone is of what its file is called after.
 fn material_name(spectrum: &NamedSpectrum) -> &str {
-    stem_of(&spectrum.name).unwrap_or(&spectrum.name)
+    stem_of(&spectrum.name).unwrap_or(&spectrum.source)
 }
 
 /// The material that a curve of n tells of.

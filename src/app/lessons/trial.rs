@@ -39,6 +39,12 @@ impl TrialAsk {
             app.apply(Command::Adopt(vec![light.spectrum.clone()]));
             light.name()
         };
+        if lesson.light().is_none() {
+            return Some(Trial {
+                headline: "The lesson names no light that another could stand for.".to_owned(),
+                faults: Vec::new(),
+            });
+        }
         progress.expect(lesson.steps.len());
         let walked = match lesson.about(name) {
             Ok(lesson) => walked(&lesson, app, progress)?,
@@ -87,9 +93,10 @@ impl Trial {
             },
             Ok(faults) => Self {
                 headline: format!(
-                    "With {light}, {} of {} fail.",
+                    "With {light}, {} of {} {}.",
                     faults.len(),
-                    many(steps, "step", "steps")
+                    many(steps, "step", "steps"),
+                    if faults.len() == 1 { "fails" } else { "fail" }
                 ),
                 faults: faults.iter().map(said).collect(),
             },
@@ -121,7 +128,7 @@ mod tests {
         );
         assert!(tube.faults.is_empty());
         let daylight = tried("samples", "CIE D65");
-        assert_eq!(daylight.headline, "With CIE D65, 1 of 2 steps fail.");
+        assert_eq!(daylight.headline, "With CIE D65, 1 of 2 steps fails.");
         let fault = &daylight.faults[0];
         assert!(
             fault.starts_with("Step 1: ") && fault.contains("filter_delta_e_samples"),

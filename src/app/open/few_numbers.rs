@@ -143,6 +143,7 @@ fn image(name: &str, picture: &Picture) -> Result<SpectralImage, PictureError> {
         kind: header.kind,
         unit: header.unit.clone(),
         scale: 1.0,
+        bandwidth_nm: None,
         cube,
         notes: vec![format!(
             "{} numbers a pixel stand for {bands} bands; when it was written its own colours were \

@@ -50,6 +50,7 @@ fn image(lit: Option<&str>) -> Subject {
         kind: scene.bands().kind(),
         unit: String::new(),
         scale: 1.0,
+        bandwidth_nm: None,
         cube: cube.expect("a sound cube"),
         notes: Vec::new(),
         source: "wall.img".to_owned(),

@@ -35,7 +35,7 @@ pub struct Preferences {
     pub folded: Vec<String>,
     /// The library stays open beside the page.
     pub pinned: bool,
-    /// The three ways to begin were seen.
+    /// The ways to begin were seen.
     pub greeted: bool,
     /// The offer of larger type in a large window was answered.
     pub larger_answered: bool,

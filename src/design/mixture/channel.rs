@@ -95,9 +95,16 @@ fn within_composite() -> std::ops::Range<usize> {
 
 /// The share of a mixture's power that [`composite`] leaves out, below 380 and above 780 nm.
 pub fn left_out(channels: &[Channel], weights: &[f64]) -> f64 {
-    let values = mixed(channels, weights);
-    let all: f64 = values.iter().sum();
-    let inside: f64 = values[within_composite()].iter().sum();
+    let (mut all, mut inside) = (0.0, 0.0);
+    for (channel, weight) in channels.iter().zip(weights) {
+        let power = weight * channel.power();
+        all += power;
+        inside += match channel.line_nm() {
+            Some(at_nm) if Band::VISIBLE.contains(at_nm) => power,
+            Some(_) => 0.0,
+            None => weight * channel.values[within_composite()].iter().sum::<f64>(),
+        };
+    }
     if all > 0.0 { 1.0 - inside / all } else { 0.0 }
 }
 
@@ -129,5 +136,24 @@ pub fn composite(channels: &[Channel], weights: &[f64]) -> Composite {
             coefficients: table.project(&smooth, COSINES),
         },
         spikes,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_out_is_what_the_composite_lacks_of_the_power() {
+        let line = |at_nm: f64| {
+            let spec = format!("line:{at_nm}").parse().expect("a line");
+            Channel::new(spec, None).expect("a line")
+        };
+        for (at_nm, out) in [(546.1, 0.0), (780.5, 1.0), (379.5, 1.0), (780.0, 0.0)] {
+            let channels = [line(at_nm)];
+            assert_eq!(left_out(&channels, &[2.0]), out, "{at_nm}");
+            let kept = composite(&channels, &[2.0]).spikes.len();
+            assert_eq!(kept as f64, 1.0 - out, "{at_nm}");
+        }
     }
 }

@@ -6,13 +6,7 @@
 //! grey of its luminance. Every colour is solved for itself, so that the result is the same bits
 //! whatever the number of threads.
 
-use std::{
-    sync::{
-        Arc,
-        atomic::{AtomicUsize, Ordering},
-    },
-    thread,
-};
+use std::sync::Arc;
 
 use super::{
     colour::Colour,
@@ -26,7 +20,7 @@ use crate::{
         Cube,
         cube::{Interleave, Layout, Number},
     },
-    study::Progress,
+    study::{Progress, in_parallel, processors},
 };
 
 /// Colours along each edge of the cube that starts are taken from.
@@ -251,35 +245,15 @@ impl<'a> Solver<'a> {
     /// Every colour, on as many threads as there are; `None` when cancelled.
     fn solved(&self, colours: &[[u16; 3]], progress: &Progress) -> Option<Vec<Solved>> {
         const BLOCK: usize = 64;
-        let next = AtomicUsize::new(0);
-        let blocks = colours.len().div_ceil(BLOCK);
-        let work = || {
-            let mut done = Vec::new();
-            loop {
-                let block = next.fetch_add(1, Ordering::Relaxed);
-                if block >= blocks || progress.is_cancelled() {
-                    return done;
-                }
-                let end = colours.len().min((block + 1) * BLOCK);
-                let found = colours[block * BLOCK..end].iter().map(|c| self.one(*c));
-                done.push((block, found.collect::<Vec<_>>()));
+        let blocks: Vec<&[[u16; 3]]> = colours.chunks(BLOCK).collect();
+        // The steps that are counted are rows.
+        let solved = in_parallel(&blocks, processors(), &Progress::default(), |block| {
+            if progress.is_cancelled() {
+                return Vec::new();
             }
-        };
-        let threads = thread::available_parallelism().map_or(1, usize::from);
-        let mut done: Vec<(usize, Vec<Solved>)> = thread::scope(|scope| {
-            let others: Vec<_> = (1..threads.min(blocks))
-                .map(|_| scope.spawn(work))
-                .collect();
-            let mut done = work();
-            for other in others {
-                // A thread that panicked leaves its blocks out, which shows below.
-                done.extend(other.join().unwrap_or_default());
-            }
-            done
+            block.iter().map(|colour| self.one(*colour)).collect()
         });
-        done.sort_unstable_by_key(|(block, _)| *block);
-        let all: Vec<Solved> = done.into_iter().flat_map(|(_, found)| found).collect();
-        (all.len() == colours.len() && !progress.is_cancelled()).then_some(all)
+        (!progress.is_cancelled()).then_some(solved?.concat())
     }
 }
 

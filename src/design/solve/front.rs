@@ -12,16 +12,16 @@ use super::{
     figures::MixFigures,
     light::{Light, Line, Worthy},
     line_search::{Found, LineSearch},
-    net::{GREATEST_LER, Net, RANGE_NM, each_floor, net_of},
+    net::{Net, RANGE_NM, net_of},
     polytope::Polytope,
     target::Target,
 };
 use crate::{
     design::{
         mixture::MixError,
-        scales::{SampleTables, Scales, Sums, basic_of_line},
+        scales::{LUMENS_PER_WATT, SampleTables, Scales, Sums, basic_of_line},
     },
-    study::Progress,
+    study::{Progress, in_parallel, processors},
 };
 
 /// Worth of a light that misses its floor, or has no figure, is below this.
@@ -223,7 +223,7 @@ impl Course<'_> {
                 let light = lights[index].as_ref()?;
                 Some(self.search.with_one_more(light, floors[index]))
             };
-            let grown = each_floor(floors.len(), &one, self.progress)?;
+            let grown = self.each(&floors, one)?;
             lights = spread_down(grown);
         }
         let lights = floors.into_iter().zip(lights);
@@ -242,6 +242,16 @@ impl Course<'_> {
         Some(Begun { net, threes, free })
     }
 
+    /// What is found at each floor, by its index.
+    fn each<F: Send>(
+        &self,
+        floors: &[f64],
+        at: impl Fn(usize) -> Option<F> + Sync,
+    ) -> Option<Vec<Option<F>>> {
+        let indices: Vec<usize> = (0..floors.len()).collect();
+        in_parallel(&indices, processors(), self.progress, |index| at(*index))
+    }
+
     /// The best lights at each floor: from the net, then from what neighbouring floors found.
     fn at_floors<const L: usize>(
         &self,
@@ -258,7 +268,7 @@ impl Course<'_> {
             starts.extend(three.iter().flat_map(|three| doubled(three.places)));
             self.search.best_of(&starts, floors[index])
         };
-        let first = each_floor(floors.len(), &from_net, self.progress)?;
+        let first = self.each(floors, from_net)?;
         let from_beside = |index: usize| {
             let near = [index.checked_sub(1), Some(index + 1)]
                 .into_iter()
@@ -270,7 +280,7 @@ impl Course<'_> {
             self.search
                 .bettered(first[index].as_ref(), &near, floors[index])
         };
-        let second = each_floor(floors.len(), &from_beside, self.progress)?;
+        let second = self.each(floors, from_beside)?;
         Some(spread_down(second))
     }
 }
@@ -320,7 +330,7 @@ fn brightest(target: [f64; 3]) -> Option<Brightest> {
     let sums = all.sums(&weights);
     let lit = places.iter().zip(&weights).filter(|(_, w)| **w > 1e-9);
     let places: Vec<f64> = lit.map(|(nm, _)| *nm).collect();
-    let ler = GREATEST_LER * sums[1] / sums[4];
+    let ler = LUMENS_PER_WATT * sums[1] / sums[4];
     (!places.is_empty()).then_some(Brightest { ler, places })
 }
 

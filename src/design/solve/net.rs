@@ -1,12 +1,10 @@
-//! A net over all places of lines, and work shared out among threads.
-
-use std::{
-    sync::atomic::{AtomicUsize, Ordering},
-    thread,
-};
+//! A net over all places of lines.
 
 use super::line_search::LineSearch;
-use crate::study::Progress;
+use crate::{
+    design::scales::LUMENS_PER_WATT,
+    study::{Progress, in_parallel, processors},
+};
 
 /// Places that lines may have, nm.
 pub(super) const RANGE_NM: [f64; 2] = [400.0, 700.0];
@@ -21,7 +19,7 @@ const NEAR_NM: f64 = 6.0;
 const CLASSES: usize = 64;
 
 /// Greatest efficacy of the classes, lm/W.
-pub(super) const GREATEST_LER: f64 = 683.0;
+const GREATEST_LER: f64 = LUMENS_PER_WATT;
 
 /// The best of a net over all places, by class of efficacy.
 pub(super) struct Net<const L: usize> {
@@ -80,7 +78,8 @@ pub(super) fn net_of<const L: usize>(
     let whole = RANGE_NM[0] as u32..=RANGE_NM[1] as u32;
     let places: Vec<f64> = whole.step_by(step).map(f64::from).collect();
     let parts = places.len();
-    let one = |first: usize| {
+    let one = |first: &usize| {
+        let first = *first;
         let mut net = Net::<L>::new();
         let mut rest: Vec<usize> = (first + 1..first + L).collect();
         while rest.last().is_some_and(|last| *last < parts) && !progress.is_cancelled() {
@@ -96,7 +95,9 @@ pub(super) fn net_of<const L: usize>(
         }
         net
     };
-    let nets = shared_out(parts, &one);
+    // The steps that are counted are those of the floors.
+    let firsts: Vec<usize> = (0..parts).collect();
+    let nets = in_parallel(&firsts, processors(), &Progress::default(), one)?;
     let mut whole = Net::new();
     for net in nets {
         for (class, found) in net.classes.into_iter().enumerate() {
@@ -107,52 +108,4 @@ pub(super) fn net_of<const L: usize>(
         }
     }
     (!progress.is_cancelled()).then_some(whole)
-}
-
-/// What is found at each floor; `None` when cancelled.
-pub(super) fn each_floor<F: Send>(
-    floors: usize,
-    at: &(dyn Fn(usize) -> Option<F> + Sync),
-    progress: &Progress,
-) -> Option<Vec<Option<F>>> {
-    let one = |index: usize| {
-        let found = if progress.is_cancelled() {
-            None
-        } else {
-            at(index)
-        };
-        progress.step();
-        found
-    };
-    let found = shared_out(floors, &one);
-    (!progress.is_cancelled()).then_some(found)
-}
-
-/// Does tasks on as many threads as there are; results by task.
-fn shared_out<T: Send>(tasks: usize, one: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let task = next.fetch_add(1, Ordering::Relaxed);
-            if task >= tasks {
-                return done;
-            }
-            done.push((task, one(task)));
-        }
-    };
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut done: Vec<(usize, T)> = thread::scope(|scope| {
-        let others: Vec<_> = (1..threads.min(tasks)).map(|_| scope.spawn(work)).collect();
-        let mut done = work();
-        for other in others {
-            match other.join() {
-                Ok(found) => done.extend(found),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-        done
-    });
-    done.sort_by_key(|(task, _)| *task);
-    done.into_iter().map(|(_, found)| found).collect()
 }

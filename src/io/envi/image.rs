@@ -55,11 +55,13 @@ pub fn read(
     let stem = data_name
         .rsplit_once('.')
         .map_or(data_name, |(stem, _)| stem);
+    let (nm, stored): (Vec<f64>, Vec<usize>) = channels.bands.into_iter().unzip();
     let image = SpectralImage {
         name: stem.to_owned(),
         kind: Kind::Light,
         unit: String::new(),
         scale: 1.0,
+        bandwidth_nm: meaning::bandwidth_nm(header, &nm, &stored),
         cube,
         notes,
         source: data_name.to_owned(),

@@ -2,15 +2,16 @@
 
 use crate::spectrum::Kind;
 
+use super::super::ReadError;
 use super::super::axis::{self, Axis};
 use super::super::error::quoted;
 use super::super::interpret::decision::{AxisDecision, Decision, Origin};
+use super::super::interpret::or_large;
 use super::super::interpret::raw::{Known, KnownScale};
 use super::super::interpret::remark::{taken_as, unit_words};
 use super::super::kinds;
-use super::super::meaning::{MOST_PERCENT, is_plain_size, largest};
+use super::super::meaning::{by_size, largest};
 use super::super::units::WavelengthUnit;
-use super::super::{Counted, ReadError};
 use super::header::Header;
 
 /// The channels to read and what was done to find them.
@@ -147,6 +148,20 @@ fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
 /// Scale factors that make sense; others are passed over.
 const SENSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 
+/// The median width of a band, nm: "fwhm" in the unit of the wavelengths, where these are so many
+/// times nm; wave numbers are not.
+pub fn bandwidth_nm(header: &Header, nm: &[f64], stored: &[usize]) -> Option<f64> {
+    let written = header.numbers("wavelength").ok()?;
+    let mut widths = header.numbers("fwhm").ok()?;
+    let times = |at: usize| Some(nm.get(at)? / written.get(*stored.get(at)?)?);
+    let (first, last) = (times(0)?, times(nm.len().checked_sub(1)?)?);
+    if widths.is_empty() || (first / last - 1.0).abs() > 1e-6 {
+        return None;
+    }
+    let middle = widths.len() / 2;
+    Some(first * *widths.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
 /// What the values are by the header, else by a sample of them: kind, unit, scale, and what is to be
 /// said.
 ///
@@ -163,7 +178,6 @@ pub fn values(
     let factor = header
         .number("reflectance scale factor")?
         .filter(|factor| SENSIBLE_FACTORS.contains(factor));
-    let high = largest(sample);
     let kind = kind_of_values(header, title, factor.is_some(), data_name, sample);
     let mut notes = Vec::new();
     let mut scale = KnownScale::Stated(1.0);
@@ -175,16 +189,7 @@ pub fn values(
                 }
                 KnownScale::Stated(1.0 / factor)
             }
-            None => {
-                let counted = match high {
-                    h if h <= 1.6 => Counted::Fraction,
-                    h if h <= MOST_PERCENT => Counted::Percent,
-                    _ => Counted::TenThousandths,
-                };
-                let because = format!("the values' size (up to about {high:.3})");
-                let is_evident = is_plain_size(counted, high);
-                KnownScale::Told(Decision::guessed(counted, is_evident, because))
-            }
+            None => KnownScale::Told(or_large(by_size(sample), true, sample)),
         };
     }
     if header.text("data gain values").is_some() || header.text("data offset values").is_some() {

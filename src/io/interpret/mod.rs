@@ -242,7 +242,9 @@ pub fn decide_scale(
 
 /// What the size of values tells, where they may be whole numbers to 10,000.
 pub fn or_large(size: Decision<Counted>, may_be_large: bool, values: &[f64]) -> Decision<Counted> {
-    let is_large = may_be_large && meaning::largest(values) > meaning::MOST_PERCENT;
+    let is_large = may_be_large
+        && size.value != Counted::SixteenBits
+        && meaning::largest(values) > meaning::MOST_PERCENT;
     match is_large {
         true => Decision {
             value: Counted::TenThousandths,

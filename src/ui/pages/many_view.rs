@@ -60,7 +60,9 @@ impl ManyView {
         if !nobody {
             job.ask_by(&ask, context.wake, ManyAsk::answer);
         }
-        let answer = job.answer().filter(|_| !nobody);
+        // What is still there where no answer can be had answers another question.
+        let is_this = !nobody && job.stage() != Stage::Impossible;
+        let answer = job.answer().filter(|_| is_this);
         let answer = answer.map(|(of, many)| (of.clone(), many.clone()));
         let Some((of, many)) = answer else {
             let words = match nobody {
@@ -138,8 +140,9 @@ fn row_of(row: &ManyRow<'_>, measure: Measure) -> Row {
         .map_or_else(none, |off| three_digits(unit.factor * off));
     let [order, lines, numbers] = cells;
     let name = row.light.name.clone();
+    let are = if lines == "1" { "line" } else { "lines" };
     Row {
-        name: format!("{name}: order {order}, {lines} lines, {numbers} numbers, now {now}"),
+        name: format!("{name}: order {order}, {lines} {are}, {numbers} numbers, now {now}"),
         cells: vec![name, order, lines, numbers, now],
         note: format!("Listed under {}.", row.light.class),
         ..Row::default()

@@ -81,7 +81,8 @@ impl Window {
     /// Reads the folder of own lessons whenever their list comes into sight.
     fn read_own_lessons(&mut self) {
         let in_sight = self.preferences.pages.page.place() == Place::Learn;
-        let comes = in_sight && !std::mem::replace(&mut self.lists_lessons, in_sight);
+        let was = std::mem::replace(&mut self.lists_lessons, in_sight);
+        let comes = in_sight && !was;
         if let Some(folder) = self.lessons_folder.as_ref().filter(|_| comes) {
             self.pages.lessons.read_folder(folder);
         }

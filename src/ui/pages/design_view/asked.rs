@@ -46,7 +46,7 @@ pub(super) fn asked(
     ui.horizontal_wrapped(|ui| {
         ui.label("or that of");
         let says = match given.surface() {
-            Some(key) => key.rsplit('/').next().unwrap_or(key),
+            Some(key) => &context.app.document().name_of(key),
             None => "a surface",
         };
         let surface = Chooser {
@@ -58,7 +58,7 @@ pub(super) fn asked(
         }
         .show(ui, context.app);
         ui.label("under");
-        let says = before.light.rsplit('/').next().unwrap_or(&before.light);
+        let says = &context.app.document().name_of(&before.light);
         let light = Chooser {
             name: "Light that the colour is seen under",
             meaning: "Another light makes other surfaces of the same colour.",
@@ -102,7 +102,7 @@ fn second(
             let light = Chooser {
                 name: "Second light",
                 meaning: "The light under which the second colour was seen.",
-                says: key.rsplit('/').next().unwrap_or(key),
+                says: &context.app.document().name_of(key),
                 offers: lights,
                 width: 130.0 * context.theme.scale,
             }

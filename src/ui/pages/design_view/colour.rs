@@ -102,15 +102,15 @@ fn trust(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Result<Arc<Shown>, 
         Column::words(
             "values",
             "Lowest and highest value; a surface is within 0 to 1.",
-            1.9,
+            1.8,
         ),
         Column::numbers(
             "\u{394}E00",
             "Round trip: how far its colour is from the one asked for (CIEDE2000).",
-            0.6,
+            0.75,
         ),
         Column::numbers(
-            "cond.",
+            "× error",
             "Condition number: by how much it makes errors of the colour larger.",
             0.7,
         ),
@@ -219,7 +219,7 @@ fn lines_of(ui: &mut Ui, context: &mut PageContext<'_>) {
         let chosen = Chooser {
             name: "Lamp whose glow stands behind the lines",
             meaning: "Its lines are taken out; what is left is the background's shape.",
-            says: lamp.rsplit('/').next().unwrap_or(&lamp),
+            says: &context.app.document().name_of(&lamp),
             offers: lights,
             width: 110.0 * context.theme.scale,
         }

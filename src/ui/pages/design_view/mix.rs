@@ -253,51 +253,23 @@ fn transmittances(entry: &Entry) -> bool {
 /// All faders together, and where the mixture goes.
 fn below(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, beside: &[Beside]) {
     surfaces(ui, context, beside);
+    let scale = context.theme.scale;
     for (group, highest) in groups(desk) {
-        ui.horizontal(|ui| {
-            ui.label(format!("Group {group}"));
-            let mut now = highest;
-            // From nothing there is no way up: the shares would be lost.
-            ui.add_enabled_ui(highest > 0.0, |ui| {
-                Fader {
-                    name: &format!("Fader of group {group}"),
-                    meaning: "Moves all faders of the group together.",
-                    range: 0.0..=FULL,
-                    digits: 0,
-                    suffix: " %",
-                    logarithmic: false,
-                }
-                .show(ui, &mut now, 0.0, context.theme.scale);
-            });
-            if now != highest {
-                change(context, |mix| {
-                    *mix = mix.clone().group_dimmed(group, now.max(0.1));
-                });
-            }
-        });
-    }
-    ui.horizontal(|ui| {
-        ui.label("All");
-        let mut highest = desk.mix.highest();
-        let shines = highest > 0.0;
-        // From nothing there is no way up: the shares would be lost.
-        ui.add_enabled_ui(shines, |ui| {
-            Fader {
-                name: "All faders",
-                meaning: "Moves all faders together: brighter or darker at constant colour.",
-                range: 0.0..=FULL,
-                digits: 0,
-                suffix: " %",
-                logarithmic: false,
-            }
-            .show(ui, &mut highest, 0.0, context.theme.scale);
-        });
-        let changed = highest != desk.mix.highest();
-        if changed {
-            let dimmed = desk.mix.clone().dimmed(highest.max(0.1));
-            context.commands.push(Command::Mix(dimmed));
+        let name = format!("Group {group}");
+        let fader = format!("Fader of group {group}");
+        let meaning = "Moves all faders of the group together.";
+        if let Some(way) = together(ui, [&name, &fader, meaning], highest, scale) {
+            change(context, |mix| *mix = mix.clone().group_dimmed(group, way));
         }
-    });
+    }
+    let all = [
+        "All",
+        "All faders",
+        "Moves all faders together: brighter or darker at constant colour.",
+    ];
+    if let Some(way) = together(ui, all, desk.mix.highest(), scale) {
+        change(context, |mix| *mix = mix.clone().dimmed(way));
+    }
     ui.horizontal(|ui| {
         let recipe = desk.recipe();
         let button = ui
@@ -399,4 +371,30 @@ fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         }
         button.on_hover_text(words);
     }
+}
+
+/// One fader that moves several, under its name: where it was drawn to.
+fn together(
+    ui: &mut Ui,
+    [says, name, meaning]: [&str; 3],
+    highest: f64,
+    scale: f32,
+) -> Option<f64> {
+    let mut now = highest;
+    ui.horizontal(|ui| {
+        ui.label(says);
+        // From nothing there is no way up: the shares would be lost.
+        ui.add_enabled_ui(highest > 0.0, |ui| {
+            Fader {
+                name,
+                meaning,
+                range: 0.0..=FULL,
+                digits: 0,
+                suffix: " %",
+                logarithmic: false,
+            }
+            .show(ui, &mut now, 0.0, scale);
+        });
+    });
+    (now != highest).then_some(now.max(0.1))
 }

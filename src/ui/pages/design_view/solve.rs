@@ -159,13 +159,13 @@ fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
             context.memory.wish = wish.by_xy(context.app.document());
         }
         let light = &context.memory.wish.light;
-        let says = light
-            .as_deref()
-            .map_or("a light", |key| key.rsplit('/').next().unwrap_or(key));
+        let says = light.as_deref().map_or("a light".to_owned(), |key| {
+            context.app.document().name_of(key)
+        });
         let chosen = Chooser {
             name: "Light whose colour is wished for",
             meaning: "The mixture is to have the colour of this light.",
-            says,
+            says: &says,
             offers: lights,
             width: 150.0 * scale,
         }
@@ -304,7 +304,7 @@ fn faders(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, solved: &Solv
                 (true, false) => "",
             };
             let cells = [
-                now.title(),
+                now.title(&|key| context.app.document().name_of(key)),
                 format!("{:.1} %", now.level),
                 format!("{:.1} %", then.level),
                 state.to_owned(),

@@ -14,7 +14,7 @@ use crate::{
     ui::{kit::named, pages::PageContext, swatch},
 };
 
-/// Thickest gel of the fader; more can be kept.
+/// Thickest gel of the fader.
 const THICKEST: f64 = 4.0;
 
 /// Width of what a channel is, points.
@@ -120,7 +120,7 @@ pub fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
         ui.push_id(("gel", index), |ui| {
             ui.horizontal(|ui| {
                 ui.label("Gel");
-                let name = gel.key.rsplit('/').next().unwrap_or(&gel.key);
+                let name = context.app.document().name_of(&gel.key);
                 let size = vec2(WHAT * scale, ui.spacing().interact_size.y);
                 let left = egui::Layout::left_to_right(egui::Align::Center);
                 ui.allocate_ui_with_layout(size, left, |ui| {

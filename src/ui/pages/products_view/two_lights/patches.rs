@@ -173,6 +173,9 @@ impl Field<'_> {
             swatch::outline(ui, colours, stroke);
         } else if response.hovered() || response.has_focus() {
             swatch::outline(ui, colours, ui.visuals().widgets.active.bg_stroke);
+        } else {
+            // A white patch is seen on a white ground.
+            swatch::outline(ui, colours, ui.visuals().widgets.noninteractive.bg_stroke);
         }
         let font = TextStyle::Small.resolve(ui.style());
         let (strong, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
