@@ -133,6 +133,10 @@ fn recover(c: &mut Criterion) {
     c.bench_function("a moved picker, all that the page shows", |b| {
         b.iter(|| ColourSheet::of(black_box(&from), app.document()));
     });
+}
+
+fn recover_picture(c: &mut Criterion) {
+    let daylight = Viewing::new(table("CIE D65"), Observer::Cie1931).unwrap();
     let side = 256;
     let pixels: Vec<u8> = (0..side * side)
         .flat_map(|i| {
@@ -236,5 +240,5 @@ fn design(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, recover, design);
+criterion_group!(benches, recover, recover_picture, design);
 criterion_main!(benches);

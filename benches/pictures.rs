@@ -160,42 +160,12 @@ fn relight(c: &mut Criterion) {
     });
 }
 
-fn files(c: &mut Criterion) {
-    let quiet = Progress::default();
-    let pixels =
-        InMemory::of(&Scene::reflectance(512, 512, nm(380.0, 780.0, 81)).unwrap()).unwrap();
-    let survey = Survey::of(&pixels, &quiet).unwrap();
-    let operator = Operator::new(pixels.bands(), &Plan::new(pixels.bands(), 11)).unwrap();
-    let sample: Vec<Vec<f64>> = survey
-        .sample
-        .iter()
-        .map(|p| operator.numbers_of(p))
-        .collect();
-    let quantiser = Quantiser::new(&operator, &sample, 0.5, None).unwrap();
-    let error = measure(&pixels, &operator, &quantiser, 1.0, &quiet).unwrap();
-    println!(
-        "compact t .5, P 11, 512: own {:?}, rms {}",
-        error.own, error.relative_rms
-    );
-    let plan = CompactPlan {
-        quantiser,
-        error: error.clone(),
-    };
-    let about = About::default();
-    // The study's scene: c_ref = 1, the own colour of its table.
-    let whole = Quantiser::new(&operator, &sample, 0.5, Some(1.0)).unwrap();
-    let of_whole = measure(&pixels, &operator, &whole, 1.0, &quiet).unwrap();
-    println!(
-        "with c_ref 1: own {:?}, rms {}",
-        of_whole.own, of_whole.relative_rms
-    );
-    let of_whole = CompactPlan {
-        quantiser: whole,
-        error: of_whole,
-    };
-    let compact = |coder| {
+/// How many bytes a pixel takes in the compact form, and in that of another program.
+fn tell_sizes(pixels: &InMemory, operator: &Operator, [plan, of_whole]: [&CompactPlan; 2]) {
+    let (about, quiet) = (About::default(), Progress::default());
+    let compact = |plan: &CompactPlan, coder| {
         let mut bytes = Vec::new();
-        write_compact(&mut bytes, &pixels, &operator, &plan, &about, coder, &quiet).unwrap();
+        write_compact(&mut bytes, pixels, operator, plan, &about, coder, &quiet).unwrap();
         bytes
     };
     // Tiles only, without preview and header.
@@ -203,14 +173,12 @@ fn files(c: &mut Criterion) {
     for coder in [Coder::Simple, Coder::Fitted] {
         println!(
             "bytes a pixel, {coder:?}: {:.3}",
-            per_pixel(&compact(coder))
+            per_pixel(&compact(plan, coder))
         );
-        let mut bytes = Vec::new();
-        write_compact(
-            &mut bytes, &pixels, &operator, &of_whole, &about, coder, &quiet,
-        )
-        .unwrap();
-        println!("the same with c_ref 1: {:.3}", per_pixel(&bytes));
+        println!(
+            "the same with c_ref 1: {:.3}",
+            per_pixel(&compact(of_whole, coder))
+        );
     }
     let steps: Vec<Vec<i32>> = (0..512 * 512)
         .map(|i| {
@@ -229,6 +197,41 @@ fn files(c: &mut Criterion) {
         ),
         None => println!("cjxl is not installed: not run"),
     }
+}
+
+fn files(c: &mut Criterion) {
+    let quiet = Progress::default();
+    let pixels =
+        InMemory::of(&Scene::reflectance(512, 512, nm(380.0, 780.0, 81)).unwrap()).unwrap();
+    let survey = Survey::of(&pixels, &quiet).unwrap();
+    let operator = Operator::new(pixels.bands(), &Plan::new(pixels.bands(), 11)).unwrap();
+    let sample: Vec<Vec<f64>> = survey
+        .sample
+        .iter()
+        .map(|p| operator.numbers_of(p))
+        .collect();
+    let planned = |c_ref| {
+        let quantiser = Quantiser::new(&operator, &sample, 0.5, c_ref).unwrap();
+        let error = measure(&pixels, &operator, &quantiser, 1.0, &quiet).unwrap();
+        CompactPlan { quantiser, error }
+    };
+    let plan = planned(None);
+    // The study's scene: c_ref = 1, the own colour of its table.
+    let of_whole = planned(Some(1.0));
+    for (what, plan) in [
+        ("compact t .5, P 11, 512", &plan),
+        ("with c_ref 1", &of_whole),
+    ] {
+        let error = &plan.error;
+        println!("{what}: own {:?}, rms {}", error.own, error.relative_rms);
+    }
+    let about = About::default();
+    let compact = |coder| {
+        let mut bytes = Vec::new();
+        write_compact(&mut bytes, &pixels, &operator, &plan, &about, coder, &quiet).unwrap();
+        bytes
+    };
+    tell_sizes(&pixels, &operator, [&plan, &of_whole]);
     let mut group = c.benchmark_group("files 512 x 512 x 81, 11 numbers");
     group.sample_size(10);
     group.bench_function("compact saved", |b| b.iter(|| compact(Coder::Fitted)));
@@ -250,7 +253,7 @@ fn files(c: &mut Criterion) {
             &pixels,
             &operator,
             kept,
-            (&about, error.clone()),
+            (&about, plan.error.clone()),
             &quiet,
         )
         .unwrap();

@@ -157,6 +157,7 @@ const fn share(key: Words, [title, short]: [Words; 2], said: Words, meaning: Wor
 
 impl Measure {
     /// What is said of it.
+    #[expect(clippy::too_many_lines, reason = "a table: one row a measure")]
     pub fn figure(self) -> Figure {
         match self {
             Self::Own => delta_e(

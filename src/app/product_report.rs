@@ -3,6 +3,10 @@
 //! The JSON's keys are stable; docs/command_line.md tells them. XYZ has the exact light's Y at 100,
 //! the white of every difference is the exact light, and a number that does not exist is `null`.
 
+mod text;
+
+pub use text::{chain_text, set_text};
+
 use std::fmt::Write as _;
 
 use serde_json::{Value, json};
@@ -13,15 +17,11 @@ use super::{
     products::{KnownLines, Link, ModelledLight},
     report::settings_json,
     state::App,
-    ticks::short,
 };
 use crate::{
     color::{Xyz, srgb::Swatch},
-    io::{
-        many::{many, numbers},
-        provenance::one_line,
-    },
-    spectrum::{Factor, Sampling, Spike},
+    io::provenance::one_line,
+    spectrum::{Factor, Spike},
     study::{
         Spread,
         products::{Colours, Passage, SetErrors, Step},
@@ -368,139 +368,3 @@ fn stage_notes(measured: &[f64], passage: &Passage, known: &KnownLines) -> Vec<V
     }
     all
 }
-
-fn number(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-}
-
-fn percent(share: Option<f64>) -> String {
-    // Adding zero turns -0 into 0.
-    share.map_or_else(
-        || "-".to_owned(),
-        |share| format!("{:.2} %", (1e4 * share).round() / 1e2 + 0.0),
-    )
-}
-
-fn head_text(app: &App) -> String {
-    let model = &app.derived().model;
-    format!(
-        "Light     {}\nModel     {} order {} on {}-{} nm, {}: {}\nProducts  {}\n",
-        app.document().light.name(),
-        model.smooth.basis.word(),
-        model.smooth.order(),
-        short(model.band().min_nm()),
-        short(model.band().max_nm()),
-        many(model.spikes.len(), "spike", "spikes"),
-        numbers(model.numbers()),
-        app.document().settings.sampling.word(),
-    )
-}
-
-/// A chain for people.
-pub fn chain_text(app: &App, told: &Told) -> String {
-    let Told {
-        remarks: _,
-        names,
-        known,
-        passage,
-    } = told;
-    let mut out = head_text(app);
-    // Writing to a String cannot fail.
-    let mut line = |text: String| {
-        let _ = writeln!(out, "{text}");
-    };
-    let colours = |colours: &Colours| {
-        format!(
-            "CIEDE2000 {}, luminance {}",
-            number(colours.delta_e_2000, 3),
-            percent(colours.luminance_error)
-        )
-    };
-    line(format!("Itself    {}", colours(&passage.light)));
-    for (i, (name, step)) in names.iter().zip(&passage.steps).enumerate() {
-        line(format!("{:<9} {name}", format!("Stage {}", i + 1)));
-        line(format!(
-            "  passes  {} (model {})",
-            percent(step.transmission[0]),
-            percent(step.transmission[1])
-        ));
-        line(format!(
-            "  error   {}; {} of it added by forming the product",
-            colours(&step.colours),
-            number(step.added, 4)
-        ));
-        for spike in &step.spikes {
-            line(format!(
-                "  {:<7} {:7.2} nm  {:>11}{}",
-                // A line that a ringing series turned negative is no dip.
-                if spike.weight < 0.0 && !step.turned.contains(&spike.at_nm) {
-                    "dip"
-                } else {
-                    "spike"
-                },
-                spike.at_nm,
-                short(spike.weight),
-                known
-                    .safe(spike.at_nm)
-                    .map_or_else(String::new, |name| format!("  {name}"))
-            ));
-        }
-    }
-    let total = passage.total();
-    line(format!(
-        "Total     {}; passes {}",
-        colours(&total.colours),
-        percent(total.transmission[0])
-    ));
-    line(format!(
-        "Forming   adds CIEDE2000 {}, {} of the power folded or cut, {} multiplications",
-        number(total.added, 4),
-        percent(Some(total.folded_share)),
-        total.multiplications
-    ));
-    for (what, xyz) in [
-        ("Exact", total.colours.exact),
-        ("Model", total.colours.model),
-    ] {
-        if let Some((xyz, swatch)) = scaled(passage, xyz) {
-            line(format!(
-                "{what:<9} XYZ {:.3} {:.3} {:.3}, {}",
-                xyz.x,
-                xyz.y,
-                xyz.z,
-                swatch.hex()
-            ));
-        }
-    }
-    for note in notes(app, told) {
-        line(format!("Note      {note}"));
-    }
-    out
-}
-
-/// A light with every factor of a group for people.
-pub fn set_text(app: &App, set: &str, errors: &SetErrors) -> String {
-    let mut out = head_text(app);
-    let _ = writeln!(
-        out,
-        "Set       {set}, {}",
-        many(errors.count, "factor", "factors")
-    );
-    for (what, spread) in [("Added", errors.added), ("Total", errors.total)] {
-        let _ = writeln!(
-            out,
-            "{what:<9} CIEDE2000 median {}, 95 % below {}, worst {}",
-            number(spread.map(|s| s.median), 4),
-            number(spread.map(|s| s.p95), 4),
-            number(spread.map(|s| s.worst), 4)
-        );
-    }
-    if app.document().settings.sampling == Sampling::Exact {
-        out.push_str(FORMED_EXACTLY);
-    }
-    out
-}
-
-/// Why nothing is added in the way that is the default.
-const FORMED_EXACTLY: &str =
-    "Note      at every nm nothing is folded: --sampling double shows what few points add\n";

@@ -1,5 +1,6 @@
 //! The program's state: one document, its history, and what is derived from it.
 
+mod deriving;
 mod messages;
 mod own;
 
@@ -10,7 +11,7 @@ use std::{
 
 use super::{
     command::Command,
-    derived::{Derived, Question},
+    derived::Derived,
     document::{Document, Subject, WEIGHT_FACTORS, first_light},
     entry::{Entry, bundled_entries},
     history::History,
@@ -18,28 +19,15 @@ use super::{
     product_view::ProductView,
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
-    studies::about::Patches,
-    tables::{CURVE_ORDER, Tables, Viewing},
+    tables::Tables,
     undo_words::difference,
 };
-use crate::{
-    color::{Observer, Xyz, xyz::xyz_from_nm_values},
-    spectrum::{Band, Basis, Kind, SpikeEdits},
-};
+use crate::spectrum::{Kind, SpikeEdits};
 
+pub use deriving::{derive, derived_of};
 pub use messages::{Message, Tone};
 
-/// What the shared tables were made for.
-#[derive(Clone, Debug, PartialEq)]
-struct TablesFor {
-    band: Band,
-    basis: Basis,
-    order: usize,
-    observer: Observer,
-    patches: Option<Patches>,
-    /// The light's key when the subject is looked at under it.
-    under: Option<Arc<Entry>>,
-}
+use deriving::{TablesFor, make_tables, tables_for};
 
 /// The program without a window.
 #[derive(Clone, Debug)]
@@ -281,13 +269,7 @@ impl App {
             Command::Patch(patch) => self.document.patch = patch,
             Command::ToggleOwnPatch { key } => self.toggle_own_patch(&key),
             Command::Scale(scale) => self.document.scale = scale,
-            Command::WeightFactor(factor) => {
-                if factor.is_finite() {
-                    let (least, most) = (*WEIGHT_FACTORS.start(), *WEIGHT_FACTORS.end());
-                    self.document.weight_factor = factor.clamp(least, most);
-                    self.document.weigh_the_papers_lamps();
-                }
-            }
+            Command::WeightFactor(factor) => self.weigh_lamps_by(factor),
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
             Command::Mix(mix) => self.document.mix = mix.clamped(),
@@ -312,6 +294,11 @@ impl App {
             Command::Remove { key } => self.remove(&key),
             Command::Replace(document) => self.document = *document,
         }
+        self.settle(before, command);
+    }
+
+    /// Brings the document in order after a command, remembers what was before, and derives anew.
+    fn settle(&mut self, before: Document, command: Command) {
         self.analyse_what_was_changed(&before);
         self.document.bound_patch();
         self.make_again(&before);
@@ -386,6 +373,14 @@ impl App {
         }
     }
 
+    fn weigh_lamps_by(&mut self, factor: f64) {
+        if factor.is_finite() {
+            let (least, most) = (*WEIGHT_FACTORS.start(), *WEIGHT_FACTORS.end());
+            self.document.weight_factor = factor.clamp(least, most);
+            self.document.weigh_the_papers_lamps();
+        }
+    }
+
     fn set_edits(&mut self, edits: SpikeEdits) {
         let key = self.document.subject_entry().key.clone();
         if edits.is_empty() {
@@ -449,96 +444,4 @@ impl App {
         self.took = start.elapsed();
         self.revision += 1;
     }
-}
-
-fn tables_for(document: &Document) -> TablesFor {
-    let settings = document.settings;
-    let is_light = document.is_about_light();
-    TablesFor {
-        band: settings.band,
-        basis: settings.basis,
-        order: settings.effective_order().max(CURVE_ORDER),
-        observer: settings.observer,
-        patches: is_light.then(|| Patches::of(document)),
-        under: (!is_light).then(|| document.light.clone()),
-    }
-}
-
-fn make_tables(wanted: &TablesFor) -> Tables {
-    let (band, observer) = (wanted.band, wanted.observer);
-    let viewing = match &wanted.under {
-        Some(light) => Viewing::under(&light.on_band(band), band, observer),
-        None => Viewing::of_light(band, observer),
-    };
-    let patches = wanted.patches.as_ref();
-    let patches = patches.map(|patches| patches.reflectances(band));
-    Tables::new(band, wanted.basis, wanted.order, observer, viewing, patches)
-}
-
-/// What a document shows, with tables made for it.
-pub fn derived_of(document: &Document) -> (Derived, Tables) {
-    let tables = make_tables(&tables_for(document));
-    (derive(document, &tables), tables)
-}
-
-/// The pure step from a document to what is shown of it.
-pub fn derive(document: &Document, tables: &Tables) -> Derived {
-    let settings = document.settings;
-    let band = settings.band;
-    let subject = document.subject_entry();
-    let is_light = document.is_about_light();
-    let measured = subject.on_band(band);
-    let light = if is_light {
-        measured.clone()
-    } else {
-        document.light.on_band(band)
-    };
-    let full_range = |entry: &Entry| {
-        entry
-            .spectrum
-            .samples
-            .on_whole_nm(360, 830, entry.kind().outside())
-    };
-    let light_values = full_range(&document.light);
-    let subject_values = if is_light {
-        light_values.clone()
-    } else {
-        full_range(subject)
-            .iter()
-            .zip(&light_values)
-            .map(|(r, s)| r * s)
-            .collect()
-    };
-    let white = xyz_from_nm_values(&light_values, settings.observer);
-    let scaled = |observer: Observer| -> Xyz {
-        let y = xyz_from_nm_values(&light_values, observer).y;
-        xyz_from_nm_values(&subject_values, observer) * (100.0 / y)
-    };
-    let full = (white.y > 0.0).then(|| (scaled(settings.observer), scaled(Observer::Cie1931)));
-    let edits = document.subject_edits();
-    let samples = &subject.spectrum.samples;
-    let power_outside = if is_light {
-        let all = samples.power_between(f64::NEG_INFINITY, f64::INFINITY);
-        let inside = samples.power_between(band.min_nm(), band.max_nm());
-        if all > 0.0 { 1.0 - inside / all } else { 0.0 }
-    } else {
-        0.0
-    };
-    Derived::of(
-        Question {
-            measured: &measured,
-            is_light,
-            is_divided: subject.spectrum.scale < 1.0,
-            light: &light,
-            full,
-            full_luminance: white.y,
-            table_nm: [samples.first_nm(), samples.last_nm()],
-            power_outside,
-            settings,
-            edits: &edits,
-            given: document.as_given().map(|given| &**given),
-            adaptation: document.view.adaptation(),
-        },
-        tables,
-    )
 }

@@ -6,7 +6,7 @@ use std::io::{Cursor, Seek, Write};
 use exr::block::UncompressedBlock;
 use exr::block::writer::{ChunksWriter, write_chunks_with};
 use exr::compression::Compression;
-use exr::image::FlatSamples;
+use exr::image::{AnyChannel, FlatSamples};
 use exr::meta::attribute::{AttributeValue, ChannelDescription, LineOrder, SampleType, Text};
 use exr::meta::header::{Header as ExrHeader, LayerAttributes};
 use exr::meta::{BlockDescription, MetaData};
@@ -243,6 +243,33 @@ pub fn read_full(bytes: &[u8]) -> Result<Picture, PictureError> {
             "one layer",
         ));
     };
+    let header = checked(exr)?;
+    let pixels = header.width.saturating_mul(header.height);
+    let needs = pixels
+        .saturating_mul(exr.channels.list.len())
+        .saturating_mul(8);
+    let most = budget::of(bytes.len());
+    if needs > most {
+        return Err(PictureError::Memory { needs, most });
+    }
+    let image = guarded(|| {
+        exr_reader()
+            .no_deep_data()
+            .largest_resolution_level()
+            .all_channels()
+            .first_valid_layer()
+            .all_attributes()
+            .non_parallel()
+            .from_buffered(Cursor::new(bytes))
+    })
+    .ok_or_else(broken)?
+    .map_err(|_| broken())?;
+    let planes = planes_of(&image.layer_data.channel_data.list, &header)?;
+    Picture::new(header, planes)
+}
+
+/// The composite picture's header, if the layer is as it says.
+fn checked(exr: &ExrHeader) -> Result<Header, PictureError> {
     let attributes = exr.own_attributes.other.iter();
     let mut texts = attributes.filter(|(name, _)| **name == *ATTRIBUTE);
     let Some((_, AttributeValue::Text(text))) = texts.next() else {
@@ -275,26 +302,17 @@ pub fn read_full(bytes: &[u8]) -> Result<Picture, PictureError> {
         let expected = format!("B, G, R and CS.000 to CS.{:03}", header.numbers - 1);
         return Err(PictureError::broken(found, expected));
     }
-    let pixels = header.width.saturating_mul(header.height);
-    let needs = pixels.saturating_mul(names.len()).saturating_mul(8);
-    let most = budget::of(bytes.len());
-    if needs > most {
-        return Err(PictureError::Memory { needs, most });
-    }
-    let image = guarded(|| {
-        exr_reader()
-            .no_deep_data()
-            .largest_resolution_level()
-            .all_channels()
-            .first_valid_layer()
-            .all_attributes()
-            .non_parallel()
-            .from_buffered(Cursor::new(bytes))
-    })
-    .ok_or_else(broken)?
-    .map_err(|_| broken())?;
+    Ok(header)
+}
+
+/// The planes of numbers, one after the other.
+fn planes_of(
+    channels: &[AnyChannel<FlatSamples>],
+    header: &Header,
+) -> Result<Vec<f32>, PictureError> {
+    let pixels = header.width * header.height;
     let mut planes = vec![f32::NAN; pixels * header.numbers];
-    for channel in &image.layer_data.channel_data.list {
+    for channel in channels {
         let name = channel.name.to_string();
         let Some(n) = name
             .strip_prefix("CS.")
@@ -328,5 +346,5 @@ pub fn read_full(bytes: &[u8]) -> Result<Picture, PictureError> {
             (0..header.numbers).for_each(|n| planes[n * pixels + i] = f32::NAN);
         }
     }
-    Picture::new(header, planes)
+    Ok(planes)
 }

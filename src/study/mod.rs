@@ -3,6 +3,7 @@
 pub mod auction;
 pub mod displacement;
 pub mod error;
+mod goal;
 pub mod harmonics;
 pub mod many;
 pub mod measure;
@@ -21,8 +22,9 @@ pub mod training;
 pub mod truth;
 pub mod way;
 
-pub use auction::{Auction, Goal};
+pub use auction::Auction;
 pub use error::Spread;
+pub use goal::Goal;
 pub use many::ManyLights;
 pub use measure::{ByMeasure, Measure, Verdict};
 pub use parallel::{in_parallel, processors};

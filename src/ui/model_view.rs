@@ -148,6 +148,41 @@ fn order_row(ui: &mut Ui, settings: &mut Settings) {
     ui.end_row();
 }
 
+/// The least line: by its slope or its share of the power.
+fn threshold_row(ui: &mut Ui, settings: &mut Settings) {
+    let enabled = settings.spikes;
+    if settings.detector == Detector::Gradient {
+        let label = ui.add_enabled(enabled, egui::Label::new("Slope"));
+        ui.add_enabled(
+            enabled,
+            Slider::new(&mut settings.gradient_percent, GRADIENTS_PERCENT)
+                .logarithmic(true)
+                .custom_formatter(|v, _| ticks::short(v))
+                .suffix(" %/nm"),
+        )
+        .labelled_by(label.id)
+        .on_hover_text("Least slope of a line's flanks, percent of the largest value per nm.");
+    } else {
+        let label = ui.add_enabled(enabled, egui::Label::new(names::THRESHOLD));
+        ui.add_enabled(
+            enabled,
+            Slider::new(&mut settings.threshold_percent, SLIDER_THRESHOLDS)
+                .logarithmic(true)
+                .clamping(SliderClamping::Never)
+                .custom_formatter(|v, _| ticks::short(v))
+                .suffix(" %"),
+        )
+        .labelled_by(label.id)
+        .on_hover_text(format!(
+            "Least share of the total power that a spike must carry, percent. {} to {} can be \
+             typed.",
+            THRESHOLDS_PERCENT.start(),
+            THRESHOLDS_PERCENT.end()
+        ));
+    }
+    ui.end_row();
+}
+
 fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     ui.checkbox(&mut settings.spikes, names::SPIKES)
         .on_hover_text("Take lines out of the spectrum and keep each as a place and a weight.");
@@ -184,38 +219,8 @@ fn spike_rows(ui: &mut Ui, settings: &mut Settings) {
     });
     ui.end_row();
 
+    threshold_row(ui, settings);
     let enabled = settings.spikes;
-    if settings.detector == Detector::Gradient {
-        let label = ui.add_enabled(enabled, egui::Label::new("Slope"));
-        ui.add_enabled(
-            enabled,
-            Slider::new(&mut settings.gradient_percent, GRADIENTS_PERCENT)
-                .logarithmic(true)
-                .custom_formatter(|v, _| ticks::short(v))
-                .suffix(" %/nm"),
-        )
-        .labelled_by(label.id)
-        .on_hover_text("Least slope of a line's flanks, percent of the largest value per nm.");
-    } else {
-        let label = ui.add_enabled(enabled, egui::Label::new(names::THRESHOLD));
-        ui.add_enabled(
-            enabled,
-            Slider::new(&mut settings.threshold_percent, SLIDER_THRESHOLDS)
-                .logarithmic(true)
-                .clamping(SliderClamping::Never)
-                .custom_formatter(|v, _| ticks::short(v))
-                .suffix(" %"),
-        )
-        .labelled_by(label.id)
-        .on_hover_text(format!(
-            "Least share of the total power that a spike must carry, percent. {} to {} can be \
-             typed.",
-            THRESHOLDS_PERCENT.start(),
-            THRESHOLDS_PERCENT.end()
-        ));
-    }
-    ui.end_row();
-
     let label = ui.add_enabled(enabled, egui::Label::new(names::WIDTH));
     ui.add_enabled(
         enabled,

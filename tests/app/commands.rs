@@ -349,6 +349,7 @@ fn off_red(light: &str) -> Recipe {
 }
 
 /// A session in which every command changes something.
+#[expect(clippy::too_many_lines, reason = "a table: one row a command")]
 fn session(app: &App) -> Vec<Command> {
     let settings = app.document().settings;
     let view = app.document().view;

@@ -100,6 +100,10 @@ pub fn awkward() -> NamedSpectrum {
 }
 
 /// A document in which everything differs from a fresh one.
+#[expect(
+    clippy::too_many_lines,
+    reason = "a table: one row a field that a document keeps"
+)]
 pub fn full_document() -> Document {
     let mut app = App::new();
     app.apply(Command::Adopt(vec![awkward(), slope("second")]));
@@ -191,6 +195,7 @@ pub fn full_document() -> Document {
     app.document().clone()
 }
 
+#[expect(clippy::too_many_lines, reason = "a table: one row a preference")]
 pub fn full_preferences() -> Preferences {
     Preferences {
         dark: false,

@@ -18,7 +18,8 @@ use spectral_explorer::{
         chart::Theme,
         charts::{
             auction::{AuctionChart, goal_within},
-            tradeoff::{self, Tradeoff, front, lack, needs, take, take_cell},
+            threshold::take_cell,
+            tradeoff::{self, Tradeoff, front, lack, needs, take},
         },
         pages::{Page, PageMemory, WaysShown},
         studies::{self, AuctionAsk, SweepAsk},

@@ -14,6 +14,7 @@ mod legend;
 mod looks;
 mod palette;
 mod plot;
+mod points;
 mod primitive;
 mod ramp;
 mod shape;

@@ -2,12 +2,13 @@
 
 use super::{
     super::ticks::short,
-    Cells, Chart, Dash, Marks, Series, Shape,
+    Cells, Chart, Dash, Marks, Series,
     axis::Axis,
     base_at,
     cut::{cut_band, cut_segment},
     looks::Looks,
     palette::Palette,
+    points::{dot, form},
     primitive::{Anchor, Field, Place, Primitive, Text},
     text::text_width,
 };
@@ -137,33 +138,7 @@ impl<'a> Pen<'a> {
                 places.map(|at| form(at, radius, *shape, colour)).collect()
             }
             Marks::Cells { cells } => self.cells(cells),
-            Marks::Words { words } => {
-                let size = self.looks.small();
-                // Words that would lie over others are left out, from the last one on.
-                let mut fields: Vec<Field> = Vec::new();
-                let inside = |(at, words): &([f64; 2], String)| {
-                    let at = self.inside(*at)?;
-                    let field = Field {
-                        left: at[0] - 0.5 * text_width(words, size) - 1.0,
-                        top: at[1] - 0.55 * size,
-                        width: text_width(words, size) + 2.0,
-                        height: 1.1 * size,
-                    };
-                    let apart = |other: &Field| field.cut_to(*other).is_none();
-                    fields.iter().all(apart).then(|| {
-                        fields.push(field);
-                        Primitive::Text(Text {
-                            at,
-                            anchor: Anchor::Middle,
-                            size,
-                            colour,
-                            words: words.clone(),
-                            ..Text::default()
-                        })
-                    })
-                };
-                words.iter().filter_map(inside).collect()
-            }
+            Marks::Words { words } => self.words(words, colour),
             Marks::Fields { fields } => {
                 let inside = |([[left, right], [low, high]], colour): &([[f64; 2]; 2], [u8; 3])| {
                     let foot = self.plot.place([*left, *low])?;
@@ -175,6 +150,34 @@ impl<'a> Pen<'a> {
                 )]
             }
         }
+    }
+
+    /// Words at their places; those that would lie over others are left out, from the last one on.
+    fn words(&self, words: &[([f64; 2], String)], colour: [u8; 3]) -> Vec<Primitive> {
+        let size = self.looks.small();
+        let mut fields: Vec<Field> = Vec::new();
+        let free = |(at, words): &([f64; 2], String)| {
+            let at = self.inside(*at)?;
+            let field = Field {
+                left: at[0] - 0.5 * text_width(words, size) - 1.0,
+                top: at[1] - 0.55 * size,
+                width: text_width(words, size) + 2.0,
+                height: 1.1 * size,
+            };
+            let apart = |other: &Field| field.cut_to(*other).is_none();
+            fields.iter().all(apart).then(|| {
+                fields.push(field);
+                Primitive::Text(Text {
+                    at,
+                    anchor: Anchor::Middle,
+                    size,
+                    colour,
+                    words: words.clone(),
+                    ..Text::default()
+                })
+            })
+        };
+        words.iter().filter_map(free).collect()
     }
 
     /// Where a point stands if it is in the panel; the ends of the axes count, in spite of
@@ -413,38 +416,5 @@ pub(super) fn sound_px(size: f64) -> f64 {
         size.clamp(0.1, 50.0)
     } else {
         1.0
-    }
-}
-
-/// A filled circle.
-pub(super) fn dot(at: Place, radius: f64, colour: [u8; 3]) -> Primitive {
-    Primitive::Circle {
-        at,
-        radius,
-        colour,
-        hollow: None,
-    }
-}
-
-/// A point of a form.
-pub(super) fn form(at: Place, radius: f64, shape: Shape, colour: [u8; 3]) -> Primitive {
-    let corner = |c: &[f64; 2]| [at[0] + radius * c[0], at[1] + radius * c[1]];
-    let corners: Vec<Place> = shape.corners().iter().map(corner).collect();
-    let thickness = 0.45 * radius;
-    match (shape, &corners[..]) {
-        (Shape::Ring, _) => Primitive::Circle {
-            at,
-            radius,
-            colour,
-            hollow: Some(thickness),
-        },
-        (Shape::Cross, [a, b, c, d]) => Primitive::Lines {
-            runs: vec![vec![*a, *b], vec![*c, *d]],
-            width: thickness,
-            dash: Dash::Solid,
-            colour,
-        },
-        (_, []) => dot(at, radius, colour),
-        _ => Primitive::Polygon { corners, colour },
     }
 }

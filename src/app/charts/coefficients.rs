@@ -4,10 +4,11 @@
 //! Coefficients are drawn as multiples of the mean (the term of order 0), so that lights of any
 //! unit and height stand beside functions of any height.
 
+mod partial;
+
 use crate::{
     app::{
-        chart::Inks,
-        chart::{Chart, Dash, Marks, Rgb, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Inks, Marks, Rgb, Scale, Series, Shape, Theme},
         charts::spectrum::provenance,
         state::App,
         studies::paper::{CHANNELS, figure},
@@ -48,9 +49,6 @@ pub struct CoefficientCharts {
 
 /// Orders that the bars show at least, where the range carries them.
 const LEAST_SHOWN: usize = 20;
-
-/// How many times higher than all else the measured curve must be to be cut.
-const FLAT: f64 = 2.0;
 
 /// Mean of the bells over that of the real function, where the range holds them.
 const WHOLE_BELLS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
@@ -374,114 +372,5 @@ impl<'a> Draw<'a> {
             y_range: Some(NEGLECTED_PERCENT),
             ..self.chart(&format!("Left out of {name}, and Eq. 12"), "%", series)
         })
-    }
-
-    /// The heights of all but the measured curve, with some room, where its spikes would press
-    /// everything else flat.
-    fn cut(&self, series: &[Series]) -> Option<[f64; 2]> {
-        let heights = |series: &[Series]| {
-            let points = series.iter().flat_map(|s| s.marks.points());
-            extent(points.map(|p| p[1]))
-        };
-        let ([low, high], [_, peak]) = (heights(series.get(1..)?)?, heights(series)?);
-        let room = 0.12 * (high - low.min(0.0));
-        (peak > FLAT * high && room > 0.0).then_some([low.min(0.0) - room, high + 2.0 * room])
-    }
-
-    /// Marks at the upper edge where spikes go beyond it, with how far they go.
-    fn beyond(&self, top: f64) -> Option<Series> {
-        let (derived, factor) = (self.app.derived(), self.app.scale_factor());
-        let mut points = Vec::new();
-        let mut notes = Vec::new();
-        let values = derived.measured.iter().map(|v| v * factor);
-        let values: Vec<f64> = values.collect();
-        for (i, nm) in derived.band.grid().enumerate() {
-            let is_peak = i > 0
-                && i + 1 < values.len()
-                && values[i - 1] < values[i]
-                && values[i] >= values[i + 1];
-            if is_peak && values[i] > top {
-                points.push([nm, 0.97 * top]);
-                notes.push(format!("reaches {}", figure(values[i])));
-            }
-        }
-        let name = "goes beyond";
-        let series = Series::points(name, self.inks.measured, Shape::Triangle, points);
-        (!notes.is_empty()).then(|| series.with_notes(notes))
-    }
-
-    fn partial(&self) -> Chart {
-        let (derived, table) = (self.app.derived(), &self.app.tables().basis);
-        let (factor, order) = (self.app.scale_factor(), self.sight.partial_order);
-        let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-            let points = derived.band.grid().zip(values);
-            points.map(|(nm, v)| [nm, v * factor]).collect()
-        };
-        let thin = |name: &str, ink: Rgb, values: &[f64], dash: Dash| {
-            let marks = Marks::Line {
-                points: curve(values),
-                width: 1.2,
-                dash,
-            };
-            Series::new(name, ink, marks)
-        };
-        let mut series = vec![thin(
-            "measured",
-            self.inks.measured,
-            &derived.measured,
-            Dash::Solid,
-        )];
-        if !derived.model.spikes.is_empty() {
-            series.push(thin(
-                "without its spikes",
-                self.inks.residual,
-                &derived.parts.smooth,
-                Dash::Dashed,
-            ));
-        }
-        if let Some(before) = order.checked_sub(1) {
-            let values = self.harmonics.partial_sum(table, before);
-            let name = format!("sum to N = {before}");
-            series.push(thin(&name, self.inks.overlays[2], &values, Dash::Dotted));
-        }
-        let sum = self.harmonics.partial_sum(table, order);
-        let marks = Marks::Line {
-            points: curve(&sum),
-            width: 2.6,
-            dash: Dash::Solid,
-        };
-        series.push(Series::new(
-            format!("sum to N = {order}"),
-            self.inks.smooth,
-            marks,
-        ));
-        if let Some(pointed) = self
-            .sight
-            .pointed
-            .filter(|n| *n < self.harmonics.orders.len())
-        {
-            let values = self.harmonics.single(table, pointed);
-            let name = format!("order {pointed} alone");
-            series.push(Series::line(name, self.inks.product, curve(&values)).dashed(Dash::Dashed));
-        }
-        let y_range = self.cut(&series);
-        if let Some([_, top]) = y_range {
-            series.extend(self.beyond(top));
-        }
-        let unit = self.app.unit();
-        Chart {
-            y_range,
-            title: format!(
-                "{}: sum to N = {order}",
-                self.app.document().subject_entry().name()
-            ),
-            x_label: "Wavelength (nm)".to_owned(),
-            y_label: if unit.is_empty() { "value" } else { unit }.to_owned(),
-            x_range: [derived.band.min_nm(), derived.band.max_nm()],
-            series,
-            notes: provenance(self.app),
-            theme: self.theme,
-            ..Chart::default()
-        }
     }
 }

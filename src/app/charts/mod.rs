@@ -14,5 +14,6 @@ pub mod quality;
 pub mod race;
 pub mod relit;
 pub mod spectrum;
+pub mod threshold;
 pub mod tradeoff;
 pub mod truth;

@@ -26,34 +26,6 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
         100.0 * choice.bound_rms
     };
     let [least, most] = looked.numbers();
-    let reference = looked.known.as_ref().map_or("light", |light| light.name());
-    let ways = [
-        (ReferenceKind::One, false, "series".to_owned(), inks.smooth),
-        (
-            ReferenceKind::One,
-            true,
-            "series, lines".to_owned(),
-            inks.residual,
-        ),
-        (
-            ReferenceKind::Light,
-            false,
-            format!("series × {reference}"),
-            inks.smooth,
-        ),
-        (
-            ReferenceKind::Mean,
-            false,
-            "series × mean".to_owned(),
-            inks.product,
-        ),
-        (
-            ReferenceKind::Mean,
-            true,
-            "series × mean, lines".to_owned(),
-            inks.spikes,
-        ),
-    ];
     let mut series: Vec<Series> = vec![
         Series::line(
             "",
@@ -62,7 +34,7 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
         )
         .dashed(Dash::Dashed),
     ];
-    for (kind, has_lines, name, ink) in ways {
+    for (kind, has_lines, name, ink) in ways(looked, inks) {
         let points: Vec<[f64; 2]> = (least..=most)
             .filter_map(|numbers| {
                 let tried = choice.tried.iter().filter(|c| {
@@ -97,6 +69,30 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
         theme,
         ..Chart::default()
     }
+}
+
+/// The ways that were tried: what the series multiplies, whether there are lines beside it, its
+/// name and colour.
+fn ways(looked: &Looked, inks: Inks) -> [(ReferenceKind, bool, String, [u8; 3]); 5] {
+    let light = looked.known.as_ref().map_or("light", |light| light.name());
+    [
+        (ReferenceKind::One, false, "series", inks.smooth),
+        (ReferenceKind::One, true, "series, lines", inks.residual),
+        (
+            ReferenceKind::Light,
+            false,
+            &format!("series × {light}"),
+            inks.smooth,
+        ),
+        (ReferenceKind::Mean, false, "series × mean", inks.product),
+        (
+            ReferenceKind::Mean,
+            true,
+            "series × mean, lines",
+            inks.spikes,
+        ),
+    ]
+    .map(|(kind, has_lines, name, ink)| (kind, has_lines, name.to_owned(), ink))
 }
 
 /// Boxes of the histogram.

@@ -5,7 +5,7 @@ use crate::{
     app::{
         App, Command, Settings,
         chart::Inks,
-        chart::{Cells, Chart, Dash, Marks, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
         pages::WaysShown,
         settings::Detector,
         studies::{About, SweepAsk},
@@ -432,119 +432,4 @@ fn way_words(point: &SweepPoint) -> String {
         "{basis}{fit}, order {order}, {}",
         spikes_words(point.spikes)
     )
-}
-
-/// The threshold's effect as a heat map over order and threshold.
-pub fn threshold_chart(ask: &SweepAsk, sweep: &Sweep, measure: Measure, theme: Theme) -> Chart {
-    let map = &sweep.map;
-    let columns = map.highest_order + 1;
-    let values = map
-        .verdicts
-        .iter()
-        .map(|verdict| Some(measure.figure().drawn(verdict[measure]?)))
-        .collect();
-    let notes = (0..map.verdicts.len())
-        .map(|i| {
-            let (row, order) = (i / columns, i % columns);
-            let spikes = map.spikes[row];
-            format!(
-                "{} at this threshold: {}\n{}\nClick to take this model.",
-                spikes_words(spikes),
-                numbers(2 * order + 1 + 2 * spikes),
-                all_figures(&map.verdicts[i])
-            )
-        })
-        .collect();
-    let cells = Cells {
-        x_edges: (0..=columns).map(|i| i as f64 - 0.5).collect(),
-        y_edges: edges(&map.thresholds_percent),
-        values,
-        range: None,
-        scale: Scale::Log10,
-        label: measure.figure().unit.sign.to_owned(),
-    };
-    let way = Way::new(ask.basis, false, ask.colour_exact);
-    Chart {
-        title: format!(
-            "{}: {} by order and threshold ({})",
-            ask.about.subject.0.name(),
-            measure.figure().title,
-            way.title()
-        ),
-        x_label: "Order N".to_owned(),
-        y_label: "Spike threshold, % of the power".to_owned(),
-        x_range: [-0.5, columns as f64 - 0.5],
-        y_range: Some([
-            cells.y_edges.first().copied().unwrap_or(0.1),
-            cells.y_edges.last().copied().unwrap_or(5.0),
-        ]),
-        y_scale: Scale::Log10,
-        series: vec![Series::cells(measure.figure().title, cells).with_notes(notes)],
-        notes: origin(&ask.about),
-        theme,
-        ..Chart::default()
-    }
-}
-
-/// Borders between places that are even in their logarithm.
-fn edges(places: &[f64]) -> Vec<f64> {
-    let [Some(first), Some(second)] = [places.first(), places.get(1)] else {
-        return Vec::new();
-    };
-    let half = (second / first).sqrt();
-    std::iter::once(first / half)
-        .chain(places.iter().map(|place| place * half))
-        .collect()
-}
-
-/// Marks the present order and threshold in the heat map.
-pub fn mark_threshold(chart: &mut Chart, app: &App) {
-    chart.series.truncate(1);
-    let (settings, derived) = (app.document().settings, app.derived());
-    let edited = !app.document().subject_edits().is_empty();
-    if !settings.spikes || settings.detector != Detector::Energy || edited {
-        return;
-    }
-    let at = [
-        derived.model.smooth.order() as f64,
-        settings.threshold_percent,
-    ];
-    let inside = chart.heat_map().is_some_and(|cells| cells.at(at).is_some());
-    if inside {
-        // White or black would vanish at one end of the colours: a ring of each.
-        let ring = |ink, radius| {
-            Series::new(
-                "",
-                ink,
-                Marks::Points {
-                    points: vec![at],
-                    radius,
-                    shape: Shape::Ring,
-                },
-            )
-        };
-        let note = format!("The model now: {}", words_now(app));
-        chart.series.push(ring([20; 3], 7.4));
-        chart
-            .series
-            .push(ring([255; 3], 6.0).with_notes(vec![note]));
-    }
-}
-
-/// What a click on a box of the heat map asks for: that order and threshold, without hand edits.
-pub fn take_cell(settings: Settings, sweep: &Sweep, cell: usize) -> Option<Command> {
-    let map = &sweep.map;
-    let columns = map.highest_order + 1;
-    let threshold = *map.thresholds_percent.get(cell / columns)?;
-    Some(Command::TakeModel {
-        settings: Settings {
-            order: cell % columns,
-            threshold_percent: threshold,
-            spikes: true,
-            detector: Detector::Energy,
-            wide_lines: false,
-            ..settings
-        },
-        edits: SpikeEdits::default(),
-    })
 }

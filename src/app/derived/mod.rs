@@ -235,24 +235,7 @@ impl Derived {
         }
         let [first_nm, last_nm] = question.table_nm;
         let is_beside = first_nm > self.band.max_nm() || last_nm < self.band.min_nm();
-        if is_beside {
-            let mut said = nothing_measured(self.band, question.table_nm);
-            if !question.is_light {
-                said += " What is shown is its nearest value, held.";
-            }
-            warnings.push(said);
-        } else if !self.has_errors() {
-            warnings.push(self.why_no_errors().to_owned());
-        } else if self.colour.exact.is_some() && self.colour.model.is_none() {
-            warnings.push(
-                "The model's X, Y, Z are not all positive: it has no colour to compare.".to_owned(),
-            );
-        } else if self.colour.exact.is_none() {
-            warnings.push(
-                "No visible light in this range (X, Y, Z are not positive): there is no colour."
-                    .to_owned(),
-            );
-        }
+        warnings.extend(self.why_no_colour(question, is_beside));
         if question.power_outside > 0.5 && !is_beside {
             warnings.push(format!(
                 "{:.1} % of the light's power lies outside {}-{} nm; what only rises towards an \
@@ -311,6 +294,27 @@ impl Derived {
             ));
         }
         warnings
+    }
+
+    /// Why there are no errors, or no colours to compare.
+    fn why_no_colour(&self, question: Question<'_>, is_beside: bool) -> Option<String> {
+        if is_beside {
+            let mut said = nothing_measured(self.band, question.table_nm);
+            if !question.is_light {
+                said += " What is shown is its nearest value, held.";
+            }
+            return Some(said);
+        }
+        let said = if !self.has_errors() {
+            self.why_no_errors()
+        } else if self.colour.exact.is_some() && self.colour.model.is_none() {
+            "The model's X, Y, Z are not all positive: it has no colour to compare."
+        } else if self.colour.exact.is_none() {
+            "No visible light in this range (X, Y, Z are not positive): there is no colour."
+        } else {
+            return None;
+        };
+        Some(said.to_owned())
     }
 
     fn why_not_exact(&self) -> Option<&'static str> {

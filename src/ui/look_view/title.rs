@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align, Button, Label, Layout, Rect, RichText, Ui};
 
 use crate::{
-    app::{App, Command, View, charts::spectrum::overlay_factor, document::Height},
+    app::{App, Command, View, chart::Inks, charts::spectrum::overlay_factor, document::Height},
     ui::theme::{Theme, ink},
 };
 
@@ -84,49 +84,23 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
             Some(inks.model),
             "The model's smooth part as an outline; its lines stand on it.",
         );
-        let lines = |ui: &mut Ui, view: &mut View| {
-            chip(
-                ui,
-                &mut view.spikes,
-                "Lines",
-                Some(inks.spikes),
-                "The model's lines, each as high as the line that it stands for: weight / (1.0645 \
-                 x its width).",
-            );
-        };
         let with_widths = width >= 800.0;
         if !tight {
-            lines(ui, view);
+            lines(ui, inks, view);
         }
         if with_widths {
             widths(ui, app, width >= 880.0, commands);
         }
-        let others = |ui: &mut Ui, view: &mut View| {
-            chip(
-                ui,
-                &mut view.smooth,
-                "Smooth part",
-                Some(inks.smooth),
-                "The smooth part alone: the short series.",
-            );
-            chip(
-                ui,
-                &mut view.residual,
-                "Residual",
-                Some(inks.residual),
-                "Model minus measured, below; lines as wide as they are.",
-            );
-        };
         if wide {
-            others(ui, view);
+            others(ui, inks, view);
         }
         let menu = ui.menu_button("Layers", |ui| {
             if tight {
                 ui.horizontal(|ui| heights(ui, app, view, true));
-                lines(ui, view);
+                lines(ui, inks, view);
             }
             if !wide {
-                others(ui, view);
+                others(ui, inks, view);
             }
             if !with_widths {
                 ui.horizontal(|ui| widths(ui, app, true, commands));
@@ -154,6 +128,35 @@ pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &
             });
         }
     });
+}
+
+fn lines(ui: &mut Ui, inks: Inks, view: &mut View) {
+    chip(
+        ui,
+        &mut view.spikes,
+        "Lines",
+        Some(inks.spikes),
+        "The model's lines, each as high as the line that it stands for: weight / (1.0645 x its \
+         width).",
+    );
+}
+
+/// The layers that are put away where there is little room.
+fn others(ui: &mut Ui, inks: Inks, view: &mut View) {
+    chip(
+        ui,
+        &mut view.smooth,
+        "Smooth part",
+        Some(inks.smooth),
+        "The smooth part alone: the short series.",
+    );
+    chip(
+        ui,
+        &mut view.residual,
+        "Residual",
+        Some(inks.residual),
+        "Model minus measured, below; lines as wide as they are.",
+    );
 }
 
 /// What lies over the spectrum, and how many are brought to its brightness.

@@ -10,9 +10,9 @@ use crate::{
     app::{
         App, Command,
         chart::{self, Chart},
+        charts::threshold::{mark_threshold, take_cell, threshold_chart},
         charts::tradeoff::{
-            self, Tradeoff, all_figures, lack, limits, mark_threshold, measure_within, needs, take,
-            take_cell, threshold_chart, way_name,
+            self, Tradeoff, all_figures, lack, limits, measure_within, needs, take, way_name,
         },
         memo::{ByAddress, Memo},
         pages::WaysShown,

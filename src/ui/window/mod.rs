@@ -1,6 +1,7 @@
 //! The window: panels in their places, controls first, then what depends on them.
 
 mod acts;
+mod batch;
 mod column;
 mod filing;
 mod images;

@@ -141,6 +141,37 @@ fn wish_and_faders(
 
 /// The colour: a temperature, or that of a light.
 fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
+    whose_colour(ui, context);
+    let scale = context.theme.scale;
+    let wish = &mut context.memory.wish;
+    if wish.light.is_some() {
+        ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
+            .on_hover_text(
+                "Comes near to that light at every wavelength, in the least squares; its colour \
+                 is met exactly all the same.",
+            );
+        return;
+    }
+    if let Some(xy) = &mut wish.xy {
+        ui.horizontal(|ui| {
+            for (value, title) in xy.iter_mut().zip(["x", "y"]) {
+                ui.label(title);
+                let number = DragValue::new(value)
+                    .range(0.0..=1.0)
+                    .speed(0.0005)
+                    .fixed_decimals(4);
+                let response = ui.add(number);
+                named(&response, egui::Role::SpinButton, title);
+                response.on_hover_text("CIE 1931 chromaticity: drag, or click to type.");
+            }
+        });
+        return;
+    }
+    temperature_and_tint(ui, wish, scale);
+}
+
+/// Whether the colour is that of a temperature, of coordinates or of a light.
+fn whose_colour(ui: &mut Ui, context: &mut PageContext<'_>) {
     let scale = context.theme.scale;
     ui.horizontal_wrapped(|ui| {
         ui.label("The colour of");
@@ -175,30 +206,9 @@ fn colour(ui: &mut Ui, context: &mut PageContext<'_>) {
             context.memory.wish.xy = None;
         }
     });
-    let wish = &mut context.memory.wish;
-    if wish.light.is_some() {
-        ui.checkbox(&mut wish.alike, "and its spectrum, as nearly as can be")
-            .on_hover_text(
-                "Comes near to that light at every wavelength, in the least squares; its colour \
-                 is met exactly all the same.",
-            );
-        return;
-    }
-    if let Some(xy) = &mut wish.xy {
-        ui.horizontal(|ui| {
-            for (value, title) in xy.iter_mut().zip(["x", "y"]) {
-                ui.label(title);
-                let number = DragValue::new(value)
-                    .range(0.0..=1.0)
-                    .speed(0.0005)
-                    .fixed_decimals(4);
-                let response = ui.add(number);
-                named(&response, egui::Role::SpinButton, title);
-                response.on_hover_text("CIE 1931 chromaticity: drag, or click to type.");
-            }
-        });
-        return;
-    }
+}
+
+fn temperature_and_tint(ui: &mut Ui, wish: &mut MixWish, scale: f32) {
     let mut fader = |value: &mut f64, title: &str, fader: Fader<'_>| {
         ui.horizontal(|ui| {
             let size = vec2(76.0 * scale, ui.spacing().interact_size.y);

@@ -1,13 +1,18 @@
 //! "How lamp.csv was read": the first rows, every decision as a row of answers to click, and the
 //! curve. It stands over the plot and blocks nothing.
 
+mod answers;
+mod table;
+
 use std::sync::Arc;
 
 use eframe::egui;
-use egui::{
-    Context, Key, Label, Rect, RichText, ScrollArea, Ui, Vec2, WidgetText, text::LayoutJob, vec2,
-};
+use egui::{Context, Key, Label, Rect, RichText, ScrollArea, Ui, Vec2, vec2};
 
+use self::{
+    answers::{answers, label, row_height, stands_beside, two_lines},
+    table::table,
+};
 use super::{
     chart_view::{ChartView, ChartWish},
     kit::Choice,
@@ -17,7 +22,7 @@ use crate::app::{
     App,
     chart::{self, Chart},
     charts::import::curves,
-    import::{About, Again, Answer, Flip, Head, Import, Question},
+    import::{About, Again, Flip, Import, Question},
     memo::{ByAddress, Memo},
     opened::Opened,
 };
@@ -60,12 +65,6 @@ const HEIGHT: f32 = 820.0;
 const TABLE: f32 = 152.0;
 const CHART: [f32; 2] = [170.0, 560.0];
 const BUTTONS: f32 = 30.0;
-
-/// Width of what is asked, before the answers, points.
-const LABEL: f32 = 118.0;
-
-/// Width that a reason needs beside the answers, points; else it stands below them.
-const REASON: f32 = 150.0;
 
 /// Width from which the curve stands beside the table, points, and the table's share of it.
 const BESIDE: f32 = 520.0;
@@ -303,25 +302,6 @@ fn message(ui: &mut Ui, import: &Import, theme: Theme) {
     });
 }
 
-/// Height of a row of answers with its reason: two small lines, or a button.
-fn row_height(ui: &Ui) -> f32 {
-    let line = ui.text_style_height(&egui::TextStyle::Small);
-    (2.0 * line + 1.0).max(ui.spacing().interact_size.y)
-}
-
-/// Small text in at most two lines; all of it in its tooltip where it is longer.
-fn two_lines(ui: &mut Ui, text: &str, colour: egui::Color32, width: f32) {
-    let font = egui::TextStyle::Small.resolve(ui.style());
-    let mut job = LayoutJob::simple(text.to_owned(), font, colour, width.max(40.0));
-    job.wrap.max_rows = 2;
-    let galley = ui.painter().layout_job(job);
-    let is_cut = galley.elided;
-    let label = ui.add(Label::new(WidgetText::Galley(galley)));
-    if is_cut {
-        label.on_hover_text(text);
-    }
-}
-
 /// The buttons that end it.
 fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
@@ -353,163 +333,5 @@ fn foot(ui: &mut Ui, import: &Import, wishes: &mut Vec<Wish>) {
             ui.spinner();
             ui.label("reading it again");
         }
-    });
-}
-
-/// One row of answers a question; rows keep their height whatever is answered.
-fn answers(ui: &mut Ui, questions: &[Question], theme: Theme, wishes: &mut Vec<Wish>) {
-    for question in questions {
-        let beside = stands_beside(ui, question, theme);
-        let size = vec2(ui.available_width(), row_height(ui));
-        let layout = egui::Layout::left_to_right(egui::Align::Center);
-        ui.allocate_ui_with_layout(size, layout, |ui| {
-            ui.set_min_height(size.y);
-            ui.spacing_mut().item_spacing.x = 4.0;
-            label(ui, question.what, question.meaning, question.applies, theme);
-            if beside {
-                buttons(ui, question, wishes);
-                reason(ui, question, theme);
-            } else {
-                ui.horizontal_wrapped(|ui| buttons(ui, question, wishes));
-            }
-        });
-        if !beside {
-            ui.horizontal(|ui| {
-                ui.set_min_height(row_height(ui));
-                ui.add_space(LABEL * theme.scale + 4.0);
-                reason(ui, question, theme);
-            });
-        }
-    }
-}
-
-/// What is asked, in the width that all rows give it.
-fn label(ui: &mut Ui, what: &str, meaning: &str, applies: bool, theme: Theme) {
-    let size = vec2(LABEL * theme.scale, ui.spacing().interact_size.y);
-    let left = egui::Layout::left_to_right(egui::Align::Center);
-    ui.allocate_ui_with_layout(size, left, |ui| {
-        ui.set_min_width(size.x);
-        ui.add_enabled(applies, Label::new(what))
-            .on_hover_text(meaning);
-    });
-}
-
-/// About what the buttons of a row take.
-fn buttons_width(ui: &Ui, question: &Question) -> f32 {
-    let font = egui::TextStyle::Button.resolve(ui.style());
-    let padding = 2.0 * ui.spacing().button_padding.x + 4.0;
-    let width = |answer: &Answer| {
-        let text = answer.words.clone();
-        let galley = ui
-            .painter()
-            .layout_no_wrap(text, font.clone(), egui::Color32::WHITE);
-        galley.size().x + padding
-    };
-    question.answers.iter().map(width).sum()
-}
-
-/// Whether the reason has room beside the answers.
-fn stands_beside(ui: &Ui, question: &Question, theme: Theme) -> bool {
-    let needs = LABEL * theme.scale + buttons_width(ui, question);
-    ui.available_width() - needs >= REASON * theme.scale
-}
-
-fn buttons(ui: &mut Ui, question: &Question, wishes: &mut Vec<Wish>) {
-    for answer in &question.answers {
-        let button = egui::Button::new(&answer.words).selected(answer.chosen);
-        let button = ui
-            .add_enabled(question.applies, button)
-            .on_hover_text(question.meaning);
-        let name = format!("{} {}", question.what, answer.words);
-        button.widget_info(|| {
-            let enabled = question.applies;
-            egui::WidgetInfo::selected(egui::Role::Button, enabled, answer.chosen, &name)
-        });
-        if button.clicked() && !answer.chosen {
-            wishes.push(Wish::Flip(answer.flip));
-        }
-    }
-}
-
-/// Why a question was answered as it is.
-fn reason(ui: &mut Ui, question: &Question, theme: Theme) {
-    let width = ui.available_width();
-    if question.doubtful {
-        let words = format!("▲ doubtful: {}", question.because);
-        two_lines(ui, &words, theme.warning, width);
-    } else {
-        two_lines(ui, &question.because, theme.faint, width);
-    }
-}
-
-/// How many of the shown columns the width has room for, two at least.
-fn columns_that_fit(ui: &Ui, head: &Head) -> usize {
-    let letter = 0.5 * ui.text_style_height(&egui::TextStyle::Small);
-    let mut left = ui.available_width() - 8.0;
-    (0..head.width())
-        .take_while(|column| {
-            let cells = head.rows.iter().chain([&head.titles]);
-            let cells = cells.filter_map(|row| row.get(*column));
-            let longest = cells.map(|cell| cell.chars().count()).max().unwrap_or(0);
-            left -= letter * longest.max(9) as f32 + 14.0;
-            *column < 2 || left >= 0.0
-        })
-        .count()
-}
-
-/// The first rows with what each column was taken for.
-fn table(ui: &mut Ui, head: &Head, theme: Theme, turn: u64, height: f32) {
-    let top = ui.cursor().top();
-    if head.rows.is_empty() {
-        return;
-    }
-    for line in &head.above {
-        ui.add(egui::Label::new(RichText::new(line).small().color(theme.faint)).truncate());
-    }
-    if head.along_rows {
-        ui.small("The wavelengths stand in a row, one spectrum in each row below.");
-    }
-    let columns = columns_that_fit(ui, head);
-    let more = head.width() + head.more_columns - columns;
-    if more > 0 && !head.along_rows {
-        ui.small(format!(
-            "The first {columns} columns, + {more} more columns"
-        ));
-    }
-    let area = egui::Frame::new()
-        .fill(ui.visuals().extreme_bg_color)
-        .inner_margin(4)
-        .corner_radius(3);
-    area.show(ui, |ui| {
-        ScrollArea::both()
-            .id_salt(("rows", turn))
-            .auto_shrink([false, true])
-            .max_height((height - (ui.cursor().top() - top)).max(60.0))
-            .show(ui, |ui| {
-                egui::Grid::new(("first rows", turn))
-                    .striped(true)
-                    .min_row_height(12.0)
-                    .spacing([14.0, 1.0])
-                    .show(ui, |ui| {
-                        if !head.along_rows {
-                            for role in head.roles.iter().take(columns) {
-                                ui.small(RichText::new(role.words()).strong());
-                            }
-                            ui.end_row();
-                        }
-                        if !head.titles.is_empty() {
-                            for title in head.titles.iter().take(columns) {
-                                ui.small(RichText::new(title).color(theme.faint));
-                            }
-                            ui.end_row();
-                        }
-                        for row in &head.rows {
-                            for cell in row.iter().take(columns) {
-                                ui.small(RichText::new(cell).monospace());
-                            }
-                            ui.end_row();
-                        }
-                    });
-            });
     });
 }

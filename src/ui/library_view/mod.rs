@@ -1,0 +1,265 @@
+//! The library: shelves of spectra, each with a swatch, a name and a small curve.
+
+mod headings;
+mod menu;
+mod rows;
+
+use std::sync::Arc;
+
+use eframe::egui;
+use egui::{Key, Response, Sense, Ui, Vec2, vec2};
+
+use self::{
+    headings::{describe, favourites_row, file_heading, heading},
+    rows::{Listed, Row, fold_of},
+};
+use super::{
+    entry_row::{Painted, row_name},
+    theme::{Theme, ink},
+};
+use crate::app::{App, Command, Entry, workspace::Preferences};
+
+/// What the library remembers between frames.
+#[derive(Default)]
+pub struct LibraryView {
+    /// What is searched for.
+    pub search: String,
+    /// The search field is to get the keyboard in the next frame.
+    pub wants_search: bool,
+    /// The own entry whose file is to be looked at.
+    pub wants_reading: Option<String>,
+    /// A click lays a spectrum over the one that is shown.
+    compares: bool,
+    /// The own entry being renamed, with the text so far.
+    renaming: Option<(String, String)>,
+    listed: Listed,
+    /// The row that Enter takes, of those that a search found.
+    at: usize,
+}
+
+/// Indent of a file's spectra, points.
+const INDENT: f32 = 10.0;
+
+/// What a row asked for.
+enum Wish {
+    Command(Command),
+    Fold(String),
+}
+
+impl LibraryView {
+    /// Draws the library.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        app: &App,
+        preferences: &mut Preferences,
+        (theme, compares): (Theme, bool),
+        commands: &mut Vec<Command>,
+    ) {
+        self.compares = compares;
+        ui.horizontal(|ui| {
+            let words = if compares { "Lay over" } else { "Library" };
+            ui.label(egui::RichText::new(words).heading());
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.toggle_value(&mut preferences.pinned, "Pin")
+                    .on_hover_text("The library stays open beside the page.");
+            });
+        });
+        let search = self.search_field(ui);
+        let searches = !self.search.trim().is_empty();
+        if !searches {
+            favourites_row(ui, app, theme, self.compares, commands);
+        }
+        let rows = self.listed.rows(&self.search, app, preferences);
+        if rows.is_empty() {
+            ui.add_space(8.0);
+            ui.weak("Nothing is called that.");
+            return;
+        }
+        if search.changed() {
+            self.at = 0;
+        }
+        let typing = search.has_focus() || search.lost_focus();
+        let chosen = searches && self.keys(ui, typing, rows.len());
+        if chosen && let Some(Row::Item { entry, .. }) = rows.get(self.at) {
+            commands.push(taken(entry, self.compares));
+        }
+        let height = (ROW * theme.scale).round() - ui.spacing().item_spacing.y;
+        let mut wish = None;
+        let list = egui::ScrollArea::vertical().auto_shrink(false);
+        list.show_rows(ui, height, rows.len(), |ui, range| {
+            for place in range {
+                let size = vec2(ui.available_width(), height);
+                let is_next = searches && place == self.at;
+                let asked = self.row(ui, size, &rows[place], is_next, (app, theme));
+                wish = asked.or(wish.take());
+            }
+        });
+        match wish {
+            Some(Wish::Command(command)) => commands.push(command),
+            Some(Wish::Fold(title)) => {
+                let folded = &mut preferences.folded;
+                match folded.iter().position(|f| *f == title) {
+                    Some(index) => drop(folded.remove(index)),
+                    None => folded.push(title),
+                }
+            }
+            None => {}
+        }
+    }
+
+    fn search_field(&mut self, ui: &mut Ui) -> Response {
+        let search = ui
+            .add(
+                egui::TextEdit::singleline(&mut self.search)
+                    .hint_text("Search spectra")
+                    .desired_width(f32::INFINITY),
+            )
+            .on_hover_text(
+                "A name, a family, an element, a use: \"street lamp\", neon, skin (Ctrl+F). Enter shows \
+                 the first.",
+            );
+        search.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the library")
+        });
+        if std::mem::take(&mut self.wants_search) {
+            search.request_focus();
+        }
+        search
+    }
+
+    /// Draws a row; what it asks for.
+    fn row(
+        &mut self,
+        ui: &mut Ui,
+        size: Vec2,
+        row: &Row,
+        is_next: bool,
+        looks: (&App, Theme),
+    ) -> Option<Wish> {
+        match row {
+            Row::Heading {
+                title,
+                count,
+                folded,
+            } => heading(ui, size, title, *count, *folded).then(|| Wish::Fold(title.clone())),
+            Row::File {
+                name,
+                count,
+                folded,
+            } => file_heading(ui, size, name, *count, *folded).then(|| Wish::Fold(fold_of(name))),
+            Row::Item { entry, in_file } => self
+                .item(ui, size, (entry, *in_file), is_next, looks)
+                .map(Wish::Command),
+        }
+    }
+
+    /// Escape gives up a new name, then the search; whether there was either.
+    pub fn escaped(&mut self) -> bool {
+        if self.renaming.is_some() {
+            return true;
+        }
+        !std::mem::take(&mut self.search).is_empty()
+    }
+
+    /// Moves the chosen row by the arrows while a search is typed; whether Enter was pressed.
+    fn keys(&mut self, ui: &Ui, typing: bool, count: usize) -> bool {
+        if !typing {
+            return false;
+        }
+        let [up, down, enter] =
+            [Key::ArrowUp, Key::ArrowDown, Key::Enter].map(|key| ui.input(|i| i.key_pressed(key)));
+        if down {
+            self.at += 1;
+        }
+        if up {
+            self.at = self.at.saturating_sub(1);
+        }
+        self.at = self.at.min(count.saturating_sub(1));
+        enter
+    }
+
+    fn item(
+        &mut self,
+        ui: &mut Ui,
+        size: Vec2,
+        (entry, in_file): (&Arc<Entry>, Option<[usize; 2]>),
+        is_next: bool,
+        (app, theme): (&App, Theme),
+    ) -> Option<Command> {
+        let document = app.document();
+        let is_light = document.light.key == entry.key;
+        let is_factor = document.factor.as_ref().is_some_and(|f| f.key == entry.key);
+        let selected = is_light || is_factor;
+        let overlay = document.overlays.iter().position(|o| o.key == entry.key);
+        let overlaid = overlay.is_some();
+        if let Some((key, text)) = &mut self.renaming
+            && *key == entry.key
+        {
+            let edit = ui.add_sized(size, egui::TextEdit::singleline(text));
+            let id = edit.id;
+            edit.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "New name"));
+            if edit.lost_focus() {
+                let (key, name) = self.renaming.take()?;
+                let name = name.trim().to_owned();
+                let refused = name.is_empty() || ui.input(|i| i.key_pressed(egui::Key::Escape));
+                return (!refused).then_some(Command::Rename { key, name });
+            }
+            ui.memory_mut(|m| m.request_focus(id));
+            return None;
+        }
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        response.widget_info(|| {
+            egui::WidgetInfo::selected(egui::Role::Button, true, selected, row_name(entry))
+        });
+        let visuals = ui.visuals();
+        if selected {
+            ui.painter()
+                .rect_filled(rect, 3.0, visuals.selection.bg_fill);
+        } else if response.hovered() || response.has_focus() || is_next {
+            ui.painter()
+                .rect_filled(rect, 3.0, visuals.widgets.hovered.bg_fill);
+        }
+        let text_colour = if selected {
+            visuals.selection.stroke.color
+        } else {
+            visuals.text_color()
+        };
+        let marked = overlay.map(|overlay| {
+            let inks = theme.inks.overlays;
+            ink(inks[overlay % inks.len()])
+        });
+        let painted = Painted {
+            indent: in_file.map_or(0.0, |_| INDENT * theme.scale),
+            common: in_file.unwrap_or_default(),
+            marked,
+            ink: text_colour,
+            faint: if selected { text_colour } else { theme.faint },
+            scale: theme.scale,
+        };
+        painted.show(ui, rect, entry);
+        let add = self.compares || ui.input(|i| i.modifiers.command || i.modifiers.shift);
+        let mut command = None;
+        if response.clicked() {
+            command = Some(taken(entry, add));
+        }
+        response.context_menu(|ui| {
+            if let Some(chosen) = self.menu(ui, app, entry, overlaid) {
+                command = Some(chosen);
+            }
+        });
+        response.on_hover_ui(|ui| describe(ui, entry));
+        command
+    }
+}
+
+/// What a spectrum that was clicked does: it is laid over, or shown.
+fn taken(entry: &Arc<Entry>, lay_over: bool) -> Command {
+    match lay_over {
+        true => Command::ToggleOverlay(entry.clone()),
+        false => Command::Show(entry.clone()),
+    }
+}
+
+/// Height of a row, points.
+const ROW: f32 = 40.0;
