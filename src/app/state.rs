@@ -48,6 +48,8 @@ pub struct App {
     unit: String,
     took: Duration,
     messages: Vec<Message>,
+    /// Steps taken that can be undone, ever.
+    steps: u64,
     revision: u64,
 }
 
@@ -106,6 +108,7 @@ impl App {
             unit: String::new(),
             took: Duration::ZERO,
             messages: Vec::new(),
+            steps: 0,
             revision: 0,
         };
         app.recompute();
@@ -315,6 +318,7 @@ impl App {
             .is_some_and(|last| command.continues(last));
         if !continues {
             self.history.remember(before);
+            self.steps += 1;
         }
         self.gesture = Some(command);
         self.recompute();

@@ -15,7 +15,7 @@ use super::{
     words::extension,
 };
 use crate::{
-    app::open::Loaded,
+    app::{open::Loaded, ticks::short},
     io::{Choices, atomic::save_atomically, error::shown, many::many, stream::is_standard_input},
     pictures::{FitAsk, PictureError, fit_line, fit_spectra},
     spectrum::NamedSpectrum,
@@ -71,6 +71,19 @@ pub fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Result<()
         PictureError::Numbers { .. } => Refusal::Usage(format!("--numbers: {why}")),
         why => Refusal::File(format!("{}: {why}", shown(input))),
     })?;
+    let first = &spectra[0];
+    let [least, most] = [first.samples.first_nm(), first.samples.last_nm()];
+    let is_cut = |s: &&NamedSpectrum| s.samples.first_nm() < least || s.samples.last_nm() > most;
+    let cut = spectra.iter().filter(is_cut).count();
+    if cut > 0 {
+        inputs.note(format!(
+            "{} cut to {} to {} nm, the range of {}",
+            many(cut, "spectrum is", "spectra are"),
+            short(least),
+            short(most),
+            first.name
+        ));
+    }
     let text = match extension(path).as_str() {
         "csv" => fitted.csv(),
         _ => format!("{:#}\n", fitted.json()),

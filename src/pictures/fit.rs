@@ -157,14 +157,31 @@ impl Fitted {
             .collect()
     }
 
-    /// A table: a comment with what the numbers mean, then a row a spectrum.
+    /// A table: comments with what the numbers mean, the reference among them where it is not 1
+    /// everywhere; then a row a spectrum.
     pub fn csv(&self) -> String {
         let plan = self.operator.plan();
         let [lo, hi] = self.operator.range_nm();
         let mut out = format!(
-            "# series {} over {lo}:{hi} nm, reference {:?}\n",
-            plan.series, plan.reference.kind
+            "# series {} over {lo}:{hi} nm, reference {}\n",
+            plan.series,
+            match plan.reference.kind {
+                ReferenceKind::One => "one",
+                ReferenceKind::Light => "light",
+                ReferenceKind::Mean => "mean",
+            }
         );
+        let mut listed = |what: &str, values: &[f64]| {
+            let _ = write!(out, "# {what}");
+            values.iter().for_each(|value| {
+                let _ = write!(out, " {value}");
+            });
+            out.push('\n');
+        };
+        if plan.reference.kind != ReferenceKind::One {
+            listed("bands_nm", self.operator.bands().nm());
+            listed("reference", &plan.reference.values);
+        }
         out.push_str("name");
         (0..plan.series).for_each(|n| {
             let _ = write!(out, ",c{n}");

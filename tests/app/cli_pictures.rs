@@ -394,17 +394,28 @@ fn of_a_folder_every_spectrum_of_its_files_is_a_row() {
             .collect();
         fs::write(lamps.join(name), format!("{head}\n{rows}")).expect("a table");
     }
+    let wider: String = (370..=790).map(|nm| format!("{nm},{}\n", nm % 7)).collect();
+    fs::write(lamps.join("c.csv"), format!("nm,five\n{wider}")).expect("a table");
     fs::write(lamps.join("notes.md"), "no spectrum at all").expect("a file");
     let out = folder.path().join("numbers.csv");
     let args = ["fit", word(&lamps), "--numbers", "9", "--out", word(&out)];
-    let (code, told, err) = tell(&args);
+    let (code, told, err) = tell(&[&args[..], &["--reference", "mean"]].concat());
     assert_eq!(code, 0, "{err}");
-    assert!(told.contains("4 spectra in 9 numbers each"), "{told}");
+    assert!(told.contains("5 spectra in 9 numbers each"), "{told}");
+    let cut = "1 spectrum is cut to 380 to 780 nm, the range of one";
+    assert!(err.contains(cut), "{err}");
     assert!(err.contains("skipped") && err.contains("notes.md"), "{err}");
     let text = fs::read_to_string(&out).expect("numbers");
-    for name in ["one", "two", "three", "four"] {
+    for name in ["one", "two", "three", "four", "five"] {
         assert!(text.contains(name), "{text}");
     }
+    // What multiplies the series is there too: without it nobody could read the numbers.
+    let listed = |what: &str| text.lines().find_map(|line| line.strip_prefix(what));
+    let [bands, mean] = ["# bands_nm ", "# reference "].map(|what| listed(what).expect("a list"));
+    assert_eq!(
+        (bands.split(' ').count(), mean.split(' ').count()),
+        (401, 401)
+    );
 }
 
 /// Lines of JSON, one a lamp.

@@ -1283,6 +1283,27 @@ fn a_composite_is_analysed_on_request_and_its_tables_end_is_no_line() {
 }
 
 #[test]
+fn a_problem_is_seen_for_three_steps_and_stays_among_what_was_said() {
+    let mut app = plain();
+    app.say(Tone::Problem, "There is no such file.");
+    let order = |app: &App, order: usize| {
+        Command::Edit(Settings {
+            order,
+            ..app.document().settings
+        })
+    };
+    for n in [3, 4] {
+        app.end_gesture();
+        app.apply(order(&app, n));
+        assert!(app.current_message().is_some(), "after order {n}");
+    }
+    app.end_gesture();
+    app.apply(order(&app, 5));
+    assert_eq!(app.current_message(), None);
+    assert_eq!(app.message().map(|m| m.tone), Some(Tone::Problem));
+}
+
+#[test]
 fn a_surface_under_a_composite_has_the_knobs_of_before_it() {
     let mut app = plain();
     let usual = app.document().settings;

@@ -396,7 +396,7 @@ fn another_lamp_is_tried_and_the_claims_that_fail_are_told() {
     click(&mut ui, &title);
     for (light, verdict) in [
         ("FL3", "With FL3 everything holds"),
-        ("CIE D65", "With CIE D65, 1 of 2 steps fail."),
+        ("CIE D65", "With CIE D65, 1 of 2 steps fails."),
     ] {
         ui.get_by_role_and_label(Role::ComboBox, "Try another lamp")
             .click();

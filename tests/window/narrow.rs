@@ -396,7 +396,7 @@ fn small_windows_over_the_window_keep_their_buttons_within_it() {
     ui.key_press(egui::Key::Escape);
     rest(&mut ui);
     click(&mut ui, "Help");
-    click(&mut ui, "Three ways to begin");
+    click(&mut ui, "The ways to begin");
     let first = rect(&ui, Role::Button, "Show a class").expect("a tile");
     assert!(screen.contains_rect(first), "tiles: {first:?}");
     ui.key_press(egui::Key::Escape);

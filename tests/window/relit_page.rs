@@ -6,6 +6,7 @@ use crate::driver::{Ui, app, at_rest, words};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{App, pages::Page, relit::Look, workspace::Preferences},
+    pictures::{ReferenceKind, WishedLines},
     ui::{
         Window,
         files::{Ask, Picked},
@@ -82,4 +83,30 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     }
     ui.state_mut().0.finish_writing();
     assert!(path.metadata().expect("saved").len() > 10_000);
+}
+
+#[test]
+fn what_stands_for_every_pixel_can_be_chosen_by_hand() {
+    let mut ui = page(None);
+    let wish = |ui: &Ui| ui.state().0.preferences.pages.relit.wish.clone();
+    click(&mut ui, names::KEPT);
+    click(&mut ui, "Nothing");
+    assert_eq!(wish(&ui).reference, Some(ReferenceKind::One));
+    click(&mut ui, names::BY_HAND);
+    let WishedLines::At(before) = wish(&ui).lines else {
+        panic!("a list of lines: {:?}", wish(&ui).lines);
+    };
+    assert!(!before.contains(&546.1));
+    click(&mut ui, names::ADD_LINE);
+    let WishedLines::At(after) = wish(&ui).lines else {
+        panic!("a list of lines");
+    };
+    assert_eq!(after.len(), before.len() + 1);
+    assert!(after.contains(&546.1), "{after:?}");
+    click(&mut ui, "546.1 nm ×");
+    assert_eq!(wish(&ui).lines, WishedLines::At(before));
+    let was = ui.state().0.preferences.pages.relit.between_series;
+    click(&mut ui, names::BETWEEN);
+    assert_ne!(ui.state().0.preferences.pages.relit.between_series, was);
+    assert!(!app(&ui).can_undo(), "how a page looks is no step");
 }

@@ -1441,7 +1441,7 @@ fn every_small_window_and_menu_is_drawn_with_names() {
             continue;
         }
         click(&mut ui, "Help");
-        click(&mut ui, "Three ways to begin");
+        click(&mut ui, "The ways to begin");
         assert_sound(&ui, "three ways");
         control(&ui, Role::Button, "Show a class");
         press(&mut ui, Key::Escape);

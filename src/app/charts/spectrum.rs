@@ -23,6 +23,16 @@ const LOG_FLOOR: f64 = 1e-5;
 /// The name of the series of the model's spikes: a point of it is a spike of the model.
 pub const SPIKES: &str = "spikes";
 
+/// What values in a unit are called on an axis.
+pub fn value_label(unit: &str) -> String {
+    match unit {
+        "" => "value",
+        "relative" => "Relative power per nm",
+        unit => unit,
+    }
+    .to_owned()
+}
+
 /// The spectrum plot of the present document.
 pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
     let (document, derived) = (app.document(), app.derived());
@@ -40,11 +50,7 @@ pub fn spectrum_chart(app: &App, theme: Theme) -> Chart {
             many(derived.model.spikes.len(), "spike", "spikes"),
         ),
         x_label: "Wavelength (nm)".to_owned(),
-        y_label: if unit.is_empty() {
-            "value".to_owned()
-        } else {
-            unit.to_owned()
-        },
+        y_label: value_label(unit),
         x_range: [band.min_nm(), band.max_nm()],
         y_scale: scale(app),
         series: spectrum_series(app, theme),

@@ -22,7 +22,12 @@ pub struct Message {
     pub revision: u64,
     /// Whether it is history once the document has changed.
     pub is_passing: bool,
+    /// How many steps had been taken when it was said.
+    steps: u64,
 }
+
+/// A problem is history after so many further steps.
+const NOTICED: u64 = 3;
 
 impl App {
     /// The newest message.
@@ -31,11 +36,12 @@ impl App {
     }
 
     /// The newest message, as long as it is about what is shown: what was told of a document that
-    /// has changed since is history. A problem stays until something else is said, unless it is
-    /// about what was opened.
+    /// has changed since is history. A problem stays for some steps more, unless it is about what
+    /// was opened.
     pub fn current_message(&self) -> Option<&Message> {
         self.message()
             .filter(|m| !m.is_passing || m.revision == self.revision)
+            .filter(|m| self.steps < m.steps + NOTICED)
     }
 
     /// All messages, oldest first.
@@ -44,7 +50,7 @@ impl App {
     }
 
     /// Says something in the status line: what was done is history with the next change, a
-    /// problem stays.
+    /// problem stays for some steps.
     pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
         self.push_message(tone, text.into(), tone == Tone::Info);
     }
@@ -64,6 +70,7 @@ impl App {
             text,
             revision: self.revision,
             is_passing,
+            steps: self.steps,
         });
     }
 }

@@ -3,7 +3,7 @@
 use super::Draw;
 use crate::app::{
     chart::{Chart, Dash, Marks, Rgb, Series, Shape},
-    charts::spectrum::provenance,
+    charts::spectrum::{provenance, value_label},
     studies::paper::figure,
     ticks::extent,
 };
@@ -113,7 +113,7 @@ impl Draw<'_> {
                 self.app.document().subject_entry().name()
             ),
             x_label: "Wavelength (nm)".to_owned(),
-            y_label: if unit.is_empty() { "value" } else { unit }.to_owned(),
+            y_label: value_label(unit),
             x_range: [derived.band.min_nm(), derived.band.max_nm()],
             series,
             notes: provenance(self.app),
