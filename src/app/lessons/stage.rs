@@ -99,6 +99,24 @@ fn merge(whole: &mut Value, changes: &Map<String, Value>, what: &str) -> Result<
     Ok(())
 }
 
+/// Refuses values that the program would move to the nearest that can be.
+fn within<T: Serialize>(wished: &T, nearest: &T) -> Result<(), String> {
+    let [wished, nearest] = [wished, nearest].map(serde_json::to_value);
+    let (Ok(Value::Object(wished)), Ok(Value::Object(nearest))) = (wished, nearest) else {
+        return Ok(());
+    };
+    match wished
+        .iter()
+        .find(|(key, value)| nearest.get(*key) != Some(value))
+    {
+        Some((key, value)) => Err(format!(
+            "found {key} {value}, expected {} as the nearest that can be",
+            nearest[key]
+        )),
+        None => Ok(()),
+    }
+}
+
 impl Stage {
     /// Sets everything anew: what is not named is as at the first start. One step of undo; the
     /// person's own spectra stay, but those that the lesson `made` before.
@@ -193,6 +211,7 @@ impl Stage {
         }
         let document = app.document();
         let settings = changed(&document.settings, &self.settings, "settings")?;
+        within(&settings, &settings.clamped())?;
         let view = changed(&document.view, &self.view, "view")?;
         app.apply(Command::Edit(settings));
         app.apply(Command::View(view));
@@ -295,6 +314,10 @@ mod tests {
                 "found ordr in settings, expected one of",
             ),
             (json!({"settings": {"order": "x"}}), "found string"),
+            (
+                json!({"settings": {"order": 10_000}}),
+                "found order 10000, expected 100 as the nearest that can be",
+            ),
             (json!({"page": "nowhere"}), "found the page nowhere"),
             (json!({"surface": "FL2"}), "expected a surface"),
             (
