@@ -422,7 +422,7 @@ mod plain {
     use super::*;
 
     /// Functions on the grid, one row each, and nothing multiplied ahead of time.
-    pub struct Tables {
+    pub(crate) struct Tables {
         basis: Vec<Vec<f64>>,
         norms: Vec<f64>,
         cmf: [Vec<f64>; 3],
@@ -430,7 +430,7 @@ mod plain {
     }
 
     /// One order of the curve.
-    pub struct Point {
+    pub(crate) struct Point {
         pub own: f64,
         pub mean: f64,
         pub relative_rms: f64,
@@ -438,7 +438,7 @@ mod plain {
     }
 
     impl Tables {
-        pub fn new(tables: &super::Tables) -> Self {
+        pub(crate) fn new(tables: &super::Tables) -> Self {
             let basis = tables.basis.basis();
             let numbers = 0..tables.basis.numbers();
             let patches = tables.patches.as_ref().expect("a light has patches");
@@ -453,7 +453,7 @@ mod plain {
             }
         }
 
-        pub fn slider_move(&self, start: &Start, order: usize) -> Moved {
+        pub(crate) fn slider_move(&self, start: &Start, order: usize) -> Moved {
             let numbers = numbers_of_order(order);
             let coefficients: Vec<f64> = (0..numbers)
                 .map(|k| integral(|i| start.smooth[i] * self.basis[k][i]) / self.norms[k])
@@ -493,7 +493,7 @@ mod plain {
         }
 
         /// Every order of the curve, each from the start.
-        pub fn curve(&self, start: &Start) -> Vec<Point> {
+        pub(crate) fn curve(&self, start: &Start) -> Vec<Point> {
             (0..=CURVE_ORDER)
                 .map(|order| {
                     let moved = self.slider_move(start, order);

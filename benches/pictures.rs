@@ -160,14 +160,15 @@ fn relight(c: &mut Criterion) {
     });
 }
 
+fn compact(pixels: &InMemory, operator: &Operator, plan: &CompactPlan, coder: Coder) -> Vec<u8> {
+    let (mut bytes, about, quiet) = (Vec::new(), About::default(), Progress::default());
+    write_compact(&mut bytes, pixels, operator, plan, &about, coder, &quiet).unwrap();
+    bytes
+}
+
 /// How many bytes a pixel takes in the compact form, and in that of another program.
 fn tell_sizes(pixels: &InMemory, operator: &Operator, [plan, of_whole]: [&CompactPlan; 2]) {
-    let (about, quiet) = (About::default(), Progress::default());
-    let compact = |plan: &CompactPlan, coder| {
-        let mut bytes = Vec::new();
-        write_compact(&mut bytes, pixels, operator, plan, &about, coder, &quiet).unwrap();
-        bytes
-    };
+    let compact = |plan, coder| compact(pixels, operator, plan, coder);
     // Tiles only, without preview and header.
     let per_pixel = |bytes: &[u8]| theirs::bytes_of(bytes, &[b"csPT"]) as f64 / (512.0 * 512.0);
     for coder in [Coder::Simple, Coder::Fitted] {
@@ -205,11 +206,8 @@ fn files(c: &mut Criterion) {
         InMemory::of(&Scene::reflectance(512, 512, nm(380.0, 780.0, 81)).unwrap()).unwrap();
     let survey = Survey::of(&pixels, &quiet).unwrap();
     let operator = Operator::new(pixels.bands(), &Plan::new(pixels.bands(), 11)).unwrap();
-    let sample: Vec<Vec<f64>> = survey
-        .sample
-        .iter()
-        .map(|p| operator.numbers_of(p))
-        .collect();
+    let numbers = |p: &Vec<f64>| operator.numbers_of(p);
+    let sample: Vec<Vec<f64>> = survey.sample.iter().map(numbers).collect();
     let planned = |c_ref| {
         let quantiser = Quantiser::new(&operator, &sample, 0.5, c_ref).unwrap();
         let error = measure(&pixels, &operator, &quantiser, 1.0, &quiet).unwrap();
@@ -226,11 +224,7 @@ fn files(c: &mut Criterion) {
         println!("{what}: own {:?}, rms {}", error.own, error.relative_rms);
     }
     let about = About::default();
-    let compact = |coder| {
-        let mut bytes = Vec::new();
-        write_compact(&mut bytes, &pixels, &operator, &plan, &about, coder, &quiet).unwrap();
-        bytes
-    };
+    let compact = |coder| compact(&pixels, &operator, &plan, coder);
     tell_sizes(&pixels, &operator, [&plan, &of_whole]);
     let mut group = c.benchmark_group("files 512 x 512 x 81, 11 numbers");
     group.sample_size(10);

@@ -33,7 +33,7 @@ const TIME_PER_MIB: Duration = Duration::from_secs(if cfg!(debug_assertions) { 1
 const PATIENCE: usize = 3;
 
 /// What parts the first file of a pair from the one beside it.
-pub const BESIDE: &[u8] = b"\n=== BESIDE ===\n";
+pub(crate) const BESIDE: &[u8] = b"\n=== BESIDE ===\n";
 /// Readers that look for a second file: the names that the first and the second get.
 const PAIRS: [(&str, &str, &str); 2] = [
     ("ENVI", "a.hdr", "a.sli"),
@@ -114,13 +114,13 @@ fn format_of(name: &str) -> &'static Format {
 
 /// What the fuzzer's bytes say: the first one chooses a reader by its place in [`FORMATS`], the
 /// others are its file. `None` without a byte.
-pub fn reader_and_file(bytes: &[u8]) -> Option<(&'static str, &[u8])> {
+pub(crate) fn reader_and_file(bytes: &[u8]) -> Option<(&'static str, &[u8])> {
     let (first, file) = bytes.split_first()?;
     Some((FORMATS[usize::from(*first) % FORMATS.len()].name, file))
 }
 
 /// A zip archive.
-pub fn zipped(members: &[(&str, &[u8])], method: CompressionMethod) -> Vec<u8> {
+pub(crate) fn zipped(members: &[(&str, &[u8])], method: CompressionMethod) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default().compression_method(method);
     for (name, content) in members {
@@ -131,7 +131,7 @@ pub fn zipped(members: &[(&str, &[u8])], method: CompressionMethod) -> Vec<u8> {
 }
 
 /// A workbook whose only sheet has this content, and a list of texts.
-pub fn workbook(sheet: &[u8], texts: &[u8], method: CompressionMethod) -> Vec<u8> {
+pub(crate) fn workbook(sheet: &[u8], texts: &[u8], method: CompressionMethod) -> Vec<u8> {
     let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
     let office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
     let package = "http://schemas.openxmlformats.org/package/2006/relationships";
@@ -187,7 +187,7 @@ fn halves(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
 ///
 /// # Panics
 /// When a promise is broken.
-pub fn attack(name: &str, bytes: &[u8]) {
+pub(crate) fn attack(name: &str, bytes: &[u8]) {
     if let Some(archive) = dressed(name, bytes) {
         return attack(name, &archive);
     }
@@ -219,7 +219,7 @@ pub fn attack(name: &str, bytes: &[u8]) {
 /// Whether a file is taken for one of a format by its content, and read. One of the format that is
 /// not read is refused.
 #[allow(dead_code, reason = "the fuzz target does not ask")]
-pub fn opens_as(name: &str, bytes: &[u8]) -> bool {
+pub(crate) fn opens_as(name: &str, bytes: &[u8]) -> bool {
     let format = format_of(name);
     if let Some(archive) = dressed(name, bytes) {
         return opens_as(name, &archive);
@@ -293,7 +293,7 @@ fn in_bounds(bytes: usize, read: impl Fn() -> Answer) -> Answer {
 ///
 /// # Panics
 /// When it takes more.
-pub fn within<T>(memory: usize, bytes: usize, read: impl Fn() -> T) -> T {
+pub(crate) fn within<T>(memory: usize, bytes: usize, read: impl Fn() -> T) -> T {
     let time = TIME_FLOOR + TIME_PER_MIB.mul_f64(bytes as f64 / f64::from(1 << 20));
     let mut slow = 0;
     loop {

@@ -17,7 +17,7 @@ const MEMORY_TIMES: usize = 400;
 
 /// What bytes are handed to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reader {
+pub(crate) enum Reader {
     /// OpenEXR.
     Full,
     /// PNG with the numbers in private chunks.
@@ -28,14 +28,14 @@ pub enum Reader {
 
 impl Reader {
     /// All of them, in the order of the fuzzer's first byte.
-    pub const ALL: [Self; 3] = [Self::Full, Self::Compact, Self::Header];
+    pub(crate) const ALL: [Self; 3] = [Self::Full, Self::Compact, Self::Header];
 }
 
 /// Hands bytes to a reader; whether it read them.
 ///
 /// # Panics
 /// When a promise is broken.
-pub fn attack(reader: Reader, bytes: &[u8]) -> bool {
+pub(crate) fn attack(reader: Reader, bytes: &[u8]) -> bool {
     let allowed = MEMORY_FLOOR + MEMORY_TIMES * bytes.len();
     let bounded = |read: &dyn Fn() -> Result<Picture, PictureError>| {
         judge(within(allowed, bytes.len(), read))

@@ -50,7 +50,7 @@ mod window {
     /// Draws for the command line with the window's own painter.
     struct Painted;
 
-    pub const PICTURES: Option<&dyn Pictures> = Some(&Painted);
+    pub(crate) const PICTURES: Option<&dyn Pictures> = Some(&Painted);
 
     impl Pictures for Painted {
         fn window(&self, app: &App, preferences: &Preferences, size: [u32; 2]) -> Vec<u8> {
@@ -67,7 +67,7 @@ mod window {
     /// Closes the window by itself after this many frames: a smoke test.
     const FRAMES: &str = "SPECTRAL_EXPLORER_FRAMES";
 
-    pub fn open(files: &[Input], insist: bool, started: Instant) -> ExitCode {
+    pub(crate) fn open(files: &[Input], insist: bool, started: Instant) -> ExitCode {
         let start = shell::Start {
             files: files.iter().filter_map(Input::file).collect(),
             presets: files.iter().filter_map(Input::preset).collect(),

@@ -35,7 +35,7 @@ impl Pixels for Repeated {
 }
 
 /// A compact file of 4096 x 4096 pixels: its preview, and one tile.
-pub fn large(c: &mut Criterion) {
+pub(crate) fn large(c: &mut Criterion) {
     let quiet = Progress::default();
     let rows = Scene::reflectance(4096, 64, nm(400.0, 700.0, 31)).unwrap();
     let pixels = Repeated {

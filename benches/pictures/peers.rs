@@ -12,7 +12,7 @@ use spectral_explorer::pictures::*;
 use spectral_explorer::study::Progress;
 
 /// Million pixels a second of numpy's f32 product, best of nine; `None` without numpy.
-pub fn numpy(bands: usize, numbers: usize, pixels: usize) -> Option<f64> {
+pub(crate) fn numpy(bands: usize, numbers: usize, pixels: usize) -> Option<f64> {
     let script = format!(
         "import numpy as np,time\n\
          a=np.random.rand({numbers},{bands}).astype('f4');b=np.random.rand({bands},{pixels}).astype('f4')\n\
@@ -52,7 +52,7 @@ fn through(folder: &Path, name: &str, more: &[&str]) -> Option<(u64, std::path::
 }
 
 /// Whole numbers of 16 bits as PGM, without loss, effort 7: bytes; `None` without `cjxl`.
-pub fn lossless(width: usize, height: usize, values: &[i32]) -> Option<u64> {
+pub(crate) fn lossless(width: usize, height: usize, values: &[i32]) -> Option<u64> {
     let folder = tempfile::tempdir().ok()?;
     let least = *values.iter().min()?;
     let mut file = format!("P5\n{width} {height}\n65535\n").into_bytes();
@@ -132,7 +132,7 @@ fn grey_plane(
 /// their program. Cosine series over the bands, the first number as it is, the others relative to
 /// it and stretched to 0-1; each plane is coded as coarsely as leaves its error at or below that
 /// of the first of them.
-pub struct StandIn {
+pub(crate) struct StandIn {
     /// Bytes of all planes.
     pub bytes: u64,
     /// What own colour is off by.
@@ -145,7 +145,7 @@ pub struct StandIn {
 const COARSER: [f64; 5] = [8.0, 4.0, 2.0, 1.4, 1.0];
 
 /// The stand-in at a distance; `None` without `cjxl` and `djxl`.
-pub fn stand_in(pixels: &InMemory, operator: &Operator, distance: f64) -> Option<StandIn> {
+pub(crate) fn stand_in(pixels: &InMemory, operator: &Operator, distance: f64) -> Option<StandIn> {
     let (width, height) = pixels.size();
     let (count, bands) = (width * height, pixels.bands().len());
     let wave = |n: usize, j: usize| {
@@ -230,7 +230,7 @@ pub fn stand_in(pixels: &InMemory, operator: &Operator, distance: f64) -> Option
 
 /// What the composite takes at the same 95th percentile of own colour: bytes without the preview,
 /// and its errors.
-pub fn composite_at(pixels: &InMemory, operator: &Operator, p95: f64) -> (u64, Errors) {
+pub(crate) fn composite_at(pixels: &InMemory, operator: &Operator, p95: f64) -> (u64, Errors) {
     let quiet = Progress::default();
     let survey = Survey::of(pixels, &quiet).expect("measured");
     let plan = compact_plan(pixels, operator, &survey.sample, p95, 1.0, &quiet).expect("a plan");
@@ -242,7 +242,7 @@ pub fn composite_at(pixels: &InMemory, operator: &Operator, p95: f64) -> (u64, E
 }
 
 /// Bytes of some chunks of a PNG.
-pub fn bytes_of(file: &[u8], kinds: &[&[u8; 4]]) -> u64 {
+pub(crate) fn bytes_of(file: &[u8], kinds: &[&[u8; 4]]) -> u64 {
     let (mut at, mut sum) = (8, 0);
     while at + 8 <= file.len() {
         let length = u32::from_be_bytes(file[at..at + 4].try_into().expect("four bytes"));

@@ -150,7 +150,7 @@ const OF_THE_AIR: f64 = 0.05;
 
 /// A measured curve on a grid, and what is known of it.
 #[derive(Clone, Copy, Debug)]
-pub struct Curve<'a> {
+pub(super) struct Curve<'a> {
     /// What its values stand for.
     pub kind: Kind,
     /// The grid.
@@ -163,7 +163,7 @@ pub struct Curve<'a> {
 
 impl<'a> Curve<'a> {
     /// The curve of an entry whose values on the band's grid are `values`.
-    pub fn of(entry: &Entry, band: Band, values: &'a [f64]) -> Self {
+    pub(super) fn of(entry: &Entry, band: Band, values: &'a [f64]) -> Self {
         Self {
             kind: entry.kind(),
             band,
@@ -245,7 +245,7 @@ impl<'a> Curve<'a> {
 }
 
 /// Names of dips that stand at `places` (nm) of a curve, in their order.
-pub fn name_dips(places: &[f64], curve: Curve<'_>) -> Vec<LineName> {
+pub(super) fn name_dips(places: &[f64], curve: Curve<'_>) -> Vec<LineName> {
     let mut names = vec![LineName::default(); places.len()];
     for family in FAMILIES.into_iter().filter(|family| curve.is_of(family)) {
         for feature in family.features {
@@ -287,13 +287,13 @@ pub fn name_dips(places: &[f64], curve: Curve<'_>) -> Vec<LineName> {
 }
 
 /// Whether a light's curve is one of dark lines, in which what stands up is what is left.
-pub fn has_dark_lines(curve: Curve<'_>) -> bool {
+pub(super) fn has_dark_lines(curve: Curve<'_>) -> bool {
     FAMILIES.into_iter().any(|family| curve.is_of(family))
 }
 
 /// A known dark line or band, looked for at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DarkLine {
+pub(super) struct DarkLine {
     /// Its name.
     pub name: &'static str,
     /// Where it stands, from and to, nm.
@@ -306,7 +306,7 @@ pub struct DarkLine {
 
 /// A family of dark lines that is in a curve.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DarkFamily {
+pub(super) struct DarkFamily {
     /// What has these lines: "sunlight".
     pub title: &'static str,
     /// Whether they are bands and no lines.
@@ -318,7 +318,7 @@ pub struct DarkFamily {
 
 /// The families of dark lines in a curve, each line looked for at its own place, whatever a
 /// detector's threshold is.
-pub fn dark_lines(curve: Curve<'_>) -> Vec<DarkFamily> {
+pub(super) fn dark_lines(curve: Curve<'_>) -> Vec<DarkFamily> {
     let there = FAMILIES.into_iter().filter(|family| curve.is_of(family));
     let told = |family: &Family| -> Vec<DarkLine> {
         let inside = family
@@ -352,7 +352,7 @@ pub fn dark_lines(curve: Curve<'_>) -> Vec<DarkFamily> {
 impl DarkFamily {
     /// What is to be said of a family of bands, with the order from which on a series follows
     /// bands as narrow as the narrowest seen; `None` for lines, which spikes are for.
-    pub fn advice(&self, curve: Curve<'_>, basis: Basis) -> Option<String> {
+    pub(super) fn advice(&self, curve: Curve<'_>, basis: Basis) -> Option<String> {
         if !self.are_bands {
             return None;
         }

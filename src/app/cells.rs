@@ -5,7 +5,7 @@ use crate::io::provenance::{one_line, shortest};
 
 /// A number in the fewest digits that read back to it; nothing where there is none, since tables
 /// know neither NaN nor infinity.
-pub fn number(value: impl Into<Option<f64>>) -> String {
+pub(super) fn number(value: impl Into<Option<f64>>) -> String {
     value
         .into()
         .filter(|v| v.is_finite())
@@ -15,7 +15,7 @@ pub fn number(value: impl Into<Option<f64>>) -> String {
 
 /// Text as one cell: in quotes where it holds a sign of the table's own or begins like a comment
 /// or a formula.
-pub fn words(text: &str) -> String {
+pub(super) fn words(text: &str) -> String {
     let text = one_line(text);
     let special = text.contains([',', '"', ';']) || text.starts_with(['#', '=', '+', '-', '@']);
     if special {
@@ -26,7 +26,7 @@ pub fn words(text: &str) -> String {
 }
 
 /// A line of a table.
-pub fn line(cells: impl IntoIterator<Item = String>) -> String {
+pub(super) fn line(cells: impl IntoIterator<Item = String>) -> String {
     let cells: Vec<String> = cells.into_iter().collect();
     cells.join(",") + "\n"
 }

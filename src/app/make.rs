@@ -28,7 +28,7 @@ use crate::{
 
 /// Why something cannot be made.
 #[derive(Clone, Debug, PartialEq)]
-pub enum WhyNot {
+pub(super) enum WhyNot {
     /// Nothing has that key.
     Missing(String),
     /// It is not what it has to be: key, what it is, what was expected.
@@ -65,7 +65,7 @@ impl std::fmt::Display for WhyNot {
 ///
 /// # Errors
 /// [`WhyNot`] when what it stands on is missing or unfit.
-pub fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNot> {
+pub(super) fn make(recipe: &Recipe, document: &Document) -> Result<NamedSpectrum, WhyNot> {
     match recipe {
         Recipe::Metamer {
             light,
@@ -203,7 +203,7 @@ fn lamp(document: &Document, key: &str) -> Result<Arc<Entry>, WhyNot> {
 }
 
 /// The light under a key as power a nm.
-pub fn table_of(document: &Document, key: &str) -> Option<Sampled> {
+pub(super) fn table_of(document: &Document, key: &str) -> Option<Sampled> {
     let entry = lamp(document, key).ok()?;
     let mut spectrum = entry.spectrum.clone();
     if photons::counts_photons(&spectrum) {
@@ -213,7 +213,7 @@ pub fn table_of(document: &Document, key: &str) -> Option<Sampled> {
 }
 
 /// What a document holds under a key, its own or shipped; the paper's lamps as it weighs them.
-pub fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
+pub(super) fn entry_of(document: &Document, key: &str) -> Option<Arc<Entry>> {
     let held = document.own.iter().chain([&document.light]);
     if let Some(entry) = held.into_iter().find(|entry| entry.key == key) {
         return Some(entry.clone());
@@ -229,7 +229,7 @@ fn image_of<'a>(document: &'a Document, key: &str) -> Option<&'a Arc<ImageEntry>
 /// What a recipe's result depends on, as a document has it: equal for two documents, the result is
 /// the same. Spectra are compared by where they are in memory, shipped ones never change but for
 /// the weights of the paper's lamps.
-pub fn signature(recipe: &Recipe, document: &Document) -> Vec<usize> {
+pub(super) fn signature(recipe: &Recipe, document: &Document) -> Vec<usize> {
     let held = |key: &str| {
         let own = document.own.iter().find(|entry| entry.key == key);
         let image = image_of(document, key);
@@ -249,7 +249,7 @@ pub fn signature(recipe: &Recipe, document: &Document) -> Vec<usize> {
 }
 
 /// Whether a recipe stands on an entry, directly or through what it is made of.
-pub fn stands_on(recipe: &Recipe, document: &Document, key: &str) -> bool {
+pub(super) fn stands_on(recipe: &Recipe, document: &Document, key: &str) -> bool {
     // Every entry is looked at once, so that a circle that a file brought in ends too.
     let mut seen: Vec<String> = Vec::new();
     let mut left: Vec<String> = recipe.stands_on().into_iter().map(str::to_owned).collect();

@@ -2,7 +2,7 @@
 
 /// A piece of a name: its numbers stand in their own order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Piece {
+pub(super) enum Piece {
     /// Digits, without leading zeros: longer ones are larger.
     Number(usize, String),
     /// Other letters.
@@ -10,7 +10,7 @@ pub enum Piece {
 }
 
 /// What a name is sorted by; the name itself at the end, so that no two names are equal.
-pub fn natural(name: &str) -> (Vec<Piece>, String) {
+pub(super) fn natural(name: &str) -> (Vec<Piece>, String) {
     let mut pieces = Vec::new();
     let mut rest = name;
     while let Some(first) = rest.chars().next() {

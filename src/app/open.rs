@@ -4,7 +4,7 @@ pub mod batch;
 mod few_numbers;
 pub mod folders;
 pub mod named;
-pub mod summary;
+mod summary;
 
 use std::{
     path::{Path, PathBuf},

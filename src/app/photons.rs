@@ -5,14 +5,14 @@
 //! readers leave such numbers alone, and whoever opens the file for its light turns them here.
 
 use super::spectral_unit::{Counted, SpectralUnit};
-pub use crate::color::quality::JOULE_NM_PER_MICROMOLE;
+pub(super) use crate::color::quality::JOULE_NM_PER_MICROMOLE;
 use crate::{
     io::meaning,
     spectrum::{Kind, NamedSpectrum},
 };
 
 /// Whether a spectrum is a light whose values count photons per nm.
-pub fn counts_photons(spectrum: &NamedSpectrum) -> bool {
+pub(super) fn counts_photons(spectrum: &NamedSpectrum) -> bool {
     unit_of(spectrum).is_some()
 }
 
@@ -23,7 +23,7 @@ fn unit_of(spectrum: &NamedSpectrum) -> Option<SpectralUnit> {
 }
 
 /// Turns photons into power: W per what the photons were per. Other spectra stay as they are.
-pub fn to_power(spectrum: &mut NamedSpectrum) {
+pub(super) fn to_power(spectrum: &mut NamedSpectrum) {
     let Some(unit) = unit_of(spectrum) else {
         return;
     };

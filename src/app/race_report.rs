@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use super::{
     cells::{line, number, words},
     product_report::spread_json,
-    studies::{Field, RaceAsk, field::CHECK_SET},
+    studies::{CHECK_SET, Field, RaceAsk},
     study_report::{errors, lines_json, lines_words, program},
 };
 use crate::{

@@ -15,7 +15,7 @@ use crate::spectrum::{Band, Spike};
 
 /// The lines of a light with their names, whatever the settings are. A reflectance emits nothing,
 /// and where dark lines are what stands up between them is none either.
-pub fn identified(entry: &Entry, lines: &[ElementLine]) -> Identified {
+pub(super) fn identified(entry: &Entry, lines: &[ElementLine]) -> Identified {
     if entry.kind().is_factor() {
         return Identified::default();
     }
@@ -32,12 +32,12 @@ pub fn identified(entry: &Entry, lines: &[ElementLine]) -> Identified {
 }
 
 /// Names of a model's spikes, in their order.
-pub fn names_of(entry: &Entry, derived: &Derived, lines: &[ElementLine]) -> Vec<LineName> {
+pub(super) fn names_of(entry: &Entry, derived: &Derived, lines: &[ElementLine]) -> Vec<LineName> {
     names_in(&identified(entry, lines), entry, derived)
 }
 
 /// The same of a light whose lines are told already.
-pub fn names_in(light: &Identified, entry: &Entry, derived: &Derived) -> Vec<LineName> {
+pub(super) fn names_in(light: &Identified, entry: &Entry, derived: &Derived) -> Vec<LineName> {
     let curve = Curve::of(entry, derived.band, &derived.measured);
     names_of_spikes(&derived.model.spikes, curve, light)
 }
@@ -69,7 +69,11 @@ impl Told {
 }
 
 /// Names of any spikes of a spectrum, in their order.
-pub fn names_of_spikes(spikes: &[Spike], curve: Curve<'_>, light: &Identified) -> Vec<LineName> {
+pub(super) fn names_of_spikes(
+    spikes: &[Spike],
+    curve: Curve<'_>,
+    light: &Identified,
+) -> Vec<LineName> {
     let all: Vec<f64> = spikes.iter().map(|spike| spike.at_nm).collect();
     let mut names = light.names_at(&all);
     let dips: Vec<usize> = (0..spikes.len())

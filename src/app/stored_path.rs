@@ -57,7 +57,7 @@ fn from_bytes(bytes: Vec<u8>) -> PathBuf {
 ///
 /// # Errors
 /// Those of the serializer.
-pub fn serialize<S: Serializer>(path: &Path, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn serialize<S: Serializer>(path: &Path, serializer: S) -> Result<S::Ok, S::Error> {
     Written::of(path).serialize(serializer)
 }
 
@@ -65,12 +65,12 @@ pub fn serialize<S: Serializer>(path: &Path, serializer: S) -> Result<S::Ok, S::
 ///
 /// # Errors
 /// Those of the deserializer, and anything that is neither a text nor a list of bytes.
-pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PathBuf, D::Error> {
+pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<PathBuf, D::Error> {
     Written::deserialize(deserializer).map(Written::path)
 }
 
 /// The same for a list of paths: `#[serde(with = "stored_path::list")]`.
-pub mod list {
+pub(super) mod list {
     use std::path::PathBuf;
 
     use serde::{Deserialize, Deserializer, Serializer};
@@ -81,7 +81,10 @@ pub mod list {
     ///
     /// # Errors
     /// Those of the serializer.
-    pub fn serialize<S: Serializer>(paths: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
+    pub(crate) fn serialize<S: Serializer>(
+        paths: &[PathBuf],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(paths.iter().map(|path| Written::of(path)))
     }
 
@@ -89,7 +92,7 @@ pub mod list {
     ///
     /// # Errors
     /// As for one path.
-    pub fn deserialize<'de, D: Deserializer<'de>>(
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Vec<PathBuf>, D::Error> {
         let written = Vec::<Written>::deserialize(deserializer)?;

@@ -8,7 +8,7 @@ use super::{
 };
 
 /// From one document to the next: "order 7 to 24", "light FL2 to CIE D65".
-pub fn difference(before: &Document, after: &Document) -> String {
+pub(super) fn difference(before: &Document, after: &Document) -> String {
     let mut words = Vec::new();
     if before.light.key != after.light.key {
         words.push(format!(

@@ -20,11 +20,11 @@ use crate::{
     study::Goal,
 };
 
-pub use design::{Mix, Recover};
-pub use encoding::{Decode, Encode};
-pub use lessons::{LessonAct, Lessons};
-pub use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
-pub use pictures::{Fit, Picture};
+pub(super) use design::{Mix, Recover};
+pub(super) use encoding::{Decode, Encode};
+pub(super) use lessons::{LessonAct, Lessons};
+pub(super) use optics::{CutOptions, Gem, Prism, Rainbow, ViewOptions};
+pub(super) use pictures::{Fit, Picture};
 
 /// Opens light spectra and shows what they are made of: a short series and a few spikes.
 ///
@@ -36,7 +36,7 @@ pub use pictures::{Fit, Picture};
     propagate_version = true,
     args_conflicts_with_subcommands = true
 )]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// Files, folders whose files are opened together, or names of presets.
     #[arg(value_name = "FILES")]
     pub files: Vec<OsString>,
@@ -53,7 +53,7 @@ pub struct Arguments {
 
 /// What can be done without a window.
 #[derive(Subcommand, Debug)]
-pub enum Command {
+pub(super) enum Command {
     /// Print the model of a spectrum, its error and its colour.
     Report(Report),
     /// Print every figure of lights and of their models: CCT, Ra, Rf, melanopic ratio, ...
@@ -100,7 +100,7 @@ pub enum Command {
 
 impl Command {
     /// How the command's files are read; `None` for one that reads none.
-    pub fn files(&self) -> Option<FileOptions> {
+    pub(super) fn files(&self) -> Option<FileOptions> {
         match self {
             Self::Report(options) => Some(options.pick.files),
             Self::Light(options) => Some(options.files),
@@ -127,7 +127,7 @@ impl Command {
 
 /// Options of `read`.
 #[derive(Args, Debug)]
-pub struct Read {
+pub(super) struct Read {
     /// Files, or folders whose files are read; - is standard input.
     #[arg(value_name = "FILE", required = true)]
     pub inputs: Vec<PathBuf>,
@@ -141,7 +141,7 @@ pub struct Read {
 
 /// Options of `report`.
 #[derive(Args, Debug)]
-pub struct Report {
+pub(super) struct Report {
     /// A file (- is standard input), a preset's name (FL2, "CIE D65") or group/name
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
@@ -160,7 +160,7 @@ pub struct Report {
 
 /// Options of `light`.
 #[derive(Args, Debug)]
-pub struct Light {
+pub(super) struct Light {
     /// Lights: files (lamps.csv#2 is the second of several spectra, - is standard input), folders
     /// with such files, presets' names (FL2, "CIE D65") or group/name. A file means all its
     /// lights. TLCI is left out: the camera and patch tables of EBU Tech 3355 are not openly
@@ -188,7 +188,7 @@ pub struct Light {
 
 /// Options of `sweep`.
 #[derive(Args, Debug)]
-pub struct Sweep {
+pub(super) struct Sweep {
     /// A file (- is standard input), a preset's name (FL2, "CIE D65") or group/name
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
@@ -207,7 +207,7 @@ pub struct Sweep {
 
 /// Options of `auction`.
 #[derive(Args, Debug)]
-pub struct Auction {
+pub(super) struct Auction {
     /// A file (- is standard input), a preset's name (FL2, "CIE D65") or group/name
     /// (paper/Mercury).
     #[arg(value_name = "INPUT")]
@@ -233,7 +233,7 @@ pub struct Auction {
 
 /// Options of `race`.
 #[derive(Args, Debug)]
-pub struct Race {
+pub(super) struct Race {
     /// A light that races alone: a file (- is standard input), a preset's name or group/name
     /// [default: all shipped lights].
     #[arg(value_name = "INPUT")]
@@ -263,7 +263,7 @@ pub struct Race {
 
 /// Options of `product`.
 #[derive(Args, Debug)]
-pub struct Product {
+pub(super) struct Product {
     /// A light: a file (lamps.csv#2 is the second of several spectra, - is standard input), a
     /// preset's name (FL2, "CIE D65") or group/name. A file that states another kind is refused.
     #[arg(value_name = "LIGHT")]
@@ -300,7 +300,7 @@ pub struct Product {
 
 /// Options of `list`.
 #[derive(Args, Clone, Debug)]
-pub struct List {
+pub(super) struct List {
     /// Only this kind: light, reflectance, transmittance, absorbance, weighting, lines or other
     /// [default: the first three, which the other commands take].
     #[arg(long, value_name = "KIND", value_parser = words::any_kind)]
@@ -316,7 +316,7 @@ pub struct List {
 
 /// Options of `render`.
 #[derive(Args, Debug)]
-pub struct Render {
+pub(super) struct Render {
     /// A file (- is standard input), a preset's name or group/name [default: what the window
     /// shows at first].
     #[arg(value_name = "INPUT")]
@@ -351,7 +351,7 @@ pub struct Render {
 
 /// Options of `plot`.
 #[derive(Args, Debug)]
-pub struct Plot {
+pub(super) struct Plot {
     /// A file (- is standard input), a preset's name or group/name.
     #[arg(value_name = "INPUT")]
     pub input: OsString,
@@ -381,7 +381,7 @@ pub struct Plot {
 
 /// Options of `convert`.
 #[derive(Args, Debug)]
-pub struct Convert {
+pub(super) struct Convert {
     /// A file (- is standard input), a preset's name or group/name.
     #[arg(value_name = "IN")]
     pub input: OsString,

@@ -34,10 +34,10 @@ use crate::{
 const INPUT: &str = "INPUT";
 
 /// How often is told how far it is.
-pub const TOLD_EVERY: Duration = Duration::from_millis(500);
+pub(super) const TOLD_EVERY: Duration = Duration::from_millis(500);
 
 /// What a light's model is made by.
-pub enum Of {
+pub(super) enum Of {
     /// The command line's settings.
     Light(Arc<Entry>),
     /// A project's own settings and edits.
@@ -46,7 +46,7 @@ pub enum Of {
 
 impl Of {
     /// The light itself.
-    pub fn light(&self) -> &Arc<Entry> {
+    pub(super) fn light(&self) -> &Arc<Entry> {
         match self {
             Self::Light(light) => light,
             Self::Project(document) => &document.light,
@@ -55,7 +55,7 @@ impl Of {
 }
 
 /// A light that is asked for.
-pub struct AskedLight {
+pub(super) struct AskedLight {
     /// What it is called where it stands alone, and among others: there by the word or file that
     /// it came from.
     pub names: [String; 2],
@@ -65,7 +65,7 @@ pub struct AskedLight {
 
 /// All that is asked for, in its order.
 #[derive(Default)]
-pub struct Asked {
+pub(super) struct Asked {
     /// The lights.
     pub lights: Vec<AskedLight>,
     /// Why some INPUTs were refused, a line each.
@@ -76,7 +76,7 @@ pub struct Asked {
 
 impl Asked {
     /// Everything that the words mean. A word that is refused does not stop the others.
-    pub fn of(words: &[OsString], model: ModelOptions, inputs: &mut Inputs) -> Self {
+    pub(super) fn of(words: &[OsString], model: ModelOptions, inputs: &mut Inputs) -> Self {
         let mut asked = Self::default();
         for word in words {
             if let Err(why) = asked.ask(word, model, inputs) {

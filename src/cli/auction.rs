@@ -20,7 +20,11 @@ use crate::{
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or has nothing to measure, and for a goal that it
 /// does not have.
-pub fn run(options: &Auction, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Auction,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Auction {
         input,
         goal,

@@ -38,7 +38,11 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or a form that cannot be written.
-pub fn run(options: &Convert, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Convert,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let path = &options.out;
     let extension = words::extension(path);
     if extension != LINE && !WRITABLE.iter().any(|(known, _)| *known == extension) {

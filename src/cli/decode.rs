@@ -26,7 +26,11 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for words that are no encoding, and a file that cannot be written.
-pub fn run(options: &Decode, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Decode,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Decode {
         words,
         range,

@@ -18,7 +18,11 @@ use crate::{
 /// # Errors
 /// [`Refusal`] for an input that cannot be read, is no light or has no colour, and a count or range
 /// that cannot be encoded.
-pub fn run(options: &Encode, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Encode,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Encode {
         input,
         numbers,

@@ -26,7 +26,7 @@ use crate::{
 
 /// A word taken apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FactorWord<'a> {
+pub(super) struct FactorWord<'a> {
     /// A file, a preset's name or group/name.
     pub name: &'a OsStr,
     /// Which spectrum of the file, by name or number from 1.
@@ -39,7 +39,7 @@ pub struct FactorWord<'a> {
 
 /// How thick a glass is to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Thickness {
+pub(super) enum Thickness {
     /// In mm.
     Mm(f64),
     /// As a multiple of the measured one.
@@ -51,7 +51,7 @@ impl<'a> FactorWord<'a> {
     ///
     /// # Errors
     /// [`Refusal::Usage`] for a sign with something else behind it.
-    pub fn of(word: &'a OsStr) -> Result<Self, Refusal> {
+    pub(super) fn of(word: &'a OsStr) -> Result<Self, Refusal> {
         Self::within(word, &|name| {
             let is_shipped = |name: &str| Library::bundled().knows(name);
             Path::new(name).exists() || name.to_str().is_some_and(is_shipped)
@@ -117,7 +117,7 @@ impl<'a> FactorWord<'a> {
     /// # Errors
     /// [`Refusal::Usage`] for mm of a factor whose name tells none, and for a thickness beyond
     /// what may be asked for.
-    pub fn over(self, mut link: Link) -> Result<Link, Refusal> {
+    pub(super) fn over(self, mut link: Link) -> Result<Link, Refusal> {
         let refused = |found: String, expected: String| {
             let name = link.entry.name();
             Refusal::Usage(format!(
@@ -157,7 +157,10 @@ impl<'a> FactorWord<'a> {
 
 /// A word before the last of some signs, the sign, and what stands behind it; `None` where it has
 /// none, or what stands behind it is no text.
-pub fn split_at_sign<'a>(word: &'a OsStr, signs: &str) -> Option<(&'a OsStr, char, &'a str)> {
+pub(super) fn split_at_sign<'a>(
+    word: &'a OsStr,
+    signs: &str,
+) -> Option<(&'a OsStr, char, &'a str)> {
     let is_sign = |byte: &u8| signs.as_bytes().contains(byte);
     let at = word.as_encoded_bytes().iter().rposition(is_sign)?;
     let (name, rest) = split_at(word, at)?;

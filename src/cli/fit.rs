@@ -30,7 +30,7 @@ const MOST_LINE: u64 = 16 << 20;
 /// # Errors
 /// [`Refusal`] for spectra that cannot be read or do not go together, and a file that cannot be
 /// written.
-pub fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let ask = FitAsk {
         numbers: options.numbers,
         reference: options.reference,

@@ -30,7 +30,7 @@ use crate::{
 /// # Errors
 /// [`Refusal`] for a light or material that cannot be read, a gem or view that is none, and a file
 /// that cannot be written.
-pub fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(options: &Gem, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let target = options.out.as_deref().map(|path| target(options, path));
     if let Some(target) = &target {
         target.path()?;

@@ -25,7 +25,7 @@ use crate::{
 };
 
 /// The files of one command. A stream is read once, however often it is asked for.
-pub struct Inputs<'e> {
+pub(super) struct Inputs<'e> {
     err: &'e mut dyn Write,
     streams: HashMap<OsString, Arc<[u8]>>,
     notes: Vec<String>,
@@ -35,7 +35,7 @@ pub struct Inputs<'e> {
 
 impl<'e> Inputs<'e> {
     /// Nothing read yet; `err` takes what is said beside the result.
-    pub fn new(err: &'e mut dyn Write) -> Self {
+    pub(super) fn new(err: &'e mut dyn Write) -> Self {
         Self {
             err,
             streams: HashMap::new(),
@@ -45,36 +45,36 @@ impl<'e> Inputs<'e> {
     }
 
     /// Reads all files as the command line says.
-    pub fn read_as(&mut self, files: FileOptions) {
+    pub(super) fn read_as(&mut self, files: FileOptions) {
         self.table = files.choices();
     }
 
     /// Says something now.
-    pub fn remark(&mut self, text: &str) {
+    pub(super) fn remark(&mut self, text: &str) {
         remark(self.err, text);
     }
 
     /// Says something about the result, if it comes to one: a refusal is one line.
-    pub fn note(&mut self, text: impl Into<String>) {
+    pub(super) fn note(&mut self, text: impl Into<String>) {
         self.notes.push(text.into());
     }
 
     /// Says that `--sampling` was given where no product is formed.
-    pub fn note_sampling(&mut self, model: ModelOptions, multiplies: bool) {
+    pub(super) fn note_sampling(&mut self, model: ModelOptions, multiplies: bool) {
         if model.sampling.is_some() && !multiplies {
             self.note("--sampling is not used: nothing is multiplied here");
         }
     }
 
     /// Says that lines stand at their centres where `--wide-lines` was given.
-    pub fn note_centres(&mut self, model: ModelOptions) {
+    pub(super) fn note_centres(&mut self, model: ModelOptions) {
         if model.wide_lines {
             self.note("--wide-lines: here each line stands at its centre, without its width");
         }
     }
 
     /// Says what is to be known of the result.
-    pub fn tell_notes(&mut self) {
+    pub(super) fn tell_notes(&mut self) {
         for note in std::mem::take(&mut self.notes) {
             self.remark(&note);
         }
@@ -84,12 +84,12 @@ impl<'e> Inputs<'e> {
     ///
     /// # Errors
     /// One line that says what was found and what was expected.
-    pub fn find(&mut self, word: &OsStr, wanted: &Wanted) -> Result<Found, String> {
+    pub(super) fn find(&mut self, word: &OsStr, wanted: &Wanted) -> Result<Found, String> {
         named::find(word, wanted, |path, choices| self.load(path, choices))
     }
 
     /// A project, or any other file with decisions about it.
-    pub fn load(&mut self, path: &Path, choices: &Choices) -> Loaded {
+    pub(super) fn load(&mut self, path: &Path, choices: &Choices) -> Loaded {
         let choices = &choices.or_table_of(&self.table);
         match self.stream(path) {
             None => open::load_named(path, choices),
@@ -99,7 +99,7 @@ impl<'e> Inputs<'e> {
     }
 
     /// The project that a file is, if it is one.
-    pub fn project(&mut self, path: &Path) -> Option<Loaded> {
+    pub(super) fn project(&mut self, path: &Path) -> Option<Loaded> {
         match self.stream(path) {
             None => open::project_at(path),
             Some(Ok(bytes)) => open::project_in(&name_at(path), &bytes),
@@ -111,7 +111,7 @@ impl<'e> Inputs<'e> {
     ///
     /// # Errors
     /// [`ReadError`] with the file's path.
-    pub fn reading(&mut self, path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
+    pub(super) fn reading(&mut self, path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
         let choices = &choices.or_table_of(&self.table);
         let reading = match self.stream(path) {
             None => io::read_path_as(path, choices),
@@ -124,7 +124,7 @@ impl<'e> Inputs<'e> {
     ///
     /// # Errors
     /// One line that says what was found and what was expected.
-    pub fn text(&mut self, path: &Path) -> Result<String, String> {
+    pub(super) fn text(&mut self, path: &Path) -> Result<String, String> {
         let named = shown(path);
         let bytes = match self.stream(path) {
             Some(bytes) => bytes.map_err(|why| why.to_string())?.to_vec(),

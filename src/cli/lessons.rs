@@ -26,7 +26,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for a lesson that cannot be read or played, and a sheet that cannot be written.
-pub fn run(options: &Lessons, out: &mut dyn Write) -> Result<(), Refusal> {
+pub(super) fn run(options: &Lessons, out: &mut dyn Write) -> Result<(), Refusal> {
     let Lessons {
         act,
         lesson,

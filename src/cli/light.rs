@@ -27,7 +27,11 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`], after everything else was printed, when one of the INPUTs was refused.
-pub fn run(options: &Light, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Light,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Light {
         lights: words,
         files: _,

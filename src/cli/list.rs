@@ -23,7 +23,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] when nothing can be printed.
-pub fn run(options: List, out: &mut dyn Write) -> Result<(), Refusal> {
+pub(super) fn run(options: List, out: &mut dyn Write) -> Result<(), Refusal> {
     let rows = match &options.search {
         Some(words) => found(words, options.kind),
         None => rows(options.kind),

@@ -23,7 +23,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for another word, a file without such a curve and numbers that are no material.
-pub fn material(word: &OsStr, inputs: &mut Inputs) -> Result<Material, Refusal> {
+pub(super) fn material(word: &OsStr, inputs: &mut Inputs) -> Result<Material, Refusal> {
     let text = word.to_string_lossy();
     if let Some(stuff) = Stuff::from_word(&text) {
         return Ok(stuff.material());
@@ -61,7 +61,7 @@ fn of_file(path: &Path, inputs: &mut Inputs) -> Result<Material, Refusal> {
 ///
 /// # Errors
 /// [`Refusal`] for what cannot be read or is no transmittance, and a thickness that is none.
-pub fn absorption_of(
+pub(super) fn absorption_of(
     filter: Option<&OsString>,
     thickness: Option<f64>,
     inputs: &mut Inputs,

@@ -28,7 +28,7 @@ const USUAL_KELVIN: f64 = 4000.0;
 ///
 /// # Errors
 /// [`Refusal`] for a channel or a target that makes no sense or cannot be read.
-pub fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let target = options.target.as_deref();
     let target = target
         .map(|word| target_of(word, options.duv, inputs))

@@ -14,7 +14,7 @@ use crate::{
 
 /// How the tables of a file are read, where that was guessed wrong.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
-pub struct FileOptions {
+pub(super) struct FileOptions {
     /// What the wavelength axis of a file counts: nm, um, A, 1/cm, eV, pm, meV, THz, GHz or m
     /// [default: as the file says].
     #[arg(long, value_name = "UNIT", value_parser = words::wavelength_unit)]
@@ -30,7 +30,7 @@ pub struct FileOptions {
 
 impl FileOptions {
     /// The decisions about files that these options are.
-    pub fn choices(self) -> Choices {
+    pub(super) fn choices(self) -> Choices {
         Choices {
             wavelengths: self.wavelength_unit,
             axis_column: self.column.map(|column| column - 1),
@@ -42,7 +42,7 @@ impl FileOptions {
 
 /// Which spectrum is meant, what it is and what shines on it.
 #[derive(Args, Clone, Debug, Default)]
-pub struct PickOptions {
+pub(super) struct PickOptions {
     /// Which spectrum of a file with several, by name or number from 1 [default: the first; of
     /// an image the mean of its pixels].
     #[arg(long, value_name = "NAME|INDEX")]
@@ -67,12 +67,12 @@ pub struct PickOptions {
 
 impl PickOptions {
     /// Which pixels of an image, if the command line says so.
-    pub fn pixels(&self) -> Option<Rect> {
+    pub(super) fn pixels(&self) -> Option<Rect> {
         self.pixel.or(self.region)
     }
 
     /// What is meant by an input with these options.
-    pub fn wanted(&self) -> Wanted<'_> {
+    pub(super) fn wanted(&self) -> Wanted<'_> {
         Wanted {
             spectrum: self.spectrum.as_deref(),
             pixels: self.pixels(),
@@ -87,7 +87,7 @@ impl PickOptions {
 
 /// The model's knobs; what is not given keeps its default.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
-pub struct ModelOptions {
+pub(super) struct ModelOptions {
     /// Order of the smooth part, 0 to 100: it takes 2N + 1 numbers [default: 7].
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = words::order)]
     pub order: Option<usize>,
@@ -132,7 +132,7 @@ pub struct ModelOptions {
 
 impl ModelOptions {
     /// Whether any of them was given.
-    pub fn is_given(&self) -> bool {
+    pub(super) fn is_given(&self) -> bool {
         let none = Self {
             as_window: self.as_window,
             ..Self::default()
@@ -141,7 +141,7 @@ impl ModelOptions {
     }
 
     /// The options that were given and say nothing about error against numbers.
-    pub fn unused_in_studies(&self) -> Vec<&'static str> {
+    pub(super) fn unused_in_studies(&self) -> Vec<&'static str> {
         let Self {
             order: _,
             threshold: _,
@@ -167,7 +167,7 @@ impl ModelOptions {
 
     /// The same, and what is not given as the window has it at the start.
     #[must_use]
-    pub fn of_window(self) -> Self {
+    pub(super) fn of_window(self) -> Self {
         Self {
             as_window: true,
             ..self
@@ -175,7 +175,7 @@ impl ModelOptions {
     }
 
     /// These options over what the command has without them.
-    pub fn settings(self) -> Settings {
+    pub(super) fn settings(self) -> Settings {
         self.over(match self.as_window {
             true => Settings::default(),
             false => Settings::plain(),
@@ -183,7 +183,7 @@ impl ModelOptions {
     }
 
     /// These options over other settings.
-    pub fn over(self, settings: Settings) -> Settings {
+    pub(super) fn over(self, settings: Settings) -> Settings {
         let Self {
             order,
             threshold,

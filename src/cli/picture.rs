@@ -34,7 +34,11 @@ const TRUSTED_UNDER: &str = "A";
 /// # Errors
 /// [`Refusal`] for a picture or a light that cannot be read, what cannot be kept in few numbers,
 /// and a file that cannot be written.
-pub fn run(options: &Picture, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Picture,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let target = options.out.as_deref().map(|path| target(options, path));
     if let Some(target) = &target {
         target.path()?;

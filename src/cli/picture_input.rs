@@ -12,13 +12,13 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be read or is no light.
-pub fn light_of(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Light, Refusal> {
+pub(super) fn light_of(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Light, Refusal> {
     let entry = named_light(what, word, inputs)?;
     Ok(Light::new(entry.name(), &entry.spectrum.samples))
 }
 
 /// Words of an error about an input; what was not saved names its own file.
-pub fn about(path: &Path) -> impl Fn(PictureError) -> Refusal + '_ {
+pub(super) fn about(path: &Path) -> impl Fn(PictureError) -> Refusal + '_ {
     move |why| match why {
         PictureError::Unsaved(words) => Refusal::File(words),
         why => Refusal::File(format!("{}: {why}", shown(path))),

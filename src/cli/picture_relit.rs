@@ -23,7 +23,7 @@ use crate::{
 /// # Errors
 /// [`Refusal`] for a file that holds no picture of few numbers, and a light that it cannot be seen
 /// under.
-pub fn run(
+pub(super) fn run(
     options: &Options,
     light: &OsStr,
     target: &Target,

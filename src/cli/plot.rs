@@ -21,7 +21,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or a picture that cannot be written.
-pub fn run(
+pub(super) fn run(
     options: &Plot,
     pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,

@@ -24,7 +24,11 @@ const COLUMNS: usize = 1000;
 ///
 /// # Errors
 /// [`Refusal`] for a light or material that cannot be read, and a bench that lets no light leave.
-pub fn run(options: &Prism, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Prism,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let light = named_light("INPUT", &options.input, inputs)?;
     let app = subject::about_light(light, options.model);
     inputs.note_sampling(options.model, false);
@@ -67,7 +71,7 @@ pub fn run(options: &Prism, out: &mut dyn Write, inputs: &mut Inputs) -> Result<
 ///
 /// # Errors
 /// [`Refusal::File`] for a light that nothing is seen of.
-pub fn light_of(app: &App) -> Result<Light, Refusal> {
+pub(super) fn light_of(app: &App) -> Result<Light, Refusal> {
     let name = app.document().light.name().to_owned();
     Light::of_composite(&name, &app.derived().model).map_err(|why| Refusal::File(why.to_string()))
 }
@@ -118,7 +122,7 @@ fn words(bench: &Bench, light: &Light, at_nm: &[f64], strip: Option<&Strip>) -> 
 }
 
 /// The rows of a JSON's `at` under titles, each with its key and digits, and why others are none.
-pub fn add_table(text: &mut String, columns: &[(&str, &str, usize)], json: &Value) {
+pub(super) fn add_table(text: &mut String, columns: &[(&str, &str, usize)], json: &Value) {
     let mut line = |cells: Vec<String>| {
         let cells: Vec<String> = cells.iter().map(|cell| format!("{cell:>11}")).collect();
         // Writing to a string cannot fail.

@@ -33,7 +33,11 @@ use crate::{
 /// # Errors
 /// [`Refusal`] for an input that cannot be read, a factor that is no share of light, and a group
 /// without one.
-pub fn run(options: &Product, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Product,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Product {
         files: _,
         light: light_name,

@@ -40,7 +40,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input or a set that cannot be read or has no light.
-pub fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let Race {
         input,
         numbers,
@@ -121,7 +121,7 @@ fn alone(app: &App) -> Result<Field, Refusal> {
 ///
 /// # Errors
 /// [`Refusal::File`] for an input that is no light.
-pub fn light_alone(app: &App) -> Result<Arc<Entry>, Refusal> {
+pub(super) fn light_alone(app: &App) -> Result<Arc<Entry>, Refusal> {
     let document = app.document();
     if !document.is_about_light() {
         let subject = document.subject_entry();

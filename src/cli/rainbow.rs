@@ -17,7 +17,11 @@ use crate::optics::{Light, Material, rainbow_json};
 ///
 /// # Errors
 /// [`Refusal`] for a light or material that cannot be read, and nothing to tell of.
-pub fn run(options: &Rainbow, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Rainbow,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Rainbow {
         input,
         files: _,

@@ -18,7 +18,7 @@ use crate::{
 /// # Errors
 /// [`Refusal`], after everything was printed, when one of the files was refused or a folder could
 /// not be listed.
-pub fn run(options: &Read, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(options: &Read, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let mut refused = Vec::new();
     let mut values = Vec::new();
     for Listed {

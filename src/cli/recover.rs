@@ -32,7 +32,11 @@ const USUAL_BACKGROUND: &str = "cie_fluorescent_1nm/FL2";
 /// # Errors
 /// [`Refusal`] for a light that cannot be read or shows no colours, and colours that do not fit
 /// the method.
-pub fn run(options: &Recover, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Recover,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     if let (Some(image), Some(path)) = (&options.image, &options.out) {
         return recover_image::run(options, image, path, out, inputs);
     }

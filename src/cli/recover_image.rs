@@ -29,7 +29,7 @@ const MOST_NUMBERS: usize = 1 << 28;
 ///
 /// # Errors
 /// [`Refusal`] for a picture or a light that cannot be read, and a file that cannot be written.
-pub fn run(
+pub(super) fn run(
     options: &Recover,
     image: &Path,
     path: &Path,

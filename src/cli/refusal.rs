@@ -11,7 +11,7 @@ use crate::io::error::quoted;
 
 /// A command that was not carried out.
 #[derive(Debug)]
-pub enum Refusal {
+pub(super) enum Refusal {
     /// The arguments make no sense.
     Usage(String),
     /// An input cannot be read, or a file cannot be written.
@@ -23,7 +23,7 @@ pub enum Refusal {
 impl Refusal {
     /// Says so in one line and gives the exit code: 2 for arguments, 1 for files; a reader that
     /// went away (`| head`) has all it wanted and is no error.
-    pub fn tell(self, err: &mut dyn Write) -> u8 {
+    pub(super) fn tell(self, err: &mut dyn Write) -> u8 {
         let code = match &self {
             Self::Usage(_) => 2,
             Self::File(_) => 1,
@@ -35,7 +35,7 @@ impl Refusal {
     }
 
     /// What was found and what was expected.
-    pub fn into_words(self) -> String {
+    pub(super) fn into_words(self) -> String {
         match self {
             Self::Usage(text) | Self::File(text) => text,
             Self::Output(error) => {
@@ -46,7 +46,7 @@ impl Refusal {
 }
 
 /// Text without line ends and other marks that would break a line.
-pub fn in_one_line(text: &str) -> String {
+pub(super) fn in_one_line(text: &str) -> String {
     let breaks = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
     text.trim().replace(breaks, " ")
 }
@@ -55,7 +55,7 @@ pub fn in_one_line(text: &str) -> String {
 ///
 /// # Errors
 /// [`Refusal::Usage`] with the offending word and what was expected.
-pub fn of_clap(error: &clap::Error) -> Result<String, Refusal> {
+pub(super) fn of_clap(error: &clap::Error) -> Result<String, Refusal> {
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             Ok(error.render().to_string())

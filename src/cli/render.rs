@@ -29,7 +29,7 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or a picture that cannot be written.
-pub fn run(
+pub(super) fn run(
     options: &Render,
     pictures: Option<&dyn Pictures>,
     out: &mut dyn Write,

@@ -9,7 +9,11 @@ use crate::app::report;
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read.
-pub fn run(options: &Report, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Report,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Report {
         input,
         pick,

@@ -17,7 +17,7 @@ use crate::{
 };
 
 /// Any number that is finite.
-pub fn finite(word: &str) -> Result<f64, String> {
+pub(super) fn finite(word: &str) -> Result<f64, String> {
     let value: Option<f64> = word.trim().parse().ok();
     value
         .filter(|value| value.is_finite())
@@ -36,58 +36,58 @@ fn whole<T: Copy + Display + FromStr + PartialOrd>(
 }
 
 /// `--size` of a traced picture.
-pub fn side(word: &str) -> Result<usize, String> {
+pub(super) fn side(word: &str) -> Result<usize, String> {
     whole(word, &optics::SIZES)
 }
 
 /// `--rays`.
-pub fn rays(word: &str) -> Result<u32, String> {
+pub(super) fn rays(word: &str) -> Result<u32, String> {
     whole(word, &optics::RAYS)
 }
 
 /// `--seed`.
-pub fn seed(word: &str) -> Result<u64, String> {
+pub(super) fn seed(word: &str) -> Result<u64, String> {
     whole(word, &(0..=u64::MAX))
 }
 
 /// A count whose limits are told where it is used.
-pub fn whole_number(word: &str) -> Result<usize, String> {
+pub(super) fn whole_number(word: &str) -> Result<usize, String> {
     let number = word.trim().parse().ok();
     number.ok_or_else(|| refused(word, "a whole number"))
 }
 
 /// `--colour`.
-pub fn colour(word: &str) -> Result<Srgb, String> {
+pub(super) fn colour(word: &str) -> Result<Srgb, String> {
     word.parse().map_err(|_| refused(word, "#rrggbb"))
 }
 
 /// `--method`.
-pub fn method(word: &str) -> Result<Method, String> {
+pub(super) fn method(word: &str) -> Result<Method, String> {
     one_of(word, &Method::ALL, Method::word)
 }
 
 /// `--favour`.
-pub fn favour(word: &str) -> Result<Favour, String> {
+pub(super) fn favour(word: &str) -> Result<Favour, String> {
     one_of(word, &Favour::ALL, Favour::word)
 }
 
 /// `--front`.
-pub fn against(word: &str) -> Result<Against, String> {
+pub(super) fn against(word: &str) -> Result<Against, String> {
     word.parse().map_err(|_| refused(word, "rf,ler or ra,ler"))
 }
 
 /// `--lines` of a front.
-pub fn free_lines(word: &str) -> Result<usize, String> {
+pub(super) fn free_lines(word: &str) -> Result<usize, String> {
     whole(word, &FREE_LINES)
 }
 
 /// `--bound`.
-pub fn bound(word: &str) -> Result<f64, String> {
+pub(super) fn bound(word: &str) -> Result<f64, String> {
     number(word, &(0.01..=20.0), "CIEDE2000")
 }
 
 /// `--reference` of a picture.
-pub fn reference(word: &str) -> Result<ReferenceKind, String> {
+pub(super) fn reference(word: &str) -> Result<ReferenceKind, String> {
     let all = [
         ReferenceKind::One,
         ReferenceKind::Light,
@@ -97,7 +97,7 @@ pub fn reference(word: &str) -> Result<ReferenceKind, String> {
 }
 
 /// `--reference` of a table.
-pub fn fit_reference(word: &str) -> Result<ReferenceKind, String> {
+pub(super) fn fit_reference(word: &str) -> Result<ReferenceKind, String> {
     one_of(
         word,
         &[ReferenceKind::One, ReferenceKind::Mean],
@@ -115,7 +115,7 @@ fn reference_word(kind: ReferenceKind) -> &'static str {
 
 /// Which lines of a picture have a number of their own.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Lines {
+pub(super) enum Lines {
     /// Those that are found.
     Auto,
     /// None.
@@ -125,7 +125,7 @@ pub enum Lines {
 }
 
 /// `--lines` of a picture.
-pub fn lines(word: &str) -> Result<Lines, String> {
+pub(super) fn lines(word: &str) -> Result<Lines, String> {
     match word {
         "auto" => Ok(Lines::Auto),
         "none" => Ok(Lines::None),
@@ -138,7 +138,7 @@ pub fn lines(word: &str) -> Result<Lines, String> {
 }
 
 /// `--lines` of a table: whether there are any.
-pub fn fit_lines(word: &str) -> Result<bool, String> {
+pub(super) fn fit_lines(word: &str) -> Result<bool, String> {
     one_of(
         word,
         &[true, false],
@@ -147,17 +147,17 @@ pub fn fit_lines(word: &str) -> Result<bool, String> {
 }
 
 /// `--blocks`.
-pub fn blocks(word: &str) -> Result<usize, String> {
+pub(super) fn blocks(word: &str) -> Result<usize, String> {
     whole(word, &(1..=*optics::SIZES.end()))
 }
 
 /// `--stops`.
-pub fn stops(word: &str) -> Result<f64, String> {
+pub(super) fn stops(word: &str) -> Result<f64, String> {
     number(word, &(-20.0..=20.0), "stops")
 }
 
 /// Three numbers: a place.
-pub fn place(word: &str) -> Result<[f64; 3], String> {
+pub(super) fn place(word: &str) -> Result<[f64; 3], String> {
     let numbers: Option<Vec<f64>> = word.split(',').map(|n| finite(n).ok()).collect();
     numbers
         .and_then(|numbers| numbers.try_into().ok())
@@ -165,7 +165,7 @@ pub fn place(word: &str) -> Result<[f64; 3], String> {
 }
 
 /// `--view`.
-pub fn view(word: &str) -> Result<View, String> {
+pub(super) fn view(word: &str) -> Result<View, String> {
     match word {
         "A" | "a" => Ok(View::A),
         _ => Err(refused(word, "A (or --from X,Y,Z)")),
@@ -174,7 +174,7 @@ pub fn view(word: &str) -> Result<View, String> {
 
 /// What shines on a gem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lamps {
+pub(super) enum Lamps {
     /// The scene that is compared with other programs.
     Studio,
     /// The window's.
@@ -182,7 +182,7 @@ pub enum Lamps {
 }
 
 /// `--lamps`.
-pub fn lamps(word: &str) -> Result<Lamps, String> {
+pub(super) fn lamps(word: &str) -> Result<Lamps, String> {
     let name = |lamps| match lamps {
         Lamps::Studio => "studio",
         Lamps::Jeweller => "jeweller",
@@ -191,7 +191,7 @@ pub fn lamps(word: &str) -> Result<Lamps, String> {
 }
 
 /// `--seen`.
-pub fn seen(word: &str) -> Result<Adaptation, String> {
+pub(super) fn seen(word: &str) -> Result<Adaptation, String> {
     let name = |seen| match seen {
         Adaptation::ToLight => "eye",
         Adaptation::None => "camera",
@@ -200,16 +200,16 @@ pub fn seen(word: &str) -> Result<Adaptation, String> {
 }
 
 /// `--out` of a traced picture.
-pub fn traced_path() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn traced_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["png", "exr"]))
 }
 
 /// `--out` of a spectral picture.
-pub fn exr_path() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn exr_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["exr"]))
 }
 
 /// `--out` of numbers.
-pub fn numbers_path() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn numbers_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["csv", "json"]))
 }

@@ -22,13 +22,13 @@ use crate::{
 };
 
 /// The light on a reflectance when none is named.
-pub const USUAL_LIGHT: &str = "cie_illuminants/CIE D65";
+pub(super) const USUAL_LIGHT: &str = "cie_illuminants/CIE D65";
 
 /// The state about an input: a light, a reflectance under a light, or a saved project.
 ///
 /// # Errors
 /// [`Refusal::File`] for an input that cannot be found or read.
-pub fn app(
+pub(super) fn app(
     input: &OsStr,
     pick: &PickOptions,
     model: ModelOptions,
@@ -41,7 +41,7 @@ pub fn app(
 ///
 /// # Errors
 /// As [`app`].
-pub fn app_of(
+pub(super) fn app_of(
     input: &OsStr,
     pick: &PickOptions,
     wanted: &Wanted,
@@ -84,7 +84,7 @@ pub fn app_of(
 }
 
 /// The state about a light and nothing else.
-pub fn about_light(light: Entry, model: ModelOptions) -> App {
+pub(super) fn about_light(light: Entry, model: ModelOptions) -> App {
     let mut document = Document::about(light.into());
     document.settings = model.settings().clamped();
     if !model.is_given() {
@@ -97,7 +97,7 @@ pub fn about_light(light: Entry, model: ModelOptions) -> App {
 ///
 /// # Errors
 /// [`Refusal::Usage`] for options that say something about an input.
-pub fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal> {
+pub(super) fn first_app(pick: &PickOptions, model: ModelOptions) -> Result<App, Refusal> {
     let PickOptions {
         spectrum,
         kind,
@@ -145,7 +145,7 @@ fn show(app: &mut App, entry: Entry) {
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be found or read, or is no light.
-pub fn light(
+pub(super) fn light(
     what: &str,
     name: &OsStr,
     spectrum: Option<&str>,
@@ -187,13 +187,13 @@ pub fn light(
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be read or is no light.
-pub fn named_light(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Entry, Refusal> {
+pub(super) fn named_light(what: &str, word: &OsStr, inputs: &mut Inputs) -> Result<Entry, Refusal> {
     let (name, spectrum) = named_spectrum(word);
     light(what, name, spectrum, inputs)
 }
 
 /// A file and which of its spectra (`lamps.csv#2`); a name that is there is taken as it stands.
-pub fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
+pub(super) fn named_spectrum(word: &OsStr) -> (&OsStr, Option<&str>) {
     let is_shipped = || {
         word.to_str()
             .is_some_and(|name| Library::bundled().knows(name))

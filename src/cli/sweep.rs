@@ -14,7 +14,11 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] for an input that cannot be read or has nothing to measure.
-pub fn run(options: &Sweep, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
+pub(super) fn run(
+    options: &Sweep,
+    out: &mut dyn Write,
+    inputs: &mut Inputs,
+) -> Result<(), Refusal> {
     let Sweep {
         input,
         pick,
@@ -42,7 +46,7 @@ pub fn run(options: &Sweep, out: &mut dyn Write, inputs: &mut Inputs) -> Result<
 }
 
 /// Says which of the given options change nothing here.
-pub fn say_unused(model: ModelOptions, more: &[(&str, bool)], inputs: &mut Inputs) {
+pub(super) fn say_unused(model: ModelOptions, more: &[(&str, bool)], inputs: &mut Inputs) {
     let more = more
         .iter()
         .filter(|(_, given)| *given)
@@ -53,7 +57,7 @@ pub fn say_unused(model: ModelOptions, more: &[(&str, bool)], inputs: &mut Input
 }
 
 /// A spectrum that has nothing in the model's range.
-pub fn all_zero(app: &App) -> Refusal {
+pub(super) fn all_zero(app: &App) -> Refusal {
     let band = app.document().settings.band;
     Refusal::File(format!(
         "{}: found nothing but zeros from {} to {} nm, expected a spectrum to measure",

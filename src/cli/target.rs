@@ -12,7 +12,7 @@ use crate::io::{envi, error::shown, stream::is_standard_input};
 
 /// What may be replaced without a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Replaces {
+pub(super) enum Replaces {
     /// No file: what is written is data.
     Nothing,
     /// Another picture: they are drawn anew.
@@ -21,7 +21,7 @@ pub enum Replaces {
 
 /// A place to write to.
 #[derive(Clone, Debug)]
-pub struct Target<'a> {
+pub(super) struct Target<'a> {
     /// The word of the command line that named it.
     pub what: &'static str,
     /// Where it is.
@@ -37,7 +37,7 @@ pub struct Target<'a> {
 impl<'a> Target<'a> {
     /// Words that the command reads; names of presets mean no file and do no harm.
     #[must_use]
-    pub fn beside(mut self, words: &[Option<&OsStr>]) -> Self {
+    pub(super) fn beside(mut self, words: &[Option<&OsStr>]) -> Self {
         for word in words.iter().flatten() {
             self.reads(Path::new(word));
         }
@@ -45,7 +45,7 @@ impl<'a> Target<'a> {
     }
 
     /// A file that the command reads.
-    pub fn reads(&mut self, path: &Path) {
+    pub(super) fn reads(&mut self, path: &Path) {
         if is_standard_input(path) {
             // Where there is such a place, a file may have been put there.
             self.read.push(PathBuf::from("/dev/stdin"));
@@ -60,7 +60,7 @@ impl<'a> Target<'a> {
     ///
     /// # Errors
     /// [`Refusal::File`] for what is read, and for a file that would be lost.
-    pub fn path(&self) -> Result<&'a Path, Refusal> {
+    pub(super) fn path(&self) -> Result<&'a Path, Refusal> {
         let Self {
             what,
             path,
@@ -157,7 +157,7 @@ fn is_svg(text: &str) -> bool {
 }
 
 /// A picture's name in a folder that nothing there has yet, not even a link.
-pub fn new_picture(folder: &Path) -> PathBuf {
+pub(super) fn new_picture(folder: &Path) -> PathBuf {
     let first = folder.join(format!("{}.png", super::PROGRAM));
     let others = (2..).map(|number| folder.join(format!("{}-{number}.png", super::PROGRAM)));
     std::iter::once(first)

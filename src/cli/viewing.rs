@@ -6,13 +6,13 @@ use super::{inputs::Inputs, refusal::Refusal, subject::USUAL_LIGHT, subject::nam
 use crate::{app::Entry, color::Observer, design::recover::Viewing};
 
 /// The observer that colours are meant for.
-pub const OBSERVER: Observer = Observer::Cie1931;
+pub(super) const OBSERVER: Observer = Observer::Cie1931;
 
 /// A light that colours are recovered under.
 ///
 /// # Errors
 /// [`Refusal::File`] for what cannot be read and for a light that shows too few colours.
-pub fn light(
+pub(super) fn light(
     name: Option<&OsStr>,
     what: &str,
     inputs: &mut Inputs,

@@ -15,7 +15,7 @@ const PAUSE: Duration = Duration::from_millis(500);
 
 /// Work that tells how far it is in one line of standard error, which is wiped in the end. Where
 /// nobody looks (a file, a pipe) nothing is told.
-pub fn watched<T>(work: impl FnOnce(&Progress) -> T) -> T {
+pub(super) fn watched<T>(work: impl FnOnce(&Progress) -> T) -> T {
     let progress = Progress::default();
     if !std::io::stderr().is_terminal() {
         return work(&progress);

@@ -49,7 +49,7 @@ impl Input {
 ///
 /// # Errors
 /// [`Refusal::File`] for the first word that means no file, or when nothing is there.
-pub fn inputs(words: &[OsString]) -> Result<Vec<Input>, Refusal> {
+pub(super) fn inputs(words: &[OsString]) -> Result<Vec<Input>, Refusal> {
     let found: Vec<_> = words.iter().map(input).collect();
     if found.iter().all(Result::is_err) {
         return found.into_iter().collect();

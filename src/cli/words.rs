@@ -30,15 +30,15 @@ use crate::{
 
 /// Smallest and largest pictures, px: below, no window has room for its panels; above, a picture
 /// takes hundreds of MB while it is made.
-pub const SIZES: [[u32; 2]; 2] = [[320, 240], [7680, 4320]];
+pub(super) const SIZES: [[u32; 2]; 2] = [[320, 240], [7680, 4320]];
 
 /// What was found, and what was expected.
-pub fn refused(word: &str, expected: impl Display) -> String {
+pub(super) fn refused(word: &str, expected: impl Display) -> String {
     format!("found {}, expected {expected}", quoted(word))
 }
 
 /// `--order`.
-pub fn order(word: &str) -> Result<usize, String> {
+pub(super) fn order(word: &str) -> Result<usize, String> {
     let (least, most) = (ORDERS.start(), ORDERS.end());
     word.parse()
         .ok()
@@ -47,7 +47,7 @@ pub fn order(word: &str) -> Result<usize, String> {
 }
 
 /// `--numbers`.
-pub fn numbers(word: &str) -> Result<usize, String> {
+pub(super) fn numbers(word: &str) -> Result<usize, String> {
     let (least, most) = (SPENDABLE.start(), SPENDABLE.end());
     let word = word.trim();
     word.parse()
@@ -57,7 +57,7 @@ pub fn numbers(word: &str) -> Result<usize, String> {
 }
 
 /// `--goal`: a plain goal, or weights such as `patches=2,filters=1`.
-pub fn goal(word: &str) -> Result<Goal, String> {
+pub(super) fn goal(word: &str) -> Result<Goal, String> {
     mixed_goal(word).ok_or_else(|| {
         let expected = "own, patches, spectrum or filters, or weights such as patches=2,filters=1";
         refused(word, expected)
@@ -94,23 +94,23 @@ fn mixed_goal(word: &str) -> Option<Goal> {
 }
 
 /// `--page`.
-pub fn page(word: &str) -> Result<Page, String> {
+pub(super) fn page(word: &str) -> Result<Page, String> {
     let all: Vec<Page> = Page::all().collect();
     Page::of_word(word).map_or_else(|| one_of(word, &all, Page::word), Ok)
 }
 
 /// `--threshold`.
-pub fn threshold(word: &str) -> Result<f64, String> {
+pub(super) fn threshold(word: &str) -> Result<f64, String> {
     number(word, &THRESHOLDS_PERCENT, "percent")
 }
 
 /// `--max-width`.
-pub fn max_width(word: &str) -> Result<f64, String> {
+pub(super) fn max_width(word: &str) -> Result<f64, String> {
     number(word, &WIDTHS_NM, "nm")
 }
 
 /// A number in a range.
-pub fn number(word: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {
+pub(super) fn number(word: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {
     // NaN is in no range.
     word.parse()
         .ok()
@@ -125,7 +125,7 @@ pub fn number(word: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64
 }
 
 /// `--pixel`.
-pub fn pixel(word: &str) -> Result<Rect, String> {
+pub(super) fn pixel(word: &str) -> Result<Rect, String> {
     match whole_numbers(word).as_deref() {
         Some([x, y]) => Ok(Rect::pixel(*x, *y)),
         _ => Err(refused(word, "X,Y: a column and a row, counted from 0")),
@@ -133,7 +133,7 @@ pub fn pixel(word: &str) -> Result<Rect, String> {
 }
 
 /// `--region`.
-pub fn region(word: &str) -> Result<Rect, String> {
+pub(super) fn region(word: &str) -> Result<Rect, String> {
     match whole_numbers(word).as_deref() {
         Some([x, y, width, height]) if *width > 0 && *height > 0 => Ok(Rect {
             x: *x,
@@ -155,7 +155,7 @@ fn whole_numbers(word: &str) -> Option<Vec<usize>> {
 }
 
 /// `--range`.
-pub fn range(word: &str) -> Result<Band, String> {
+pub(super) fn range(word: &str) -> Result<Band, String> {
     let bounds = || {
         let (min, max) = word.split_once(':')?;
         Some((min.trim().parse().ok()?, max.trim().parse().ok()?))
@@ -177,22 +177,22 @@ pub fn range(word: &str) -> Result<Band, String> {
 }
 
 /// `--basis`.
-pub fn basis(word: &str) -> Result<Basis, String> {
+pub(super) fn basis(word: &str) -> Result<Basis, String> {
     one_of(word, &Basis::ALL, Basis::word)
 }
 
 /// `--observer`.
-pub fn observer(word: &str) -> Result<Observer, String> {
+pub(super) fn observer(word: &str) -> Result<Observer, String> {
     one_of(word, &Observer::ALL, Observer::word)
 }
 
 /// `--sampling`.
-pub fn sampling(word: &str) -> Result<Sampling, String> {
+pub(super) fn sampling(word: &str) -> Result<Sampling, String> {
     one_of(word, &Sampling::ALL, Sampling::word)
 }
 
 /// `--wavelength-unit`: a unit by its sign, as a keyboard has it too.
-pub fn wavelength_unit(word: &str) -> Result<WavelengthUnit, String> {
+pub(super) fn wavelength_unit(word: &str) -> Result<WavelengthUnit, String> {
     let sign = match word {
         "A" | "angstrom" => "Å",
         "µm" => "um",
@@ -203,7 +203,7 @@ pub fn wavelength_unit(word: &str) -> Result<WavelengthUnit, String> {
 }
 
 /// `--column`, from 1.
-pub fn column(word: &str) -> Result<usize, String> {
+pub(super) fn column(word: &str) -> Result<usize, String> {
     let number = word.parse().ok();
     number
         .filter(|number| (1..=MOST_COLUMNS).contains(number))
@@ -216,29 +216,29 @@ pub fn column(word: &str) -> Result<usize, String> {
 }
 
 /// `--delimiter`.
-pub fn delimiter(word: &str) -> Result<Delimiter, String> {
+pub(super) fn delimiter(word: &str) -> Result<Delimiter, String> {
     one_of(word, &Delimiter::ALL, Delimiter::word)
 }
 
 /// `--kind` of an input: what the program can take.
-pub fn usable_kind(word: &str) -> Result<Kind, String> {
+pub(super) fn usable_kind(word: &str) -> Result<Kind, String> {
     let usable = [Kind::Light, Kind::Reflectance, Kind::Transmittance];
     one_of(word, &usable, Kind::word)
 }
 
 /// `--kind` of what multiplies a light.
-pub fn factor_kind(word: &str) -> Result<Kind, String> {
+pub(super) fn factor_kind(word: &str) -> Result<Kind, String> {
     one_of(word, &[Kind::Reflectance, Kind::Transmittance], Kind::word)
 }
 
 /// `--kind` of a list.
-pub fn any_kind(word: &str) -> Result<Kind, String> {
+pub(super) fn any_kind(word: &str) -> Result<Kind, String> {
     one_of(word, &Kind::ALL, Kind::word)
 }
 
 /// What `convert` writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub(super) enum Form {
     /// Wavelengths and values.
     Spectrum,
     /// The model: coefficients and spikes.
@@ -246,7 +246,7 @@ pub enum Form {
 }
 
 /// `--as`.
-pub fn form(word: &str) -> Result<Form, String> {
+pub(super) fn form(word: &str) -> Result<Form, String> {
     one_of(
         word,
         &[Form::Composite, Form::Spectrum],
@@ -258,7 +258,7 @@ pub fn form(word: &str) -> Result<Form, String> {
 }
 
 /// `--theme`.
-pub fn theme(word: &str) -> Result<Theme, String> {
+pub(super) fn theme(word: &str) -> Result<Theme, String> {
     one_of(word, &[Theme::Dark, Theme::Light], |theme| match theme {
         Theme::Dark => "dark",
         Theme::Light => "light",
@@ -266,7 +266,11 @@ pub fn theme(word: &str) -> Result<Theme, String> {
 }
 
 /// One of some values by its word.
-pub fn one_of<T: Copy>(word: &str, all: &[T], name: fn(T) -> &'static str) -> Result<T, String> {
+pub(super) fn one_of<T: Copy>(
+    word: &str,
+    all: &[T],
+    name: fn(T) -> &'static str,
+) -> Result<T, String> {
     let found = all.iter().copied().find(|value| name(*value) == word);
     found.ok_or_else(|| {
         let names: Vec<&str> = all.iter().map(|value| name(*value)).collect();
@@ -276,7 +280,7 @@ pub fn one_of<T: Copy>(word: &str, all: &[T], name: fn(T) -> &'static str) -> Re
 }
 
 /// `--size`.
-pub fn size(word: &str) -> Result<[u32; 2], String> {
+pub(super) fn size(word: &str) -> Result<[u32; 2], String> {
     let [least, most] = SIZES;
     let both = || {
         let (width, height) = word.split_once(['x', 'X', '×'])?;
@@ -294,22 +298,22 @@ pub fn size(word: &str) -> Result<[u32; 2], String> {
 }
 
 /// `--out` of a picture of the window.
-pub fn png_path() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn png_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["png"]))
 }
 
 /// A path of a picture or of a page about a light.
-pub fn plot_path() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn plot_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["svg", "png", "pdf"]))
 }
 
 /// `--out` of a sheet for a class.
-pub fn sheet_path() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn sheet_path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| with_extension(path, &["md", "html"]))
 }
 
 /// A path that ends in one of some ways.
-pub fn with_extension(path: OsString, known: &[&str]) -> Result<PathBuf, String> {
+pub(super) fn with_extension(path: OsString, known: &[&str]) -> Result<PathBuf, String> {
     let path = PathBuf::from(path);
     if known.contains(&extension(&path).as_str()) {
         return Ok(path);
@@ -320,7 +324,7 @@ pub fn with_extension(path: OsString, known: &[&str]) -> Result<PathBuf, String>
 }
 
 /// The extension of a path in lower case; empty when it has none.
-pub fn extension(path: &Path) -> String {
+pub(super) fn extension(path: &Path) -> String {
     let extension = path.extension().unwrap_or_default();
     extension.to_string_lossy().to_lowercase()
 }

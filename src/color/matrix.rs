@@ -1,10 +1,10 @@
 //! Arithmetic on 3x3 matrices, usable in constants so that colour matrices are derived, not pasted.
 
 /// Rows of a 3x3 matrix.
-pub type Matrix3 = [[f64; 3]; 3];
+pub(super) type Matrix3 = [[f64; 3]; 3];
 
 /// `matrix * vector`.
-pub const fn times_vector(matrix: &Matrix3, vector: [f64; 3]) -> [f64; 3] {
+pub(super) const fn times_vector(matrix: &Matrix3, vector: [f64; 3]) -> [f64; 3] {
     let mut out = [0.0; 3];
     let mut row = 0;
     while row < 3 {
@@ -16,7 +16,7 @@ pub const fn times_vector(matrix: &Matrix3, vector: [f64; 3]) -> [f64; 3] {
 }
 
 /// `a * b`.
-pub fn times_matrix(a: &Matrix3, b: &Matrix3) -> Matrix3 {
+pub(super) fn times_matrix(a: &Matrix3, b: &Matrix3) -> Matrix3 {
     std::array::from_fn(|row| {
         std::array::from_fn(|column| (0..3).map(|k| a[row][k] * b[k][column]).sum())
     })
@@ -29,7 +29,7 @@ pub fn times_matrix(a: &Matrix3, b: &Matrix3) -> Matrix3 {
 ///
 /// # Panics
 /// When the determinant is zero.
-pub const fn inverse(m: &Matrix3) -> Matrix3 {
+pub(super) const fn inverse(m: &Matrix3) -> Matrix3 {
     let mut cofactor = [[0.0; 3]; 3];
     let mut row = 0;
     while row < 3 {

@@ -28,7 +28,7 @@ pub mod chromaticity;
 pub mod ciede2000;
 pub mod gaussian_cmf;
 pub mod lab;
-pub mod matrix;
+mod matrix;
 pub mod observer;
 pub mod patches;
 pub mod quality;

@@ -15,7 +15,7 @@ use super::{
 use crate::spectrum::{Band, Basis, BasisTable, band::dot, fit::WORST_CONDITION};
 
 /// Cosines that carry the light's own colour.
-pub const LEADING: usize = 3;
+pub(super) const LEADING: usize = 3;
 
 /// Widths of the pool's lines, nm.
 const POOL_WIDTHS_NM: [f64; 8] = [0.0, 5.0, 8.0, 12.0, 18.0, 26.0, 38.0, 55.0];
@@ -29,7 +29,7 @@ const POOL_NEGLIGIBLE: f64 = 1e-4;
 
 /// A column: what takes its own colour away, and the goals' rows of what is left.
 #[derive(Clone, Debug)]
-pub struct Column {
+pub(super) struct Column {
     /// Numbers of the leading cosines that have its X, Y, Z.
     pub gamma: [f64; 3],
     /// Rows without them.
@@ -38,7 +38,7 @@ pub struct Column {
 
 /// A line of the pool: a piece of the kernel of its width, times a factor.
 #[derive(Clone, Debug)]
-pub struct PoolLine {
+pub(super) struct PoolLine {
     /// Place and width.
     pub line: Spike,
     /// First grid point.
@@ -54,7 +54,7 @@ pub struct PoolLine {
 
 /// All columns of a band.
 #[derive(Clone, Debug)]
-pub struct Columns {
+pub(super) struct Columns {
     /// The goals' rows.
     pub operators: Operators,
     /// The cosines after the leading ones.
@@ -80,7 +80,7 @@ impl Columns {
     ///
     /// # Errors
     /// [`EncodingError::Unseen`] when the leading cosines cannot carry a colour on this band.
-    pub fn new(panel: &Panel, atoms: &[Atom]) -> Result<Self, EncodingError> {
+    pub(super) fn new(panel: &Panel, atoms: &[Atom]) -> Result<Self, EncodingError> {
         let band = panel.band();
         let operators = Operators::new(panel);
         let table = BasisTable::new(band, Basis::Cosine, MOST_LABELLED + 1);
@@ -116,12 +116,12 @@ impl Columns {
     }
 
     /// The band.
-    pub fn band(&self) -> Band {
+    pub(super) fn band(&self) -> Band {
         self.operators.band()
     }
 
     /// Values that begin at grid point `first` as a column.
-    pub fn column(&self, first: usize, values: &[f64]) -> Column {
+    pub(super) fn column(&self, first: usize, values: &[f64]) -> Column {
         let gamma = self.gamma(first, values);
         let mut rows = self.operators.rows_of(first, values);
         for (g, leading) in gamma.iter().zip(&self.leading_rows) {
@@ -133,7 +133,7 @@ impl Columns {
     }
 
     /// Numbers of the leading cosines that have the X, Y, Z of values.
-    pub fn gamma(&self, first: usize, values: &[f64]) -> [f64; 3] {
+    pub(super) fn gamma(&self, first: usize, values: &[f64]) -> [f64; 3] {
         let xyz = Vector3::from(self.operators.xyz(first, values));
         let gamma = self.inverse * xyz;
         // Once more on what rounding left, so that own colours are exact to the last digits.
@@ -186,13 +186,13 @@ impl Columns {
     }
 
     /// A pool line's values from its first grid point on.
-    pub fn values_of(&self, line: &PoolLine) -> Vec<f64> {
+    pub(super) fn values_of(&self, line: &PoolLine) -> Vec<f64> {
         let heights = &self.kernels[line.kernel][line.piece.clone()];
         heights.iter().map(|v| v * line.factor).collect()
     }
 
     /// Sums of every pool line, its own colour taken away, with a function on the grid.
-    pub fn line_sums(&self, h: &[f64]) -> Vec<f64> {
+    pub(super) fn line_sums(&self, h: &[f64]) -> Vec<f64> {
         let leading = self.leading.each_ref().map(|row| dot(row, h));
         let sum = |line: &PoolLine| {
             let heights = &self.kernels[line.kernel][line.piece.clone()];

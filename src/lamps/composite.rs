@@ -21,7 +21,7 @@ use crate::spectrum::{
 };
 
 /// A Gaussian's full width at half maximum in standard deviations.
-pub const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
+pub(super) const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;
 
 /// A Gaussian is below 1e-14 of its height this many widths from its centre.
 const REACH_WIDTHS: f64 = 3.5;
@@ -32,7 +32,7 @@ const CLEAR_OF_ENDS_WIDTHS: f64 = 2.6;
 
 /// Narrowest Gaussian: a narrower one falls between the points of the 1 nm grid and is taken as
 /// ideal.
-pub const NARROWEST_NM: f64 = 2.0;
+pub(super) const NARROWEST_NM: f64 = 2.0;
 
 /// A line: its place, its power and how wide it is.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -15,18 +15,18 @@ use crate::{
 };
 
 /// Most known lamps in one encoding: the label has room for two.
-pub const MOST_ATOMS: usize = 2;
+pub(super) const MOST_ATOMS: usize = 2;
 
 /// Most smooth numbers beside a label, which has six bits for their count.
-pub const MOST_LABELLED: usize = 63;
+pub(super) const MOST_LABELLED: usize = 63;
 
 /// Places of a line in the range: 1/128 nm on 380-780.
-pub const PLACES: f64 = 51_200.0;
+pub(super) const PLACES: f64 = 51_200.0;
 
 /// Widths of a line that is not ideal.
 const WIDTHS: f64 = 254.0;
 /// The narrowest and the widest, nm.
-pub const WIDTH_NM: [f64; 2] = [2.0, 90.0];
+pub(super) const WIDTH_NM: [f64; 2] = [2.0, 90.0];
 
 /// A known lamp with the radiant power it brings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,7 +108,7 @@ impl Encoding {
 }
 
 /// The width of a stored byte: 0 ideal, 1..=255 from 2 to 90 nm in even steps of ratio.
-pub fn width_of_byte(byte: u8) -> f64 {
+pub(super) fn width_of_byte(byte: u8) -> f64 {
     match byte {
         0 => 0.0,
         _ => WIDTH_NM[0] * (WIDTH_NM[1] / WIDTH_NM[0]).powf(f64::from(byte - 1) / WIDTHS),
@@ -116,7 +116,7 @@ pub fn width_of_byte(byte: u8) -> f64 {
 }
 
 /// The byte nearest to a width; 0 below 2 nm.
-pub fn byte_of_width(width_nm: f64) -> u8 {
+pub(super) fn byte_of_width(width_nm: f64) -> u8 {
     if width_nm.is_nan() || width_nm < WIDTH_NM[0] {
         return 0;
     }
@@ -126,19 +126,19 @@ pub fn byte_of_width(width_nm: f64) -> u8 {
 
 /// The stored place nearest to a wavelength of the band. Sixteen bits end at 65535, the range at
 /// 51200.
-pub fn stored_place(band: Band, at_nm: f64) -> u16 {
+pub(super) fn stored_place(band: Band, at_nm: f64) -> u16 {
     let x = (at_nm - band.min_nm()) / band.length_nm();
     (x * PLACES).round().clamp(0.0, PLACES) as u16
 }
 
 /// The wavelength of a stored place, nm; `None` beyond the end of the band.
-pub fn place_nm(band: Band, stored: u16) -> Option<f64> {
+pub(super) fn place_nm(band: Band, stored: u16) -> Option<f64> {
     let x = f64::from(stored) / PLACES;
     (x <= 1.0).then(|| band.min_nm() + x * band.length_nm())
 }
 
 /// A line as it is stored: place and width at their nearest steps.
-pub fn stored_line(band: Band, line: Spike) -> Spike {
+pub(super) fn stored_line(band: Band, line: Spike) -> Spike {
     Spike {
         at_nm: place_nm(band, stored_place(band, line.at_nm)).unwrap_or(band.max_nm()),
         weight: line.weight,

@@ -12,35 +12,35 @@ use super::{
 use crate::spectrum::band::dot;
 
 /// Shares of the goals: patches, filters, spectrum.
-pub const SHARES: [f64; GOALS] = [0.5, 1.25, 1.25];
+pub(super) const SHARES: [f64; GOALS] = [0.5, 1.25, 1.25];
 
 /// Weights of the first fit, before errors are known.
-pub const FIRST_WEIGHTS: [f64; GOALS] = [10.0, 1.0, 20.0];
+pub(super) const FIRST_WEIGHTS: [f64; GOALS] = [10.0, 1.0, 20.0];
 
 /// Errors below this share of the plain cosine's count as none, and so do those below the floor.
 const SMALL: f64 = 0.03;
 const FLOOR: [f64; GOALS] = [2e-6, 2e-5, 1e-6];
 
 /// The errors that count as none, from those of the plain cosine.
-pub fn small_errors(plain: [f64; GOALS]) -> [f64; GOALS] {
+pub(super) fn small_errors(plain: [f64; GOALS]) -> [f64; GOALS] {
     std::array::from_fn(|g| SMALL * plain[g] + FLOOR[g])
 }
 
 /// `sum q log(e + eps)`: what is made least.
-pub fn score(errors: [f64; GOALS], small: [f64; GOALS]) -> f64 {
+pub(super) fn score(errors: [f64; GOALS], small: [f64; GOALS]) -> f64 {
     (0..GOALS)
         .map(|g| SHARES[g] * (errors[g] + small[g]).ln())
         .sum()
 }
 
 /// Weights from errors.
-pub fn weights_of(errors: [f64; GOALS], small: [f64; GOALS]) -> [f64; GOALS] {
+pub(super) fn weights_of(errors: [f64; GOALS], small: [f64; GOALS]) -> [f64; GOALS] {
     std::array::from_fn(|g| SHARES[g] / (errors[g] + small[g]))
 }
 
 /// A fit of columns.
 #[derive(Clone, Debug)]
-pub struct Fitted {
+pub(super) struct Fitted {
     /// The weight of each column.
     pub weights: Vec<f64>,
     /// The errors of the goals, linearised.
@@ -50,7 +50,7 @@ pub struct Fitted {
 }
 
 /// Directions of columns (as errors of the goals) at weights of the goals.
-pub fn directions<'a>(
+pub(super) fn directions<'a>(
     at: &Goals,
     columns: impl Iterator<Item = &'a [f64]>,
     goals: [f64; GOALS],
@@ -76,7 +76,7 @@ fn add_directions<'a>(
 /// Fits columns to a target, both as errors of the goals, beginning with weights `goals`; then
 /// `again` times with weights from the errors. `basis` has the directions of the first columns at
 /// these weights, `columns` are the others.
-pub fn fit(
+pub(super) fn fit(
     at: &Goals,
     mut basis: Orthonormal,
     columns: &[&[f64]],

@@ -24,11 +24,11 @@ const LEAST_EIGENVALUE: f64 = 1e-9;
 const ABSENT: f64 = 1e-9;
 
 /// The goals: patches, filters, spectrum.
-pub const GOALS: usize = 3;
+pub(super) const GOALS: usize = 3;
 
 /// A light's goals.
 #[derive(Clone, Debug)]
-pub struct Goals {
+pub(super) struct Goals {
     /// One matrix a colour, by rows, upper triangular or full.
     forms: Vec<[[f64; 3]; 3]>,
     /// What a blurred row is multiplied by.
@@ -40,7 +40,12 @@ pub struct Goals {
 impl Goals {
     /// The goals near a light given by its rows and its X, Y, Z; `blurred_norm` is the root of the
     /// sum of squares of the blurred light on the grid.
-    pub fn near(operators: &Operators, rows: &[f64], white: [f64; 3], blurred_norm: f64) -> Self {
+    pub(super) fn near(
+        operators: &Operators,
+        rows: &[f64],
+        white: [f64; 3],
+        blurred_norm: f64,
+    ) -> Self {
         let [patches, filters] = operators.colours();
         let white = Xyz::from_array(white);
         let triples = rows[..3 * (patches + filters)].chunks_exact(3);
@@ -65,7 +70,7 @@ impl Goals {
     }
 
     /// Rows of a difference turned into errors.
-    pub fn errors_of(&self, rows: &[f64]) -> Vec<f64> {
+    pub(super) fn errors_of(&self, rows: &[f64]) -> Vec<f64> {
         let mut out = rows.to_vec();
         let (colours, blur) = out.split_at_mut(self.ends[1]);
         for (triple, form) in colours.chunks_exact_mut(3).zip(&self.forms) {
@@ -79,7 +84,7 @@ impl Goals {
     }
 
     /// The transpose of [`Goals::errors_of`].
-    pub fn transposed(&self, errors: &[f64]) -> Vec<f64> {
+    pub(super) fn transposed(&self, errors: &[f64]) -> Vec<f64> {
         let mut out = errors.to_vec();
         let (colours, blur) = out.split_at_mut(self.ends[1]);
         for (triple, form) in colours.chunks_exact_mut(3).zip(&self.forms) {
@@ -94,7 +99,7 @@ impl Goals {
 
     /// The squared form of each colour, as its six numbers `xx yy zz xy xz yz`, times the square of
     /// its goal's weight; the last is that of a blurred row.
-    pub fn squares(&self, weights: [f64; GOALS]) -> (Vec<[f64; 6]>, f64) {
+    pub(super) fn squares(&self, weights: [f64; GOALS]) -> (Vec<[f64; 6]>, f64) {
         let patches = self.ends[0] / 3;
         let squares = self.forms.iter().enumerate().map(|(i, form)| {
             let t = weights[usize::from(i >= patches)];
@@ -115,14 +120,14 @@ impl Goals {
     }
 
     /// Each goal's rows times its weight, in place.
-    pub fn weigh(&self, weights: [f64; GOALS], errors: &mut [f64]) {
+    pub(super) fn weigh(&self, weights: [f64; GOALS], errors: &mut [f64]) {
         for (range, t) in self.ranges().into_iter().zip(weights) {
             errors[range].iter_mut().for_each(|v| *v *= t);
         }
     }
 
     /// The rows of each goal.
-    pub fn ranges(&self) -> [std::ops::Range<usize>; GOALS] {
+    pub(super) fn ranges(&self) -> [std::ops::Range<usize>; GOALS] {
         [
             0..self.ends[0],
             self.ends[0]..self.ends[1],
@@ -131,7 +136,7 @@ impl Goals {
     }
 
     /// Norm of each goal's rows.
-    pub fn norms(&self, errors: &[f64]) -> [f64; GOALS] {
+    pub(super) fn norms(&self, errors: &[f64]) -> [f64; GOALS] {
         self.ranges().map(|range| {
             let rows = &errors[range];
             crate::spectrum::band::dot(rows, rows).sqrt()

@@ -31,7 +31,7 @@ use crate::{
 const FILTER_Y: f64 = 0.5;
 
 /// Most that it is brightened by.
-pub const MOST_GAIN: f64 = 50.0;
+pub(super) const MOST_GAIN: f64 = 50.0;
 
 /// What errors are measured by, on one band for one observer.
 #[derive(Clone, Debug)]
@@ -88,7 +88,7 @@ pub struct Exact {
 }
 
 /// A Gaussian band-pass of 10 nm on a band's grid.
-pub fn band_pass(band: Band, centre_nm: f64) -> Vec<f64> {
+pub(super) fn band_pass(band: Band, centre_nm: f64) -> Vec<f64> {
     let at = |nm: f64| {
         let x = (nm - centre_nm) / FILTER_NM;
         (-4.0 * std::f64::consts::LN_2 * x * x).exp()

@@ -13,13 +13,13 @@ use crate::spectrum::{Band, Outside, Sampled};
 const LIST: &str = include_str!("known_lamps.json");
 
 /// The index that stands for no lamp.
-pub const NONE: u8 = 255;
+pub(super) const NONE: u8 = 255;
 
 /// Lamps whose cosine with a lamp exceeds this are the lamp itself, or a copy of its table.
-pub const ALIKE: f64 = 0.9999;
+pub(super) const ALIKE: f64 = 0.9999;
 
 /// Lamps whose cosine exceeds this are alike: the rule of the principal components' training.
-pub const LIKES: f64 = 0.9995;
+pub(super) const LIKES: f64 = 0.9995;
 
 /// Second radiation constant of the list's blackbodies, nm K (CODATA 2018).
 const C2_NM_K: f64 = 1.438_776_877e7;

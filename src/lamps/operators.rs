@@ -26,7 +26,7 @@ const BLUR_STEP: usize = 4;
 
 /// The rows of the three goals on one band for one observer.
 #[derive(Clone, Debug)]
-pub struct Operators {
+pub(super) struct Operators {
     band: Band,
     /// Colour-matching functions times trapezoid weights.
     seen: [Vec<f64>; 3],
@@ -37,7 +37,7 @@ pub struct Operators {
 
 impl Operators {
     /// The operators beside a panel that chooses.
-    pub fn new(panel: &Panel) -> Self {
+    pub(super) fn new(panel: &Panel) -> Self {
         let band = panel.band();
         let [first, step, last] = FILTERS_NM;
         let centres = (first..=last).step_by(step as usize).map(f64::from);
@@ -61,29 +61,29 @@ impl Operators {
     }
 
     /// The band.
-    pub fn band(&self) -> Band {
+    pub(super) fn band(&self) -> Band {
         self.band
     }
 
     /// Colours among the rows: patches, then filters, three rows each.
-    pub fn colours(&self) -> [usize; 2] {
+    pub(super) fn colours(&self) -> [usize; 2] {
         [self.patches.len(), self.filters.len()]
     }
 
     /// Rows in all; the blurred spectrum comes last.
-    pub fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         3 * (self.patches.len() + self.filters.len()) + self.blur.len()
     }
 
     /// X, Y, Z of values that begin at grid point `first`, in value x nm.
-    pub fn xyz(&self, first: usize, values: &[f64]) -> [f64; 3] {
+    pub(super) fn xyz(&self, first: usize, values: &[f64]) -> [f64; 3] {
         self.seen
             .each_ref()
             .map(|row| dot(&row[first..first + values.len()], values))
     }
 
     /// The rows of values that begin at grid point `first` and are zero elsewhere.
-    pub fn rows_of(&self, first: usize, values: &[f64]) -> Vec<f64> {
+    pub(super) fn rows_of(&self, first: usize, values: &[f64]) -> Vec<f64> {
         let here = first..first + values.len();
         let mut rows = vec![0.0; self.rows()];
         let seen = self.seen.each_ref().map(|row| -> Vec<f64> {
@@ -109,7 +109,7 @@ impl Operators {
     }
 
     /// The function `h` on the grid with `sum h x = sum rows (rows of x)` for every `x`.
-    pub fn adjoint(&self, rows: &[f64]) -> Vec<f64> {
+    pub(super) fn adjoint(&self, rows: &[f64]) -> Vec<f64> {
         let points = self.band.points();
         let mut through = [(); 3].map(|()| vec![0.0; points]);
         let (patches, rest) = rows.split_at(3 * self.patches.len());

@@ -14,7 +14,7 @@ const CLEARLY_NEW: f64 = 0.1;
 /// Nothing is squared: each column is projected on the complement of those before it, and once more
 /// where little of it was left.
 #[derive(Clone, Debug, Default)]
-pub struct Orthonormal {
+pub(super) struct Orthonormal {
     /// The vectors.
     pub vectors: Vec<Vec<f64>>,
     /// Of each column, its sums with the vectors up to its own; the last is the length that was
@@ -24,7 +24,7 @@ pub struct Orthonormal {
 
 impl Orthonormal {
     /// Takes a column in; whether it added a direction.
-    pub fn push(&mut self, column: &[f64]) -> bool {
+    pub(super) fn push(&mut self, column: &[f64]) -> bool {
         let mut rest = column.to_vec();
         let mut sums = vec![0.0; self.vectors.len() + 1];
         let whole = dot(column, column).sqrt();
@@ -54,7 +54,7 @@ impl Orthonormal {
     }
 
     /// The same of the first columns only.
-    pub fn first(&self, columns: usize) -> Self {
+    pub(super) fn first(&self, columns: usize) -> Self {
         let columns = self.columns[..columns.min(self.columns.len())].to_vec();
         let kept = columns.iter().flatten().count();
         Self {
@@ -64,7 +64,7 @@ impl Orthonormal {
     }
 
     /// What is left of a target, and its sums with the vectors.
-    pub fn rest_of(&self, target: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn rest_of(&self, target: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut rest = target.to_vec();
         let mut sums = vec![0.0; self.vectors.len()];
         for _ in 0..2 {
@@ -78,7 +78,7 @@ impl Orthonormal {
     }
 
     /// The weight of each column in a sum of vectors; 0 for a column that added nothing.
-    pub fn solve(&self, sums: &[f64]) -> Vec<f64> {
+    pub(super) fn solve(&self, sums: &[f64]) -> Vec<f64> {
         let mut left = sums.to_vec();
         let mut weights = vec![0.0; self.columns.len()];
         for (weight, column) in weights.iter_mut().zip(&self.columns).rev() {
@@ -94,7 +94,7 @@ impl Orthonormal {
 }
 
 /// `values - factor * vector`, in place.
-pub fn subtract(values: &mut [f64], factor: f64, vector: &[f64]) {
+pub(super) fn subtract(values: &mut [f64], factor: f64, vector: &[f64]) {
     for (value, v) in values.iter_mut().zip(vector) {
         *value -= factor * v;
     }

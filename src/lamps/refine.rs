@@ -48,7 +48,7 @@ struct State<'a> {
 
 /// Refines lines beside `others` (rows as errors of the goals), towards a target, at fixed weights of
 /// the goals. Lines keep their order; weights are not looked at.
-pub fn refine(
+pub(super) fn refine(
     columns: &Columns,
     at: &Goals,
     others: &[&[f64]],
@@ -236,7 +236,7 @@ impl<'a> State<'a> {
 }
 
 /// A line of weight 1 as errors of the goals.
-pub fn errors_of(columns: &Columns, at: &Goals, line: Spike) -> Vec<f64> {
+pub(super) fn errors_of(columns: &Columns, at: &Goals, line: Spike) -> Vec<f64> {
     let shape = line.shape(columns.band());
     at.errors_of(&columns.column(shape.first, &shape.values).rows)
 }

@@ -19,7 +19,7 @@ const LEAST_LEFT: f64 = 1e-9;
 
 /// What an encoding is made of, before places and widths are refined.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Makeup {
+pub(super) struct Makeup {
     /// Smooth numbers.
     pub cosines: usize,
     /// Known lamps, as places in the columns' atoms.
@@ -32,7 +32,7 @@ pub struct Makeup {
 
 /// How much of everything a makeup has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Counts {
+pub(super) struct Counts {
     /// Smooth numbers.
     pub cosines: usize,
     /// Known lamps.
@@ -74,7 +74,7 @@ impl Pick {
 }
 
 /// The search for one light at fixed weights of the goals.
-pub struct Search<'a> {
+pub(super) struct Search<'a> {
     columns: &'a Columns,
     at: &'a Goals,
     goals: [f64; GOALS],
@@ -107,7 +107,7 @@ struct Room {
 impl<'a> Search<'a> {
     /// A search towards a target (as errors of the goals); `smooth` are the directions of the
     /// cosines after the leading ones at the same weights. Known lamps that may be used are marked.
-    pub fn new(
+    pub(super) fn new(
         columns: &'a Columns,
         at: &'a Goals,
         target: &[f64],
@@ -184,7 +184,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best makeup of these counts; `None` when the pool has no such columns.
-    pub fn makeup(&mut self, counts: Counts) -> Option<Makeup> {
+    pub(super) fn makeup(&mut self, counts: Counts) -> Option<Makeup> {
         let room = self.room(counts.cosines);
         let (mut squares, mut towards, mut rest) = (room.squares, room.towards, room.rest);
         let mut directions: Vec<Direction> = Vec::new();

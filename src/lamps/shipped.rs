@@ -25,10 +25,10 @@ const NEEDED: [&str; 13] = [
 ];
 
 /// The reflectances that choose.
-pub const PATCHES: &str = "colorchecker_ohta";
+pub(super) const PATCHES: &str = "colorchecker_ohta";
 
 /// The reflectances that judge.
-pub const JUDGES: &str = "tm30_ces99_5nm";
+pub(super) const JUDGES: &str = "tm30_ces99_5nm";
 
 static GROUPS: LazyLock<Vec<Group>> = LazyLock::new(|| {
     let is_needed = |text: &str| {
@@ -52,7 +52,7 @@ pub fn table(group: &str, name: &str) -> Option<&'static Sampled> {
 }
 
 /// Names and values on a band's grid of a group's tables.
-pub fn reflectances(group: &str, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
+pub(super) fn reflectances(group: &str, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
     let group = GROUPS.iter().find(|g| g.id == group);
     let tables = group
         .into_iter()

@@ -11,7 +11,7 @@ use crate::{
 
 /// What today's ways share on one band.
 #[derive(Clone, Debug)]
-pub struct Today {
+pub(super) struct Today {
     bases: [FitBasis; 2],
     seen: [Vec<f64>; 3],
     blur: Blur,
@@ -21,7 +21,7 @@ pub struct Today {
 
 impl Today {
     /// For `numbers` numbers, lines looked for as `spikes` say.
-    pub fn new(panel: &Panel, numbers: usize, spikes: SpikeSettings) -> Self {
+    pub(super) fn new(panel: &Panel, numbers: usize, spikes: SpikeSettings) -> Self {
         let (band, seen) = (panel.band(), panel.seen());
         Self {
             numbers,
@@ -33,7 +33,7 @@ impl Today {
     }
 
     /// The eight ways; without a line to be found, the four that have no spikes.
-    pub fn ways(&self, values: &[f64]) -> Vec<Encoding> {
+    pub(super) fn ways(&self, values: &[f64]) -> Vec<Encoding> {
         let numbers = self.numbers;
         let band = self.bases[0].table.band();
         let (_, shapes) = detect_shapes(band, values, self.spikes);

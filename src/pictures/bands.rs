@@ -6,7 +6,7 @@ use crate::spectrum::{Kind, Sampled, Spike};
 use super::PictureError;
 
 /// Bands closer than this are averaged, nm.
-pub const CLOSE_NM: f64 = 0.5;
+pub(super) const CLOSE_NM: f64 = 0.5;
 
 /// Bands missing in more than this share of the pixels are dropped.
 const MOST_MISSING: f64 = 0.5;

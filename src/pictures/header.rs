@@ -12,11 +12,11 @@ use super::plan::{LineFit, Reference, ReferenceKind};
 use super::{Bands, Light, Line, Operator, PictureError, Plan};
 
 /// The word that says what a header is.
-pub const FORMAT: &str = "composite-picture";
+pub(super) const FORMAT: &str = "composite-picture";
 /// The newest version that is read.
-pub const VERSION: u64 = 1;
+pub(super) const VERSION: u64 = 1;
 /// Most pixels on a side.
-pub const MOST_SIDE: usize = 1 << 20;
+pub(super) const MOST_SIDE: usize = 1 << 20;
 /// Most bands.
 const MOST_BANDS: usize = 4096;
 

@@ -37,7 +37,7 @@ pub struct HandLines {
 }
 
 /// The widest line that is looked for, nm.
-pub fn widest_nm(bands: &Bands) -> f64 {
+pub(super) fn widest_nm(bands: &Bands) -> f64 {
     let by_instrument = bands.bandwidth_nm().unwrap_or(0.0) * WIDEST_BANDWIDTHS;
     let by_spacing = WIDEST_SPACINGS * bands.median_spacing_nm();
     WIDEST_NM.max(by_spacing).max(by_instrument)

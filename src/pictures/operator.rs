@@ -15,7 +15,7 @@ use super::{Bands, Kernel, PictureError};
 /// Beyond this condition number the bands miss the visible and own colour cannot be exact.
 const WORST_CONDITION: f64 = 1e8;
 /// Above this noise gain the order is lowered.
-pub const MOST_NOISE_GAIN: f64 = 1.5;
+pub(super) const MOST_NOISE_GAIN: f64 = 1.5;
 
 /// The matrices of a plan.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,11 +11,11 @@ use super::lines::Line;
 use super::{Bands, Light, PictureError};
 
 /// The range reaches this share of the bands' length beyond both ends.
-pub const MARGIN: f64 = 0.05;
+pub(super) const MARGIN: f64 = 0.05;
 /// Least value of the mean as a reference, as a share of its largest.
 const LEAST_MEAN: f64 = 0.02;
 /// Least noise of a band where a known light's mean is 1.
-pub const LEAST_NOISE: f64 = 0.002;
+pub(super) const LEAST_NOISE: f64 = 0.002;
 
 /// What multiplies the series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -9,7 +9,7 @@ use super::strips::over_strips;
 use super::{Operator, PictureError, Pixels, Relit};
 
 /// Longest side.
-pub const MOST_SIDE: usize = 256;
+pub(super) const MOST_SIDE: usize = 256;
 /// Share of the pixels that are no brighter than full.
 const FULL: f64 = 0.99;
 

@@ -6,7 +6,7 @@ use super::strips::over_strips;
 use super::{PictureError, Pixels, STRIP_ROWS};
 
 /// Most pixels of the sample that a choice is made on.
-pub const MOST_SAMPLED: usize = 4096;
+pub(super) const MOST_SAMPLED: usize = 4096;
 
 /// Standard deviation of a normal number over the median of its absolute value.
 const NORMAL_OVER_MEDIAN: f64 = 1.4826;

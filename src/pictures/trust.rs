@@ -13,13 +13,13 @@ use super::{Bands, Light, Operator, Relit};
 /// Below this share of its mean the old light shows nothing of a surface.
 const DARK: f64 = 0.02;
 /// A blind share above this is warned of (provisional).
-pub const WARN_BLIND: f64 = 0.05;
+pub(super) const WARN_BLIND: f64 = 0.05;
 /// A blind share above this is refused (provisional).
-pub const REFUSE_BLIND: f64 = 0.5;
+pub(super) const REFUSE_BLIND: f64 = 0.5;
 /// Foretold noise of two lights above this is warned of (provisional, from four pairs).
-pub const WARN_PARTS: f64 = 0.8;
+pub(super) const WARN_PARTS: f64 = 0.8;
 /// And refused above this.
-pub const REFUSE_PARTS: f64 = 3.0;
+pub(super) const REFUSE_PARTS: f64 = 3.0;
 /// The grey that noise is foretold at.
 const GREY_Y: f64 = 0.2;
 /// The grey of the two lights' rank.

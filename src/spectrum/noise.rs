@@ -38,7 +38,7 @@ const FAR_ABOVE: f64 = 3.0;
 
 /// The noise of values on an even grid.
 #[derive(Clone, Debug)]
-pub struct Noise {
+pub(super) struct Noise {
     /// Second differences of samples that share no noise, without sign; 0 where there is nothing
     /// but rounding.
     differences: Vec<f64>,
@@ -48,7 +48,7 @@ pub struct Noise {
 
 impl Noise {
     /// The noise of some values.
-    pub fn of(values: &[f64]) -> Self {
+    pub(super) fn of(values: &[f64]) -> Self {
         let highest = values.iter().fold(0.0_f64, |top, v| top.max(v.abs()));
         let rounding = ROUNDING * highest;
         let neighbours = second_differences(values, 1, rounding);
@@ -69,7 +69,7 @@ impl Noise {
 
     /// Whether a height at a place (an index of the values) is at least `times` the standard
     /// deviation of the noise there. Where no noise can be told every height is.
-    pub fn is_below(&self, at: usize, height: f64, times: f64) -> bool {
+    pub(super) fn is_below(&self, at: usize, height: f64, times: f64) -> bool {
         let all = self.differences.len();
         if all < LEAST_SAMPLES {
             return true;

@@ -16,7 +16,7 @@ use crate::spectrum::{Band, Spike};
 /// The displacement in nm; `None` where one of the two has no power to place.
 ///
 /// `measured` and `smooth` are values on the band's grid.
-pub fn displacement_nm(
+pub(super) fn displacement_nm(
     band: Band,
     measured: &[f64],
     smooth: &[f64],

@@ -1,16 +1,16 @@
 //! Accuracy against numbers: what a model costs, what it is off by, and what to buy next.
 
 pub mod auction;
-pub mod displacement;
+mod displacement;
 pub mod error;
 mod goal;
 pub mod harmonics;
 pub mod many;
-pub mod measure;
+mod measure;
 mod parallel;
 pub mod products;
-pub mod progress;
-pub mod projected_spectrum;
+mod progress;
+mod projected_spectrum;
 pub mod quality;
 pub mod race;
 mod race_cells;
@@ -20,7 +20,7 @@ pub mod reference;
 pub mod sweep;
 pub mod training;
 pub mod truth;
-pub mod way;
+mod way;
 
 pub use auction::Auction;
 pub use error::Spread;

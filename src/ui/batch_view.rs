@@ -16,7 +16,7 @@ const BAR: f32 = 120.0;
 const MOST_LETTERS: usize = 28;
 
 /// Bar, file at work and Cancel, from right to left; whether Cancel was clicked.
-pub fn progress(ui: &mut Ui, progress: &Progress) -> bool {
+pub(super) fn progress(ui: &mut Ui, progress: &Progress) -> bool {
     let Progress {
         done,
         total,
@@ -65,7 +65,7 @@ enum Shown {
 
 /// What a file of a batch brought into the document first.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Brought {
+pub(super) enum Brought {
     /// Nothing: it was refused, not read, or a project.
     Nothing,
     /// A spectrum, by the key of its entry and the file that it is of.
@@ -81,7 +81,7 @@ pub enum Brought {
 
 /// What was asked for in the window.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Wish {
+pub(super) enum Wish {
     /// What a file brought is to be shown.
     Show(Brought),
     /// How a file was read is to be looked at.
@@ -92,7 +92,7 @@ pub enum Wish {
 
 /// The last summary, and its window.
 #[derive(Default)]
-pub struct BatchView {
+pub(super) struct BatchView {
     summary: Option<Summary>,
     headline: String,
     is_open: bool,
@@ -110,7 +110,7 @@ impl BatchView {
     /// A new summary: its window opens.
     ///
     /// `brought` tells what each of its rows brought.
-    pub fn take(&mut self, summary: Summary, brought: Vec<Brought>) {
+    pub(super) fn take(&mut self, summary: Summary, brought: Vec<Brought>) {
         self.brought = brought;
         self.chosen = None;
         self.headline = format!("{}.", summary.headline());
@@ -120,17 +120,17 @@ impl BatchView {
     }
 
     /// Opens the window again.
-    pub fn show(&mut self) {
+    pub(super) fn show(&mut self) {
         self.is_open = self.summary.is_some();
     }
 
     /// Whether there is something to show.
-    pub fn has_summary(&self) -> bool {
+    pub(super) fn has_summary(&self) -> bool {
         self.summary.is_some()
     }
 
     /// Whether a message tells of the summary.
-    pub fn is_told_by(&self, message: &str) -> bool {
+    pub(super) fn is_told_by(&self, message: &str) -> bool {
         self.summary.is_some() && message == self.headline
     }
 
@@ -155,7 +155,12 @@ impl BatchView {
 
     /// Draws the window if it is open, and tells what was asked for in it. Escape closes it where
     /// the key is nobody else's.
-    pub fn window(&mut self, context: &Context, theme: Theme, keys_are_free: bool) -> Option<Wish> {
+    pub(super) fn window(
+        &mut self,
+        context: &Context,
+        theme: Theme,
+        keys_are_free: bool,
+    ) -> Option<Wish> {
         if !self.is_open {
             return None;
         }

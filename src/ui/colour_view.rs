@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// Draws the panel; `is_titled` where a tab above says already what it is.
-pub fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
+pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, is_titled: bool) {
     if !app.document().is_about_light() {
         section(ui, &format!("Colour under {}", app.document().light.name()));
     } else if !is_titled {

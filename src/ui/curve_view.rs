@@ -18,7 +18,7 @@ use crate::{
 };
 
 /// The curve in a height, with the choice of its quantity; clicking it goes to that order.
-pub fn show(
+pub(super) fn show(
     ui: &mut Ui,
     app: &App,
     preferences: &mut Preferences,

@@ -13,7 +13,7 @@ use crate::app::{
 
 /// The small window that is open.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Dialog {
+pub(super) enum Dialog {
     /// A path to open.
     OpenPath(String),
     /// A path to save to, and what is waiting to be saved there.
@@ -26,7 +26,7 @@ pub enum Dialog {
 
 /// What a small window came to.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub(super) enum Outcome {
     /// Still open.
     Open,
     /// Closed without a word.
@@ -41,7 +41,7 @@ pub enum Outcome {
 const AROUND: egui::Vec2 = egui::vec2(40.0, 110.0);
 
 /// Draws the open dialog.
-pub fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
+pub(super) fn show(context: &Context, dialog: &mut Dialog) -> Outcome {
     let title = match dialog {
         Dialog::OpenPath(_) => "Open a file or a folder",
         Dialog::SavePath(_) => "Save to a file",

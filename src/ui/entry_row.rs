@@ -116,7 +116,7 @@ impl Art {
 
 /// How an entry is painted into its row.
 #[derive(Clone, Copy, Debug)]
-pub struct Painted {
+pub(super) struct Painted {
     /// Room before the swatch, points.
     pub indent: f32,
     /// Letters at the beginning and the end of its name that all its neighbours have too.
@@ -133,7 +133,7 @@ pub struct Painted {
 
 impl Painted {
     /// Paints an entry's row.
-    pub fn show(self, ui: &Ui, rect: Rect, entry: &Arc<Entry>) {
+    pub(super) fn show(self, ui: &Ui, rect: Rect, entry: &Arc<Entry>) {
         let art = Art::kept(ui, entry);
         let side = rect.height() - 12.0;
         let field = Rect::from_min_size(
@@ -184,7 +184,7 @@ impl Painted {
 }
 
 /// The name in the list: the CIE's 5 nm tables have the names of its 1 nm tables.
-pub fn row_name(entry: &Entry) -> String {
+pub(super) fn row_name(entry: &Entry) -> String {
     let is_coarse = entry
         .key
         .split_once('/')
@@ -218,7 +218,13 @@ fn draw_curve(ui: &Ui, rect: Rect, heights: &[f32], scale: f32, colour: Color32)
 /// A name cut to a width, with an ellipsis in its middle: what tells names apart is often at the
 /// end. Of letters that the names of a file have in common `[at the beginning, at the end]` only
 /// what there is room for is left.
-pub fn elided(ui: &Ui, text: &str, [head, tail]: [usize; 2], font: &FontId, width: f32) -> String {
+pub(super) fn elided(
+    ui: &Ui,
+    text: &str,
+    [head, tail]: [usize; 2],
+    font: &FontId,
+    width: f32,
+) -> String {
     let fits = |text: &str| {
         let galley = ui
             .painter()

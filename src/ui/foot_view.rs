@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// What is to be noticed on a page, and a question to try.
-pub fn words(app: &App, page: Page) -> (String, String) {
+pub(super) fn words(app: &App, page: Page) -> (String, String) {
     if page != Page::Spectrum {
         return (page.meaning().to_owned(), String::new());
     }
@@ -55,7 +55,7 @@ pub fn words(app: &App, page: Page) -> (String, String) {
 }
 
 /// The lesson that answers what a page asks; none in Learn, where all of them are.
-pub fn lesson(app: &App, page: Page) -> Option<&'static Lesson> {
+pub(super) fn lesson(app: &App, page: Page) -> Option<&'static Lesson> {
     let family = app.told().and_then(|told| told.family);
     let name = match page {
         Page::Spectrum if family.is_some_and(|family| family.key == "sun") => "missing",

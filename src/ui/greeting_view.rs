@@ -27,7 +27,7 @@ const TILES: [(&str, &str, Page); 3] = [
 
 /// How to begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Beginning {
+pub(super) enum Beginning {
     /// On a page.
     Page(Page),
     /// With a lamp whose every knob is live.
@@ -51,7 +51,7 @@ const BUTTONS: [(&str, &str, Beginning); 2] = [
 ];
 
 /// Draws the tiles; gives the way that was chosen, and whether they are to go.
-pub fn show(context: &Context, theme: Theme) -> (Option<Beginning>, bool) {
+pub(super) fn show(context: &Context, theme: Theme) -> (Option<Beginning>, bool) {
     let mut chosen = None;
     let modal = egui::Modal::new(egui::Id::unique("greeting")).show(context, |ui| {
         ui.set_max_width((720.0 * theme.scale).min(ui.ctx().content_rect().width() - 48.0));

@@ -5,7 +5,7 @@ use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Act {
+pub(super) enum Act {
     /// Open files.
     Open,
     /// Open a folder.
@@ -65,7 +65,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// Every shortcut with what it does; those with more modifiers first, because a shortcut with
 /// fewer would swallow them.
-pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 33] = [
+pub(super) const SHORTCUTS: [(KeyboardShortcut, Act, &str); 33] = [
     (
         KeyboardShortcut::new(CTRL_SHIFT, Key::Z),
         Act::Redo,
@@ -222,7 +222,7 @@ pub const SHORTCUTS: [(KeyboardShortcut, Act, &str); 33] = [
 ];
 
 /// The acts of this frame's keys. Plain keys belong to whatever has the keyboard's focus.
-pub fn pressed(context: &Context) -> Vec<Act> {
+pub(super) fn pressed(context: &Context) -> Vec<Act> {
     let focused = context.memory(|m| m.focused().is_some());
     // A text field has an undo of its own.
     let writing = context.text_edit_focused();

@@ -18,7 +18,7 @@ use crate::app::{
 
 /// What the column asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
+pub(super) enum Wish {
     /// To another step.
     Go(usize),
     /// This answer is the prediction.
@@ -38,14 +38,14 @@ const TYPE: [f32; 2] = [18.0, 28.0];
 
 /// What the column keeps from frame to frame.
 #[derive(Default)]
-pub struct LessonView {
+pub(super) struct LessonView {
     shown: Memo<(u64, PageMemory, usize, bool), Shown>,
     trial: TrialView,
 }
 
 impl LessonView {
     /// Draws the column.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         ui: &mut Ui,
         run: &Run,

@@ -19,7 +19,7 @@ use crate::{
 
 /// The table, computed once an entry.
 #[derive(Default)]
-pub struct MakersView {
+pub(super) struct MakersView {
     made: Memo<ByAddress<Entry>, Vec<Beside>>,
     /// Whether its table stands in the place of our own numbers.
     is_open: bool,
@@ -28,7 +28,7 @@ pub struct MakersView {
 impl MakersView {
     /// Where the shown spectrum has such numbers, two tabs: ours, and theirs beside ours. Below
     /// each other they would not fit in a window of 800 points. Whether theirs are open.
-    pub fn tabs(&mut self, ui: &mut Ui, app: &App) -> bool {
+    pub(super) fn tabs(&mut self, ui: &mut Ui, app: &App) -> bool {
         let makers = app.document().subject_entry().makers.len();
         if makers == 0 {
             self.made = Memo::default();
@@ -46,7 +46,7 @@ impl MakersView {
     }
 
     /// Draws the instrument's numbers; says what was copied.
-    pub fn show(&mut self, ui: &mut Ui, app: &App) -> Option<String> {
+    pub(super) fn show(&mut self, ui: &mut Ui, app: &App) -> Option<String> {
         let entry = app.document().subject_entry();
         let of = ByAddress(entry.clone());
         let rows = &*self.made.get(of, |entry| beside(&entry.0));

@@ -10,7 +10,7 @@ use crate::app::{App, Entry, pages::Page};
 
 /// What was chosen.
 #[derive(Clone, Debug)]
-pub enum Chosen {
+pub(super) enum Chosen {
     /// A spectrum.
     Entry(Arc<Entry>),
     /// A page.
@@ -21,7 +21,7 @@ pub enum Chosen {
 
 /// The palette, if it is open.
 #[derive(Default)]
-pub struct PaletteView {
+pub(super) struct PaletteView {
     open: bool,
     text: String,
     at: usize,
@@ -32,7 +32,7 @@ const MOST: usize = 12;
 
 impl PaletteView {
     /// Opens it, empty.
-    pub fn open(&mut self) {
+    pub(super) fn open(&mut self) {
         *self = Self {
             open: true,
             ..Self::default()
@@ -40,12 +40,12 @@ impl PaletteView {
     }
 
     /// Whether it has the keys.
-    pub fn is_open(&self) -> bool {
+    pub(super) fn is_open(&self) -> bool {
         self.open
     }
 
     /// Draws it; gives what was chosen.
-    pub fn show(&mut self, context: &Context, app: &App) -> Option<Chosen> {
+    pub(super) fn show(&mut self, context: &Context, app: &App) -> Option<Chosen> {
         if !self.open {
             return None;
         }

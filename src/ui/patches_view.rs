@@ -28,7 +28,7 @@ pub(super) fn set_choice(ui: &mut Ui, choice: Choice<'_>, app: &App, commands: &
 }
 
 /// The row above the patches: the set, what lies outside the screen's colours, how they are seen.
-pub fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
+pub(super) fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     let choice = Choice {
         name: "Patch set",
         meaning: "Whose reflectances the light falls on.",
@@ -58,7 +58,7 @@ pub fn head(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
 }
 
 /// The patches themselves, on a ground that is equal to none of them.
-pub fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
+pub(super) fn patches(ui: &mut Ui, app: &App, theme: Theme, commands: &mut Vec<Command>) {
     let Some(comparison) = &app.derived().patches else {
         ui.add_space(6.0);
         ui.weak(if app.document().is_about_light() {

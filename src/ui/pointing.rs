@@ -88,7 +88,7 @@ fn rect_of(node: &Node) -> Option<Rect> {
 }
 
 /// Where the thing of a name stands, as of the last frame; brought into view once it is wanted.
-pub fn find(context: &Context, name: Option<&str>) -> Option<Rect> {
+pub(super) fn find(context: &Context, name: Option<&str>) -> Option<Rect> {
     let finder = context.plugin_or_default::<Finder>();
     let mut finder = finder.lock();
     if finder.wanted.as_deref() != name {
@@ -105,7 +105,7 @@ pub fn find(context: &Context, name: Option<&str>) -> Option<Rect> {
 }
 
 /// Draws the ring around a place and the words beside it.
-pub fn ring(context: &Context, around: Rect, label: &str, theme: Theme) {
+pub(super) fn ring(context: &Context, around: Rect, label: &str, theme: Theme) {
     let screen = context.content_rect();
     let rect = around.expand(ROOM + RING / 2.0);
     if !screen.intersects(around) {

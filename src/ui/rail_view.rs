@@ -7,13 +7,13 @@ use super::theme::Theme;
 use crate::app::pages::{Page, Place};
 
 /// Width of the rail with words and without, points.
-pub const WIDTHS: [f32; 2] = [80.0, 56.0];
+pub(super) const WIDTHS: [f32; 2] = [80.0, 56.0];
 
 /// Height of an entry with its word and without, points.
 const HEIGHTS: [f32; 2] = [64.0, 48.0];
 
 /// Draws the rail and changes the page.
-pub fn show(ui: &mut Ui, page: &mut Page, has_words: bool, theme: Theme) {
+pub(super) fn show(ui: &mut Ui, page: &mut Page, has_words: bool, theme: Theme) {
     ui.spacing_mut().item_spacing.y = 4.0;
     ui.add_space(4.0);
     for (number, place) in Place::ALL.into_iter().enumerate() {

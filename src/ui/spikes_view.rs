@@ -7,7 +7,7 @@ use super::theme::Theme;
 use crate::app::{App, spike_hand::SpikeAct, ticks};
 
 /// Draws the table; an act is pushed for the window to carry out.
-pub fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
+pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {
     let derived = app.derived();
     let factor = app.scale_factor();
     let spikes = &derived.parts.spikes;
@@ -140,7 +140,7 @@ fn hand(ui: &mut Ui, index: usize, mut locked: bool, acts: &mut Vec<SpikeAct>) {
 }
 
 /// The row above the table.
-pub fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
+pub(super) fn head(ui: &mut Ui, app: &App, acts: &mut Vec<SpikeAct>) {
     let edits = app.document().subject_edits();
     ui.weak("Drag in the plot or edit here; double-click adds one.");
     if !edits.is_empty()

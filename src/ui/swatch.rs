@@ -6,12 +6,18 @@ use egui::{Color32, CornerRadius, Rect, Response, Sense, Stroke, StrokeKind, Ui,
 use crate::color::{Srgb, Swatch};
 
 /// A colour as egui has it: no colour management, sRGB values as they are.
-pub fn colour(Srgb([r, g, b]): Srgb) -> Color32 {
+pub(super) fn colour(Srgb([r, g, b]): Srgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
 /// Two colours in one field, left and right, with no line between: what differs is seen.
-pub fn split(ui: &mut Ui, size: Vec2, left: &Swatch, right: &Swatch, name: &str) -> Response {
+pub(super) fn split(
+    ui: &mut Ui,
+    size: Vec2,
+    left: &Swatch,
+    right: &Swatch,
+    name: &str,
+) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
     paint_split(ui, rect, colour(left.rgb8), colour(right.rgb8));
@@ -34,7 +40,7 @@ fn place() -> egui::Id {
 }
 
 /// The menu of a swatch: its colours can be taken to the page "From a colour".
-pub fn menu(response: &Response, colours: [Srgb; 2]) {
+pub(super) fn menu(response: &Response, colours: [Srgb; 2]) {
     response.context_menu(|ui| {
         ui.label("Which surfaces have this colour?");
         let parts: &[&str] = match colours[0] == colours[1] {
@@ -51,12 +57,12 @@ pub fn menu(response: &Response, colours: [Srgb; 2]) {
 }
 
 /// The colour that was asked for in the menu of a swatch, once.
-pub fn asked_for(context: &egui::Context) -> Option<[u8; 3]> {
+pub(super) fn asked_for(context: &egui::Context) -> Option<[u8; 3]> {
     context.data_mut(|data| data.remove_temp(place()))
 }
 
 /// Fills a rectangle with two colours.
-pub fn paint_split(ui: &Ui, rect: Rect, left: Color32, right: Color32) {
+pub(super) fn paint_split(ui: &Ui, rect: Rect, left: Color32, right: Color32) {
     let middle = rect.center().x.round();
     let painter = ui.painter();
     let (l, r) = rect.split_left_right_at_x(middle);
@@ -77,7 +83,7 @@ pub fn paint_split(ui: &Ui, rect: Rect, left: Color32, right: Color32) {
 
 /// Two small marks in the middle of a field that tell where its halves meet: without them a
 /// difference that cannot be seen looks like no comparison.
-pub fn ticks(ui: &Ui, rect: Rect, length: f32) {
+pub(super) fn ticks(ui: &Ui, rect: Rect, length: f32) {
     let x = rect.center().x.round();
     for (top, ink) in [
         (rect.top(), Color32::BLACK),
@@ -94,13 +100,13 @@ pub fn ticks(ui: &Ui, rect: Rect, length: f32) {
 }
 
 /// Draws a line around a field.
-pub fn outline(ui: &Ui, rect: Rect, stroke: Stroke) {
+pub(super) fn outline(ui: &Ui, rect: Rect, stroke: Stroke) {
     ui.painter()
         .rect_stroke(rect, CornerRadius::same(3), stroke, StrokeKind::Outside);
 }
 
 /// A corner: this colour is not the one on screen.
-pub fn out_of_gamut_mark(ui: &Ui, rect: Rect) {
+pub(super) fn out_of_gamut_mark(ui: &Ui, rect: Rect) {
     const SIDE: f32 = 9.0;
     let corner = rect.right_top();
     let corners = vec![

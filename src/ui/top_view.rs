@@ -15,7 +15,7 @@ use crate::app::{App, export::Export, workspace::Preferences};
 
 /// What the bar can ask for beside commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
+pub(super) enum Wish {
     /// As a shortcut would.
     Act(Act),
     /// Open a recent file, by its place in the list.
@@ -42,7 +42,7 @@ pub enum Wish {
 
 /// What the menus need to know.
 #[derive(Clone, Copy, Debug)]
-pub struct Menus<'a> {
+pub(super) struct Menus<'a> {
     /// Whether a file dialog is open: a second one cannot be.
     pub dialog_open: bool,
     /// Whether files were opened together.
@@ -61,7 +61,7 @@ pub struct Drawer {
 }
 
 /// Draws the bar.
-pub fn show(
+pub(super) fn show(
     ui: &mut Ui,
     app: &App,
     preferences: &Preferences,

@@ -19,13 +19,13 @@ use crate::app::{
 
 /// The light that was chosen last.
 #[derive(Default)]
-pub struct TrialView {
+pub(super) struct TrialView {
     chosen: Option<Arc<Entry>>,
 }
 
 impl TrialView {
     /// Draws the list of lights and what came of the trial.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         ui: &mut Ui,
         lesson: &Arc<Lesson>,

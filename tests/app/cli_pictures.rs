@@ -9,7 +9,7 @@ use spectral_explorer::pictures::{Pixels, Scene};
 use crate::tell::{json, refusal, tell};
 
 /// A wall of paints of 31 bands as an ENVI cube; the path of its header.
-pub fn wall(folder: &Path) -> String {
+pub(crate) fn wall(folder: &Path) -> String {
     let nm: Vec<f64> = (0..31).map(|j| 400.0 + 10.0 * f64::from(j)).collect();
     let scene = Scene::reflectance(48, 32, nm.clone()).expect("a scene");
     let mut values = vec![0.0_f32; 48 * 32 * 31];

@@ -6,7 +6,7 @@ use serde_json::Value;
 use spectral_explorer::cli::{self, Outcome};
 
 /// What the command line makes of some words: exit code, output, errors.
-pub fn tell(args: &[&str]) -> (u8, String, String) {
+pub(crate) fn tell(args: &[&str]) -> (u8, String, String) {
     let words = std::iter::once(&cli::PROGRAM).chain(args);
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let outcome = cli::run(words.map(OsString::from), None, &mut out, &mut err);
@@ -18,14 +18,14 @@ pub fn tell(args: &[&str]) -> (u8, String, String) {
 }
 
 /// The JSON that a command prints.
-pub fn json(args: &[&str]) -> Value {
+pub(crate) fn json(args: &[&str]) -> Value {
     let (code, out, err) = tell(args);
     assert_eq!(code, 0, "{args:?}: {err}");
     serde_json::from_str(&out).expect("JSON")
 }
 
 /// One line on `err`, nothing on `out`, and the exit code.
-pub fn refusal(args: &[&str]) -> (String, u8) {
+pub(crate) fn refusal(args: &[&str]) -> (String, u8) {
     let (code, out, err) = tell(args);
     assert_ne!(code, 0, "{args:?}: {out}");
     assert_eq!(

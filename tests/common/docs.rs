@@ -5,12 +5,12 @@ use std::fs;
 use crate::root::root;
 
 /// The text of a document, by its path in the project.
-pub fn document(path: &str) -> String {
+pub(crate) fn document(path: &str) -> String {
     fs::read_to_string(root().join(path)).unwrap_or_else(|why| panic!("{path}: {why}"))
 }
 
 /// What stands under a heading (`## Limits`), up to the next one that is as high.
-pub fn section<'t>(text: &'t str, heading: &str) -> &'t str {
+pub(crate) fn section<'t>(text: &'t str, heading: &str) -> &'t str {
     let level = |line: &str| line.chars().take_while(|c| *c == '#').count();
     let (_, rest) = text
         .split_once(&format!("\n{heading}\n"))
@@ -26,7 +26,7 @@ pub fn section<'t>(text: &'t str, heading: &str) -> &'t str {
 }
 
 /// The rows of all tables in a text, each as its cells; the titles are rows too.
-pub fn rows(text: &str) -> Vec<Vec<&str>> {
+pub(crate) fn rows(text: &str) -> Vec<Vec<&str>> {
     text.lines()
         .filter(|line| line.starts_with("| "))
         .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
@@ -34,6 +34,6 @@ pub fn rows(text: &str) -> Vec<Vec<&str>> {
 }
 
 /// The words of a text that stand between backticks.
-pub fn quoted(text: &str) -> Vec<&str> {
+pub(crate) fn quoted(text: &str) -> Vec<&str> {
     text.split('`').skip(1).step_by(2).collect()
 }

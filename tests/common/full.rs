@@ -46,17 +46,17 @@ use spectral_explorer::{
     study::{Goal, Measure},
 };
 
-pub const D65: &str = "cie_illuminants/CIE D65";
-pub const GEL: &str = "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm";
-pub const RED: &str = "colorchecker_ohta/red";
+pub(crate) const D65: &str = "cie_illuminants/CIE D65";
+pub(crate) const GEL: &str = "filters_glass_cc0/isuzu IVG550 (Green filter) 2 mm";
+pub(crate) const RED: &str = "colorchecker_ohta/red";
 
 /// A shipped spectrum by `group/name`.
 #[track_caller]
-pub fn preset(app: &App, key: &str) -> Arc<Entry> {
+pub(crate) fn preset(app: &App, key: &str) -> Arc<Entry> {
     app.entry(key).unwrap_or_else(|| panic!("{key} is shipped"))
 }
 
-pub fn spectrum(
+pub(crate) fn spectrum(
     name: &str,
     kind: Kind,
     first_nm: f64,
@@ -75,13 +75,13 @@ pub fn spectrum(
 }
 
 /// A light with a slope, 380-780 nm.
-pub fn slope(name: &str) -> NamedSpectrum {
+pub(crate) fn slope(name: &str) -> NamedSpectrum {
     let values = (0..=80).map(|i| 1.0 + 0.02 * f64::from(i)).collect();
     spectrum(name, Kind::Light, 380.0, 5.0, values)
 }
 
 /// Numbers that are hard to write: sums, denormals, thirds, extremes, a negative zero.
-pub fn awkward() -> NamedSpectrum {
+pub(crate) fn awkward() -> NamedSpectrum {
     let nm = vec![
         360.1,
         1e3 / 3.0 + 100.0,
@@ -104,7 +104,7 @@ pub fn awkward() -> NamedSpectrum {
     clippy::too_many_lines,
     reason = "a table: one row a field that a document keeps"
 )]
-pub fn full_document() -> Document {
+pub(crate) fn full_document() -> Document {
     let mut app = App::new();
     app.apply(Command::Adopt(vec![awkward(), slope("second")]));
     app.apply(Command::Show(preset(&app, FIRST_LIGHT)));
@@ -196,7 +196,7 @@ pub fn full_document() -> Document {
 }
 
 #[expect(clippy::too_many_lines, reason = "a table: one row a preference")]
-pub fn full_preferences() -> Preferences {
+pub(crate) fn full_preferences() -> Preferences {
     Preferences {
         dark: false,
         zoom: 1.3,

@@ -8,7 +8,7 @@ use spectral_explorer::{
 };
 
 /// Every shipped light of a shelf that is a table.
-pub fn on_shelf(shelf: Shelf) -> Vec<&'static NamedSpectrum> {
+pub(crate) fn on_shelf(shelf: Shelf) -> Vec<&'static NamedSpectrum> {
     Library::bundled()
         .on_shelf(shelf)
         .filter_map(|preset| preset.spectrum())
@@ -18,7 +18,7 @@ pub fn on_shelf(shelf: Shelf) -> Vec<&'static NamedSpectrum> {
 
 /// Smooth lights: the shelf of A, C, D, E, ID and incandescent lamps, and ten blackbodies of
 /// 2000 to 20000 K.
-pub fn smooth() -> Vec<NamedSpectrum> {
+pub(crate) fn smooth() -> Vec<NamedSpectrum> {
     let table = on_shelf(Shelf::Standard).into_iter().cloned();
     table.chain((1..=10).map(blackbody_light)).collect()
 }

@@ -12,17 +12,17 @@ use spectral_explorer::app::{
 };
 
 /// The lamp.
-pub const FL11: &str = "cie_fluorescent_1nm/FL11";
+pub(crate) const FL11: &str = "cie_fluorescent_1nm/FL11";
 
 /// FL11 modelled by a plain Fourier series, every layer drawn, patches as they are.
-pub fn plain() -> App {
+pub(crate) fn plain() -> App {
     let bundled = bundled_entries();
     let lamp = bundled.iter().find(|entry| entry.key == FL11);
     plain_about(lamp.cloned().unwrap_or_else(|| first_light(&bundled)))
 }
 
 /// The same about another light.
-pub fn plain_about(light: Arc<Entry>) -> App {
+pub(crate) fn plain_about(light: Arc<Entry>) -> App {
     App::with_document(Document {
         settings: Settings::plain(),
         view: View {

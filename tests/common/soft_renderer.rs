@@ -15,7 +15,7 @@ use spectral_explorer::ui::painter::Painter;
 
 /// The painter as egui_kittest wants to see it.
 #[derive(Default)]
-pub struct SoftRenderer(Painter);
+pub(crate) struct SoftRenderer(Painter);
 
 impl TestRenderer for SoftRenderer {
     fn handle_delta(&mut self, delta: &mut egui::TexturesDelta) {

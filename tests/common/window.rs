@@ -22,7 +22,7 @@ use spectral_explorer::{
 };
 
 /// The window from edge to edge.
-pub struct Shown(pub Window);
+pub(crate) struct Shown(pub Window);
 
 impl eframe::App for Shown {
     fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
@@ -44,20 +44,20 @@ impl DerefMut for Shown {
     }
 }
 
-pub type Ui = Harness<'static, Shown>;
+pub(crate) type Ui = Harness<'static, Shown>;
 
 /// Far beyond what a small file takes to read or write, or a study to end.
-pub const LONGEST_WAIT: Duration = Duration::from_secs(120);
+pub(crate) const LONGEST_WAIT: Duration = Duration::from_secs(120);
 
 /// Every dialog is cancelled.
-pub fn no_files() -> Picker {
+pub(crate) fn no_files() -> Picker {
     Arc::new(|_| Picked::Cancelled)
 }
 
 /// Something in place of the program's window, not yet drawn: `frame` s of the program pass between
 /// two frames (0.02 makes two clicks a double click), and it must come to rest within `most` of
 /// them (a tooltip comes after 0.35 s).
-pub fn harness<S: eframe::App + 'static>(
+pub(crate) fn harness<S: eframe::App + 'static>(
     shown: S,
     size: [f32; 2],
     frame: f32,
@@ -72,33 +72,33 @@ pub fn harness<S: eframe::App + 'static>(
 }
 
 /// A window of 1280 x 800 points at rest.
-pub fn at_rest(window: Window) -> Ui {
+pub(crate) fn at_rest(window: Window) -> Ui {
     let mut ui = harness(Shown(window), [1280.0, 800.0], 0.02, 40);
     ui.run();
     ui
 }
 
 /// A program that shows a spectrum.
-pub fn about(key: &str) -> App {
+pub(crate) fn about(key: &str) -> App {
     let mut app = App::new();
     app.apply(Command::Show(Arc::new(resolve(key, None, None).unwrap())));
     app
 }
 
 /// The same with other settings.
-pub fn with(mut app: App, change: impl FnOnce(&mut Settings)) -> App {
+pub(crate) fn with(mut app: App, change: impl FnOnce(&mut Settings)) -> App {
     let mut settings = app.document().settings;
     change(&mut settings);
     app.apply(Command::Edit(settings));
     app
 }
 
-pub fn app(ui: &Ui) -> &App {
+pub(crate) fn app(ui: &Ui) -> &App {
     &ui.state().app
 }
 
 /// All that is written or named on screen.
-pub fn words<S>(ui: &Harness<'static, S>) -> Vec<String> {
+pub(crate) fn words<S>(ui: &Harness<'static, S>) -> Vec<String> {
     ui.root()
         .children_recursive()
         .flat_map(|node| {
@@ -109,12 +109,12 @@ pub fn words<S>(ui: &Harness<'static, S>) -> Vec<String> {
         .collect()
 }
 
-pub fn is_written<S>(ui: &Harness<'static, S>, text: &str) -> bool {
+pub(crate) fn is_written<S>(ui: &Harness<'static, S>, text: &str) -> bool {
     words(ui).iter().any(|word| word.contains(text))
 }
 
 #[track_caller]
-pub fn assert_written<S>(ui: &Harness<'static, S>, text: &str) {
+pub(crate) fn assert_written<S>(ui: &Harness<'static, S>, text: &str) {
     let words = words(ui);
     let is_there = words.iter().any(|word| word.contains(text));
     assert!(is_there, "{text:?} is not on screen: {}", words.join(" | "));
@@ -123,7 +123,7 @@ pub fn assert_written<S>(ui: &Harness<'static, S>, text: &str) {
 /// Clicks the button of that name, the first from above where there are several, and takes the
 /// pointer away.
 #[track_caller]
-pub fn click<S>(ui: &mut Harness<'static, S>, name: &str) {
+pub(crate) fn click<S>(ui: &mut Harness<'static, S>, name: &str) {
     ui.query_all_by_role_and_label(Role::Button, name)
         .next()
         .unwrap_or_else(|| panic!("no button is called {name:?}"))
@@ -134,7 +134,7 @@ pub fn click<S>(ui: &mut Harness<'static, S>, name: &str) {
 }
 
 /// What a click copies.
-pub fn copied<S>(ui: &mut Harness<'static, S>, button: &str) -> Option<String> {
+pub(crate) fn copied<S>(ui: &mut Harness<'static, S>, button: &str) -> Option<String> {
     ui.get_by_role_and_label(Role::Button, button).click();
     let mut found = None;
     for _ in 0..6 {
@@ -151,7 +151,7 @@ pub fn copied<S>(ui: &mut Harness<'static, S>, button: &str) -> Option<String> {
 
 /// Lets frames pass until something holds; work on other threads takes as long as it takes.
 #[track_caller]
-pub fn wait_until<S>(
+pub(crate) fn wait_until<S>(
     ui: &mut Harness<'static, S>,
     what: &str,
     holds: impl Fn(&Harness<'static, S>) -> bool,

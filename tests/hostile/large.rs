@@ -595,7 +595,7 @@ fn processor_ticks() -> usize {
 }
 
 /// What a child said.
-pub struct Told {
+pub(crate) struct Told {
     took: Duration,
     /// What the processor gave it.
     pub seconds: f64,
@@ -608,7 +608,7 @@ pub struct Told {
 }
 
 /// Has a child read a file, with a limit that saves the machine.
-pub fn told_of(path: &Path, bytes: usize) -> Result<Told, String> {
+pub(crate) fn told_of(path: &Path, bytes: usize) -> Result<Told, String> {
     let program = std::env::current_exe().expect("this test's own program");
     let limit_kib = (2_usize << 20) + ((bytes * 40) >> 10);
     let output = Process::new("sh")

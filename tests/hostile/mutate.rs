@@ -24,14 +24,14 @@ const NUMBERS: [&str; 18] = [
 ];
 
 /// Makes changed files.
-pub struct Mutator {
+pub(crate) struct Mutator {
     state: u64,
     words: &'static [&'static str],
 }
 
 impl Mutator {
     /// One that puts these words in.
-    pub fn new(words: &'static [&'static str]) -> Self {
+    pub(crate) fn new(words: &'static [&'static str]) -> Self {
         Self {
             state: 0x9e37_79b9_7f4a_7c15,
             words,
@@ -47,7 +47,7 @@ impl Mutator {
     }
 
     /// One of some files, changed once to four times.
-    pub fn mutate(&mut self, files: &[Vec<u8>]) -> Vec<u8> {
+    pub(crate) fn mutate(&mut self, files: &[Vec<u8>]) -> Vec<u8> {
         let mut bytes = files[self.below(files.len())].clone();
         for _ in 0..=self.below(4) {
             self.change(&mut bytes, files);

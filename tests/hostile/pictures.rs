@@ -31,7 +31,7 @@ const WORDS: &[&str] = &[
 ];
 
 /// A small wall in both forms, and their header.
-pub fn seeds() -> [(Reader, Vec<u8>); 3] {
+pub(crate) fn seeds() -> [(Reader, Vec<u8>); 3] {
     let quiet = Progress::default();
     let nm = (0..12).map(|j| 400.0 + 25.0 * f64::from(j)).collect();
     let wall = InMemory::of(&Scene::reflectance(20, 14, nm).expect("bands")).expect("pixels");

@@ -12,7 +12,7 @@ use zip::CompressionMethod;
 use super::harness::{BESIDE, workbook, zipped};
 
 /// What one reader is tried with.
-pub struct Seeds {
+pub(crate) struct Seeds {
     /// The reader's name in the list of formats.
     pub format: &'static str,
     /// Its module, which names its seeds.
@@ -24,7 +24,7 @@ pub struct Seeds {
 }
 
 /// An OpenEXR image with channels of these names.
-pub fn exr(size: (usize, usize), names: &[&str], encoding: Encoding) -> Vec<u8> {
+pub(crate) fn exr(size: (usize, usize), names: &[&str], encoding: Encoding) -> Vec<u8> {
     let list: SmallVec<_> = names
         .iter()
         .enumerate()
@@ -61,7 +61,7 @@ fn rows(first: f64, step: f64, count: usize, between: &str, end: &str) -> String
         .collect()
 }
 
-pub const GDTF: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
+pub(crate) const GDTF: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
     <FixtureType Name=\"Spot\">\n<Wheels><Wheel><Slot Name=\"Warm\" Filter=\"CTO\"/></Wheel></Wheels>\n\
     <Emitters><Emitter Name=\"Red\">\n<Measurement Physical=\"100\">\n\
     <MeasurementPoint WaveLength=\"600\" Energy=\"0.5\"/>\n\
@@ -71,7 +71,7 @@ pub const GDTF: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
     <MeasurementPoint WaveLength=\"600\" Energy=\"80\"/></Measurement></Filter></Filters>\n\
     </FixtureType></GDTF>";
 
-pub const PROCSPEC: &str = "<com.oceanoptics.omnidriver.spectra.OmniSpectrum>\n<sourceSpectra>\
+pub(crate) const PROCSPEC: &str = "<com.oceanoptics.omnidriver.spectra.OmniSpectrum>\n<sourceSpectra>\
     <pixelValues><double>10</double><double>20</double></pixelValues>\n<channelWavelengths>\
     <double>400.1</double><double>400.5</double></channelWavelengths></sourceSpectra>\n\
     <processedPixels><double>50.5</double><double>60.5</double></processedPixels>\n\
@@ -190,7 +190,7 @@ const NUMBERS: &[&str] = &[
 
 /// What every reader is tried with, in the order of the list of formats.
 #[expect(clippy::too_many_lines, reason = "a table: one row a reader")]
-pub fn all() -> Vec<Seeds> {
+pub(crate) fn all() -> Vec<Seeds> {
     let seeds = |format, module, files, words| Seeds {
         format,
         module,

@@ -18,7 +18,7 @@ use spectral_explorer::{
     },
 };
 
-pub struct Shown(pub Window);
+pub(crate) struct Shown(pub Window);
 
 impl eframe::App for Shown {
     fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
@@ -26,13 +26,13 @@ impl eframe::App for Shown {
     }
 }
 
-pub type Ui = Harness<'static, Shown>;
+pub(crate) type Ui = Harness<'static, Shown>;
 
 /// 1280 x 800 pixels at 250 %, in points.
 const SMALL: [f32; 2] = [512.0, 320.0];
 
 /// The window over preferences, at rest, its computations still going on.
-pub fn over(preferences: Preferences, size: [f32; 2]) -> Ui {
+pub(crate) fn over(preferences: Preferences, size: [f32; 2]) -> Ui {
     let no_files = Arc::new(|_: &_| Picked::Cancelled);
     let mut window = Window::new(App::new(), preferences, no_files, None);
     window.quiet = true;
@@ -58,7 +58,7 @@ fn zoomed() -> Preferences {
 }
 
 /// Lets a few frames pass; computations on other threads are not waited for.
-pub fn rest(ui: &mut Ui) {
+pub(crate) fn rest(ui: &mut Ui) {
     for _ in 0..6 {
         ui.step();
     }
@@ -153,7 +153,7 @@ fn rects(ui: &Ui, controls: &[(Role, &'static str)]) -> Vec<(&'static str, Rect)
 }
 
 /// Whatever can be worked or looked at, and every word.
-pub fn everything(ui: &Ui) -> Vec<(String, Rect)> {
+pub(crate) fn everything(ui: &Ui) -> Vec<(String, Rect)> {
     let nodes = ui.root().children_recursive();
     nodes
         .filter(|node| {

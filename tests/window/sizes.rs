@@ -37,7 +37,7 @@ const SIZES: [[f32; 2]; 15] = [
 
 /// A row of text as it is painted.
 #[derive(Clone)]
-pub struct Words {
+pub(crate) struct Words {
     /// What it says.
     pub text: String,
     /// Where its ink is.
@@ -59,7 +59,7 @@ impl fmt::Debug for Words {
 }
 
 /// All text that is painted and at least partly to be seen.
-pub fn words<S>(ui: &Harness<'static, S>, size: Vec2) -> Vec<Words> {
+pub(crate) fn words<S>(ui: &Harness<'static, S>, size: Vec2) -> Vec<Words> {
     let mut found = Vec::new();
     for ClippedShape {
         clip_rect, shape, ..

@@ -19,7 +19,7 @@ use crate::{
 ///
 /// # Errors
 /// [`MixError`] for a light that is not there or has no power.
-pub fn channel(
+pub(crate) fn channel(
     source: &Source,
     table: impl FnOnce(&str) -> Option<Sampled>,
     gels: Option<&[f64]>,
@@ -37,7 +37,10 @@ pub fn channel(
 
 /// The shares that pass all gels on whole nm 360-830, each at its thickness; `None` without one. A
 /// gel that is not there keeps nothing back.
-pub fn gels_on_nm(gels: &[Gel], find: impl Fn(&str) -> Option<Arc<Entry>>) -> Option<Vec<f64>> {
+pub(crate) fn gels_on_nm(
+    gels: &[Gel],
+    find: impl Fn(&str) -> Option<Arc<Entry>>,
+) -> Option<Vec<f64>> {
     let band = Band::new(f64::from(FIRST_NM), f64::from(LAST_NM)).ok()?;
     let each = gels.iter().filter_map(|gel| {
         let times = Times {
@@ -53,7 +56,7 @@ pub fn gels_on_nm(gels: &[Gel], find: impl Fn(&str) -> Option<Arc<Entry>>) -> Op
 }
 
 /// The mixture as a light on whole nm 360-830; `None` where nothing shines.
-pub fn spectrum(
+pub(crate) fn spectrum(
     channels: &[Channel],
     powers: &[f64],
     gels: &[Gel],

@@ -10,11 +10,11 @@ use crate::{
 };
 
 /// The observer that colours are meant for.
-pub const OBSERVER: Observer = Observer::Cie1931;
+pub(crate) const OBSERVER: Observer = Observer::Cie1931;
 
 /// A colour under a light.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub(crate) struct Asked {
     /// The light.
     pub viewing: Viewing,
     /// The colour, Y = 100 for the light.
@@ -26,7 +26,7 @@ impl Asked {
     ///
     /// # Errors
     /// [`RecoverError`] for a light that shows no colours and for what is no colour.
-    pub fn new(
+    pub(crate) fn new(
         given: &Given,
         light: &Sampled,
         surface: Option<&Sampled>,
@@ -45,7 +45,7 @@ impl Asked {
     }
 
     /// As methods take it.
-    pub fn seen(&self) -> Seen<'_> {
+    pub(crate) fn seen(&self) -> Seen<'_> {
         Seen {
             under: &self.viewing,
             xyz: self.xyz,
@@ -58,7 +58,7 @@ impl Asked {
 ///
 /// # Errors
 /// [`RecoverError`] for lines, lamps and colours that do not do.
-pub fn line_light(
+pub(crate) fn line_light(
     given: &Given,
     lines: &[f64],
     lamp: &Sampled,
@@ -80,7 +80,7 @@ pub fn line_light(
 
 /// A given colour under a light, with the words for both.
 #[derive(Clone, Debug)]
-pub struct Shown {
+pub(crate) struct Shown {
     /// The colour.
     pub given: Given,
     /// The colour in words, or the name of the surface that it is of.
@@ -98,7 +98,7 @@ pub struct Shown {
 ///
 /// # Errors
 /// [`RecoverError`] for what cannot be.
-pub fn spectrum(
+pub(crate) fn spectrum(
     method: Method,
     shown: &[Shown],
     lines: &[f64],

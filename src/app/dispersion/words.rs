@@ -15,7 +15,7 @@ pub struct Line {
 }
 
 /// The lines of the document's light that are seen, by rising wavelength.
-pub fn lines_of(app: &App, light: &Light) -> Vec<Line> {
+pub(super) fn lines_of(app: &App, light: &Light) -> Vec<Line> {
     let modelled = ModelledLight::of(app);
     let names = modelled.spike_names(app);
     let spikes = &modelled.derived.model.spikes;
@@ -32,12 +32,12 @@ pub fn lines_of(app: &App, light: &Light) -> Vec<Line> {
 }
 
 /// A wavelength with its unit.
-pub fn nm(at_nm: f64) -> String {
+pub(super) fn nm(at_nm: f64) -> String {
     format!("{at_nm:.1} nm")
 }
 
 /// "a, b and c".
-pub fn listed(all: &[String]) -> String {
+pub(super) fn listed(all: &[String]) -> String {
     match all {
         [] => String::new(),
         [one] => one.clone(),
@@ -46,7 +46,7 @@ pub fn listed(all: &[String]) -> String {
 }
 
 /// Neighbours (by place) that touch: each a place and a width.
-pub fn touching(images: &[[f64; 2]]) -> Vec<usize> {
+pub(super) fn touching(images: &[[f64; 2]]) -> Vec<usize> {
     let touch = |pair: &[[f64; 2]]| {
         let [a, b] = [pair[0], pair[1]];
         (a[0] - b[0]).abs() < 0.5 * (a[1] + b[1])

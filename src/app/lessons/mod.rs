@@ -17,7 +17,7 @@
 //! shelf     the shipped ones, and a person's own files
 //! ```
 
-pub mod condition;
+mod condition;
 pub mod figures;
 pub mod format;
 pub mod handout;
@@ -28,9 +28,9 @@ pub mod point;
 pub mod proof;
 pub mod run;
 pub mod shelf;
-pub mod stage;
+mod stage;
 pub mod trial;
-pub mod words;
+mod words;
 
 pub use format::{Lesson, Step};
 pub use run::Run;

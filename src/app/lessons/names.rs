@@ -8,7 +8,7 @@ use crate::app::{App, Entry, library::Library};
 ///
 /// # Errors
 /// What was found and what was expected.
-pub fn entry(app: &App, name: &str) -> Result<Arc<Entry>, String> {
+pub(super) fn entry(app: &App, name: &str) -> Result<Arc<Entry>, String> {
     let own = app.document().own.iter().rev();
     if let Some(own) = own.into_iter().find(|own| own.name() == name) {
         return Ok(own.clone());
@@ -26,7 +26,7 @@ pub fn entry(app: &App, name: &str) -> Result<Arc<Entry>, String> {
 ///
 /// # Errors
 /// As [`entry`], and for a surface or a filter.
-pub fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
+pub(super) fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
     let found = entry(app, name)?;
     match found.kind().is_factor() {
         true => Err(format!("found {name} ({}), expected a light", found.kind())),
@@ -38,7 +38,7 @@ pub fn light(app: &App, name: &str) -> Result<Arc<Entry>, String> {
 ///
 /// # Errors
 /// What was found and what was expected.
-pub fn find(name: &str, made: &[&str]) -> Result<(), String> {
+pub(super) fn find(name: &str, made: &[&str]) -> Result<(), String> {
     if made.contains(&name) || Library::bundled().knows(name) {
         return Ok(());
     }

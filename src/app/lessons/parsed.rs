@@ -7,7 +7,7 @@ use serde_json::Value;
 ///
 /// # Errors
 /// What was found and what was expected.
-pub fn parsed<T: DeserializeOwned>(value: Value) -> Result<T, String> {
+pub(super) fn parsed<T: DeserializeOwned>(value: Value) -> Result<T, String> {
     serde_json::from_value(value).map_err(|why| {
         let why = why.to_string();
         for (start, instead) in [("unknown field", "field"), ("unknown variant", "word")] {

@@ -34,7 +34,7 @@ fn parts(text: &str) -> Result<Vec<Part<'_>>, String> {
 ///
 /// # Errors
 /// What was found and what was expected: an unknown figure or light, a brace that is open.
-pub fn filled(text: &str, scene: &Scene<'_>) -> Result<String, String> {
+pub(super) fn filled(text: &str, scene: &Scene<'_>) -> Result<String, String> {
     let mut filled = String::new();
     for part in parts(text)? {
         match part {
@@ -49,7 +49,7 @@ pub fn filled(text: &str, scene: &Scene<'_>) -> Result<String, String> {
 ///
 /// # Errors
 /// As [`filled`].
-pub fn fault(text: &str, made: &[&str]) -> Result<(), String> {
+pub(super) fn fault(text: &str, made: &[&str]) -> Result<(), String> {
     for part in parts(text)? {
         if let Part::Figure { key, of } = part {
             is_known(key)?;

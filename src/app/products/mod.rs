@@ -1,9 +1,9 @@
 //! What the page `Products` multiplies: part of the document, so that undo reaches it.
 
-pub mod known_lines;
+mod known_lines;
 mod link_words;
 pub mod memory;
-pub mod modelled_light;
+mod modelled_light;
 pub mod same_surface;
 pub mod two_lights;
 

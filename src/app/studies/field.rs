@@ -158,10 +158,10 @@ impl RaceAsk {
 }
 
 /// The class of a light that races alone.
-pub const ONE: &str = "this light";
+pub(super) const ONE: &str = "this light";
 
 /// The class of lights that are not shipped.
-pub const OWN: &str = "own";
+pub(super) const OWN: &str = "own";
 
 /// Every shipped table of a light.
 fn shipped_lights() -> impl Iterator<Item = (&'static Preset, &'static NamedSpectrum)> {

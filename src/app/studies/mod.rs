@@ -2,17 +2,17 @@
 //! cancel, and a result that stays while the next is computed.
 
 pub mod about;
-pub mod field;
-pub mod job;
+mod field;
+mod job;
 pub mod lamps;
 pub mod paper;
-pub mod relit;
+mod relit;
 pub mod surfaces;
 pub mod take;
 
 pub use about::About;
 use about::measures;
-pub use field::{Class, Field, RaceAsk};
+pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake, Work};
 pub use lamps::{EncodeAsk, EncodedLight};
 pub use relit::{RelitJobs, RelitShown};

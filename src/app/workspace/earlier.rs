@@ -8,7 +8,7 @@ use crate::app::pages::Page;
 const GONE: [&str; 2] = ["no_library", "spikes_below"];
 
 /// Puts the words of earlier versions into those of this one.
-pub fn translate(rest: &mut Map<String, Value>) {
+pub(super) fn translate(rest: &mut Map<String, Value>) {
     if let Some(Value::Object(view)) = rest.get_mut("view")
         && let Some(log) = view.remove("log_axis")
     {

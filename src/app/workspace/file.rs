@@ -49,7 +49,7 @@ pub fn save(path: &Path, text: &str) -> Result<(), String> {
 ///
 /// # Errors
 /// One line for the status line.
-pub fn make_folder(folder: &Path) -> Result<(), String> {
+pub(super) fn make_folder(folder: &Path) -> Result<(), String> {
     std::fs::create_dir_all(folder)
         .map_err(|e| format!("Workspace not saved: {}.", no_folder(folder, &e)))
 }

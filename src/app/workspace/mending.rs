@@ -19,7 +19,7 @@ const LONGEST: usize = 60;
 
 /// What was found as far as it is understood, over the usual value. A sentence for each piece that
 /// is not goes to `losses`.
-pub fn mended<T: Serialize + DeserializeOwned>(
+pub(super) fn mended<T: Serialize + DeserializeOwned>(
     usual: T,
     found: Map<String, Value>,
     losses: &mut Vec<String>,
@@ -44,7 +44,7 @@ pub fn mended<T: Serialize + DeserializeOwned>(
 }
 
 /// A value that stood where another one stands now, a sentence for each difference.
-pub fn moved<T: Serialize>(place: &str, before: &T, after: &T, losses: &mut Vec<String>) {
+pub(super) fn moved<T: Serialize>(place: &str, before: &T, after: &T, losses: &mut Vec<String>) {
     if let (Ok(before), Ok(after)) = (serde_json::to_value(before), serde_json::to_value(after)) {
         differences(place, &before, &after, losses);
     }
@@ -68,7 +68,7 @@ fn differences(place: &str, before: &Value, after: &Value, losses: &mut Vec<Stri
 }
 
 /// What is said of a piece that does not fit.
-pub fn not_understood(place: &str, found: &Value, stands: Option<&Value>) -> String {
+pub(super) fn not_understood(place: &str, found: &Value, stands: Option<&Value>) -> String {
     format!(
         "The setting {place} was not understood: found {}; {}.",
         brief(found),

@@ -25,7 +25,7 @@ use crate::{
 
 /// A spectrum of the user's own with all its numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct OwnSpectrum {
+pub(super) struct OwnSpectrum {
     key: String,
     pub name: String,
     kind: Kind,
@@ -129,7 +129,7 @@ impl StoredImage {
 
 /// What is written: the document by names, and the window's preferences.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Stored {
+pub(super) struct Stored {
     format: String,
     version: u32,
     program: String,
@@ -173,7 +173,7 @@ pub struct Stored {
 
 /// What the page `Products` multiplies, by names.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct StoredProducts {
+pub(super) struct StoredProducts {
     pub chain: Vec<(String, Times)>,
     other_light: Option<String>,
     surface: Option<String>,
@@ -182,7 +182,7 @@ pub struct StoredProducts {
 
 impl Stored {
     /// A document and the window's preferences, `waiting` beside the images that are there.
-    pub fn of(
+    pub(super) fn of(
         document: &Document,
         preferences: Option<&Preferences>,
         waiting: &[StoredImage],
@@ -241,7 +241,7 @@ impl Stored {
 
 impl StoredProducts {
     /// The keys of what it holds.
-    pub fn of(products: &Products) -> Self {
+    pub(super) fn of(products: &Products) -> Self {
         let Products {
             chain,
             other_light,
@@ -259,7 +259,7 @@ impl StoredProducts {
     }
 
     /// What it holds, as far as it is found.
-    pub fn found(self, mut find: impl FnMut(&str) -> Option<Arc<Entry>>) -> Products {
+    pub(super) fn found(self, mut find: impl FnMut(&str) -> Option<Arc<Entry>>) -> Products {
         let links = self
             .chain
             .into_iter()
@@ -279,7 +279,7 @@ fn paper_weight_factor() -> f64 {
 
 impl OwnSpectrum {
     /// What stands where a file tells nothing else.
-    pub fn unnamed(name: &str) -> Self {
+    pub(super) fn unnamed(name: &str) -> Self {
         Self {
             key: String::new(),
             name: name.to_owned(),
@@ -330,7 +330,7 @@ impl OwnSpectrum {
     ///
     /// # Errors
     /// Why its numbers are no spectrum.
-    pub fn into_entry(self) -> Result<Entry, String> {
+    pub(super) fn into_entry(self) -> Result<Entry, String> {
         let samples = Sampled::new(self.nm, self.values).map_err(|e| e.to_string())?;
         Ok(Entry {
             key: self.key,

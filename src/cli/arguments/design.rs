@@ -15,7 +15,7 @@ use crate::{
 
 /// Options of `recover`.
 #[derive(Args, Debug)]
-pub struct Recover {
+pub(crate) struct Recover {
     /// The colour as a screen shows it, adapted to the light: #rrggbb.
     #[arg(long, value_name = "HEX", value_parser = room_words::colour,
         conflicts_with_all = ["xyz", "lab", "image"])]
@@ -76,7 +76,7 @@ pub struct Recover {
 
 /// Options of `mix`.
 #[derive(Args, Debug)]
-pub struct Mix {
+pub(crate) struct Mix {
     /// A channel: line:546.1, gauss:450,20 (centre and full width at half height), blackbody:2700,
     /// daylight:6500, or a light by its file or name; =WEIGHT behind it fixes its power.
     #[arg(

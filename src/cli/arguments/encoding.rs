@@ -12,7 +12,7 @@ use crate::{
 
 /// Options of `encode`.
 #[derive(Args, Debug)]
-pub struct Encode {
+pub(crate) struct Encode {
     /// A light: a file (- is standard input), a preset's name (FL2, "CIE D65") or group/name.
     #[arg(value_name = "INPUT")]
     pub input: OsString,
@@ -43,7 +43,7 @@ pub struct Encode {
 
 /// Options of `decode`.
 #[derive(Args, Debug)]
-pub struct Decode {
+pub(crate) struct Decode {
     /// Words of eight hexadecimal digits each, or a file with them or with the JSON of encode
     /// (- is standard input).
     #[arg(value_name = "WORDS|FILE", required = true)]

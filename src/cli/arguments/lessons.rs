@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 
 /// What is done with a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum LessonAct {
+pub(crate) enum LessonAct {
     /// Reads it and plays it through.
     Check,
     /// Writes a sheet for a class.
@@ -15,7 +15,7 @@ pub enum LessonAct {
 
 /// Options of `lessons`.
 #[derive(Args, Debug)]
-pub struct Lessons {
+pub(crate) struct Lessons {
     /// Nothing to list all; check: reads a lesson, plays it through without a window and says
     /// what is wrong, with the step; handout: writes a sheet for a class.
     #[arg(value_name = "ACT", requires = "lesson")]

@@ -15,7 +15,7 @@ use crate::{
 
 /// Options of `prism`.
 #[derive(Args, Debug)]
-pub struct Prism {
+pub(crate) struct Prism {
     /// A light: a file (lamps.csv#2 is the second of several spectra, - is standard input), a
     /// preset's name (FL2, "CIE D65") or group/name.
     #[arg(value_name = "INPUT")]
@@ -80,7 +80,7 @@ pub struct Prism {
 
 /// Options of `rainbow`.
 #[derive(Args, Debug)]
-pub struct Rainbow {
+pub(crate) struct Rainbow {
     /// A light: a file (- is standard input), a preset's name or group/name; its spikes are told
     /// of.
     #[arg(value_name = "INPUT")]
@@ -105,7 +105,7 @@ pub struct Rainbow {
 
 /// Options of `gem`.
 #[derive(Args, Debug)]
-pub struct Gem {
+pub(crate) struct Gem {
     /// The light: a file (lamps.csv#2 is the second of several spectra), a preset's name or
     /// group/name [default: CIE D65].
     #[arg(long, value_name = "NAME")]
@@ -182,7 +182,7 @@ pub struct Gem {
 
 /// The cut of a brilliant.
 #[derive(Args, Clone, Copy, Debug)]
-pub struct CutOptions {
+pub(crate) struct CutOptions {
     /// Width of the table, of the diameter.
     #[arg(long, value_name = "SHARE", default_value = "0.57",
         allow_hyphen_values = true, value_parser = room_words::finite)]
@@ -215,7 +215,7 @@ pub struct CutOptions {
 
 /// Where a gem is looked at from; lengths are radii of its girdle, z goes up from it.
 #[derive(Args, Clone, Copy, Debug)]
-pub struct ViewOptions {
+pub(crate) struct ViewOptions {
     /// A view by its name: A, down on the crown from the front [default: A].
     #[arg(long, value_name = "VIEW", value_parser = room_words::view,
         conflicts_with_all = ["from", "towards", "angle"])]

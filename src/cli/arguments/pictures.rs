@@ -14,7 +14,7 @@ use crate::{
 
 /// Options of `picture`.
 #[derive(Args, Debug)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// A spectral picture: an ENVI cube (its header or its data) or a spectral OpenEXR; with
     /// --relight one of few numbers (.exr or .cspx.png). The word wall is a wall of paints that the
     /// program makes, with --light as that light shows it.
@@ -66,7 +66,7 @@ pub struct Picture {
 
 /// Options of `fit`.
 #[derive(Args, Debug)]
-pub struct Fit {
+pub(crate) struct Fit {
     /// A file of spectra or a folder with such files; - reads lines of JSON with nm and values, and
     /// answers each by a line.
     #[arg(value_name = "TABLE|FOLDER")]

@@ -23,7 +23,7 @@ const LEAST: f64 = 1e-9;
 /// 95th percentile of own dE00 that a step of 1 makes.
 pub const P95_OF_STEP: f64 = 0.46;
 /// Pixels on a side of a tile.
-pub const TILE: usize = 256;
+pub(super) const TILE: usize = 256;
 /// Largest whole number.
 const MOST: f64 = (1 << 29) as f64;
 

@@ -15,10 +15,10 @@
 //! of every CIEDE2000 is the exact light. What does not exist (a colour without light) is `None`.
 
 pub mod bounces;
-pub mod chain;
+mod chain;
 pub mod dips;
-pub mod narrow;
-pub mod resampling;
+mod narrow;
+mod resampling;
 pub mod same_surface;
 pub mod timing;
 pub mod two_lights;

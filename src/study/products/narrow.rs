@@ -22,7 +22,7 @@ const MOST_GAIN: f64 = 50.0;
 
 /// Narrowest band-pass, full width at half maximum in nm: narrower ones fall between the points
 /// of the 1 nm grid on which the exact light is summed.
-pub const NARROWEST_NM: f64 = 2.0;
+pub(super) const NARROWEST_NM: f64 = 2.0;
 
 /// Beyond this many widths a Gaussian is below 1e-19 of its top and not summed.
 const REACH_WIDTHS: f64 = 4.0;

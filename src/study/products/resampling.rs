@@ -70,7 +70,7 @@ fn short(product: Product<'_>, values: &[f64], table: &BasisTable) -> Series {
 
 /// CIEDE2000 of a product whose spikes read the factor off something else than its measured
 /// curve: off its series, off the straight line of Eq. 17 as corrected, and as printed.
-pub type ReadingCosts = [Option<f64>; 3];
+pub(super) type ReadingCosts = [Option<f64>; 3];
 
 /// Eq. 17 spike by spike.
 #[derive(Clone, Debug, PartialEq)]

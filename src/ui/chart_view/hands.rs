@@ -23,7 +23,7 @@ fn keys(id: Id, how: How) -> [Id; 2] {
 }
 
 /// Shows everything again.
-pub fn reset(ui: &Ui, id: Id, how: How) {
+pub(crate) fn reset(ui: &Ui, id: Id, how: How) {
     let keys = keys(id, how);
     ui.data_mut(|data| keys.map(|key| data.remove::<Zoom>(key)));
 }
@@ -39,7 +39,7 @@ pub(super) struct Hands {
 
 impl Hands {
     /// Lets hands move the panels of a drawing that begins at an origin.
-    pub fn on(ui: &mut Ui, drawing: &Drawing<'_>, origin: Vec2, id: Id, how: How) -> Self {
+    pub(super) fn on(ui: &mut Ui, drawing: &Drawing<'_>, origin: Vec2, id: Id, how: How) -> Self {
         let chart = drawing.chart;
         let (keys, own) = (keys(id, how), chart.whole_view());
         let of = [(own.x, chart.x_scale), ([0.0; 2], chart.y_scale)];

@@ -78,7 +78,7 @@ impl How {
     };
 
     /// As part of a view that has a head and read-outs of its own.
-    pub const PART: Self = Self {
+    pub(super) const PART: Self = Self {
         titled: false,
         legend: false,
         tells: false,

@@ -29,7 +29,7 @@ use crate::app::{
 use crate::spectrum::SpectralImage;
 
 /// What was asked for.
-pub enum Wish {
+pub(super) enum Wish {
     /// Another answer.
     Flip(Flip),
     /// The questions are to be about another part of the file.
@@ -44,7 +44,7 @@ pub enum Wish {
 
 /// The look at a file, if one is open.
 #[derive(Default)]
-pub struct ImportView {
+pub(super) struct ImportView {
     /// What is looked at.
     pub now: Option<Import>,
     /// A file that is being read to be looked at.
@@ -72,7 +72,7 @@ const TABLE_SHARE: f32 = 0.42;
 
 impl ImportView {
     /// Shows another file.
-    pub fn open(&mut self, import: Option<Import>) {
+    pub(super) fn open(&mut self, import: Option<Import>) {
         if import.is_some() {
             self.now = import;
             self.chart = Memo::default();
@@ -81,13 +81,13 @@ impl ImportView {
     }
 
     /// Closes it; what was looked at is handed out.
-    pub fn close(&mut self) -> Option<Import> {
+    pub(super) fn close(&mut self) -> Option<Import> {
         self.chart = Memo::default();
         self.now.take()
     }
 
     /// Draws it within a part of the window.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         context: &Context,
         app: &App,

@@ -79,7 +79,7 @@ pub struct Row {
 
 /// What is painted into cells beside their text: it gets row and column and the cell's box, once
 /// for every cell that is seen.
-pub type Paint<'a> = &'a mut dyn FnMut(&Ui, [usize; 2], Rect);
+pub(super) type Paint<'a> = &'a mut dyn FnMut(&Ui, [usize; 2], Rect);
 
 /// Free space at both sides of a cell, points.
 const INSET: f32 = 4.0;

@@ -21,7 +21,7 @@ use crate::app::{App, Command, Entry, workspace::Preferences};
 
 /// What the library remembers between frames.
 #[derive(Default)]
-pub struct LibraryView {
+pub(super) struct LibraryView {
     /// What is searched for.
     pub search: String,
     /// The search field is to get the keyboard in the next frame.
@@ -48,7 +48,7 @@ enum Wish {
 
 impl LibraryView {
     /// Draws the library.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         ui: &mut Ui,
         app: &App,
@@ -155,7 +155,7 @@ impl LibraryView {
     }
 
     /// Escape gives up a new name, then the search; whether there was either.
-    pub fn escaped(&mut self) -> bool {
+    pub(super) fn escaped(&mut self) -> bool {
         if self.renaming.is_some() {
             return true;
         }

@@ -44,14 +44,14 @@ const MOST: usize = 40;
 
 /// What the card keeps from frame to frame.
 #[derive(Default)]
-pub struct SlidersView {
+pub(super) struct SlidersView {
     /// Shares of the lines that can be let in, by the program's revision.
     shares: Memo<u64, Vec<f64>>,
 }
 
 /// What the card asks for beside commands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Asked {
+pub(super) struct Asked {
     /// The best way for the count of numbers.
     pub automatic: bool,
     /// Everything back to the start.
@@ -62,7 +62,7 @@ pub struct Asked {
 
 impl SlidersView {
     /// Draws the card.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         ui: &mut Ui,
         app: &App,
@@ -161,7 +161,7 @@ impl Layout {
 }
 
 /// Height of the card's contents at a width, points.
-pub fn height(width: f32, scale: f32) -> f32 {
+pub(super) fn height(width: f32, scale: f32) -> f32 {
     let acts = match Layout::of(width, scale).acts {
         Acts::Below => ACTS + 4.0,
         Acts::Beside | Acts::None => 0.0,

@@ -10,7 +10,7 @@ use crate::{
 
 /// Draws title and sentence; returns where the read-out may be written. Where nothing else of the
 /// window is shown, a button leads back to it.
-pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> Rect {
+pub(super) fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> Rect {
     let (subject, told) = (app.document().subject_entry(), app.told());
     let bare = leaves.is_some();
     let size = if bare && theme.scale > 1.0 {
@@ -64,7 +64,13 @@ pub fn show(ui: &mut Ui, app: &App, theme: Theme, leaves: Option<&mut bool>) -> 
 }
 
 /// Draws the switches of the layers, each its own legend, and the choice of heights.
-pub fn layers(ui: &mut Ui, app: &App, theme: Theme, view: &mut View, commands: &mut Vec<Command>) {
+pub(super) fn layers(
+    ui: &mut Ui,
+    app: &App,
+    theme: Theme,
+    view: &mut View,
+    commands: &mut Vec<Command>,
+) {
     let inks = theme.inks;
     let width = ui.available_width();
     let (wide, tight) = (width >= 712.0, width < 440.0);

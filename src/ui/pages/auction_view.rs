@@ -55,14 +55,14 @@ struct Sheet {
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct AuctionView {
+pub(super) struct AuctionView {
     sheet: Memo<(ByAddress<Auction>, chart::Theme), Sheet>,
     reference: Memo<About, Option<Reference>>,
 }
 
 impl AuctionView {
     /// Draws the page.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let goal = goal_within(app, context.memory.goal);
         controls(ui, context, goal);

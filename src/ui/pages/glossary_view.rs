@@ -10,13 +10,13 @@ use crate::{
 
 /// What is searched for.
 #[derive(Default)]
-pub struct GlossaryView {
+pub(super) struct GlossaryView {
     search: String,
 }
 
 impl GlossaryView {
     /// Draws the page.
-    pub fn show(&mut self, ui: &mut Ui, theme: Theme) {
+    pub(super) fn show(&mut self, ui: &mut Ui, theme: Theme) {
         let count = WORDS.len();
         let words = format!("{count} words of this window, in plain sentences.");
         headline(ui, theme, words);

@@ -22,7 +22,7 @@ const BELOW: f32 = 176.0;
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct KnownLampsView {
+pub(super) struct KnownLampsView {
     shown: Memo<Key, (WordsShown, Chart)>,
 }
 
@@ -31,7 +31,7 @@ type Key = (ByAddress<Result<EncodedLight, String>>, chart::Theme);
 
 impl KnownLampsView {
     /// Draws the page.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let WordsMemory {
             numbers,
             portable,

@@ -20,11 +20,11 @@ use crate::{
 };
 
 /// Names of controls, shared with the tests that move them.
-pub mod names {
-    pub const LIGHTS: &str = "Lights that are looked at";
-    pub const SHARE: &str = "Share of the lights";
-    pub const LIMIT: &str = "Limit";
-    pub const COPY: &str = "Copy all lights as CSV";
+pub(super) mod names {
+    pub(crate) const LIGHTS: &str = "Lights that are looked at";
+    pub(crate) const SHARE: &str = "Share of the lights";
+    pub(crate) const LIMIT: &str = "Limit";
+    pub(crate) const COPY: &str = "Copy all lights as CSV";
 }
 
 /// From this width on the table stands beside the chart, points.
@@ -32,7 +32,7 @@ const WIDE: f32 = 820.0;
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct ManyView {
+pub(super) struct ManyView {
     shown: Memo<Key, Shown>,
 }
 
@@ -50,7 +50,7 @@ struct Shown {
 
 impl ManyView {
     /// Draws the page.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let document = context.app.document();
         let memory = context.memory.many;
         let ask = ManyAsk::of(document, memory.field.field(document));

@@ -1,21 +1,23 @@
 //! The pages beside the spectrum: studies of the same document.
 
-pub mod auction_view;
+mod auction_view;
 pub mod coefficients_view;
-pub mod design_view;
+mod design_view;
 pub mod gem_view;
-pub mod glossary_view;
+mod glossary_view;
 pub mod image_view;
-pub mod known_lamps_view;
-pub mod lessons_view;
-pub mod many_view;
-pub mod prism_view;
+mod known_lamps_view;
+mod lessons_view;
+mod many_view;
+mod prism_view;
 pub mod products_view;
-pub mod quality_view;
-pub mod race_view;
+mod quality_view;
+mod race_view;
 pub mod relit_view;
-pub mod tradeoff_view;
+mod tradeoff_view;
 pub mod truth_view;
+
+pub use lessons_view::LessonFile;
 
 use std::path::PathBuf;
 
@@ -137,7 +139,7 @@ impl Pages {
             Page::QualityOrder => self.quality.order(ui, context),
             Page::Mix => self.design.mix(ui, context),
             Page::Solve => self.design.solve(ui, context),
-            Page::FromColour => self.design.from_colour(ui, context),
+            Page::FromColour => self.design.spectra_of_colour(ui, context),
             Page::Coefficients => self.coefficients.show(ui, context),
             Page::Tradeoff => self.tradeoff.show(ui, context),
             Page::Many => self.many.show(ui, context),

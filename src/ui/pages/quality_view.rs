@@ -29,7 +29,7 @@ const BAR: f32 = 14.0;
 
 /// What the pages keep from frame to frame.
 #[derive(Default)]
-pub struct QualityView {
+pub(super) struct QualityView {
     shown: Memo<u64, QualityShown>,
     charts: Memo<(u64, chart::Theme), Vec<Chart>>,
     diagram: Memo<(u64, chart::Theme, DiagramShows), Chart>,
@@ -41,7 +41,7 @@ impl QualityView {
     }
 
     /// Every figure with its reading, measured and by the model.
-    pub fn figures(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn figures(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let shown = self.shown(context.app);
         headline(ui, context.theme, &shown.sentence);
         ui.add_space(6.0);
@@ -78,7 +78,7 @@ impl QualityView {
     }
 
     /// Where the light is among colours.
-    pub fn diagram(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn diagram(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let theme = context.chart_theme();
         let revision = context.app.revision();
         let shown = self.shown(context.app);
@@ -124,7 +124,7 @@ impl QualityView {
     }
 
     /// What it does to colours: TM-30 and CRI.
-    pub fn rendition(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn rendition(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let theme = context.chart_theme();
         let revision = context.app.revision();
         let shown = self.shown(context.app);
@@ -150,7 +150,7 @@ impl QualityView {
     }
 
     /// What a few numbers do to the figures.
-    pub fn order(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn order(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, theme) = (context.app, context.chart_theme());
         let job = &mut context.studies.quality;
         job.ask(&app.revision(), context.wake, || {

@@ -47,7 +47,7 @@ struct Sheet {
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct TradeoffView {
+pub(super) struct TradeoffView {
     sheet: Memo<(ByAddress<Sweep>, Measure, WaysShown, chart::Theme), Sheet>,
     reference: Memo<About, Option<Reference>>,
     now: Memo<u64, Option<Verdict>>,
@@ -55,7 +55,7 @@ pub struct TradeoffView {
 
 impl TradeoffView {
     /// Draws the page.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let ask = SweepAsk::of(app.document());
         context

@@ -48,12 +48,16 @@ struct Drag {
 impl Dragging {
     /// The range of the vertical axis while a spike is held: the one of the press, or the axis
     /// would run away under the pointer.
-    pub fn range(&self) -> Option<[f64; 2]> {
+    pub(super) fn range(&self) -> Option<[f64; 2]> {
         self.held.map(|drag| drag.range)
     }
 
     /// The spike whose tip, or else whose stem, is under the pointer.
-    pub fn nearest(screen: &Screen, pointer: Option<Pos2>, stems: &Stems<'_>) -> Option<usize> {
+    pub(super) fn nearest(
+        screen: &Screen,
+        pointer: Option<Pos2>,
+        stems: &Stems<'_>,
+    ) -> Option<usize> {
         let pointer = pointer.filter(|at| screen.frame().contains(*at))?;
         let distances = stems.tips.iter().enumerate().filter_map(|(i, tip)| {
             let top = screen.pos(*tip)?;
@@ -74,7 +78,7 @@ impl Dragging {
     }
 
     /// Takes hold, moves, lets go; a double click beside all tips adds a spike.
-    pub fn interact(
+    pub(super) fn interact(
         &mut self,
         ui: &Ui,
         app: &App,

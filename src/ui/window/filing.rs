@@ -10,7 +10,7 @@ use super::{
         chart_view::{ChartForm, ChartWish},
         dialogs::{self, Dialog, Outcome},
         files::{Ask, NO_DIALOG, Picked},
-        pages::lessons_view::LessonFile,
+        pages::LessonFile,
         picture,
         saver::Saver,
         theme::{Wake, waker},

@@ -64,7 +64,7 @@ pub(super) struct Shape {
 
 impl Shape {
     /// `alone`: the plot alone is wanted; `taken`: the width that a lesson takes.
-    pub fn of(
+    pub(super) fn of(
         ui: &Ui,
         preferences: &Preferences,
         theme: Theme,

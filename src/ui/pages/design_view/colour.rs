@@ -30,14 +30,14 @@ use crate::{
 const WIDE: f32 = 720.0;
 
 /// What a page shows of a colour.
-pub struct Shown {
+pub(super) struct Shown {
     sheet: ColourSheet,
     chart: Chart,
 }
 
 impl DesignView {
     /// Spectra from a colour.
-    pub fn from_colour(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(crate) fn spectra_of_colour(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let theme = context.chart_theme();
         let key = (context.app.revision(), theme, context.memory.colour.clone());
         let document = context.app.document();

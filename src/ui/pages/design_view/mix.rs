@@ -45,7 +45,7 @@ const SNAP_NM: f64 = 0.8;
 
 impl DesignView {
     /// Channels mixed by hand.
-    pub fn mix(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(crate) fn mix(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         self.refresh(context.app);
         let Some(desk) = self.desk.held().cloned() else {
             return;

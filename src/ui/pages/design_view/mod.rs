@@ -36,7 +36,7 @@ use crate::{
 
 /// What the pages keep from frame to frame.
 #[derive(Default)]
-pub struct DesignView {
+pub(super) struct DesignView {
     desk: Memo<u64, Desk>,
     lines: Memo<(), Vec<NamedLine>>,
     ground: Memo<chart::Theme, Chart>,

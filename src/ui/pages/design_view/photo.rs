@@ -22,7 +22,7 @@ const MOST_SIDE: usize = 1024;
 const HEIGHT: f32 = 180.0;
 
 /// A picture on the graphics card.
-pub struct DrawnPhoto {
+pub(super) struct DrawnPhoto {
     of: Arc<Result<Photo, String>>,
     texture: TextureHandle,
 }

@@ -50,7 +50,7 @@ fn favour_words(favour: Favour) -> [&'static str; 2] {
 
 impl DesignView {
     /// Channels mixed to a light that is wished for.
-    pub fn solve(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(crate) fn solve(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         self.refresh(context.app);
         let Some(desk) = self.desk.held().cloned() else {
             return;

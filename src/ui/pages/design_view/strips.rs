@@ -21,7 +21,7 @@ const THICKEST: f64 = 4.0;
 const WHAT: f32 = 150.0;
 
 /// The channels, one below the other.
-pub fn show(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
+pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {
     let mut gone = None;
     for (index, (channel, strip)) in desk.mix.channels.iter().zip(&desk.strips).enumerate() {
         let mut after = channel.clone();
@@ -112,7 +112,7 @@ fn one(
 }
 
 /// What stands before all channels, one below the other.
-pub fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
+pub(super) fn gels(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
     let scale = context.theme.scale;
     let mut gone = None;
     for (index, gel) in desk.mix.gels.iter().enumerate() {
@@ -218,7 +218,7 @@ fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine
 }
 
 /// The lines that have names, by what shines there; the place of the one that was chosen.
-pub fn line_menu(ui: &mut Ui, lines: &[NamedLine]) -> Option<f64> {
+pub(super) fn line_menu(ui: &mut Ui, lines: &[NamedLine]) -> Option<f64> {
     let mut chosen = None;
     let mut sort: Vec<(&str, Vec<&NamedLine>)> = Vec::new();
     for line in lines {

@@ -19,7 +19,7 @@ const MOST_SCALE: f32 = 64.0;
 
 /// What part of an image is seen.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Canvas {
+pub(super) struct Canvas {
     /// The image that the rest is of.
     key: String,
     /// Times the size that fits, from 1 on.
@@ -31,7 +31,7 @@ pub struct Canvas {
 }
 
 /// A picture to show.
-pub struct Picture<'a> {
+pub(super) struct Picture<'a> {
     /// Which image it is of.
     pub key: &'a str,
     /// Its name for screen readers.
@@ -46,7 +46,7 @@ pub struct Picture<'a> {
 
 /// What a hand did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Touched {
+pub(super) struct Touched {
     /// The pixel under the pointer.
     pub pointed: Option<[usize; 2]>,
     /// New pixels.
@@ -96,17 +96,17 @@ impl Mapping {
 
 impl Canvas {
     /// Shows all of the image again.
-    pub fn fit(&mut self) {
+    pub(super) fn fit(&mut self) {
         self.zoom = 1.0;
     }
 
     /// Whether all of the image is seen.
-    pub fn is_fitted(&self) -> bool {
+    pub(super) fn is_fitted(&self) -> bool {
         self.zoom <= 1.0
     }
 
     /// Draws the picture.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         ui: &mut Ui,
         size: Vec2,

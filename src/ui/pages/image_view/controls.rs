@@ -23,7 +23,7 @@ use crate::{
 
 /// The list of images, what the chosen one is, and the buttons that remove it and that show how
 /// it was read; says whether the latter was clicked.
-pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) -> bool {
+pub(super) fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) -> bool {
     let images = &context.app.document().images;
     let row = ui.horizontal(|ui| {
         let choice = Choice {
@@ -83,7 +83,7 @@ pub fn images(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) ->
 }
 
 /// True colour or bands, and the exposure.
-pub fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
+pub(super) fn looks(ui: &mut Ui, context: &mut PageContext<'_>, entry: &ImageEntry) {
     ui.horizontal_wrapped(|ui| {
         for show in Show::ALL {
             ui.selectable_value(&mut context.memory.image.show, show, show.title())

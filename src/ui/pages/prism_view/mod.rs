@@ -3,12 +3,12 @@
 mod bench;
 mod controls;
 mod drop;
-pub mod model;
+pub(super) mod model;
 mod sky;
 mod strips;
 mod substance;
 
-pub use substance::substance;
+pub(super) use substance::substance;
 
 use std::sync::LazyLock;
 
@@ -27,20 +27,20 @@ use crate::{
 };
 
 /// What people and tests call the controls.
-pub mod names {
-    pub const GLASS: &str = "Glass";
-    pub const APEX: &str = "Apex angle";
-    pub const MINIMUM: &str = "least deviation";
-    pub const INCIDENCE: &str = "Light meets it at";
-    pub const GREEN: &str = "for";
-    pub const SLIT: &str = "Slit";
-    pub const SCREEN: &str = "Screen";
-    pub const IMPACT: &str = "Rays meet the drop at";
-    pub const BOW: &str = "Drawn";
-    pub const EXPOSURE: &str = "Exposure";
-    pub const BESIDE: &str = "Beside it";
-    pub const DISC: &str = "as wide as the sun";
-    pub const COPY: &str = "Copy lines as CSV";
+pub(super) mod names {
+    pub(crate) const GLASS: &str = "Glass";
+    pub(crate) const APEX: &str = "Apex angle";
+    pub(crate) const MINIMUM: &str = "least deviation";
+    pub(crate) const INCIDENCE: &str = "Light meets it at";
+    pub(crate) const GREEN: &str = "for";
+    pub(crate) const SLIT: &str = "Slit";
+    pub(crate) const SCREEN: &str = "Screen";
+    pub(crate) const IMPACT: &str = "Rays meet the drop at";
+    pub(crate) const BOW: &str = "Drawn";
+    pub(crate) const EXPOSURE: &str = "Exposure";
+    pub(crate) const BESIDE: &str = "Beside it";
+    pub(crate) const DISC: &str = "as wide as the sun";
+    pub(crate) const COPY: &str = "Copy lines as CSV";
 }
 
 /// From this width on the table stands beside the drawing, points.
@@ -51,7 +51,7 @@ const LEAST: f32 = 190.0;
 
 /// The pages and what they keep from frame to frame.
 #[derive(Default)]
-pub struct PrismView {
+pub(super) struct PrismView {
     prism: Memo<(u64, PrismMemory), PrismShown>,
     sky: Memo<(), Sky>,
     rainbow: Memo<(u64, RainbowMemory), RainbowShown>,
@@ -149,7 +149,7 @@ fn lines(
 
 impl PrismView {
     /// Draws the prism's page.
-    pub fn prism(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn prism(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let memory = context.memory.dispersion.prism.clone();
         let key = (context.app.revision(), memory);
         let app = context.app;
@@ -188,7 +188,7 @@ impl PrismView {
     }
 
     /// Draws the rainbow's page.
-    pub fn rainbow(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn rainbow(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let key = (context.app.revision(), context.memory.dispersion.rainbow);
         let app = context.app;
         let sky = &*self.sky.get((), |()| sky());

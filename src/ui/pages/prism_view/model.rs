@@ -11,16 +11,16 @@ use crate::{
 };
 
 /// What people and tests call them.
-pub mod names {
-    pub const ORDER: &str = "Smoothness N";
-    pub const LINES: &str = "Lines above";
+pub(crate) mod names {
+    pub(crate) const ORDER: &str = "Smoothness N";
+    pub(crate) const LINES: &str = "Lines above";
 }
 
 /// Orders that the slider reaches; more can be typed elsewhere.
 const MOST: usize = 40;
 
 /// Draws both and asks for what a hand changed.
-pub fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
+pub(crate) fn knobs(ui: &mut Ui, context: &mut PageContext<'_>) {
     let before = context.app.document().settings;
     let mut settings = before;
     let of = Slider::new(&mut settings.order, 0..=MOST).clamping(SliderClamping::Never);

@@ -14,13 +14,18 @@ use crate::{
 };
 
 /// What people and tests call the two numbers.
-pub mod names {
-    pub const INDEX: &str = "n";
-    pub const ABBE: &str = "V";
+pub(super) mod names {
+    pub(crate) const INDEX: &str = "n";
+    pub(crate) const ABBE: &str = "V";
 }
 
 /// Draws the choice by its name and what it is for, and two numbers where they are chosen.
-pub fn substance(ui: &mut Ui, app: &App, (name, meaning): (&str, &str), made_of: &mut Substance) {
+pub(crate) fn substance(
+    ui: &mut Ui,
+    app: &App,
+    (name, meaning): (&str, &str),
+    made_of: &mut Substance,
+) {
     let choice = Choice {
         name,
         meaning,

@@ -22,7 +22,7 @@ const CELL: f32 = 78.0;
 const WIDE_CELL: f32 = 140.0;
 
 /// The comparison as rows.
-pub struct LargerRows {
+pub(super) struct LargerRows {
     larger: Larger,
     columns: Vec<Column>,
     /// Of each representation this race's row, and the larger collection's.
@@ -33,7 +33,7 @@ pub struct LargerRows {
 
 impl LargerRows {
     /// The rows of a comparison.
-    pub fn of(larger: Larger) -> Self {
+    pub(super) fn of(larger: Larger) -> Self {
         let figures = COLUMNS.map(|column| {
             let title = format!("{} {}", short_class(column.class), column.numbers);
             let meaning = format!(
@@ -54,7 +54,7 @@ impl LargerRows {
     }
 
     /// Draws it.
-    pub fn show(&self, ui: &mut Ui, theme: Theme) {
+    pub(super) fn show(&self, ui: &mut Ui, theme: Theme) {
         section(ui, "What the composite wins, and what it does not");
         if ui.available_width() >= WIDE && !self.larger.halves.is_empty() {
             ui.columns(self.larger.halves.len(), |columns| {

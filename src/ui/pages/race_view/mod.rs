@@ -36,7 +36,7 @@ const WINNERS: f32 = 672.0;
 
 /// The page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct RaceView {
+pub(super) struct RaceView {
     /// The class shown where several race; all of them without one.
     class: Option<String>,
     shown: Memo<Key, Shown>,
@@ -78,7 +78,7 @@ impl Shown {
 
 impl RaceView {
     /// Draws the page.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
+    pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         self.controls(ui, context);
         let document = context.app.document();
         let field = context.memory.field;

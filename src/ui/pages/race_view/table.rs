@@ -14,9 +14,9 @@ use crate::{
 };
 
 /// Names of controls, shared with the tests that move them.
-pub mod names {
-    pub const ERRORS: &str = "Errors";
-    pub const COSTS: &str = "Numbers, time and bytes";
+pub(super) mod names {
+    pub(crate) const ERRORS: &str = "Errors";
+    pub(crate) const COSTS: &str = "Numbers, time and bytes";
 }
 
 /// Width of the names, points.
@@ -26,7 +26,7 @@ const NAMES: f32 = 204.0;
 const GAP: f32 = 8.0;
 
 /// The table as rows.
-pub struct TableRows {
+pub(super) struct TableRows {
     /// Who stands in a line; none in a group's title.
     racers: Vec<Option<Racer>>,
     names: Vec<Row>,
@@ -73,7 +73,7 @@ impl Part {
 
 impl TableRows {
     /// The rows of a table.
-    pub fn of(table: &RaceTable) -> Self {
+    pub(super) fn of(table: &RaceTable) -> Self {
         let mut rows = Self {
             racers: Vec::new(),
             names: Vec::new(),
@@ -112,7 +112,7 @@ impl TableRows {
     }
 
     /// Draws it; where there is no room for all columns, errors or `costs`.
-    pub fn show(&self, ui: &mut Ui, theme: Theme, costs: &mut bool) {
+    pub(super) fn show(&self, ui: &mut Ui, theme: Theme, costs: &mut bool) {
         let room = ui.available_width() - scaled(NAMES, theme);
         let [all, errors, rest] = &self.parts;
         let fits = scaled(all.width(), theme) <= room;

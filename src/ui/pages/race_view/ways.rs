@@ -28,14 +28,14 @@ const LEAST_CELL: f32 = 92.0;
 
 /// The part of the page and what it keeps from frame to frame.
 #[derive(Default)]
-pub struct WaysView {
+pub(super) struct WaysView {
     said: Memo<ByAddress<Race>, Option<Ways>>,
     rows: Memo<(ByAddress<Race>, Option<String>, usize), Vec<Row>>,
 }
 
 impl WaysView {
     /// The result in a sentence.
-    pub fn headline(
+    pub(super) fn headline(
         &mut self,
         ui: &mut Ui,
         context: &PageContext<'_>,
@@ -49,7 +49,7 @@ impl WaysView {
     }
 
     /// The table of a count, by its place.
-    pub fn show(
+    pub(super) fn show(
         &mut self,
         ui: &mut Ui,
         context: &mut PageContext<'_>,

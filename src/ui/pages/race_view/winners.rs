@@ -25,7 +25,7 @@ const WINNER: f32 = 77.0;
 const LAMPS: f32 = 560.0;
 
 /// All winners as rows.
-pub struct WinnerRows {
+pub(super) struct WinnerRows {
     winners: Winners,
     sets: Vec<Row>,
     lamps: Vec<Row>,
@@ -33,7 +33,7 @@ pub struct WinnerRows {
 
 impl WinnerRows {
     /// The rows of all winners.
-    pub fn of(winners: Winners) -> Self {
+    pub(super) fn of(winners: Winners) -> Self {
         let sets = winners.sets.iter().map(|(set, count, won)| Row {
             name: set.clone(),
             cells: std::iter::once(set.clone())
@@ -72,7 +72,7 @@ impl WinnerRows {
     }
 
     /// Draws them within a height.
-    pub fn show(&self, ui: &mut Ui, context: &mut PageContext<'_>, height: f32) {
+    pub(super) fn show(&self, ui: &mut Ui, context: &mut PageContext<'_>, height: f32) {
         let theme = context.theme;
         let top = ui.cursor().top();
         self.classes(ui, theme);

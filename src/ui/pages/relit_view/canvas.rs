@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// What is drawn.
-pub struct Drawn<'a> {
+pub(super) struct Drawn<'a> {
     /// Its name for screen readers.
     pub name: &'a str,
     /// Columns and rows.
@@ -30,7 +30,7 @@ pub struct Drawn<'a> {
 
 /// What a hand did.
 #[derive(Default)]
-pub struct Touched {
+pub(super) struct Touched {
     /// The pixel under the pointer.
     pub pointed: Option<[usize; 2]>,
     /// The pixel that was clicked.
@@ -41,7 +41,13 @@ pub struct Touched {
 const KEY_STEP: f32 = 0.02;
 
 /// Draws the picture as large as the room allows; `split` is where its halves meet, 0-1.
-pub fn show(ui: &mut Ui, room: Vec2, drawn: &Drawn<'_>, split: &mut f32, theme: Theme) -> Touched {
+pub(super) fn show(
+    ui: &mut Ui,
+    room: Vec2,
+    drawn: &Drawn<'_>,
+    split: &mut f32,
+    theme: Theme,
+) -> Touched {
     let [width, height] = drawn.pixels.map(|side| side.max(1) as f32);
     let scale = (room.x / width).min(room.y / height).max(0.0);
     let size = vec2(width, height) * scale;
@@ -177,10 +183,10 @@ fn label(painter: &Painter, area: Rect, labels: [&str; 2], x: f32, font: &FontId
 }
 
 /// Height of the scale, points.
-pub const SCALE_HEIGHT: f32 = 34.0;
+pub(super) const SCALE_HEIGHT: f32 = 34.0;
 
 /// The colours of differences with the numbers that they stand for.
-pub fn scale(ui: &mut Ui, width: f32, theme: Theme) {
+pub(super) fn scale(ui: &mut Ui, width: f32, theme: Theme) {
     let size = vec2(width, SCALE_HEIGHT * theme.scale);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let bar = rect

@@ -63,7 +63,7 @@ fn cleared(ui: &mut Ui, is_chosen: bool, meaning: &str) -> bool {
 }
 
 /// Which picture, and what fell on it.
-pub fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
+pub(super) fn subject(ui: &mut Ui, context: &mut PageContext<'_>) {
     let app = context.app;
     let open = shown(app.document(), &context.memory.image).cloned();
     if let Some(open) = open {
@@ -138,7 +138,7 @@ fn own(ui: &mut Ui, context: &mut PageContext<'_>) {
 }
 
 /// What shines on it now.
-pub fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
+pub(super) fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
     let document = context.app.document();
     ui.label("Shown under");
     let chooser = Chooser {
@@ -198,7 +198,7 @@ pub fn light(ui: &mut Ui, context: &mut PageContext<'_>) {
 }
 
 /// How many numbers, and what stands large.
-pub fn numbers(
+pub(super) fn numbers(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     looked: &Looked,
@@ -243,7 +243,7 @@ pub fn numbers(
 }
 
 /// Saving in either form; what is to be saved.
-pub fn save(ui: &mut Ui, shown: &RelitShown) -> Option<PictureWish> {
+pub(super) fn save(ui: &mut Ui, shown: &RelitShown) -> Option<PictureWish> {
     let ready = shown.turned.as_ref().zip(shown.stored.as_ref());
     let mut wish = None;
     // It goes to the next row whole rather than into what is left of this one.

@@ -34,7 +34,7 @@ const REFERENCES: [(Option<ReferenceKind>, &str, &str); 4] = [
 ];
 
 /// The menu: what multiplies the series, which lines there are, what counts.
-pub fn menu(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
+pub(super) fn menu(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
     let outside = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let words = format!("Kept: {} ▾", fit.how());
     let button = MenuButton::from_button(egui::Button::new(words).truncate()).config(outside);
