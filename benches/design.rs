@@ -33,12 +33,12 @@ use spectral_explorer::{
     },
     color::{Adaptation, Observer, Srgb, Xyz},
     design::{
+        SampleTables,
         mixture::{Channel, mixed},
         recover::{
             Colour, ColourPicture, Encoded, Method, NODES, Recovered, Seen, Viewing, metamers,
             predictions, spectral_rows, usual_bands,
         },
-        scales::SampleTables,
         solve::{Against, Favour, FrontWish, MixFigures, Mixer, Target, Wish, front},
     },
     spectrum::Sampled,

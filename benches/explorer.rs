@@ -35,10 +35,9 @@ use spectral_explorer::{
         patches::{difference, labs_into},
     },
     spectrum::{
-        Band, Basis, SampleGrid, Series, Spike, SpikeSettings,
-        basis::numbers_of_order,
+        Band, Basis, SampleGrid, Series, Spike, SpikeSettings, Wishes, detect,
         gradient::{self, DEFAULT_GRADIENT},
-        spikes::{Wishes, detect},
+        numbers_of_order,
     },
     study::Measure,
     ui::{Window, files::Picked},

@@ -4,7 +4,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
     color::Observer,
     lamps::{Ask, Composite, Encoder, Spike, table},
-    spectrum::{Band, Basis, BasisTable, Outside, SpikeSettings, spikes::detect_shapes},
+    spectrum::{Band, Basis, BasisTable, Outside, SpikeSettings, detect_shapes},
 };
 use std::hint::black_box;
 

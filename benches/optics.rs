@@ -30,7 +30,7 @@ use spectral_explorer::{
         Absorption, Bench, BenchSettings, Brilliant, Ending, Film, FilmSettings, Light, Scene, Sky,
         Studio, Stuff,
     },
-    spectrum::{Band, Spike, SpikeSettings, spikes::detect},
+    spectrum::{Band, Spike, SpikeSettings, detect},
     study::Progress,
 };
 

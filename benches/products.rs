@@ -26,7 +26,7 @@ use spectral_explorer::{
         patches::{difference, labs_into},
     },
     spectrum::{
-        Band, Basis, Factor, SampleGrid, Sampling, Series, Spike, basis::numbers_of_order,
+        Band, Basis, Factor, SampleGrid, Sampling, Series, Spike, numbers_of_order,
         product::multiply_points,
     },
     study::products::Product,

@@ -22,17 +22,20 @@ use spectral_explorer::{
         charts::quality::{DiagramShows, diagram},
         quality::QualityShown,
     },
-    color::quality::{
-        FewFigures, Figures, Light, Measured, fidelity, fidelity_reference, rendering,
+    color::{
+        Cct, Observer,
+        quality::{FewFigures, Figures, Light, Measured, fidelity, fidelity_reference, rendering},
+        xyz::xyz_from_reflectance,
     },
-    color::{Cct, Observer, xyz::xyz_from_reflectance},
     preset::{Body, Group, SHIPPED},
     spectrum::{
-        Band, Basis, BasisTable, Composite, Outside, Sampled, Series, SpikeSettings,
-        basis::numbers_of_order, spikes::detect,
+        Band, Basis, BasisTable, Composite, Outside, Sampled, Series, SpikeSettings, detect,
+        numbers_of_order,
     },
-    study::Progress,
-    study::quality::{figures_against_order, figures_of_many},
+    study::{
+        Progress,
+        quality::{figures_against_order, figures_of_many},
+    },
 };
 
 fn tables(group: &str) -> Vec<(String, Sampled)> {

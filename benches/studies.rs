@@ -24,11 +24,10 @@ use spectral_explorer::{
         studies::{AuctionAsk, Field, RaceAsk, SweepAsk},
         tables::CURVE_ORDER,
     },
-    spectrum::basis::numbers_of_order,
+    spectrum::numbers_of_order,
     study::{
-        Goal, Measure, Progress, Way,
+        Examined, Goal, Measure, Progress, Way,
         race::{self, Course, Lamp},
-        sweep::Examined,
     },
 };
 

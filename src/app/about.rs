@@ -8,7 +8,7 @@ use super::{
     ticks::short,
 };
 use crate::{
-    color::{Observer, cct::cct_from_xyz, xyz::xyz_from_light},
+    color::{Observer, cct_from_xyz, xyz::xyz_from_light},
     spectrum::{Kind, Sampled},
 };
 

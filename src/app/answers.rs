@@ -8,9 +8,9 @@ use super::{
     ticks::short,
 };
 use crate::{
-    color::{cct::Cct, xyz_of_one, xyz_of_parts, xyz_of_spikes},
-    spectrum::{Basis, Spike, spikes::detect},
-    study::{Measure, Sweep, Verdict, sweep::SweepPoint},
+    color::{Cct, xyz_of_one, xyz_of_parts, xyz_of_spikes},
+    spectrum::{Basis, Spike, detect},
+    study::{Measure, Sweep, SweepPoint, Verdict},
 };
 
 /// How a difference of colour is seen.

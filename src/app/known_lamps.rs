@@ -9,9 +9,8 @@ use crate::{
     io::many::numbers,
     lamps::NUMBERS,
     study::{
-        Measure, Reference, Verdict,
+        Measure, Reference, SweepPoint, Verdict,
         error::{height, times},
-        sweep::SweepPoint,
     },
 };
 

@@ -8,7 +8,7 @@ use crate::{
         Observer,
         patches::{PatchMatrix, PatchSet},
     },
-    spectrum::{Band, Basis, BasisTable, InnerProducts, basis::numbers_of_order},
+    spectrum::{Band, Basis, BasisTable, InnerProducts, numbers_of_order},
     study::error::{BLUR_NM, Blur},
 };
 

@@ -7,8 +7,8 @@ use crate::{
     app::library::Library,
     color::xyz::{FIRST_NM, LAST_NM},
     design::{
+        SampleTables,
         mixture::{Channel, MixError, Source, Spec, left_out},
-        scales::SampleTables,
         solve::{
             Against, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target, Wish,
             faders, front, front_json, mix_json,

@@ -33,7 +33,7 @@ use crate::{
     },
     preset::Preset,
     spectrum::Kind,
-    study::{Progress, reference::scaled_to_one},
+    study::{Progress, scaled_to_one},
 };
 
 /// Carries the command out.

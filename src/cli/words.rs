@@ -21,10 +21,7 @@ use crate::{
         error::quoted,
         units::WavelengthUnit,
     },
-    spectrum::{
-        Band, Basis, Kind, Rect, Sampling,
-        band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
-    },
+    spectrum::{Band, BandError, Basis, Kind, LONGEST_NM, MOST_STEPS, Rect, SHORTEST_NM, Sampling},
     study::Goal,
 };
 

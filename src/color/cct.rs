@@ -19,13 +19,13 @@ use super::{
 };
 
 /// Lowest temperature that is reported, K.
-pub const COLDEST_K: f64 = 1000.0;
+pub(super) const COLDEST_K: f64 = 1000.0;
 
 /// Highest temperature that is reported, K.
-pub const HOTTEST_K: f64 = 100_000.0;
+pub(super) const HOTTEST_K: f64 = 100_000.0;
 
 /// Largest distance from the blackbody locus at which a CCT means anything (CIE 15:2018).
-pub const FARTHEST_DUV: f64 = 0.05;
+pub(super) const FARTHEST_DUV: f64 = 0.05;
 
 /// Ratio of neighbouring table temperatures.
 const SPACING: f64 = 1.001;

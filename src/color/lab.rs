@@ -9,10 +9,10 @@
 use super::xyz::Xyz;
 
 /// `(6/29)^3`, where the cube root gives way to a straight line.
-pub const EPSILON: f64 = 216.0 / 24389.0;
+pub const LAB_EPSILON: f64 = 216.0 / 24389.0;
 
 /// `(29/3)^3`, the slope of the straight line.
-pub const KAPPA: f64 = 24389.0 / 27.0;
+pub const LAB_KAPPA: f64 = 24389.0 / 27.0;
 
 /// Share of the white's Y below which an X or Z of the white is taken as absent.
 ///
@@ -105,19 +105,19 @@ pub fn xyz_from_lab(lab: Lab, white: Xyz) -> Xyz {
 }
 
 fn compressed(t: f64) -> f64 {
-    if t > EPSILON {
+    if t > LAB_EPSILON {
         t.cbrt()
     } else {
-        (KAPPA * t + 16.0) / 116.0
+        (LAB_KAPPA * t + 16.0) / 116.0
     }
 }
 
 fn expanded(f: f64) -> f64 {
     let cube = f * f * f;
-    if cube > EPSILON {
+    if cube > LAB_EPSILON {
         cube
     } else {
-        (116.0 * f - 16.0) / KAPPA
+        (116.0 * f - 16.0) / LAB_KAPPA
     }
 }
 
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn cube_root_and_line_meet() {
         // Both constants were chosen by the CIE so that value and slope agree at epsilon.
-        assert!((EPSILON.cbrt() - (KAPPA * EPSILON + 16.0) / 116.0).abs() < 1e-15);
+        assert!((LAB_EPSILON.cbrt() - (LAB_KAPPA * LAB_EPSILON + 16.0) / 116.0).abs() < 1e-15);
     }
 
     #[test]

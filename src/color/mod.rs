@@ -21,27 +21,27 @@
 //! (the CIE sums return Y = 100). Nothing here returns NaN: where a quantity does not exist the
 //! answer is `None` or an error that says why in words.
 
-pub mod adaptation;
+mod adaptation;
 pub mod blackbody;
-pub mod cct;
-pub mod chromaticity;
-pub mod ciede2000;
+mod cct;
+mod chromaticity;
+mod ciede2000;
 pub mod gaussian_cmf;
-pub mod lab;
+mod lab;
 mod matrix;
-pub mod observer;
+mod observer;
 pub mod patches;
 pub mod quality;
 pub mod srgb;
-pub mod wavelength_rgb;
+mod wavelength_rgb;
 pub mod xyz;
 
-pub use adaptation::Adaptation;
-pub use cct::{Cct, NoCct, cct_from_uv_1960, cct_from_xyz};
-pub use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xy_from_xyz};
+pub use adaptation::{Adaptation, Adapter, adapted};
+pub use cct::{Cct, NoCct, cct_from_uv_1960, cct_from_xyz, uv_1960_from_kelvin};
+pub use chromaticity::{uv_1960_from_xyz, uv_1976_from_xyz, xy_from_xyz, xyz_from_xy};
 pub use ciede2000::{delta_e_2000, delta_e_of_xyz};
-pub use lab::{Lab, lab_from_xyz, xyz_from_lab};
-pub use observer::{ColourMatching, Observer};
+pub use lab::{LAB_EPSILON, LAB_KAPPA, Lab, lab_from_xyz, xyz_from_lab};
+pub use observer::{ColourMatching, Observer, weighting};
 pub use patches::{PatchDifference, PatchMatrix, PatchSet};
 pub use srgb::{Mapping, Srgb, Swatch};
 pub use wavelength_rgb::{srgb_from_wavelength, srgb_from_wavelength_over, srgb_of_fill};

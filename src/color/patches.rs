@@ -12,7 +12,7 @@ use super::{
     observer::Observer,
     xyz::Xyz,
 };
-use crate::spectrum::{Band, band::dot};
+use crate::spectrum::{Band, dot};
 
 /// Reflectances on a band's grid, prepared for one observer.
 #[derive(Clone, Debug)]

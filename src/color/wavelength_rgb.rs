@@ -32,7 +32,7 @@ const CORNER: f64 = 0.05;
 ///
 /// Built on the sum of the three colour-matching functions rather than on y-bar alone, which
 /// would leave violet black although it is plainly seen.
-pub fn visibility(at_nm: f64) -> f64 {
+pub(super) fn visibility(at_nm: f64) -> f64 {
     let sum: f64 = Observer::Cie1931.table().at(at_nm).iter().sum();
     let squared = sum * sum;
     squared / (squared + HALF_SEEN * HALF_SEEN)

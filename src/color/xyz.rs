@@ -7,7 +7,7 @@
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::observer::Observer;
-use crate::spectrum::{Band, Outside, Sampled, Spike, band::dot};
+use crate::spectrum::{Band, Outside, Sampled, Spike, dot};
 
 /// First wavelength of the CIE sums, nm.
 pub const FIRST_NM: u32 = 360;

@@ -19,7 +19,9 @@ pub mod mixture;
 mod nearest_point;
 mod programme;
 pub mod recover;
-pub mod scales;
+mod scales;
 mod small;
 pub mod solve;
 mod whole_nm;
+
+pub use scales::SampleTables;

@@ -18,7 +18,7 @@ use super::{
     judge::Errors,
     work::Work,
 };
-use crate::{spectrum::band::dot, study::reference::scaled_to_one};
+use crate::{spectrum::dot, study::scaled_to_one};
 
 /// An encoding that was chosen, with what chose it.
 #[derive(Clone, Debug, PartialEq)]

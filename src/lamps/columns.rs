@@ -12,7 +12,7 @@ use super::{
     composite::Spike, encoding::MOST_LABELLED, error::EncodingError, judge::Panel, known::Atom,
     operators::Operators,
 };
-use crate::spectrum::{Band, Basis, BasisTable, band::dot, fit::WORST_CONDITION};
+use crate::spectrum::{Band, Basis, BasisTable, WORST_CONDITION, dot};
 
 /// Cosines that carry the light's own colour.
 pub(super) const LEADING: usize = 3;

@@ -16,9 +16,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::spectrum::{
-    Band, Basis, Sampling, Series, Spike as IdealSpike, composite::GAUSSIAN_AREA, product,
-};
+use crate::spectrum::{Band, Basis, GAUSSIAN_AREA, Sampling, Series, Spike as IdealSpike, product};
 
 /// A Gaussian's full width at half maximum in standard deviations.
 pub(super) const FWHM_IN_SIGMAS: f64 = 2.354_820_045_030_949;

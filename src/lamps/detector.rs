@@ -8,10 +8,7 @@ use super::{
     composite::Spike,
     encoding::{byte_of_width, width_of_byte},
 };
-use crate::spectrum::{
-    Band, SpikeSettings,
-    spikes::{Decomposition, LineShape, detect_shapes},
-};
+use crate::spectrum::{Band, Decomposition, LineShape, SpikeSettings, detect_shapes};
 
 /// A line may be found this much wider than the detector was asked for: half a nm of grid on either
 /// side, and hulls that are not exact.

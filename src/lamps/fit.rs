@@ -9,7 +9,7 @@ use super::{
     goals::{GOALS, Goals},
     orthonormal::{Orthonormal, subtract},
 };
-use crate::spectrum::band::dot;
+use crate::spectrum::dot;
 
 /// Shares of the goals: patches, filters, spectrum.
 pub(super) const SHARES: [f64; GOALS] = [0.5, 1.25, 1.25];

@@ -8,11 +8,7 @@
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::{judge::MOST_GAIN, operators::Operators};
-use crate::color::{
-    Lab, Xyz,
-    ciede2000::delta_e_2000,
-    lab::{EPSILON, KAPPA, lab_from_xyz},
-};
+use crate::color::{LAB_EPSILON, LAB_KAPPA, Lab, Xyz, delta_e_2000, lab_from_xyz};
 
 /// Step in each axis of L\*a\*b\* for the quadratic form.
 const STEP: f64 = 0.05;
@@ -139,7 +135,7 @@ impl Goals {
     pub(super) fn norms(&self, errors: &[f64]) -> [f64; GOALS] {
         self.ranges().map(|range| {
             let rows = &errors[range];
-            crate::spectrum::band::dot(rows, rows).sqrt()
+            crate::spectrum::dot(rows, rows).sqrt()
         })
     }
 }
@@ -191,11 +187,11 @@ fn jacobian(xyz: Xyz, white: Xyz) -> Matrix3<f64> {
             return 0.0;
         }
         let t = value / of_white;
-        let slope = if t > EPSILON {
+        let slope = if t > LAB_EPSILON {
             let root = t.cbrt();
             1.0 / (3.0 * root * root)
         } else {
-            KAPPA / 116.0
+            LAB_KAPPA / 116.0
         };
         slope / of_white
     };
@@ -225,7 +221,7 @@ mod tests {
     use crate::{
         color::Observer,
         lamps::Panel,
-        spectrum::{Band, band::dot},
+        spectrum::{Band, dot},
     };
 
     fn light() -> Vec<f64> {

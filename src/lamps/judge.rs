@@ -14,16 +14,13 @@
 use super::{shipped, window::Window};
 use crate::{
     color::{
-        Lab, Observer, PatchSet, Xyz,
-        ciede2000::delta_e_2000,
-        lab::lab_from_xyz,
+        Lab, Observer, PatchSet, Xyz, delta_e_2000, lab_from_xyz,
         patches::{difference, labs_into},
     },
     spectrum::{Band, Basis},
     study::{
-        FitBasis, ProjectedSpectrum,
+        FILTER_NM, FitBasis, ProjectedSpectrum,
         error::{BLUR_NM, Blur},
-        reference::FILTER_NM,
     },
 };
 

@@ -14,7 +14,7 @@ use super::{
     window::Window,
 };
 use crate::{
-    spectrum::{Band, band::dot},
+    spectrum::{Band, dot},
     study::error::BLUR_NM,
 };
 

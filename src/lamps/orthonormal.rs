@@ -1,6 +1,6 @@
 //! Orthonormal directions in the space of the goals' rows.
 
-use crate::spectrum::band::dot;
+use crate::spectrum::dot;
 
 /// A column of which less than this share of its norm is new adds nothing but rounding.
 const NEW: f64 = 1e-9;

@@ -13,7 +13,7 @@ use super::{
     goals::{GOALS, Goals},
     orthonormal::{Orthonormal, subtract},
 };
-use crate::spectrum::band::dot;
+use crate::spectrum::dot;
 
 /// Steps in place and width, nm.
 const STEPS_NM: [f64; 3] = [2.0, 0.8, 0.32];

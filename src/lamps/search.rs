@@ -12,7 +12,7 @@ use super::{
     goals::{GOALS, Goals},
     orthonormal::{Orthonormal, subtract},
 };
-use crate::spectrum::band::dot;
+use crate::spectrum::dot;
 
 /// A column of which less than this share of the square is left is not looked at.
 const LEAST_LEFT: f64 = 1e-9;

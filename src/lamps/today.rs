@@ -5,7 +5,7 @@
 
 use super::{composite::Spike, encoding::Encoding, judge::Panel};
 use crate::{
-    spectrum::{Basis, Spike as IdealSpike, SpikeSettings, spikes::detect_shapes},
+    spectrum::{Basis, Spike as IdealSpike, SpikeSettings, detect_shapes},
     study::{FitBasis, ProjectedSpectrum, Way, error::Blur},
 };
 

@@ -1,6 +1,6 @@
 //! Functions that are zero outside a part of the grid.
 
-use crate::spectrum::band::dot;
+use crate::spectrum::dot;
 
 /// Below this share of its height a function is left out.
 const NEGLIGIBLE: f64 = 1e-12;

@@ -28,7 +28,7 @@ use super::{
 };
 use crate::{
     color::Observer,
-    spectrum::{Band, Basis, Series, fit::WORST_CONDITION},
+    spectrum::{Band, Basis, Series, WORST_CONDITION},
     study::Way,
 };
 

@@ -15,7 +15,7 @@ use super::{
     refine::{errors_of, refine},
     search::{Counts, Makeup, Search},
 };
-use crate::spectrum::{Basis, Series, band::dot};
+use crate::spectrum::{Basis, Series, dot};
 
 /// Counts of lines that are tried.
 const LINE_COUNTS: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 8, 10, 13];

@@ -2,8 +2,7 @@
 
 use super::picture::Picture;
 use crate::color::{
-    Srgb, Xyz,
-    adaptation::Adapter,
+    Adapter, Srgb, Xyz,
     srgb::{WHITE, linear_from_xyz},
 };
 

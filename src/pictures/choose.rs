@@ -418,7 +418,7 @@ impl<'a> Ways<'a> {
         for judge in judges {
             let ends = judge.ends(operator);
             let lab = |rows: &[Vec<f64>; 3], pixel: &[f64]| -> Lab {
-                let sum = |row: &Vec<f64>| crate::spectrum::band::dot(row, pixel);
+                let sum = |row: &Vec<f64>| crate::spectrum::dot(row, pixel);
                 lab_from_xyz(Xyz::from_array(rows.each_ref().map(sum)), ends.2)
             };
             let differences = sample

@@ -1,7 +1,7 @@
 //! Lines of a whole picture: places and shapes from one spectrum, one number a pixel each.
 
-use crate::spectrum::spikes::{FoundSpike, detect, window_near};
 use crate::spectrum::{Band, Outside, Sampled, SpikeSettings};
+use crate::spectrum::{FoundSpike, detect, window_near};
 
 use super::{Bands, PictureError};
 

@@ -1,7 +1,7 @@
 //! What a viewer shows of a file: its picture under its own light, reduced, in eight bits.
 
 use crate::color::srgb::{Srgb, WHITE, linear_from_xyz};
-use crate::color::{Xyz, adaptation::adapted};
+use crate::color::{Xyz, adapted};
 use crate::study::Progress;
 
 use super::kernel::Kernel;

@@ -14,7 +14,7 @@
 use std::sync::Arc;
 
 use super::{Representation, midpoints_nm};
-use crate::spectrum::{Band, band::dot};
+use crate::spectrum::{Band, dot};
 
 /// Largest inner product of two rows that still counts as rounding.
 ///

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Bounds;
-use crate::spectrum::{Band, band::dot};
+use crate::spectrum::{Band, dot};
 
 /// Share by which all moments but the mean are drawn towards zero, which is the signal drawn
 /// towards its mean. A signal with zeros has moments on the border of what a positive signal can

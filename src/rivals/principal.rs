@@ -10,7 +10,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::Representation;
-use crate::spectrum::{Band, band::dot};
+use crate::spectrum::{Band, dot};
 
 /// Share of the largest eigenvalue below which one has vanished: a few thousand roundings.
 const VANISHED: f64 = 1e-12;

@@ -3,14 +3,14 @@
 //! Wavelengths are `f64` nanometres in air as tabulated, values are in the spectrum's own unit,
 //! and everything that models a spectrum works on the 1 nm grid of a [`Band`].
 
-pub mod band;
-pub mod basis;
-pub mod chain;
-pub mod composite;
+mod band;
+mod basis;
+mod chain;
+mod composite;
 pub mod cube;
-pub mod edits;
-pub mod factor;
-pub mod fit;
+mod edits;
+mod factor;
+mod fit;
 pub mod gradient;
 mod image;
 mod kind;
@@ -21,22 +21,25 @@ pub mod product;
 mod rect;
 mod region;
 mod resampled;
-pub mod sampled;
-pub mod spikes;
+mod sampled;
+mod spikes;
 
-pub use band::Band;
-pub use basis::{Basis, BasisTable, Series};
-pub use chain::{ChainTables, Stage};
-pub use composite::{Composite, Spike};
+pub use band::{Band, BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM, dot};
+pub use basis::{Basis, BasisTable, Series, numbers_of_order};
+pub use chain::{ChainTables, Met, SAME_PLACE_NM, Stage, below_zero};
+pub use composite::{Composite, GAUSSIAN_AREA, Spike, add_spikes};
 pub use cube::Cube;
-pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits};
-pub use factor::Factor;
-pub use fit::{Exactness, InnerProducts};
+pub use edits::{Decomposed, HandSpike, ModelSpike, SpikeEdits, decompose, decompose_by};
+pub use factor::{Factor, bounces, glass};
+pub use fit::{Exactness, InnerProducts, WORST_CONDITION};
 pub use image::SpectralImage;
 pub use kind::Kind;
 pub use named::NamedSpectrum;
 pub use rect::Rect;
 pub use region::Region;
 pub use resampled::{Resampled, SampleGrid, Sampling};
-pub use sampled::{Outside, Sampled};
-pub use spikes::SpikeSettings;
+pub use sampled::{Outside, Sampled, SampledError};
+pub use spikes::{
+    Decomposition, FoundSpike, LineShape, SpikeSettings, Wishes, absolute_power, detect,
+    detect_shapes, window_near,
+};

@@ -142,7 +142,7 @@ pub fn detect(band: Band, values: &[f64], settings: SpikeSettings) -> Decomposit
 }
 
 /// The default detector with places whose lines are left in whatever the thresholds say.
-pub fn detect_with(
+pub(super) fn detect_with(
     band: Band,
     values: &[f64],
     settings: SpikeSettings,
@@ -300,7 +300,7 @@ pub fn window_near(
 
 /// Takes what stands above the lower hull of a window out of values on a band's grid; `None`
 /// (and nothing taken) when nothing does. `sign` -1 takes what hangs below the upper hull.
-pub fn take_window(
+pub(super) fn take_window(
     band: Band,
     values: &mut [f64],
     window_nm: [f64; 2],

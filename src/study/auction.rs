@@ -21,7 +21,7 @@ use super::{
     reference::Reference,
     sweep::{Examined, Subject},
 };
-use crate::spectrum::{Basis, Spike, basis::numbers_of_order, spikes::LineShape};
+use crate::spectrum::{Basis, LineShape, Spike, numbers_of_order};
 
 /// What is auctioned.
 #[derive(Clone, Copy, Debug, PartialEq)]

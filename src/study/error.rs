@@ -17,7 +17,7 @@ use super::{
     displacement::displacement_nm,
     measure::{Measure, Verdict},
 };
-use crate::spectrum::{Band, Spike, composite::add_spikes, spikes::absolute_power};
+use crate::spectrum::{Band, Spike, absolute_power, add_spikes};
 
 /// Full width at half maximum of the blur, nm.
 pub const BLUR_NM: f64 = 10.0;

@@ -11,7 +11,7 @@ use super::{
     sweep::{Examined, Subject, SweepPoint},
     way::Way,
 };
-use crate::spectrum::{Basis, SpikeSettings, basis::numbers_of_order};
+use crate::spectrum::{Basis, SpikeSettings, numbers_of_order};
 
 /// A light with its models of every way and order.
 #[derive(Clone, Debug, PartialEq)]

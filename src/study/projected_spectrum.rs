@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use crate::spectrum::{
-    Band, Basis, BasisTable, Composite, Exactness, InnerProducts, Series, Spike, spikes::LineShape,
+    Band, Basis, BasisTable, Composite, Exactness, InnerProducts, LineShape, Series, Spike,
 };
 
 /// Basis functions and their inner products with what makes the colour, for one basis.
@@ -158,10 +158,7 @@ mod tests {
     use super::*;
     use crate::{
         color::Observer,
-        spectrum::{
-            SpikeSettings,
-            spikes::{detect, detect_shapes},
-        },
+        spectrum::{SpikeSettings, detect, detect_shapes},
     };
 
     const BAND: Band = Band::VISIBLE;

@@ -28,7 +28,7 @@ use crate::{
         patches::{PatchSet, difference},
     },
     rivals::{Bounds, Family, FitTables, Rival},
-    spectrum::{Basis, Series, Spike, product::chain, spikes::detect_shapes},
+    spectrum::{Basis, Series, Spike, detect_shapes, product::chain},
 };
 
 pub use super::{

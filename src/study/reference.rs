@@ -13,13 +13,11 @@ use super::{
 };
 use crate::{
     color::{
-        Lab, Observer, Xyz,
-        ciede2000::delta_e_2000,
-        lab::lab_from_xyz,
+        Lab, Observer, Xyz, delta_e_2000, lab_from_xyz,
         patches::{PatchSet, difference, labs_into},
         xyz_of_one, xyz_of_parts,
     },
-    spectrum::{Band, Spike, composite::add_spikes},
+    spectrum::{Band, Spike, add_spikes},
 };
 
 /// Full width of the narrow filters at half their maximum, nm.
@@ -35,7 +33,7 @@ const MOST_GAIN: f64 = 50.0;
 const FIRST_NM: f64 = 420.0;
 
 /// The first of those that take no part in a choice, nm.
-pub const FIRST_CHECK_NM: f64 = 425.0;
+pub(super) const FIRST_CHECK_NM: f64 = 425.0;
 
 /// Centres of the narrow filters, nm.
 pub fn filter_centres() -> impl Iterator<Item = f64> {
@@ -48,7 +46,7 @@ fn centres_from(first_nm: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Narrow filters, one each 10 nm, as far as their centres lie in the band.
-pub fn narrow_filters(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
+pub(super) fn narrow_filters(band: Band, observer: Observer, first_nm: f64) -> PatchSet {
     let narrow = |centre_nm: f64| -> Vec<f64> {
         let bell = |nm: f64| {
             let x = (nm - centre_nm) / FILTER_NM;
@@ -332,7 +330,7 @@ impl Reference {
 }
 
 /// Weights for a reflectance: the colour-matching functions times the light it is seen under.
-pub fn seen_under(seen: &[Vec<f64>; 3], light: &[f64]) -> [Vec<f64>; 3] {
+pub(super) fn seen_under(seen: &[Vec<f64>; 3], light: &[f64]) -> [Vec<f64>; 3] {
     std::array::from_fn(|k| seen[k].iter().zip(light).map(|(w, s)| w * s).collect())
 }
 

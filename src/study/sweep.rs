@@ -11,9 +11,7 @@ use super::{
     way::Way,
 };
 use crate::spectrum::{
-    Band, Basis, Spike, SpikeSettings,
-    basis::numbers_of_order,
-    spikes::{LineShape, detect_shapes},
+    Band, Basis, LineShape, Spike, SpikeSettings, detect_shapes, numbers_of_order,
 };
 
 /// The subject of a study on the band of its measures.
@@ -33,7 +31,7 @@ pub struct Subject {
 
 /// A line's own Gaussian on the grid of a band, from what the detector took out, in the same unit;
 /// nothing for a line of no width. Made above this room.
-pub type BellOf = fn(Band, &LineShape, SpikeSettings) -> Option<LineShape>;
+pub(super) type BellOf = fn(Band, &LineShape, SpikeSettings) -> Option<LineShape>;
 
 /// A subject scaled, judged and taken apart: what all studies of it begin with.
 #[derive(Clone, Debug)]
@@ -200,7 +198,7 @@ pub fn unseen(measure: Measure) -> f64 {
 }
 
 /// Thresholds of the map: the slider's 0.1 to 5 %, even steps of its logarithm.
-pub const MAP_THRESHOLDS: usize = 25;
+pub(super) const MAP_THRESHOLDS: usize = 25;
 
 impl Sweep {
     /// Sweeps a subject to `highest_order`, with the map for one basis and fit.

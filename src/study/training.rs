@@ -14,7 +14,7 @@ use std::sync::Arc;
 use crate::{rivals::PrincipalBasis, spectrum::Band};
 
 /// Folds that the training set is dealt into.
-pub const FOLDS: usize = 5;
+pub(super) const FOLDS: usize = 5;
 
 /// Spectra whose normalised inner product exceeds this are the same but for scale.
 const SAME: f64 = 0.9995;

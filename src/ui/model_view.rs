@@ -18,10 +18,7 @@ use crate::{
     },
     color::Observer,
     io::error::quoted,
-    spectrum::{
-        Band, Basis, Sampling,
-        band::{LONGEST_NM, MOST_STEPS, SHORTEST_NM},
-    },
+    spectrum::{Band, Basis, LONGEST_NM, MOST_STEPS, SHORTEST_NM, Sampling},
 };
 
 /// The slider's own reach; more can be typed.

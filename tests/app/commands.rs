@@ -41,7 +41,7 @@ use spectral_explorer::{
     io::{composite_json, read_bytes},
     spectrum::{
         Band, Basis, HandSpike, Kind, NamedSpectrum, Sampled, Sampling, SpikeEdits,
-        basis::numbers_of_order,
+        numbers_of_order,
     },
     study::Measure,
 };

@@ -20,9 +20,9 @@ use spectral_explorer::{
         workspace,
     },
     design::{
+        SampleTables,
         mixture::Source,
         recover::Method,
-        scales::SampleTables,
         solve::{Against, FrontWish, Target, front},
     },
     spectrum::Kind,

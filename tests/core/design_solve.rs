@@ -8,8 +8,8 @@ use spectral_explorer::{
     app::library::Library,
     color::uv_1976_from_xyz,
     design::{
+        SampleTables,
         mixture::{Channel, MixError, Spec, composite, mixed},
-        scales::SampleTables,
         solve::{
             Against, Favour, Floors, FrontPoint, FrontWish, MixFigures, Mixer, Solution, Target,
             Wish, faders, front, front_json, mix_json,

@@ -19,10 +19,9 @@ use spectral_explorer::{
     color::blackbody,
     preset::Shelf,
     spectrum::{
-        Band, Kind, NamedSpectrum, Outside, Sampled,
-        composite::GAUSSIAN_AREA,
+        Band, Decomposition, FoundSpike, GAUSSIAN_AREA, Kind, NamedSpectrum, Outside, Sampled,
+        SpikeSettings, Wishes, detect,
         gradient::{self, DEFAULT_GRADIENT},
-        spikes::{Decomposition, FoundSpike, SpikeSettings, Wishes, detect},
     },
 };
 

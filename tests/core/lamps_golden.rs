@@ -199,7 +199,7 @@ fn the_encoder_reaches_the_references_errors() {
 
 /// Mean CIEDE2000 behind the judging band-passes, negative X, Y, Z taken as none.
 fn clipped_filters(model: &[f64], lamp: &[f64]) -> f64 {
-    use spectral_explorer::color::{Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz};
+    use spectral_explorer::color::{Xyz, delta_e_2000, lab_from_xyz};
     let seen = Observer::Cie1931.table().on_band(BAND);
     let xyz = |v: &[f64]| Xyz::from_array(seen.each_ref().map(|row| BAND.inner(v, row)));
     let white = xyz(lamp);

@@ -21,8 +21,7 @@ use spectral_explorer::{
     },
     spectrum::{
         Band, Basis, BasisTable, Composite, Exactness, InnerProducts, Kind, SampleGrid, Series,
-        basis::numbers_of_order,
-        spikes::{SpikeSettings, detect},
+        SpikeSettings, detect, numbers_of_order,
     },
     study::Measure,
 };

@@ -13,16 +13,14 @@ use spectral_explorer::{
     preset::Shelf,
     spectrum::{
         Band, Basis, BasisTable, ChainTables, Composite, Factor, Sampling, Series, Spike,
-        SpikeSettings,
-        factor::{bounces, glass},
+        SpikeSettings, bounces, detect, glass,
         product::{chain_points, convolve, folded_share},
-        spikes::detect,
     },
     study::{
         error::Spread,
         products::{
-            BounceErrors, Narrow, Product, bounce_errors, metameric_black, metameric_pairs,
-            reflection_check, same_surface::SAME_RESIDUAL, two_lights, two_lights::MATCH_DELTA_E,
+            BounceErrors, MATCH_DELTA_E, Narrow, Product, SAME_RESIDUAL, bounce_errors,
+            metameric_black, metameric_pairs, reflection_check, two_lights,
         },
     },
 };

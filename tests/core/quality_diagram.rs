@@ -1,15 +1,15 @@
 //! The geometry of diagrams against the facts.
 
 use serde_json::Value;
-use spectral_explorer::{
-    color::cct::uv_1960_from_kelvin,
-    color::quality::{
+use spectral_explorer::color::{
+    quality::{
         Figures, Light, daylight, daylight_xy,
         diagram::{
             ELLIPSES, GAMUTS, Plane, QUADRANGLES, planckian_locus, spectral_locus, tick,
             uv_1960_of_cct, xy_from_uv_1960,
         },
     },
+    uv_1960_from_kelvin,
 };
 
 fn facts() -> Value {

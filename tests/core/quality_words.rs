@@ -4,15 +4,19 @@ use proptest::prelude::*;
 use serde_json::Value;
 use spectral_explorer::{
     app::quality_report::{TLCI, csv_head, csv_line, full_json, json, rows},
-    color::Observer,
-    color::quality::{Dark, FewFigures, Figures, Light, Measured, NoFigure, POINTS, Radiometric},
+    color::{
+        Observer,
+        quality::{Dark, FewFigures, Figures, Light, Measured, NoFigure, POINTS, Radiometric},
+    },
     preset::{Body, Group, SHIPPED},
     spectrum::{
-        Band, Basis, BasisTable, Composite, Outside, Sampled, Series, Spike, SpikeSettings,
-        basis::numbers_of_order, spikes::detect,
+        Band, Basis, BasisTable, Composite, Outside, Sampled, Series, Spike, SpikeSettings, detect,
+        numbers_of_order,
     },
-    study::Progress,
-    study::quality::{Chosen, figures_against_order, figures_of_many},
+    study::{
+        Progress,
+        quality::{Chosen, figures_against_order, figures_of_many},
+    },
 };
 
 fn shipped(group: &str, name: &str) -> Sampled {

@@ -18,10 +18,9 @@ use spectral_explorer::{
     rivals::{Family, PrincipalBasis},
     spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeSettings},
     study::{
-        Measure, Progress, Race,
+        Measure, Progress, Race, Teacher, Training,
         race::{self, Course, Judged, Lamp, Racer},
         race_reference::{COLUMNS, TABLE},
-        training::{Teacher, Training},
     },
 };
 

@@ -5,10 +5,8 @@ use crate::common::{on_band, shipped, values};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use proptest::prelude::*;
 use spectral_explorer::spectrum::{
-    Band, Kind, Outside, Sampled, Spike,
-    band::{BandError, LONGEST_NM, MOST_STEPS, SHORTEST_NM},
-    composite::add_spikes,
-    sampled::SampledError,
+    Band, BandError, Kind, LONGEST_NM, MOST_STEPS, Outside, SHORTEST_NM, Sampled, SampledError,
+    Spike, add_spikes,
 };
 
 const BAND: Band = Band::VISIBLE;

@@ -16,9 +16,9 @@ use spectral_explorer::{
     lamps::bell,
     spectrum::{Band, Basis, Kind, NamedSpectrum, SpikeSettings},
     study::{
-        Goal, Measure, Measures, Progress, Sweep, Way,
+        Goal, Measure, Measures, Progress, Subject, Sweep, Way,
         auction::{Auction, Ended, Purchase, Terms, hold},
-        sweep::{Subject, unseen},
+        unseen,
     },
 };
 
@@ -181,7 +181,7 @@ fn the_front_is_what_no_cheaper_model_reaches() {
             .into_iter()
             .map(|index| &sweep.points[index])
             .collect();
-        let error = |p: &spectral_explorer::study::sweep::SweepPoint| {
+        let error = |p: &spectral_explorer::study::SweepPoint| {
             p.verdict[measure].expect("a light has every figure")
         };
         assert!(!front.is_empty());

@@ -33,7 +33,7 @@ use spectral_explorer::{
     spectrum::{Band, Basis},
     study::{
         Progress,
-        products::{Sameness, same_surface::SAME_RESIDUAL},
+        products::{SAME_RESIDUAL, Sameness},
     },
     ui::{
         Window,

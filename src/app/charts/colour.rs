@@ -6,7 +6,7 @@ use crate::{
         charts::products::chain::strip,
         design::{colour::ColourSheet, colour_words::method_name},
     },
-    color::wavelength_rgb::srgb_from_wavelength,
+    color::srgb_from_wavelength,
     design::recover::{BAND, LineLight, Method, Recovered, node_nm},
     spectrum::Outside,
 };

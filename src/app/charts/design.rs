@@ -13,7 +13,7 @@ use crate::{
             mix::MixChannel,
         },
     },
-    color::{wavelength_rgb::srgb_from_wavelength, xyz::FIRST_NM},
+    color::{srgb_from_wavelength, xyz::FIRST_NM},
     design::{
         mixture::Source,
         solve::{Against, FrontPoint},

@@ -13,8 +13,8 @@ use crate::{
         ticks::short,
     },
     io::many,
-    spectrum::basis::numbers_of_order,
-    study::{ManyLights, Measure, Way, many::SweptLight},
+    spectrum::numbers_of_order,
+    study::{ManyLights, Measure, SweptLight, Way},
 };
 
 /// What is asked of many lights: a way, a figure with its limit, and a share of them.

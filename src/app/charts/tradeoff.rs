@@ -4,8 +4,7 @@
 use crate::{
     app::{
         App, Command, Settings,
-        chart::Inks,
-        chart::{Chart, Dash, Marks, Scale, Series, Shape, Theme},
+        chart::{Chart, Dash, Inks, Marks, Scale, Series, Shape, Theme},
         pages::WaysShown,
         settings::Detector,
         studies::{About, SweepAsk},
@@ -13,10 +12,9 @@ use crate::{
     io::many::numbers,
     spectrum::{Basis, SpikeEdits},
     study::{
-        Measure, Reference, Sweep, Verdict, Way,
+        Examined, Measure, Reference, Sweep, SweepPoint, Verdict, Way,
         error::{height, spikes_times, times},
-        reference::filter_centres,
-        sweep::{Examined, SweepPoint},
+        filter_centres,
     },
 };
 

@@ -7,13 +7,8 @@ use super::{
 use crate::{
     app::tables::Tables,
     color::{
-        Adaptation, NoCct, Srgb, Xyz,
-        cct::{self, Cct},
-        chromaticity::{uv_1976_from_xyz, xy_from_xyz},
-        ciede2000::delta_e_2000,
-        lab::lab_from_xyz,
-        srgb::Swatch,
-        xyz_of_parts,
+        Adaptation, Cct, NoCct, Srgb, Xyz, cct_from_xyz, delta_e_2000, lab_from_xyz, srgb::Swatch,
+        uv_1976_from_xyz, xy_from_xyz, xyz_of_parts,
     },
 };
 
@@ -122,7 +117,7 @@ impl Colour {
             } else {
                 Swatch::of_patch(xyz, white, Adaptation::None)
             },
-            cct: is_light.then(|| cct::cct_from_xyz(xyz_1931)),
+            cct: is_light.then(|| cct_from_xyz(xyz_1931)),
         })
     }
 

@@ -6,8 +6,8 @@ use super::{
 };
 use crate::{
     app::tables::{CURVE_ORDER, Tables},
-    color::{ciede2000::delta_e_2000, lab::lab_from_xyz},
-    spectrum::{Basis, composite::add_spikes},
+    color::{delta_e_2000, lab_from_xyz},
+    spectrum::{Basis, add_spikes},
     study::{
         Measure, Verdict,
         error::{height, spikes_times, times},

@@ -5,11 +5,8 @@ use crate::{
     app::{settings::Detector, tables::Tables},
     color::{Xyz, xyz_of_one, xyz_of_parts, xyz_of_spikes},
     spectrum::{
-        Band, Decomposed, Exactness, Spike,
-        basis::numbers_of_order,
-        edits::{decompose, decompose_by},
-        gradient,
-        spikes::absolute_power,
+        Band, Decomposed, Exactness, Spike, absolute_power, decompose, decompose_by, gradient,
+        numbers_of_order,
     },
     study::{
         Measure, Verdict,

@@ -14,9 +14,7 @@ pub use wide::Widths;
 use crate::{
     color::{Adaptation, Xyz},
     io::many::{many, numbers},
-    spectrum::{
-        Band, Composite, Decomposed, Exactness, Series, Spike, SpikeEdits, composite::add_spikes,
-    },
+    spectrum::{Band, Composite, Decomposed, Exactness, Series, Spike, SpikeEdits, add_spikes},
     study::{Measure, Verdict},
 };
 

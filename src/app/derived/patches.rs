@@ -7,8 +7,7 @@ use super::{
 use crate::{
     app::tables::Tables,
     color::{
-        Lab, PatchSet, Xyz,
-        ciede2000::delta_e_2000,
+        Lab, PatchSet, Xyz, delta_e_2000,
         patches::{difference, labs_into},
         srgb::Swatch,
         xyz_of_parts,

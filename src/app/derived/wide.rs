@@ -3,7 +3,7 @@
 
 use crate::{
     lamps::{Spike as WideSpike, add_spikes, as_wide_as_it_is},
-    spectrum::{Band, Decomposed, Spike, spikes::LineShape},
+    spectrum::{Band, Decomposed, LineShape, Spike},
 };
 
 /// The lines of a model by their widths; without a width everywhere where all are ideal.
@@ -148,7 +148,7 @@ mod tests {
         }
         let mut whole = derived.widths.with_bells(derived.parts.smooth.clone());
         let ideal = derived.widths.ideal(&derived.model.spikes);
-        crate::spectrum::composite::add_spikes(derived.band, &ideal, &mut whole);
+        crate::spectrum::add_spikes(derived.band, &ideal, &mut whole);
         // A line of one sample is ideal: it has its power, not its form.
         let [power, of_table] = [&whole, &derived.measured].map(|v| derived.band.integral(v));
         assert!((power - of_table).abs() < 1e-10 * of_table);

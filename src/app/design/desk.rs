@@ -20,8 +20,8 @@ use crate::{
         xyz::xyz_from_nm_values,
     },
     design::{
+        SampleTables,
         mixture::{Channel, MixError, mixed},
-        scales::SampleTables,
         solve::{MixFigures, Mixer},
     },
 };

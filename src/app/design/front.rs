@@ -8,8 +8,8 @@ use super::{
 use crate::{
     app::document::Document,
     design::{
+        SampleTables,
         mixture::Source,
-        scales::SampleTables,
         solve::{Against, FrontPoint, FrontWish, front},
     },
     study::Progress,

@@ -6,7 +6,7 @@ use crate::{
     design::recover::{
         BAND, Colour, LineLight, LitColour, Method, RecoverError, Recovered, Seen, Viewing,
     },
-    spectrum::{Kind, NamedSpectrum, Outside, Sampled, SpikeSettings, spikes::detect},
+    spectrum::{Kind, NamedSpectrum, Outside, Sampled, SpikeSettings, detect},
 };
 
 /// The observer that colours are meant for.

@@ -10,8 +10,8 @@ use crate::{
     app::{document::Document, make::table_of},
     color::xyz::{FIRST_NM, LAST_NM},
     design::{
+        SampleTables,
         mixture::{Channel, MixError},
-        scales::SampleTables,
         solve::{Against, FREE_LINES, Favour, Floors, Mixer, Solution, Target, Wish},
     },
     spectrum::Outside,

@@ -15,8 +15,7 @@ use crate::{
         quality_report::{Row, light_of, rows},
     },
     color::{
-        Observer, Xyz,
-        ciede2000::delta_e_of_xyz,
+        Observer, Xyz, delta_e_of_xyz,
         quality::Figures,
         xyz::{xyz_from_light, xyz_from_reflectance},
     },

@@ -11,9 +11,9 @@ use crate::{
         xyz::{FIRST_NM, xyz_from_reflectance},
     },
     design::{
+        SampleTables,
         mixture::{Channel, Source, Spec, mixed},
         recover::{Method, Recovered, Seen, Viewing},
-        scales::SampleTables,
         solve::{Favour, Mixer, Target, Wish},
     },
     spectrum::{Kind, NamedSpectrum, Sampled},

@@ -3,7 +3,7 @@
 use super::*;
 use crate::{
     app::{entry::composite_from_preset, library::Library},
-    color::{Observer, cct::cct_from_xyz, xyz::xyz_from_light},
+    color::{Observer, cct_from_xyz, xyz::xyz_from_light},
     spectrum::Outside,
 };
 

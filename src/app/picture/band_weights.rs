@@ -6,8 +6,9 @@
 
 use crate::{
     color::{
-        Observer, Xyz, adaptation::adapted, srgb::WHITE, xyz::FIRST_NM, xyz::LAST_NM,
-        xyz::xyz_from_nm_values,
+        Observer, Xyz, adapted,
+        srgb::WHITE,
+        xyz::{FIRST_NM, LAST_NM, xyz_from_nm_values},
     },
     spectrum::{NamedSpectrum, Outside, Sampled, SpectralImage},
 };

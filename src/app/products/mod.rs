@@ -10,10 +10,7 @@ pub mod two_lights;
 use std::sync::Arc;
 
 use super::{entry::Entry, library::Library, recipe::Times};
-use crate::spectrum::{
-    Band,
-    factor::{bounces, glass},
-};
+use crate::spectrum::{Band, bounces, glass};
 
 pub use known_lines::KnownLines;
 pub use memory::ProductsMemory;

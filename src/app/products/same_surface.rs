@@ -21,7 +21,7 @@ use crate::{
     spectrum::{Band, Composite},
     study::{
         Measure,
-        products::{Checker, Compared, Sameness, measured_check, same_surface::SAME_RESIDUAL},
+        products::{Checker, Compared, SAME_RESIDUAL, Sameness, measured_check},
     },
 };
 

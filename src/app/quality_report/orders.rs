@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     app::{App, Derived, tables::Tables},
     color::{xyz_of_parts, xyz_of_spikes},
-    spectrum::{Basis, Composite, Series, Spike, basis::numbers_of_order},
+    spectrum::{Basis, Composite, Series, Spike, numbers_of_order},
 };
 
 /// A light taken apart once, from which the model of any order is cut; for a thread of its own.

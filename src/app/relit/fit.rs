@@ -13,7 +13,7 @@ use crate::{
         memo::ByAddress,
         picture::{Exposed, Raster, exposed},
     },
-    color::{Xyz, adaptation::adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
+    color::{Xyz, adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
     pictures::{
         Between, Kernel, Light, Operator, PictureError, Plan, ReferenceKind, Relit, Spread, Tally,
         Trust, Verdict, plan_of, relit_into,

@@ -6,7 +6,7 @@ use crate::{
     app::{document::Document, entry::Entry, library::Library, memo::ByAddress},
     color::{Observer, patches::PatchSet},
     spectrum::{Band, SpikeSettings},
-    study::{Measures, sweep::Subject},
+    study::{Measures, Subject},
 };
 
 /// The subject of a study and what it is judged by.

@@ -14,9 +14,9 @@ use crate::{
     rivals::PrincipalBasis,
     spectrum::{Band, Kind, NamedSpectrum, SpikeSettings},
     study::{
+        Teacher, Training,
         race::{Course, Encode, Lamp},
-        reference::scaled_to_one,
-        training::{Teacher, Training},
+        scaled_to_one,
     },
 };
 

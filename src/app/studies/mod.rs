@@ -38,12 +38,11 @@ use crate::{
     optics::Noise,
     spectrum::{Basis, Kind},
     study::{
-        Auction, Goal, ManyLights, Progress, Race, Sweep,
+        Auction, Goal, ManyLights, Progress, Race, Subject, Sweep,
         auction::{self, Terms},
         products::{ProductTime, Sizes, product_times},
         quality::OrderFigures,
         race,
-        sweep::Subject,
     },
 };
 

@@ -12,8 +12,8 @@ use crate::{
     study::{
         Progress,
         products::{
-            Checker, Metamers, Reflection, Sameness, TwoLights, measured_check, two_lights,
-            two_lights::{MATCH_DELTA_E, metameric_pairs_unless_cancelled},
+            Checker, MATCH_DELTA_E, Metamers, Reflection, Sameness, TwoLights, measured_check,
+            metameric_pairs_unless_cancelled, two_lights,
         },
     },
 };

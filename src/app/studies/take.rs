@@ -6,11 +6,7 @@ use crate::{
         command::Command,
         settings::{Detector, Settings},
     },
-    spectrum::{
-        HandSpike, Spike, SpikeEdits,
-        edits::decompose,
-        spikes::{Decomposition, detect_shapes},
-    },
+    spectrum::{Decomposition, HandSpike, Spike, SpikeEdits, decompose, detect_shapes},
     study::{Auction, auction::Step},
 };
 

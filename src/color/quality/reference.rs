@@ -12,7 +12,7 @@ use super::{
     light::{FIRST_NM, LAST_NM, POINTS},
     weight::{shipped_group, table_of},
 };
-use crate::spectrum::{Outside, band::dot};
+use crate::spectrum::{Outside, dot};
 
 /// Hottest temperature that the formula for daylight is stated for, K.
 pub(super) const DAYLIGHT_TO_K: f64 = 25_000.0;

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 
 use crate::{
     color::{Cct, Observer, Xyz, uv_1960_from_xyz},
-    spectrum::{Outside, Sampled, band::dot},
+    spectrum::{Outside, Sampled, dot},
 };
 
 use super::{

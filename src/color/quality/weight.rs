@@ -3,7 +3,7 @@
 use crate::{
     color::observer,
     preset::{Body, Group},
-    spectrum::{Outside, Sampled, band::dot},
+    spectrum::{Outside, Sampled, dot},
 };
 
 use super::light::{FIRST_NM, LAST_NM, Light};

@@ -1,9 +1,7 @@
 //! A colour as a person gives it, and what it asks of a surface under a light.
 
 use super::{error::RecoverError, viewing::Viewing};
-use crate::color::{
-    Lab, Srgb, Xyz, adaptation::adapted, chromaticity::xyz_from_xy, srgb, xyz_from_lab,
-};
+use crate::color::{Lab, Srgb, Xyz, adapted, srgb, xyz_from_lab, xyz_from_xy};
 
 /// A colour that a surface is to have.
 #[derive(Clone, Copy, Debug, PartialEq)]

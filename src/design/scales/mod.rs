@@ -22,8 +22,7 @@ pub use samples::SampleTables;
 use super::whole_nm;
 use crate::{
     color::{
-        Cct, Observer, Xyz, cct_from_xyz, observer::weighting, quality::rendering_reference,
-        xyz::POINTS,
+        Cct, Observer, Xyz, cct_from_xyz, quality::rendering_reference, weighting, xyz::POINTS,
     },
     spectrum::{Outside, Sampled},
 };
@@ -155,7 +154,7 @@ impl SampleTables {
 
 /// Figures of lights of one colour temperature.
 #[derive(Clone, Debug)]
-pub struct Scales {
+pub(super) struct Scales {
     cct: Cct,
     rendering: RenderingScale,
     fidelity: FidelityScale,
@@ -163,7 +162,7 @@ pub struct Scales {
 
 impl Scales {
     /// For lights of the colour temperature of `target`; `None` where it has none.
-    pub fn new(target: Xyz, tables: &SampleTables) -> Option<Self> {
+    pub(super) fn new(target: Xyz, tables: &SampleTables) -> Option<Self> {
         let cct = cct_from_xyz(target).ok()?;
         Some(Self {
             cct,
@@ -172,28 +171,23 @@ impl Scales {
         })
     }
 
-    /// The colour temperature of the references.
-    pub fn cct(&self) -> Cct {
-        self.cct
-    }
-
     /// The light that rendering is judged against, of unit power on whole nm.
     pub(super) fn reference(&self) -> Option<Vec<f64>> {
         whole_nm::of_unit_power(rendering_reference(self.cct.kelvin).on_nm())
     }
 
     /// General colour rendering index; `None` where a test colour has no chromaticity.
-    pub fn ra(&self, sums: &Sums) -> Option<f64> {
+    pub(super) fn ra(&self, sums: &Sums) -> Option<f64> {
         self.rendering.ra(&sums.rendering)
     }
 
     /// Fidelity index; `None` for a light that no eye adapts to.
-    pub fn rf(&self, sums: &Sums) -> Option<f64> {
+    pub(super) fn rf(&self, sums: &Sums) -> Option<f64> {
         self.fidelity.rf(&sums.fidelity)
     }
 
     /// Gamut index; `None` as [`Scales::rf`].
-    pub fn rg(&self, sums: &Sums) -> Option<f64> {
+    pub(super) fn rg(&self, sums: &Sums) -> Option<f64> {
         self.fidelity.rg(&sums.fidelity)
     }
 }

@@ -14,7 +14,7 @@ use crate::{
         mixture::{Channel, MOST_CHANNELS, MixError},
         scales::{BASIC, SampleTables, Scales, Sums, basic_sums},
     },
-    spectrum::band::dot,
+    spectrum::dot,
 };
 
 /// Channels weighed for a wish.

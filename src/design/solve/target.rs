@@ -3,9 +3,7 @@
 use std::fmt;
 
 use crate::{
-    color::{
-        Xyz, cct::uv_1960_from_kelvin, chromaticity::xyz_from_xy, uv_1976_from_xyz, xy_from_xyz,
-    },
+    color::{Xyz, uv_1960_from_kelvin, uv_1976_from_xyz, xy_from_xyz, xyz_from_xy},
     design::{mixture::MixError, scales::basic_sums, whole_nm},
     spectrum::Sampled,
 };

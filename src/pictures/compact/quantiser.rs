@@ -216,7 +216,7 @@ impl Quantiser {
         let mut steps = Vec::with_capacity(numbers.len());
         steps.push(first as i32);
         for row in self.forward.chunks_exact(relative.len()) {
-            let sum = crate::spectrum::band::dot(row, &relative) / self.stored.step;
+            let sum = crate::spectrum::dot(row, &relative) / self.stored.step;
             steps.push(sum.round().clamp(-MOST, MOST) as i32);
         }
         Some(steps)
@@ -234,7 +234,7 @@ impl Quantiser {
             .collect();
         let rows = self.stored.inverse.chunks_exact(scaled.len());
         for ((value, row), mean) in into[1..].iter_mut().zip(rows).zip(&self.stored.mean) {
-            *value = ((mean + crate::spectrum::band::dot(row, &scaled)) * unit) as f32;
+            *value = ((mean + crate::spectrum::dot(row, &scaled)) * unit) as f32;
         }
     }
 }

@@ -3,10 +3,7 @@
 use super::{Colours, multiplied, ratio};
 use crate::{
     color::{Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{
-        Band, ChainTables, Composite, Factor, Sampling, Spike,
-        chain::{Met, below_zero},
-    },
+    spectrum::{Band, ChainTables, Composite, Factor, Met, Sampling, Spike, below_zero},
     study::error::Spread,
 };
 

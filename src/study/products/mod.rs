@@ -14,24 +14,27 @@
 //! Exact is the measured light times the measured factors on the 1 nm grid of the band; the white
 //! of every CIEDE2000 is the exact light. What does not exist (a colour without light) is `None`.
 
-pub mod bounces;
+mod bounces;
 mod chain;
-pub mod dips;
+mod dips;
 mod narrow;
 mod resampling;
-pub mod same_surface;
+mod same_surface;
 pub mod timing;
-pub mod two_lights;
+mod two_lights;
 
-pub use bounces::{BounceErrors, bounce_errors};
+pub use bounces::{BounceErrors, MOST_BOUNCES, bounce_errors};
 pub use chain::{Passage, Product, SetErrors, Step, Total};
+pub use dips::depths;
 pub use narrow::{Narrow, NarrowPoint};
 pub use resampling::{Formed, Resampled, SpikeCosts, resampled, spike_costs};
-pub use same_surface::{Checker, Compared, Reflection, Sameness, measured_check, reflection_check};
+pub use same_surface::{
+    Checker, Compared, Reflection, SAME_RESIDUAL, Sameness, measured_check, reflection_check,
+};
 pub use timing::{ProductTime, Sizes, product_times};
 pub use two_lights::{
-    Black, MetamericPair, Metamers, TwoLights, black_of, metameric_black, metameric_pairs,
-    two_lights, two_modelled_lights,
+    Black, MATCH_DELTA_E, MetamericPair, Metamers, TwoLights, black_of, metameric_black,
+    metameric_pairs, metameric_pairs_unless_cancelled, two_lights, two_modelled_lights,
 };
 
 use crate::color::{Xyz, delta_e_of_xyz};

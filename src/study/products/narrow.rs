@@ -11,7 +11,7 @@ use super::Colours;
 use crate::{
     color::{Xyz, xyz_of_parts},
     rivals::{Representation, Samples},
-    spectrum::{Band, BasisTable, Composite, InnerProducts, Series, Spike, band::dot},
+    spectrum::{Band, BasisTable, Composite, InnerProducts, Series, Spike, dot},
 };
 
 /// Y that the light behind the filter is brought to, of the whole light's 1.

@@ -2,14 +2,14 @@
 
 use super::multiplied;
 use crate::{
-    color::{Lab, Xyz, ciede2000::delta_e_2000, lab::lab_from_xyz, xyz_of_parts},
+    color::{Lab, Xyz, delta_e_2000, lab_from_xyz, xyz_of_parts},
     spectrum::{Band, Basis, Composite, Spike, product::weigh_spikes},
     study::Progress,
 };
 
 /// Two surfaces with the same colour are one unless their curves differ by this much (root mean
 /// square over the band): below it they are repeated measurements of the same paint.
-pub const DIFFERENT_RMS: f64 = 0.01;
+pub(super) const DIFFERENT_RMS: f64 = 0.01;
 
 /// Pairs this close under the first light match: a careful eye sees them side by side as one.
 pub const MATCH_DELTA_E: f64 = 1.0;

@@ -3,9 +3,7 @@
 use super::STATED_LINE_NM;
 use crate::{
     color::{Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{
-        Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike, basis::numbers_of_order,
-    },
+    spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike, numbers_of_order},
 };
 
 /// A factor read at every spike of a light in four ways, and what that does to the colour.

@@ -3,7 +3,7 @@
 use super::{MOST_SPIKES, TOTAL_NUMBERS};
 use crate::{
     color::{Xyz, delta_e_of_xyz, xyz_of_parts},
-    spectrum::{BasisTable, Spike, spikes::LineShape},
+    spectrum::{BasisTable, LineShape, Spike},
     study::{
         error::{Blur, spectrum_errors},
         measure::{ByMeasure, Measure, Verdict},

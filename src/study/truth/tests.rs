@@ -6,12 +6,14 @@ use super::{
 };
 use crate::{
     color::{Observer, Xyz, xyz_of_parts},
-    spectrum::basis::numbers_of_order,
-    spectrum::spikes::LineShape,
-    spectrum::{Band, Basis, BasisTable, Composite, SampleGrid, Series, Spike},
-    study::error::{BLUR_NM, Blur, times},
-    study::harmonics::{self, Harmonics},
-    study::{Measure, Verdict},
+    spectrum::{
+        Band, Basis, BasisTable, Composite, LineShape, SampleGrid, Series, Spike, numbers_of_order,
+    },
+    study::{
+        Measure, Verdict,
+        error::{BLUR_NM, Blur, times},
+        harmonics::{self, Harmonics},
+    },
 };
 
 const BAND: Band = Band::VISIBLE;

@@ -18,7 +18,7 @@ use crate::{
         tables::CURVE_ORDER,
     },
     io::many::numbers,
-    spectrum::{Basis, basis::numbers_of_order},
+    spectrum::{Basis, numbers_of_order},
     study::harmonics::Harmonics,
     ui::{chart_view::ChartResponse, kit::headline, swatch},
 };

@@ -10,16 +10,18 @@ use crate::{
     app::{
         App, Command,
         chart::{self, Chart},
-        charts::threshold::{mark_threshold, take_cell, threshold_chart},
-        charts::tradeoff::{
-            self, Tradeoff, all_figures, lack, limits, measure_within, needs, take, way_name,
+        charts::{
+            threshold::{mark_threshold, take_cell, threshold_chart},
+            tradeoff::{
+                self, Tradeoff, all_figures, lack, limits, measure_within, needs, take, way_name,
+            },
         },
         memo::{ByAddress, Memo},
         pages::WaysShown,
         studies::{About, Stage, SweepAsk},
     },
     io::many::numbers,
-    study::{Measure, Reference, Sweep, Verdict, sweep::SweepPoint},
+    study::{Measure, Reference, Sweep, SweepPoint, Verdict},
     ui::{
         chart_view::Hit,
         kit::{Column, Row, headline, line, table},

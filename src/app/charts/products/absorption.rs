@@ -5,8 +5,7 @@ use std::fmt::Write as _;
 use crate::{
     app::{
         cells::{line, number, words},
-        chart::Inks,
-        chart::{Chart, Dash, Marks, Rgb, Series, Theme},
+        chart::{Chart, Dash, Inks, Marks, Rgb, Series, Theme},
         charts::spectrum::provenance,
         export,
         product_report::Told,
@@ -15,8 +14,8 @@ use crate::{
         state::App,
         ticks::short,
     },
-    spectrum::{Spike, chain::below_zero},
-    study::products::dips::depths,
+    spectrum::{Spike, below_zero},
+    study::products::depths,
 };
 
 use super::{chain::strip, curve, over};

@@ -5,12 +5,11 @@ use crate::{
     app::{
         App, Entry,
         cells::{line, number, words},
-        chart::Inks,
-        chart::{Chart, Dash, Scale, Series, Theme},
+        chart::{Chart, Dash, Inks, Scale, Series, Theme},
         charts::spectrum::provenance,
         products::ModelledLight,
     },
-    study::products::{BounceErrors, bounce_errors, bounces::MOST_BOUNCES},
+    study::products::{BounceErrors, MOST_BOUNCES, bounce_errors},
 };
 
 /// Differences of colour below this are not seen: what the sentence asks for.

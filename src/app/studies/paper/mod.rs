@@ -16,9 +16,7 @@ pub use table::{
 use crate::{
     app::{state::App, tables::Viewing},
     color::{Adaptation, Observer, Swatch, Xyz, xy_from_xyz, xyz_of_one, xyz_of_parts},
-    spectrum::{
-        Band, Basis, Composite, Sampling, Series, basis::numbers_of_order, spikes::detect_shapes,
-    },
+    spectrum::{Band, Basis, Composite, Sampling, Series, detect_shapes, numbers_of_order},
     study::{
         harmonics::{Harmonics, Question},
         truth::{

@@ -10,7 +10,7 @@ use crate::{
     app::ticks::short,
     color::Observer,
     io::many,
-    spectrum::{Basis, Sampling, basis::numbers_of_order},
+    spectrum::{Basis, Sampling, numbers_of_order},
     study::{
         Measure,
         truth::{self, Match, STATED_ORDER, STATED_SHARE},

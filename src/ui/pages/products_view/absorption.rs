@@ -14,7 +14,7 @@ use crate::{
         settings::{Detector, THRESHOLDS_PERCENT, WIDTHS_NM},
         ticks::short,
     },
-    spectrum::{Band, chain::SAME_PLACE_NM},
+    spectrum::{Band, SAME_PLACE_NM},
     ui::{
         kit::{Chooser, Column, Row, headline, named, scrolled, table, warning},
         pages::PageContext,

@@ -22,7 +22,7 @@ use crate::{
         ticks::short,
     },
     io::many::numbers,
-    study::products::{Compared, Sameness, same_surface::SAME_RESIDUAL},
+    study::products::{Compared, SAME_RESIDUAL, Sameness},
     ui::{
         kit::{Chooser, Row, factors, framed, headline, lights, scrolled, two_columns},
         pages::PageContext,

@@ -16,7 +16,7 @@ use crate::{
         recipe::Recipe,
         studies::{Stage, surfaces::Pairs},
     },
-    study::products::{MetamericPair, two_lights::MATCH_DELTA_E},
+    study::products::{MATCH_DELTA_E, MetamericPair},
     ui::{
         kit::{Choice, Column, Row, Table, copy_button, named},
         pages::{PageContext, progress},
