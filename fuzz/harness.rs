@@ -11,12 +11,12 @@ use std::hint::black_box;
 use std::io::{Cursor, Write};
 use std::time::{Duration, Instant};
 
-use spectral_explorer::io::provenance::{Columns, Provenance};
-use spectral_explorer::io::units::WavelengthUnit;
+use spectral_explorer::io::WavelengthUnit;
 use spectral_explorer::io::{
-    Choices, Counted, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, number, read_bytes,
+    ABSURD, Choices, Counted, Dialect, FORMATS, Format, Input, ReadError, Reading, csv, read_bytes,
     read_bytes_as, read_path,
 };
+use spectral_explorer::io::{Columns, Provenance};
 use spectral_explorer::spectrum::{Composite, Kind, NamedSpectrum, Rect, SpectralImage};
 use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
@@ -501,7 +501,7 @@ const HOSTILE_NAMES: [&str; 10] = [
 /// it again to the same names and numbers.
 fn comes_back(spectrum: &NamedSpectrum) {
     let samples = &spectrum.samples;
-    if samples.len() > LONGEST_WRITTEN || samples.last_nm() >= number::ABSURD {
+    if samples.len() > LONGEST_WRITTEN || samples.last_nm() >= ABSURD {
         return;
     }
     let alone = Columns::measured(spectrum);
@@ -515,7 +515,7 @@ fn comes_back(spectrum: &NamedSpectrum) {
 }
 
 fn comes_back_as(first: &NamedSpectrum, columns: &Columns, all: &[NamedSpectrum]) {
-    let text = csv::write(first, columns, &Provenance::default());
+    let text = csv(first, columns, &Provenance::default());
     let again = read_bytes("again.csv", text.as_bytes());
     let again = again.unwrap_or_else(|why| panic!("{why}\n{text}"));
     assert_eq!(again.spectra.len(), all.len(), "{text}");

@@ -13,7 +13,7 @@ use spectral_explorer::{
         App, Command, Settings,
         workspace::{self, Preferences},
     },
-    io::{atomic::save_atomically, read_bytes},
+    io::{read_bytes, save_atomically},
     ui::{saver::Saver, shell},
 };
 

@@ -1,7 +1,7 @@
 //! Cells of the tables that the program writes: numbers that read back exactly, and text that
 //! cannot be taken for anything else.
 
-use crate::io::provenance::{one_line, shortest};
+use crate::io::{one_line, shortest};
 
 /// A number in the fewest digits that read back to it; nothing where there is none, since tables
 /// know neither NaN nor infinity.

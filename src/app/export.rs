@@ -14,10 +14,8 @@ use super::{
 };
 use crate::{
     io::{
-        CompositeFile, Provenance, composite_json, composite_line,
-        many::many,
-        provenance::{Column, Columns},
-        write::{encode, losses},
+        Column, Columns, CompositeFile, Provenance, composite_json, composite_lines, encode,
+        losses, many::many,
     },
     spectrum::{NamedSpectrum, Sampled},
 };
@@ -138,11 +136,9 @@ impl Export {
     pub fn text(self, app: &App, theme: Theme) -> Result<String, String> {
         let (document, derived) = (app.document(), app.derived());
         match self {
-            Self::CompositeJson => {
-                composite_json::write(&composite_file(app)).map_err(|e| e.to_string())
-            }
+            Self::CompositeJson => composite_json(&composite_file(app)).map_err(|e| e.to_string()),
             Self::CompositeLine => {
-                Ok(composite_line::write_lines(&derived.model, &derived.widths.written()) + "\n")
+                Ok(composite_lines(&derived.model, &derived.widths.written()) + "\n")
             }
             Self::Csv => {
                 let scaled = scaled_subject(app);

@@ -26,7 +26,7 @@ use super::{
     studies::Wake,
 };
 use crate::{
-    io::{Choices, Counted, Dialect, choices::OfOne, dialect::Delimiter, units::WavelengthUnit},
+    io::{Choices, Counted, Delimiter, Dialect, OfOne, WavelengthUnit},
     spectrum::Kind,
 };
 

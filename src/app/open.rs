@@ -113,7 +113,7 @@ pub fn project_at(path: &Path) -> Option<Loaded> {
     }
     let name = path.file_name()?.to_string_lossy().into_owned();
     // Too large a one is refused by the reader of files, unread.
-    if file.metadata().ok()?.len() > io::text::MOST_BYTES {
+    if file.metadata().ok()?.len() > io::MOST_BYTES {
         return None;
     }
     let text = std::fs::read_to_string(path).ok()?;

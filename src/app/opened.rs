@@ -8,9 +8,7 @@ use std::{
 use super::origin::FromFile;
 
 use crate::{
-    io::{
-        Choices, Guess, Guessed, MakersResult, interpret::decision::Decisions, reading::TableFound,
-    },
+    io::{Choices, Decisions, Guess, Guessed, MakersResult, TableFound},
     spectrum::{Composite, NamedSpectrum, SpectralImage},
 };
 

@@ -7,7 +7,7 @@
 use super::spectral_unit::{Counted, SpectralUnit};
 pub(super) use crate::color::quality::JOULE_NM_PER_MICROMOLE;
 use crate::{
-    io::meaning,
+    io::PHOTON_NOTE,
     spectrum::{Kind, NamedSpectrum},
 };
 
@@ -35,7 +35,7 @@ pub(super) fn to_power(spectrum: &mut NamedSpectrum) {
         return;
     };
     spectrum.samples = samples;
-    spectrum.notes.retain(|note| note != meaning::PHOTON_NOTE);
+    spectrum.notes.retain(|note| note != PHOTON_NOTE);
     spectrum.notes.push(format!(
         "photons turned into power: each value in {} times {} / wavelength in nm",
         spectrum.unit,
@@ -61,7 +61,7 @@ mod tests {
             unit: unit.to_owned(),
             scale: 1.0,
             samples: Sampled::even(400.0, 200.0, vec![1.0, 2.0]).expect("two points"),
-            notes: vec![meaning::PHOTON_NOTE.to_owned()],
+            notes: vec![PHOTON_NOTE.to_owned()],
             source: String::new(),
         }
     }

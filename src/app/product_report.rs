@@ -20,7 +20,7 @@ use super::{
 };
 use crate::{
     color::{Xyz, srgb::Swatch},
-    io::provenance::one_line,
+    io::one_line,
     spectrum::{Factor, Spike},
     study::{
         Spread,

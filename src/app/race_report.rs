@@ -15,7 +15,7 @@ use super::{
     study_report::{errors, lines_json, lines_words, program},
 };
 use crate::{
-    io::{many::many, provenance::one_line},
+    io::{many::many, one_line},
     study::{
         Measure, Race, Spread,
         race::{Judged, Racer, Row},

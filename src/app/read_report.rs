@@ -11,8 +11,8 @@ use super::ticks::short;
 use crate::{
     io::{
         CompositeFile, MakersResult, ReadError, Reading,
-        error::shown,
         many::{many, numbers},
+        shown,
     },
     spectrum::{NamedSpectrum, SpectralImage},
 };

@@ -213,7 +213,7 @@ impl Page {
     fn foot(&mut self, app: &App) {
         let palette = Palette::of(Theme::Light);
         let model = &app.derived().model;
-        let numbers = composite_line::write(model);
+        let numbers = composite_line(model);
         self.words(
             SIZES[1],
             palette.text,

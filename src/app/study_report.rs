@@ -15,10 +15,7 @@ use super::{
     studies::{AuctionAsk, SweepAsk, about::About},
 };
 use crate::{
-    io::{
-        many::numbers,
-        provenance::{Provenance, one_line},
-    },
+    io::{Provenance, many::numbers, one_line},
     spectrum::{Kind, SpikeSettings},
     study::{
         Auction, Measure, Sweep,

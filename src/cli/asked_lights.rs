@@ -26,7 +26,7 @@ use crate::{
         opened::Opened,
         workspace::Restored,
     },
-    io::{Choices, error::shown, input::name_of, many::many, stream::is_stream},
+    io::{Choices, many::many, name_of, shown, stream::is_stream},
     spectrum::Kind,
 };
 

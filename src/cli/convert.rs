@@ -22,15 +22,9 @@ use crate::{
         ticks::short,
     },
     io::{
-        self, Choices, CompositeFile, Provenance,
-        atomic::save_atomically,
-        composite_json, composite_line,
-        error::shown,
-        many::many,
-        provenance::Columns,
-        stream::is_stream,
-        write::{WRITABLE, losses},
-        write_as,
+        self, Choices, Columns, CompositeFile, Provenance, WRITABLE, composite_in_words,
+        composite_json, composite_lines, losses, many::many, save_atomically, shown,
+        stream::is_stream, write_as,
     },
 };
 
@@ -50,7 +44,7 @@ pub(super) fn run(
         let known: Vec<String> = known.map(|e| format!(".{e}")).collect();
         return Err(Refusal::Usage(format!(
             "OUT: found {}, expected a file that ends in {}",
-            io::error::quoted(&path.to_string_lossy()),
+            io::quoted(&path.to_string_lossy()),
             known.join(" or ")
         )));
     }
@@ -149,7 +143,7 @@ fn all_spectra(
     let columns = Columns::together(&spectra).map_err(file)?;
     let mut about = spectra[0].clone();
     if spectra.len() > 1 {
-        about.name = io::input::name_of(input);
+        about.name = io::name_of(input);
         // Those of one spectrum are not those of all.
         about.notes.clear();
     }
@@ -280,9 +274,9 @@ fn model(
         }
     };
     let text = if words::extension(&options.out) == LINE {
-        Ok(composite_line::write_lines(&file.composite, &file.widths_nm) + "\n")
+        Ok(composite_lines(&file.composite, &file.widths_nm) + "\n")
     } else {
-        composite_json::write(&file)
+        composite_json(&file)
     };
     let path = target.path()?;
     text.and_then(|text| save_atomically(path, text.as_bytes()))
@@ -290,7 +284,7 @@ fn model(
     let what = format!(
         "the model of {}, {}",
         file.name,
-        composite_json::in_words(&file.composite, &file.widths_nm)
+        composite_in_words(&file.composite, &file.widths_nm)
     );
     Ok(with_notes(what, &notes))
 }

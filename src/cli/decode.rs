@@ -11,13 +11,7 @@ use super::{
     words::extension,
 };
 use crate::{
-    io::{
-        Provenance,
-        error::{quoted, shown},
-        provenance::Columns,
-        write::{WRITABLE, losses},
-        write_as,
-    },
+    io::{Columns, Provenance, WRITABLE, losses, quoted, shown, write_as},
     lamps::{Decoder, EncodingError, Makeup, decode_json, read_encoding},
     spectrum::{Band, Kind, NamedSpectrum, Sampled},
 };

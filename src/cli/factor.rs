@@ -21,7 +21,7 @@ use crate::{
         products::{BOUNCES, Link, THICKNESSES},
         ticks::short,
     },
-    io::error::{quoted, shown},
+    io::{quoted, shown},
 };
 
 /// A word taken apart.

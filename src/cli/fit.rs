@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     app::{open::Loaded, ticks::short},
-    io::{Choices, atomic::save_atomically, error::shown, many::many, stream::is_standard_input},
+    io::{Choices, many::many, save_atomically, shown, stream::is_standard_input},
     pictures::{FitAsk, PictureError, fit_line, fit_spectra},
     spectrum::NamedSpectrum,
     study::Progress,

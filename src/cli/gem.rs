@@ -17,7 +17,7 @@ use super::{
 use crate::{
     app::ticks::short,
     color::{Adaptation, Observer},
-    io::{atomic::save_atomically, error::shown},
+    io::{save_atomically, shown},
     optics::{
         Absorption, Brilliant, Film, FilmSettings, GemReport, Light, Material, Picture, Scene,
         Studio, View, film_bytes, gem_json, png, spectral_exr,

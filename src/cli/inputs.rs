@@ -16,11 +16,9 @@ use super::{
 use crate::{
     app::open::{self, Found, Loaded, Wanted, named},
     io::{
-        self, Choices, ReadError, Reading,
-        error::shown,
-        input::name_of,
+        self, Choices, ReadError, Reading, name_of, shown,
         stream::{self, ITS_NAME, is_standard_input, is_stream},
-        unopened,
+        why_unopened,
     },
 };
 
@@ -129,7 +127,7 @@ impl<'e> Inputs<'e> {
         let bytes = match self.stream(path) {
             Some(bytes) => bytes.map_err(|why| why.to_string())?.to_vec(),
             None => short_file(path).map_err(|error| {
-                let (found, expected) = unopened::words(path, &error);
+                let (found, expected) = why_unopened(path, &error);
                 format!("{named}: found {found}, expected {expected}")
             })?,
         };
@@ -138,10 +136,10 @@ impl<'e> Inputs<'e> {
                 "{named}: found more than {MOST_TEXT_BYTES} bytes, expected a short text"
             ));
         }
-        if io::text::is_binary(&bytes) {
+        if io::is_binary(&bytes) {
             return Err(format!("{named}: found no text, expected one"));
         }
-        Ok(io::text::decode(&bytes).text.into_owned())
+        Ok(io::decode_text(&bytes).text.into_owned())
     }
 
     /// All of a stream; `None` for what can be read again.
@@ -163,7 +161,7 @@ impl<'e> Inputs<'e> {
         let bytes: Arc<[u8]> = match stream::drained(path, waits) {
             Ok(bytes) => bytes.into(),
             Err(error) => {
-                let (found, expected) = unopened::words(path, &error);
+                let (found, expected) = why_unopened(path, &error);
                 return Some(Err(ReadError::new(&name, found, expected)));
             }
         };

@@ -19,7 +19,7 @@ use crate::{
         proof::play,
         shelf,
     },
-    io::{atomic::save_atomically, error::shown, many::many},
+    io::{many::many, save_atomically, shown},
 };
 
 /// Carries the command out.

@@ -11,10 +11,7 @@ use crate::{
         dispersion::{is_index, material_of},
         open::Wanted,
     },
-    io::{
-        Choices,
-        error::{quoted, shown},
-    },
+    io::{Choices, quoted, shown},
     optics::{Absorption, Material, Stuff},
     spectrum::Kind,
 };

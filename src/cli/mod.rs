@@ -59,7 +59,7 @@ use clap::Parser;
 
 use crate::{
     app::{App, chart::Theme, library::Library, licences, workspace::Preferences},
-    io::error::shown,
+    io::shown,
 };
 use arguments::{Arguments, Command};
 use inputs::Inputs;

@@ -6,7 +6,7 @@ use std::{io::Write, path::Path};
 use super::{Pictures, print, refusal::Refusal, remark, target::new_picture};
 use crate::{
     app::{App, report, workspace::Preferences},
-    io::{atomic::save_atomically, error::shown},
+    io::{save_atomically, shown},
 };
 
 /// Exit code for a missing display or window where a window was insisted on.

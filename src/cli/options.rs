@@ -8,7 +8,7 @@ use super::words;
 use crate::{
     app::{Settings, open::Wanted},
     color::Observer,
-    io::{Choices, dialect::Delimiter, units::WavelengthUnit},
+    io::{Choices, Delimiter, WavelengthUnit},
     spectrum::{Band, Basis, Kind, Rect, Sampling},
 };
 

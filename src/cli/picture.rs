@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     app::ticks::short,
-    io::{Choices, envi, error::shown},
+    io::{Choices, envi, shown},
     pictures::{
         About, Asked, BOUND_P95, BOUND_RMS, Bytes, CompactPlan, EnviFile, Errors, Half, InMemory,
         Light, OfImage, Operator, Peer, PictureError, Pixels, Plan, Precision, ReferenceKind,

@@ -4,7 +4,7 @@ use std::{ffi::OsStr, path::Path};
 
 use super::{inputs::Inputs, refusal::Refusal, subject::named_light};
 use crate::{
-    io::error::shown,
+    io::shown,
     pictures::{Light, PictureError},
 };
 

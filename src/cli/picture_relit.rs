@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Srgb, Swatch, Xyz},
-    io::{atomic::save_atomically, error::shown},
+    io::{save_atomically, shown},
     pictures::{Between, CompactFile, Light, Operator, Picture, Relit, read_full, relit_into},
     study::Progress,
 };

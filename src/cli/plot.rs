@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     app::{charts::spectrum::spectrum_chart, sheet},
-    io::{atomic::save_atomically, error::shown},
+    io::{save_atomically, shown},
 };
 
 /// Carries the command out.

@@ -24,7 +24,7 @@ use crate::{
         studies::about::reflectances,
         ticks::short,
     },
-    io::error::{quoted, shown},
+    io::{quoted, shown},
     spectrum::{Factor, Kind},
 };
 

@@ -26,11 +26,7 @@ use crate::{
         race_report,
         studies::{Class, Field, RaceAsk},
     },
-    io::{
-        Choices,
-        error::{quoted, shown},
-        many::many,
-    },
+    io::{Choices, many::many, quoted, shown},
     preset::Preset,
     spectrum::Kind,
     study::{Progress, scaled_to_one},

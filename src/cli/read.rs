@@ -10,7 +10,7 @@ use crate::{
         open::folders::{self, Listed},
         read_report,
     },
-    io::{Choices, error::shown},
+    io::{Choices, shown},
 };
 
 /// Carries the command out. A file that is refused does not stop the others.

@@ -12,13 +12,7 @@ use super::{
 };
 use crate::{
     design::recover::{ColourPicture, Encoded, PictureCount, spectral_rows, usual_bands},
-    io::{
-        atomic::save_atomically,
-        colour_png::{ColourPixels, ColourPng},
-        error::shown,
-        many::many,
-        spectral_exr_write::reflectance_exr,
-    },
+    io::{ColourPixels, ColourPng, many::many, reflectance_exr, save_atomically, shown},
     study::Progress,
 };
 

@@ -7,7 +7,7 @@ use std::{
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
-use crate::io::error::quoted;
+use crate::io::quoted;
 
 /// A command that was not carried out.
 #[derive(Debug)]

@@ -22,7 +22,7 @@ use crate::{
         picture::{ImageMemory, reload},
         workspace::Preferences,
     },
-    io::{Choices, atomic::save_atomically, error::shown},
+    io::{Choices, save_atomically, shown},
 };
 
 /// Carries the command out.

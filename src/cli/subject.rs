@@ -17,7 +17,7 @@ use crate::{
         opened::Opened,
         workspace::Restored,
     },
-    io::error::shown,
+    io::shown,
     spectrum::Kind,
 };
 

@@ -8,7 +8,7 @@ use std::{
 };
 
 use super::refusal::Refusal;
-use crate::io::{envi, error::shown, stream::is_standard_input};
+use crate::io::{envi, shown, stream::is_standard_input};
 
 /// What may be replaced without a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,7 +14,7 @@ use crate::{
         open::{FileRow, Loaded, batch::read_all, names_a_file},
         state::Tone,
     },
-    io::{error::quoted, stream::is_standard_input},
+    io::{quoted, stream::is_standard_input},
 };
 
 /// Something to open.

@@ -16,11 +16,7 @@ use crate::{
         settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
     color::Observer,
-    io::{
-        dialect::{Delimiter, MOST_COLUMNS},
-        error::quoted,
-        units::WavelengthUnit,
-    },
+    io::{Delimiter, MOST_COLUMNS, WavelengthUnit, quoted},
     spectrum::{Band, BandError, Basis, Kind, LONGEST_NM, MOST_STEPS, Rect, SHORTEST_NM, Sampling},
     study::Goal,
 };

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Dialect, dialect::Delimiter, units::WavelengthUnit};
+use crate::io::Dialect;
+use crate::io::text::dialect::Delimiter;
+use crate::io::text::units::WavelengthUnit;
 use crate::spectrum::Kind;
 
 /// Decisions about one file; what is `None` the reader decides.

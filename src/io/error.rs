@@ -153,12 +153,12 @@ fn part(text: &str) -> String {
 const LONGEST_KEPT: usize = 500;
 
 /// The start of a text that is kept with every spectrum of a file.
-pub fn kept(text: &str) -> &str {
+pub(super) fn kept(text: &str) -> &str {
     &text[..text.floor_char_boundary(LONGEST_KEPT)]
 }
 
 /// Text of one line, anything unprintable as a blank.
-pub fn printable_line(text: &str) -> String {
+pub(super) fn printable_line(text: &str) -> String {
     text.chars()
         .map(|c| if is_printable(c) { c } else { ' ' })
         .collect()

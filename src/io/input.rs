@@ -3,10 +3,10 @@
 use std::cell::{Cell, OnceCell};
 use std::path::{Path, PathBuf};
 
-use super::choices::Choices;
-use super::error::ReadError;
-pub use super::error::name_of;
-use super::text::{self, Text};
+use crate::io::choices::Choices;
+use crate::io::error::ReadError;
+pub use crate::io::error::name_of;
+use crate::io::text::{self, Text};
 
 /// How much text a sniffer looks at, in bytes.
 const HEAD_BYTES: usize = 8192;

@@ -6,166 +6,62 @@
 //!
 //! ```text
 //! bytes -> text (encoding) -> sniff -> the format's reader -> Reading
-//!   columns: dialect (delimiter, decimals) -> table (blocks) -> titles, layout -> RawSpectrum
-//!   an instrument's own: keyed_lines, cgats_tables, ... -> RawSpectrum; makers_results
+//!   formats: decode (archive, XML, JSON), table (dialect -> blocks -> titles, layout) -> RawSpectrum
 //!   interpret: RawSpectrum -> axis, kind, scale decided -> curve -> Facts -> agree -> describe
 //! ```
 //!
 //! A refusal ([`ReadError`]) is one line with file, line, what was found and what was expected.
 //! Nothing here touches colour or the window.
 
-pub mod alternating;
-pub mod archive;
-pub mod argyll_write;
-pub mod atomic;
-pub mod axis;
+mod choices;
+mod decode;
+mod error;
+mod formats;
+mod input;
+mod interpret;
+mod provenance;
+mod reading;
+mod table;
+mod text;
+mod unopened;
+mod write;
+
 pub mod budget;
-pub mod cgats;
-pub mod cgats_tables;
-pub mod choices;
-pub mod colorimetry_json;
-pub mod colour_png;
-pub mod columns;
-pub mod composite_json;
-pub mod composite_line;
-pub mod csv;
-pub mod curve;
-pub mod cxf;
-pub mod dialect;
-pub mod envi;
-pub mod error;
-pub mod foreign_json;
-pub mod foreign_spectrum;
-pub mod gdtf;
-pub mod guarded;
-pub mod heading;
-pub mod input;
-pub mod interpret;
-pub mod jcamp;
-pub mod keyed_json;
-pub mod keyed_lines;
-pub mod kinds;
-pub mod layout;
-pub mod licor_1800;
-pub mod licor_li180;
-pub mod macam;
-pub mod makers_results;
 pub mod many;
-pub mod meaning;
-pub mod no_table;
-pub mod number;
-pub mod perkin_elmer;
-pub mod pick;
-pub mod plain_json;
-pub mod plain_row;
-pub mod procspec;
-pub mod provenance;
-pub mod raman;
-pub mod reading;
-pub mod refractive_yaml;
-pub mod roles;
-pub mod row_order;
-pub mod rows;
-pub mod samples;
-pub mod scan;
-pub mod sekonic;
-pub mod spd;
-pub mod spdx;
-pub mod spdx_write;
-pub mod spectral_exr;
-pub mod spectral_exr_write;
-pub mod spectral_image;
-pub mod spectrum_json;
-pub mod spotread;
 pub mod stream;
-pub mod svc;
-pub mod table;
-pub mod text;
-pub mod titles;
-pub mod tuv;
-pub mod units;
-pub mod unopened;
-pub mod unreadable;
-pub mod uprtek;
-pub mod usgs;
-pub mod wasatch;
-pub mod words;
-pub mod write;
-pub mod xlsx;
-pub mod xml;
 
 use std::io::Read;
 use std::path::Path;
 
-pub use choices::{Choices, Counted};
-pub use dialect::Dialect;
-pub use error::{ReadError, WriteError};
-pub use input::Input;
-pub use makers_results::{MakersResult, Quantity};
-pub use provenance::Provenance;
-pub use reading::{CompositeFile, Guess, Guessed, Reading};
-pub use write::write_as;
-
-/// How sure a format is that a file is its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Confidence {
-    /// Not this format.
-    No,
-    /// Nothing speaks against it.
-    Possible,
-    /// The content looks like it.
-    Likely,
-    /// The content says so.
-    Certain,
-    /// This program wrote it: words in its names that other formats use do not matter.
-    Own,
-}
-
-/// A file format that the program knows.
-#[derive(Clone, Copy)]
-pub struct Format {
-    /// What messages call it.
-    pub name: &'static str,
-    /// Usual extensions, lower case, for file dialogues.
-    pub extensions: &'static [&'static str],
-    /// How sure it is that a file is its own.
-    pub sniff: fn(&Input) -> Confidence,
-    /// Reads a file of its own, or refuses it.
-    pub read: fn(&Input) -> Result<Reading, ReadError>,
-}
-
-/// Every format, the special before the general.
-pub const FORMATS: &[Format] = &[
-    envi::FORMAT,
-    spectral_exr::FORMAT,
-    gdtf::FORMAT,
-    xlsx::FORMAT,
-    procspec::FORMAT,
-    jcamp::FORMAT,
-    cxf::FORMAT,
-    refractive_yaml::FORMAT,
-    unreadable::FORMAT,
-    composite_json::FORMAT,
-    composite_line::FORMAT,
-    spectrum_json::FORMAT,
-    foreign_json::FORMAT,
-    spdx::FORMAT,
-    spd::FORMAT,
-    cgats::FORMAT,
-    uprtek::FORMAT,
-    licor_li180::FORMAT,
-    sekonic::FORMAT,
-    licor_1800::FORMAT,
-    svc::FORMAT,
-    usgs::FORMAT,
-    perkin_elmer::FORMAT,
-    tuv::FORMAT,
-    macam::FORMAT,
-    wasatch::FORMAT,
-    spotread::FORMAT,
-    raman::FORMAT,
-    columns::FORMAT,
-];
+pub use choices::{Choices, Counted, OfOne};
+pub use decode::guarded::guarded;
+pub use error::{ReadError, WriteError, quoted, shown};
+pub use formats::composite_json::{in_words as composite_in_words, write as composite_json};
+pub use formats::composite_line::{
+    parse as parse_composite_line, write as composite_line, write_lines as composite_lines,
+};
+pub use formats::spectral_image::Meant;
+pub use formats::{Confidence, FORMATS, Format, envi};
+pub use input::{Input, name_of};
+pub use interpret::describe::MOST_UNDERSTOOD;
+pub use provenance::{Column, Columns, Provenance, one_line, shortest};
+pub use reading::decision::{AxisDecision, Decision, Decisions, Origin};
+pub use reading::makers_results::{MakersResult, Quantity};
+pub use reading::remark::PHOTON_NOTE;
+pub use reading::{CompositeFile, Guess, Guessed, Reading, TableFound};
+pub use table::scan::MOST_CELLS;
+pub use text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
+pub use text::number::ABSURD;
+pub use text::units::WavelengthUnit;
+pub use text::{
+    MOST_BYTES, MOST_BYTES_OF_A_FORMAT, decode as decode_text, is_binary, lines as text_lines,
+};
+pub use unopened::words as why_unopened;
+pub use write::atomic::{UNFINISHED, save_atomically, save_by};
+pub use write::colour_png::{ColourPixels, ColourPng};
+pub use write::csv::write as csv;
+pub use write::spectral_exr::reflectance_exr;
+pub use write::{WRITABLE, encode, losses, write_as};
 
 /// What is said of a file beyond [`text::MOST_BYTES`].
 const TOO_LARGE: &str = "more than 512 MiB";
@@ -277,7 +173,7 @@ mod tests {
     #[test]
     fn the_content_decides_and_not_the_extension() {
         let reading = read_bytes("lamp.xlsx", b"380\t0.5\n385\t0.6\n390\t0.7\n").unwrap();
-        assert_eq!(reading.format, columns::FORMAT.name);
+        assert_eq!(reading.format, formats::columns::FORMAT.name);
         assert_eq!(reading.spectra[0].samples.values(), [0.5, 0.6, 0.7]);
     }
 

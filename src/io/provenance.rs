@@ -3,7 +3,7 @@
 use crate::spectrum::NamedSpectrum;
 
 /// What files written here call the program that wrote them.
-pub const ORIGINATOR: &str = "Spectral Explorer";
+pub(super) const ORIGINATOR: &str = "Spectral Explorer";
 
 /// What every export says about itself.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -87,12 +87,12 @@ fn notes_in_a_line(notes: &[String]) -> String {
 }
 
 /// The notes that [`Provenance::of`] wrote in one line.
-pub fn notes_of_a_line(line: &str) -> impl Iterator<Item = &str> {
+pub(super) fn notes_of_a_line(line: &str) -> impl Iterator<Item = &str> {
     line.split(BETWEEN_NOTES).map(str::trim)
 }
 
 /// Title of the column of measured samples.
-pub const MEASURED: &str = "measured";
+pub(super) const MEASURED: &str = "measured";
 
 /// A named column of an export. NaN is written as an empty cell.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use std::sync::mpsc::channel;
 use std::thread;
 use std::time::Duration;
 
-use super::text::MOST_BYTES;
+use crate::io::text::MOST_BYTES;
 
 /// The word that means standard input; `./-` is a file of that name.
 pub const STANDARD_INPUT: &str = "-";

@@ -3,7 +3,7 @@
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-use super::error::shown;
+use crate::io::error::shown;
 
 /// What was found at a path that cannot be opened, and what was expected.
 pub fn words(path: &Path, error: &Error) -> (String, &'static str) {

@@ -5,9 +5,9 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
-use crate::io::choices::OfOne;
+use crate::io::Meant;
+use crate::io::OfOne;
 use crate::io::envi::{all_bytes, header::Header, meaning, pair};
-use crate::io::spectral_image::Meant;
 use crate::spectrum::cube::{Interleave, Number, is_missing};
 
 use super::{Bands, KeptBands, PictureError, Pixels};

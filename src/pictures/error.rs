@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::io::error::WriteError;
+use crate::io::WriteError;
 
 /// Why a picture cannot be made, stored, opened or relit.
 #[derive(Clone, Debug, PartialEq)]

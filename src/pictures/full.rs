@@ -14,7 +14,7 @@ use exr::prelude::{ReadChannels, ReadLayers, f16, read as exr_reader};
 
 use crate::color::Xyz;
 use crate::io::budget;
-use crate::io::guarded::guarded;
+use crate::io::guarded;
 use crate::study::Progress;
 
 use super::header::{About, Header};

@@ -3,7 +3,7 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use crate::io::atomic::save_by;
+use crate::io::save_by;
 use crate::study::Progress;
 
 use super::compact::{Coder, CompactPlan, write_compact};

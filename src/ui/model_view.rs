@@ -17,7 +17,7 @@ use crate::{
         ticks,
     },
     color::Observer,
-    io::error::quoted,
+    io::quoted,
     spectrum::{Band, Basis, LONGEST_NM, MOST_STEPS, SHORTEST_NM, Sampling},
 };
 

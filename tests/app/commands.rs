@@ -1320,7 +1320,7 @@ fn a_surface_under_a_composite_has_the_knobs_of_before_it() {
 fn a_composite_from_a_file_is_shown_as_it_is_and_comes_back_so() {
     let mut app = plain();
     app.apply(Command::Show(preset(&app, "paper/Sodium")));
-    let text = composite_json::write(&composite_file(&app)).expect("a composite");
+    let text = composite_json(&composite_file(&app)).expect("a composite");
     let shown = app.derived().model.clone();
     let mut again = plain();
     again.apply(Command::Open(vec![opened("lamp.json", text.as_bytes())]));

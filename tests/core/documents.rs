@@ -13,7 +13,7 @@ use spectral_explorer::{
         open::{batch, folders},
         pages::{Page, Place},
     },
-    io::{FORMATS, dialect, scan, text, write::WRITABLE},
+    io::{FORMATS, MOST_BYTES, MOST_BYTES_OF_A_FORMAT, MOST_CELLS, MOST_COLUMNS, WRITABLE},
 };
 
 /// Every folder of `src` and every file of Rust in them, by their paths in the project.
@@ -161,10 +161,10 @@ fn the_limits_are_those_of_the_program() {
     let rows = rows(section(&formats, "## Limits"));
     let told: Vec<u64> = rows.iter().skip(1).map(|row| amount(row[0])).collect();
     let known = [
-        text::MOST_BYTES,
-        text::MOST_BYTES_OF_A_FORMAT as u64,
-        scan::MOST_CELLS as u64,
-        dialect::MOST_COLUMNS as u64,
+        MOST_BYTES,
+        MOST_BYTES_OF_A_FORMAT as u64,
+        MOST_CELLS as u64,
+        MOST_COLUMNS as u64,
         // Spectra of one file, a limit that the reader of tables keeps to itself.
         100_000,
         folders::MOST_DEPTH as u64,

@@ -580,7 +580,7 @@ fn text_that_speaks_of_the_xml_format_is_not_taken_for_it() {
 
 #[test]
 fn the_makers_own_results_are_kept() {
-    use spectral_explorer::io::makers_results::Quantity;
+    use spectral_explorer::io::Quantity;
     let Some(folder) = folder() else { return };
     for (name, quantity, value) in [
         ("ESPD2021_0104_231446.xls", Quantity::Cct, 5198.0),

@@ -12,10 +12,8 @@ use spectral_explorer::{
         scale::Scale,
     },
     io::{
-        Provenance, composite_json, composite_line,
-        provenance::Columns,
-        read_bytes, read_path,
-        write::{WRITABLE, encode, losses},
+        Columns, Provenance, WRITABLE, composite_json, composite_line, encode, losses,
+        parse_composite_line, read_bytes, read_path,
     },
     spectrum::{Kind, NamedSpectrum, Sampled},
 };
@@ -239,14 +237,11 @@ fn every_export_of_the_window_says_scale_and_version_and_is_read_back() {
         assert!((0.5..=most).contains(&peak), "{name}: {peak}");
     }
     let file = composite_file(&app);
-    let json = composite_json::write(&file).expect("finite numbers");
+    let json = composite_json(&file).expect("finite numbers");
     let back = read_bytes("x.json", json.as_bytes()).expect("a composite");
     assert_eq!(back.composites[0].composite, file.composite);
-    let line = composite_line::write(&file.composite);
-    assert_eq!(
-        composite_line::parse(&line).expect("a line"),
-        file.composite
-    );
+    let line = composite_line(&file.composite);
+    assert_eq!(parse_composite_line(&line).expect("a line"), file.composite);
 }
 
 #[test]

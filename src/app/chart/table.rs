@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, fmt::Write as _};
 use super::{Chart, Marks, Series};
 use crate::{
     app::cells::{number, words},
-    io::provenance::one_line,
+    io::one_line,
 };
 
 /// A column of numbers over places of its own.

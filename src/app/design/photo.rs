@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::{
-    io::{colour_png::ColourPng, input::name_of},
+    io::{ColourPng, name_of},
     study::Progress,
 };
 
@@ -56,7 +56,7 @@ impl Photo {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::colour_png::ColourPixels;
+    use crate::io::ColourPixels;
 
     #[test]
     fn a_pixel_is_found_by_its_place_however_small_the_picture_is_drawn() {

@@ -9,7 +9,7 @@ use crate::{
         origin::SourceFile,
         studies::{Job, Stage, Wake, Work},
     },
-    io::{Choices, text},
+    io::{Choices, decode_text, is_binary},
 };
 
 /// Files up to this size are read again at once, larger ones on a thread of their own; bytes.
@@ -69,7 +69,7 @@ pub(super) fn head(file: &SourceFile) -> String {
         }
         (None, None) => {}
     }
-    if text::is_binary(&bytes) {
+    if is_binary(&bytes) {
         return String::new();
     }
     if bytes.len() == HEAD_BYTES {
@@ -78,7 +78,7 @@ pub(super) fn head(file: &SourceFile) -> String {
         let end = bytes.iter().rposition(|b| *b == b'\n').unwrap_or(0);
         bytes.truncate(if wide { end & !1 } else { end });
     }
-    text::decode(&bytes).text.into_owned()
+    decode_text(&bytes).text.into_owned()
 }
 
 /// Reads one file again and again.

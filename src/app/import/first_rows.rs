@@ -1,6 +1,6 @@
 //! The first rows of a file, cut into cells as its table was.
 
-use crate::io::{dialect::used, reading::TableFound, text};
+use crate::io::{TableFound, text_lines, used};
 
 /// Rows shown.
 const ROWS: usize = 40;
@@ -83,7 +83,7 @@ pub(super) fn head(text: &str, table: Option<&TableFound>) -> Head {
         )
     };
     let mut above: Vec<&str> = Vec::new();
-    for (number, line) in text::lines(text) {
+    for (number, line) in text_lines(text) {
         if number < table.first_line {
             if !line.trim().is_empty() {
                 above.push(line);

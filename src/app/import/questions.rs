@@ -4,15 +4,8 @@ use super::{Flip, first_rows::MOST_COLUMNS};
 use crate::{
     app::opened::Opened,
     io::{
-        Choices, Counted, Guess, Guessed,
-        dialect::Delimiter,
-        envi,
-        interpret::{
-            decision::{AxisDecision, Decision, Decisions, Origin},
-            describe::MOST_UNDERSTOOD,
-        },
-        reading::TableFound,
-        units::WavelengthUnit,
+        AxisDecision, Choices, Counted, Decision, Decisions, Delimiter, Guess, Guessed,
+        MOST_UNDERSTOOD, Origin, TableFound, WavelengthUnit, envi,
     },
     spectrum::Kind,
 };

@@ -6,7 +6,7 @@ use std::{
 };
 
 use super::format::{Fault, Lesson};
-use crate::io::atomic::save_atomically;
+use crate::io::save_atomically;
 
 /// Files of the shipped lessons by their names, in the order of the list.
 pub const FILES: [(&str, &str); 12] = [

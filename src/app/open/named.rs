@@ -10,12 +10,7 @@ use std::{
 use super::{Loaded, load_named};
 use crate::{
     app::{entry::Entry, library::Library, opened::Opened},
-    io::{
-        Choices, MakersResult,
-        error::{quoted, shown},
-        stream::is_stream,
-        unopened,
-    },
+    io::{Choices, MakersResult, quoted, shown, stream::is_stream, why_unopened},
     preset::Body,
     spectrum::{Composite, Kind, NamedSpectrum, Rect},
 };
@@ -298,7 +293,7 @@ fn no_file(path: &Path) -> Option<String> {
     }
     let error = fs::metadata(path).err()?;
     let is_there = path.is_symlink() || stands_on_a_file(path);
-    let (found, expected) = unopened::words(path, &error);
+    let (found, expected) = why_unopened(path, &error);
     (is_there || names_a_file(path)).then(|| {
         let name = shown(path);
         format!("{name}: found {found}, expected {expected}")

@@ -4,9 +4,11 @@ use std::path::PathBuf;
 
 use super::{Loaded, batch::Came, batch::FileRead};
 use crate::{
-    app::cells::{line, words},
-    app::opened::Opened,
-    io::{Guess, Guessed, error::shown, many::many},
+    app::{
+        cells::{line, words},
+        opened::Opened,
+    },
+    io::{Guess, Guessed, many::many, shown},
 };
 
 /// Formats that the headline tells by name.

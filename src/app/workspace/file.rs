@@ -6,7 +6,7 @@ use std::{
 };
 
 use super::{Restored, from_json};
-use crate::io::atomic::{UNFINISHED, save_atomically};
+use crate::io::{UNFINISHED, save_atomically};
 
 /// Where the workspace lies on this computer; `None` when the system names no data folder.
 pub fn default_path() -> Option<PathBuf> {

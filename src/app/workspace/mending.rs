@@ -9,7 +9,7 @@ use std::marker::PhantomData;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value, json};
 
-use crate::io::error::quoted;
+use crate::io::quoted;
 
 /// Pieces that are tried one by one where a list or group of fixed form does not fit.
 const MOST_TRIED: usize = 64;

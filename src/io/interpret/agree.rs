@@ -3,15 +3,14 @@
 
 use crate::io::Reading;
 use crate::io::choices::Counted;
+use crate::io::reading::decision::{Decision, Origin};
+use crate::io::reading::facts::Facts;
 use crate::spectrum::Kind;
-
-use super::decision::{Decision, Origin};
-use super::facts::Facts;
 
 /// Takes what was guessed to be a fraction for per cent where others of its kind in the file were
 /// guessed to be per cent. What the file states, or a person decided, stays. What is plain of one
 /// spectrum is plain of the others, so that nothing is asked about the black patch of a chart.
-pub fn agree(reading: &mut Reading) {
+pub(crate) fn agree(reading: &mut Reading) {
     for kind in [Kind::Reflectance, Kind::Transmittance] {
         count_alike(kind, reading);
     }

@@ -1,22 +1,21 @@
 //! Everything that was found and decided in words: the line of provenance, the notes, and what a
 //! person may be asked. Nothing is decided here, and no sentence is changed afterwards.
 
+use super::agree::agree;
 use crate::io::choices::Counted;
+use crate::io::reading::decision::{AxisDecision, Decision};
+use crate::io::reading::facts::Facts;
+use crate::io::reading::remark::{Remark, unit_words};
 use crate::io::reading::{Guess, Guessed, provenance};
 use crate::io::{Choices, Reading};
 use crate::spectrum::NamedSpectrum;
-
-use super::agree::agree;
-use super::decision::{AxisDecision, Decision};
-use super::facts::Facts;
-use super::remark::{Remark, unit_words};
 
 /// Spectra of one file of which it is kept how they were understood; of the others the guesses
 /// tell enough.
 pub const MOST_UNDERSTOOD: usize = 64;
 
 /// Ends a reading: spectra that must agree do, and all is put in words.
-pub fn finish(choices: &Choices, reading: &mut Reading) {
+pub(crate) fn finish(choices: &Choices, reading: &mut Reading) {
     if let Some(kind) = choices.kind {
         let models = reading.composites.iter_mut();
         models.for_each(|model| model.kind = kind);

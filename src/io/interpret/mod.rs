@@ -3,26 +3,27 @@
 //! read; then spectra that must agree are brought together ([`agree`]) and everything is put in
 //! words ([`describe`]).
 
-pub mod agree;
-pub mod decision;
-pub mod describe;
-pub mod facts;
-pub mod raw;
-pub mod remark;
+pub(super) mod agree;
+pub(super) mod axis;
+pub(super) mod curve;
+pub(super) mod describe;
+pub(super) mod heading;
+pub(super) mod kinds;
+pub(super) mod meaning;
+pub(super) mod raw;
 
-use crate::io::axis::{self, Axis};
-use crate::io::choices::{Counted, OfOne};
-use crate::io::curve::{self, Trouble};
-use crate::io::heading::Heading;
+use crate::io::choices::Counted;
 use crate::io::provenance::notes_of_a_line;
-use crate::io::units::{WavelengthUnit, names_wavelength};
-use crate::io::{Input, ReadError, Reading, budget, kinds, meaning};
+use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
+use crate::io::reading::facts::Facts;
+use crate::io::reading::remark::Remark;
+use crate::io::text::units::{WavelengthUnit, names_wavelength};
+use crate::io::{Input, ReadError, Reading, budget};
 use crate::spectrum::{Kind, NamedSpectrum};
-
-use decision::{AxisDecision, Decision, Decisions};
-use facts::Facts;
+use axis::Axis;
+use curve::{Cleaned, Trouble};
+use heading::Heading;
 use raw::{Known, KnownScale, RawAxis, RawSpectrum};
-use remark::Remark;
 
 /// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
 /// tens of thousands of spectra of a few values each would take far more than their size.
@@ -40,7 +41,7 @@ const MOST_SPECTRA: usize = 100_000;
 ///
 /// # Errors
 /// [`ReadError`] with their number.
-pub fn check_room(input: &Input, spectra: usize) -> Result<(), ReadError> {
+pub(super) fn check_room(input: &Input, spectra: usize) -> Result<(), ReadError> {
     if spectra > MOST_SPECTRA {
         let expected = format!("at most {MOST_SPECTRA} in one file");
         return Err(input.error(format!("{spectra} spectra"), expected));
@@ -56,7 +57,11 @@ pub fn check_room(input: &Input, spectra: usize) -> Result<(), ReadError> {
 ///
 /// # Errors
 /// [`ReadError`] when the numbers are no spectrum.
-pub fn interpret(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
+pub(super) fn interpret(
+    raw: RawSpectrum,
+    input: &Input,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
     check_room(input, reading.spectra.len() + 1)?;
     add(raw, input, reading)
 }
@@ -65,27 +70,20 @@ pub fn interpret(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Resu
 ///
 /// # Errors
 /// As [`interpret`].
-pub fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
+pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(), ReadError> {
     let index = reading.spectra.len();
     let RawSpectrum {
-        name,
         axis,
         mut values,
         title,
-        percent_signs,
-        heading,
         known,
-        lines,
-        how,
-        notes,
-        source,
-        before,
+        ..
     } = raw;
     let none = Heading::default();
     let is_written = matches!(axis, RawAxis::Written { .. });
-    let heading = heading.unwrap_or(&none);
+    let heading = raw.heading.unwrap_or(&none);
     let mut remarks = vec![Remark::Line];
-    remarks.extend(notes.into_iter().map(Remark::Note));
+    remarks.extend(raw.notes.into_iter().map(Remark::Note));
 
     let (unit, axis_decision, against) = decide_axis(&axis, heading, input);
     if is_written {
@@ -95,37 +93,24 @@ pub fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(),
             drop_sentinels(&mut values, &mut remarks);
         }
     }
-    let cleaned = match &axis {
-        RawAxis::Nm(nm, _) => curve::clean(nm, &values),
-        RawAxis::Written { scale, title, .. } => {
-            let reversals = match names_wavelength(title) {
-                true => curve::TRACED_REVERSALS,
-                false => curve::MOST_REVERSALS,
-            };
-            scale.clean(unit, values, reversals)
-        }
-    };
-    let cleaned = cleaned.map_err(|trouble| refusal(input, &trouble, lines))?;
+    let cleaned =
+        clean(&axis, unit, values).map_err(|trouble| refusal(input, &trouble, raw.lines))?;
     remarks.extend(cleaned.remarks);
     let samples = cleaned.samples;
 
-    let chosen = OfOne {
-        kind: input.choices.kind_of(index),
-        counted: input.choices.counted_of(index),
-    };
     let own = match &known.kind {
         Some(kind) => kind.clone(),
         None => kinds::kind(&title, &heading.kind, &input.name, samples.values()),
     };
     let own_kind = own.value;
-    let (kind, against_choice) = decide_kind(own, chosen.kind);
+    let (kind, against_choice) = decide_kind(own, input.choices.kind_of(index));
     remarks.push(against_choice.unwrap_or(Remark::Kind));
-    let (counted, scale) =
-        decide_scale((kind.value, own_kind), &known.scale, chosen.counted, || {
-            let values = samples.values();
-            let size = meaning::counted(&title, heading.percent, percent_signs, values);
-            or_large(size, known.may_be_large, values)
-        });
+    let counted = input.choices.counted_of(index);
+    let (counted, scale) = decide_scale((kind.value, own_kind), &known.scale, counted, || {
+        let values = samples.values();
+        let size = meaning::counted(&title, heading.percent, raw.percent_signs, values);
+        or_large(size, known.may_be_large, values)
+    });
     if is_written || counted.as_ref().is_some_and(Decision::is_guess) {
         remarks.push(Remark::Counted);
     }
@@ -134,15 +119,14 @@ pub fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(),
         scale => samples.scaled(scale),
     };
     let unit_of_values = unit_of_values(kind.value, known, &title, heading);
-    if is_written && kind.value == Kind::Light {
-        if meaning::counts_photons(&unit_of_values) {
-            remarks.push(Remark::Photons);
-        }
-        if !unit.is_length() {
-            remarks.push(Remark::PerOther);
-        }
+    let is_written_light = is_written && kind.value == Kind::Light;
+    if is_written_light && meaning::counts_photons(&unit_of_values) {
+        remarks.push(Remark::Photons);
     }
-    let before = notes_of_a_line(before).filter(|note| !note.is_empty());
+    if is_written_light && !unit.is_length() {
+        remarks.push(Remark::PerOther);
+    }
+    let before = notes_of_a_line(raw.before).filter(|note| !note.is_empty());
     remarks.extend(before.map(|note| Remark::Before(note.to_owned())));
     reading.facts.push(Facts {
         decisions: Decisions {
@@ -152,19 +136,35 @@ pub fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Result<(),
         },
         against,
         tells_scale: true,
-        how,
+        how: raw.how,
         remarks,
     });
     reading.spectra.push(NamedSpectrum {
-        name,
+        name: raw.name,
         kind: kind.value,
         unit: unit_of_values,
         scale,
         samples,
         notes: Vec::new(),
-        source: source.unwrap_or_else(|| heading.source.unwrap_or(&input.name).to_owned()),
+        source: raw
+            .source
+            .unwrap_or_else(|| heading.source.unwrap_or(&input.name).to_owned()),
     });
     Ok(())
+}
+
+/// The curve that values make over their axis.
+fn clean(axis: &RawAxis, unit: WavelengthUnit, values: Vec<f64>) -> Result<Cleaned, Trouble> {
+    match axis {
+        RawAxis::Nm(nm, _) => curve::clean(nm, &values),
+        RawAxis::Written { scale, title, .. } => {
+            let reversals = match names_wavelength(title) {
+                true => curve::TRACED_REVERSALS,
+                false => curve::MOST_REVERSALS,
+            };
+            scale.clean(unit, values, reversals)
+        }
+    }
 }
 
 /// The unit of an axis, what was decided about it, and another unit that the file names.
@@ -196,7 +196,10 @@ fn decide_axis(
 
 /// What values stand for: as a person says, else as the file does. With what goes against the
 /// person, where that is plain.
-pub fn decide_kind(own: Decision<Kind>, chosen: Option<Kind>) -> (Decision<Kind>, Option<Remark>) {
+pub(super) fn decide_kind(
+    own: Decision<Kind>,
+    chosen: Option<Kind>,
+) -> (Decision<Kind>, Option<Remark>) {
     let Some(kind) = chosen else {
         return (own, None);
     };
@@ -207,7 +210,7 @@ pub fn decide_kind(own: Decision<Kind>, chosen: Option<Kind>) -> (Decision<Kind>
 
 /// What the values of a factor are counted in, and the factor to fractions; for other values the
 /// factor to their unit. `size` decides by titles and by the size of the values.
-pub fn decide_scale(
+pub(super) fn decide_scale(
     (kind, own): (Kind, Kind),
     known: &KnownScale,
     chosen: Option<Counted>,
@@ -241,7 +244,11 @@ pub fn decide_scale(
 }
 
 /// What the size of values tells, where they may be whole numbers to 10,000.
-pub fn or_large(size: Decision<Counted>, may_be_large: bool, values: &[f64]) -> Decision<Counted> {
+pub(super) fn or_large(
+    size: Decision<Counted>,
+    may_be_large: bool,
+    values: &[f64],
+) -> Decision<Counted> {
     let is_large = may_be_large
         && size.value != Counted::SixteenBits
         && meaning::largest(values) > meaning::MOST_PERCENT;

@@ -2,16 +2,15 @@
 
 use std::cell::{OnceCell, RefCell};
 
+use super::curve::{self, Cleaned, Trouble};
+use super::heading::Heading;
 use crate::io::choices::Counted;
-use crate::io::curve::{self, Cleaned, Trouble};
-use crate::io::heading::Heading;
-use crate::io::units::WavelengthUnit;
+use crate::io::reading::decision::{AxisDecision, Decision};
+use crate::io::text::units::WavelengthUnit;
 use crate::spectrum::{Kind, Sampled};
 
-use super::decision::{AxisDecision, Decision};
-
 /// A spectrum on its way from a reader to [`interpret`](super::interpret()).
-pub struct RawSpectrum<'a> {
+pub(crate) struct RawSpectrum<'a> {
     /// What to call it.
     pub name: String,
     /// Its wavelengths.
@@ -39,7 +38,7 @@ pub struct RawSpectrum<'a> {
 }
 
 /// The wavelengths of a spectrum.
-pub enum RawAxis<'a> {
+pub(crate) enum RawAxis<'a> {
     /// In nm, as the format knows; NaN where one is missing. What else was decided to get them.
     Nm(&'a [f64], Option<AxisDecision>),
     /// As a table has them.
@@ -82,12 +81,17 @@ pub enum KnownScale {
 
 impl<'a> RawSpectrum<'a> {
     /// A spectrum of a light on wavelengths in nm, with nothing more to say about it.
-    pub fn light(name: impl Into<String>, nm: &'a [f64], values: Vec<f64>, unit: &str) -> Self {
+    pub(crate) fn light(
+        name: impl Into<String>,
+        nm: &'a [f64],
+        values: Vec<f64>,
+        unit: &str,
+    ) -> Self {
         Self::known(name, nm, values, Decision::of_format(Kind::Light), unit)
     }
 
     /// A spectrum of a known kind on wavelengths in nm.
-    pub fn known(
+    pub(crate) fn known(
         name: impl Into<String>,
         nm: &'a [f64],
         values: Vec<f64>,
@@ -116,7 +120,7 @@ impl<'a> RawSpectrum<'a> {
     }
 
     /// A spectrum of a table, of which titles and numbers tell everything.
-    pub fn written(
+    pub(crate) fn written(
         name: impl Into<String>,
         scale: &'a Scale<'a>,
         axis_title: &str,
@@ -145,7 +149,7 @@ impl<'a> RawSpectrum<'a> {
 
     /// The same, its decimals marked by commas or not.
     #[must_use]
-    pub fn with_comma(mut self, decimal_comma: bool) -> Self {
+    pub(crate) fn with_comma(mut self, decimal_comma: bool) -> Self {
         if decimal_comma {
             self.how.push("decimal comma".to_owned());
         }
@@ -154,7 +158,7 @@ impl<'a> RawSpectrum<'a> {
 
     /// The same with wavelengths that say "nm", or not.
     #[must_use]
-    pub fn saying_nm(mut self, says: bool) -> Self {
+    pub(crate) fn saying_nm(mut self, says: bool) -> Self {
         if let RawAxis::Written { says_nm, .. } = &mut self.axis {
             *says_nm = says;
         }
@@ -164,7 +168,7 @@ impl<'a> RawSpectrum<'a> {
 
 /// Wavelengths as a file gives them, and what was found of them: a long table has one column of
 /// them for many of values.
-pub struct Scale<'a> {
+pub(crate) struct Scale<'a> {
     /// In the file's unit; NaN where one is missing.
     numbers: &'a [f64],
     extent: OnceCell<(f64, f64)>,
@@ -174,7 +178,7 @@ pub struct Scale<'a> {
 
 impl<'a> Scale<'a> {
     /// Wavelengths in the file's unit; NaN where one is missing.
-    pub fn new(numbers: &'a [f64]) -> Self {
+    pub(crate) fn new(numbers: &'a [f64]) -> Self {
         Self {
             numbers,
             extent: OnceCell::new(),

@@ -34,7 +34,7 @@ use crate::{
         sheet,
         state::Tone,
     },
-    io::{atomic::save_atomically, input::name_of},
+    io::{name_of, save_atomically},
 };
 
 /// What is waiting for a path.

@@ -14,7 +14,7 @@ use crate::{
         state::App,
         ticks::short,
     },
-    io::provenance::one_line,
+    io::one_line,
     spectrum::Band,
 };
 

@@ -1,0 +1,136 @@
+//! Zip archives: members by name, unpacked in memory and never onto the disk.
+//!
+//! Every byte that comes out is counted: an archive that unfolds to more than its size allows is
+//! refused, whatever its directory says. Names are only compared, never used as paths.
+
+use std::io::{Cursor, Read};
+
+use zip::ZipArchive;
+
+use super::guarded::guarded;
+use crate::io::{Input, ReadError, budget};
+
+/// Most members that are looked at.
+const MOST_MEMBERS: usize = 10_000;
+
+/// Whether bytes start as a zip archive.
+pub(crate) fn is_zip(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
+}
+
+/// Whether an archive names a member in its first or last part; a look, not a search.
+pub(crate) fn seems_to_hold(bytes: &[u8], name: &str) -> bool {
+    let head = &bytes[..bytes.len().min(1 << 16)];
+    let tail = &bytes[bytes.len().saturating_sub(1 << 16)..];
+    let holds = |part: &[u8]| part.windows(name.len()).any(|w| w == name.as_bytes());
+    is_zip(bytes) && (holds(head) || holds(tail))
+}
+
+/// An archive in memory and what may still come out of it.
+pub(crate) struct Archive<'a, 'b> {
+    input: &'a Input<'b>,
+    zip: ZipArchive<Cursor<&'a [u8]>>,
+    /// Names of the members, in the archive's order.
+    pub names: Vec<String>,
+    left: usize,
+}
+
+impl<'a, 'b> Archive<'a, 'b> {
+    /// Opens an archive from which at most `share` of the memory that its size allows may come.
+    ///
+    /// # Errors
+    /// [`ReadError`] when it is broken or has too many members.
+    pub(crate) fn open(input: &'a Input<'b>, share: f64) -> Result<Self, ReadError> {
+        let zip = guarded(|| ZipArchive::new(Cursor::new(input.bytes)));
+        let zip = match zip {
+            Some(Ok(zip)) => zip,
+            Some(Err(error)) => return Err(broken(input, &error.to_string())),
+            None => return Err(broken(input, "unreadable")),
+        };
+        if zip.len() > MOST_MEMBERS {
+            let found = format!("an archive of {} members", zip.len());
+            return Err(input.error(found, format!("at most {MOST_MEMBERS}")));
+        }
+        let names = zip
+            .file_names()
+            .map(|name| name.map_or_else(|_| String::new(), |name| name.into_owned()))
+            .collect();
+        Ok(Self {
+            input,
+            zip,
+            names,
+            left: (budget::of(input.bytes.len()) as f64 * share) as usize,
+        })
+    }
+
+    /// The content of a member.
+    ///
+    /// # Errors
+    /// [`ReadError`] when it is broken, or too much comes out of the archive.
+    pub(crate) fn member(&mut self, index: usize) -> Result<Vec<u8>, ReadError> {
+        let mut content = Vec::new();
+        self.unpack(index, |piece| content.extend_from_slice(piece))?;
+        Ok(content)
+    }
+
+    /// Unpacks the members whose names are told and keeps nothing: for archives that another
+    /// parser opens.
+    ///
+    /// # Errors
+    /// As [`Archive::member`].
+    pub(crate) fn count(&mut self, is_told: impl Fn(&str) -> bool) -> Result<(), ReadError> {
+        for index in 0..self.names.len() {
+            if is_told(&self.names[index]) {
+                self.unpack(index, |_| {})?;
+            }
+        }
+        Ok(())
+    }
+
+    fn unpack(&mut self, index: usize, mut take: impl FnMut(&[u8])) -> Result<(), ReadError> {
+        let Self {
+            input, zip, left, ..
+        } = self;
+        let outcome = guarded(|| {
+            let mut member = zip.by_index(index).map_err(|e| e.to_string())?;
+            let mut piece = [0; 16 * 1024];
+            loop {
+                match member.read(&mut piece).map_err(|e| e.to_string())? {
+                    0 => return Ok(true),
+                    n if n > *left => return Ok(false),
+                    n => {
+                        *left -= n;
+                        take(&piece[..n]);
+                    }
+                }
+            }
+        });
+        match outcome.unwrap_or_else(|| Err("unreadable".to_owned())) {
+            Ok(true) => Ok(()),
+            Ok(false) => Err(input.error(
+                "an archive that unfolds to far more than its size",
+                budget::WORDS,
+            )),
+            Err(why) => Err(broken(input, &why)),
+        }
+    }
+}
+
+fn broken(input: &Input, why: &str) -> ReadError {
+    input.error(format!("a broken zip archive ({why})"), "a whole one")
+}
+
+/// An archive for tests.
+#[cfg(test)]
+pub(crate) fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
+    use std::io::Write;
+    use zip::write::{SimpleFileOptions, ZipWriter};
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for (name, content) in members {
+        let options =
+            SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
+        zip.start_file(*name, options).expect("a member");
+        zip.write_all(content).expect("its content");
+    }
+    zip.finish().expect("an archive").into_inner()
+}

@@ -1,0 +1,7 @@
+//! Packed and nested files taken apart: archives, XML and JSON; nothing about spectra.
+
+pub(super) mod archive;
+pub(super) mod guarded;
+pub(super) mod json;
+pub(super) mod json_tree;
+pub(super) mod xml;

@@ -1,0 +1,146 @@
+//! Which columns of a CGATS table make a spectrum, and their wavelengths.
+
+use std::collections::HashMap;
+
+use super::tables::CgatsTable;
+use crate::io::write::argyll::LABELS_NM;
+
+/// Most kinds of columns, told by what their labels have in common, that are looked at.
+const MOST_GROUPS: usize = 1000;
+
+/// Fewest columns of one kind that are a spectrum.
+const FEWEST_BANDS: usize = 3;
+
+/// Largest difference of a rounded label from its wavelength, nm.
+const ROUNDED_NM: f64 = 0.5 + 1e-6;
+
+/// Columns that make one spectrum a set.
+#[derive(Debug)]
+pub(super) struct Bands {
+    /// What their labels have in common: `SPEC_`, `nm`.
+    pub word: String,
+    /// Column of each band.
+    pub columns: Vec<usize>,
+    /// Wavelengths that the labels tell, nm.
+    pub labels: Vec<f64>,
+    /// Columns of wavelengths, where they stand among the data.
+    pub nm_columns: Vec<usize>,
+}
+
+/// A label's wavelength and what stands around it: `SPECTRAL_NM380_M1` is 380, `SPECTRAL_NM` and
+/// `_M1`.
+fn label(field: &str) -> Option<(f64, String)> {
+    let start = field.find(|c: char| c.is_ascii_digit())?;
+    let rest = &field[start..];
+    let end = rest
+        .find(|c: char| !c.is_ascii_digit() && c != '.' && c != ',')
+        .unwrap_or(rest.len());
+    let nm: f64 = rest[..end].replace(',', ".").parse().ok()?;
+    let before = field[..start].trim_end_matches(['_', '-', '.']);
+    let after = rest[end..].trim_start_matches(['_', '-']);
+    let after = after
+        .strip_prefix("nm")
+        .or(after.strip_prefix("NM"))
+        .unwrap_or(after);
+    let plausible = LABELS_NM.contains(&nm) && before.len() <= 32 && after.len() <= 16;
+    plausible.then(|| (nm, format!("{before}|{after}")))
+}
+
+/// The spectra that the columns of a table hold.
+pub(super) fn bands(fields: &[&str]) -> Vec<Bands> {
+    let mut groups: HashMap<String, usize> = HashMap::new();
+    let mut found: Vec<Bands> = Vec::new();
+    let mut last_nm_column = None;
+    for (column, field) in fields.iter().enumerate() {
+        let upper = if field.len() <= 64 {
+            field.to_uppercase()
+        } else {
+            String::new()
+        };
+        // CGATS.17: a column with the wavelength before each column with the value.
+        if upper == "SPECTRAL_NM" {
+            last_nm_column = Some(column);
+            continue;
+        }
+        let pair = matches!(
+            upper.as_str(),
+            "SPECTRAL_DEC" | "SPECTRAL_PCT" | "SPECTRAL_VAL"
+        );
+        let (word, nm) = match (pair, last_nm_column.take(), label(field)) {
+            (true, Some(nm_column), _) => (upper, Err(nm_column)),
+            (_, _, Some((nm, word))) => (word, Ok(nm)),
+            _ => continue,
+        };
+        let next = found.len();
+        if next >= MOST_GROUPS && !groups.contains_key(&word) {
+            continue;
+        }
+        let at = *groups.entry(word.clone()).or_insert(next);
+        if at == next {
+            found.push(Bands {
+                word,
+                columns: Vec::new(),
+                labels: Vec::new(),
+                nm_columns: Vec::new(),
+            });
+        }
+        let group = &mut found[at];
+        group.columns.push(column);
+        match nm {
+            Ok(nm) => group.labels.push(nm),
+            Err(nm_column) => group.nm_columns.push(nm_column),
+        }
+    }
+    // Ink values are numbered too (`7CLR_1`), in hundreds never.
+    found.retain(|group| {
+        let pairs = !group.nm_columns.is_empty();
+        let rising = group.labels.windows(2).all(|p| p[1] > p[0]);
+        let falling = group.labels.windows(2).all(|p| p[1] < p[0]);
+        pairs || group.columns.len() >= FEWEST_BANDS && (rising || falling)
+    });
+    found
+}
+
+/// The wavelengths of a table's bands, and what is to be said about them.
+pub(super) fn grid(table: &CgatsTable, labels: &[f64]) -> (Vec<f64>, Option<String>) {
+    let number = |key: &str| table.number(key).filter(|v| v.is_finite());
+    let stated = (
+        number("SPECTRAL_BANDS"),
+        number("SPECTRAL_START_NM"),
+        number("SPECTRAL_END_NM"),
+    );
+    let (Some(bands), Some(start), Some(end)) = stated else {
+        return (labels.to_vec(), None);
+    };
+    let header = format!("SPECTRAL_BANDS {bands} from {start} to {end} nm");
+    let (first, last) = (labels[0], labels[labels.len() - 1]);
+    let columns = format!("{} columns from {first} to {last} nm", labels.len());
+    if bands != labels.len() as f64 || labels.len() < 2 {
+        let note =
+            format!("the header says {header} and there are {columns}: the columns are believed");
+        return (labels.to_vec(), Some(note));
+    }
+    let step = (end - start) / (bands - 1.0);
+    let even: Vec<f64> = (0..labels.len()).map(|i| start + step * i as f64).collect();
+    let largest = labels
+        .iter()
+        .zip(&even)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
+    let whole = labels.iter().all(|nm| nm.fract() == 0.0);
+    // Labels with decimals are rounded much finer.
+    let most = if whole { ROUNDED_NM } else { 0.06 };
+    if largest > most {
+        let note = format!(
+            "the header says {header} and the labels are {columns}: the labels are believed"
+        );
+        (labels.to_vec(), Some(note))
+    } else if largest > 1e-9 {
+        let note = format!(
+            "labels are rounded, by up to {largest:.3} nm: the header's {header} is believed"
+        );
+        (even, Some(note))
+    } else {
+        (labels.to_vec(), None)
+    }
+}

@@ -1,0 +1,539 @@
+//! CGATS text: Argyll `.sp`, `.ccss`, `.ti3`, CGATS.17 and IT8.7 with spectral columns.
+//!
+//! ```text
+//! SPECT                                   what the file is: SPECT, CCSS, CTI3, CGATS.17, IT8.7/2, ...
+//! MEAS_TYPE "REFLECTIVE"                  EMISSION, AMBIENT, TRANSMISSIVE, SENSITIVITY, ..._FLASH
+//! SPECTRAL_BANDS "36"                     the grid, once more; it may lie
+//! SPECTRAL_START_NM "380.000000"
+//! SPECTRAL_END_NM "730.000000"
+//! SPECTRAL_NORM "100.000000"              the number that stands for 1
+//! BEGIN_DATA_FORMAT
+//! SAMPLE_ID SPEC_380 SPEC_390 ...         nm380, SPECTRAL_NM380, SPECTRAL_380, R_380, ... likewise
+//! END_DATA_FORMAT
+//! BEGIN_DATA
+//! 1 3.823428 3.817302 ...                 one set, one spectrum
+//! END_DATA                                further tables may follow
+//! ```
+//!
+//! Header and labels are compared. Labels are whole nanometres even where the grid is finer
+//! (SPEC_373 for 373.333), so that a header that agrees with every label to half a nanometre is
+//! believed; otherwise the labels are, since they stand with the numbers. Argyll counts light in
+//! mW (docs of spotread): radiance per m2, sr and nm, ambient light per m2 and nm. In the pairs
+//! `SPECTRAL_NM SPECTRAL_DEC` of CGATS.17 the wavelengths stand among the data.
+
+mod bands;
+mod quantity;
+mod tables;
+
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format};
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::{Input, ReadError, Reading};
+use bands::{Bands, bands, grid};
+use quantity::quantity;
+use tables::CgatsTable;
+
+/// Argyll and CGATS text.
+pub(crate) const FORMAT: Format = Format {
+    name: "CGATS",
+    extensions: &["sp", "ccss", "ti3", "cgats", "txt"],
+    sniff,
+    read,
+};
+
+/// Most spectra that one file may hold: each takes memory of its own beside its numbers.
+pub(crate) const MOST_SPECTRA: usize = 20_000;
+
+/// First words of files of the family.
+const FIRST_WORDS: [&str; 9] = [
+    "SPECT",
+    "CCSS",
+    "CCMX",
+    "CTI1",
+    "CTI2",
+    "CTI3",
+    "CAL",
+    "ISO28178",
+    "LGOROWLENGTH",
+];
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    let first = head.split_whitespace().next().unwrap_or("");
+    let known =
+        FIRST_WORDS.contains(&first) || first.starts_with("CGATS") || first.starts_with("IT8.7/");
+    let begins = head
+        .lines()
+        .any(|line| line.trim_start().starts_with("BEGIN_DATA_FORMAT"));
+    if begins
+        || known
+            && (head.contains("BEGIN_DATA")
+                || head.contains("KEYWORD")
+                || head.contains("DESCRIPTOR"))
+    {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+/// Fields that name a set, the best first.
+const NAMES: [&str; 8] = [
+    "SAMPLE_NAME",
+    "SAMPLENAME",
+    "SAMPLE_ID",
+    "SAMPLEID",
+    "SAMPLE_LOC",
+    "PATCH_NAME",
+    "NAME",
+    "STRING",
+];
+
+fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String {
+    let given = NAMES.iter().find_map(|field| {
+        let at = table
+            .fields
+            .iter()
+            .position(|f| f.eq_ignore_ascii_case(field))?;
+        let at = table.word_columns.iter().position(|c| *c == at)?;
+        table
+            .words
+            .get(set * table.word_columns.len() + at)
+            .map(|w| w.trim())
+            .filter(|w| !w.is_empty())
+    });
+    match given {
+        Some(word) if word.contains(|c: char| c.is_alphabetic()) => word.to_owned(),
+        Some(number) if several => format!("{}, {number}", input.stem()),
+        None if several => format!("{}, set {}", input.stem(), set + 1),
+        None if table.is_own() => table.key("DESCRIPTOR").unwrap_or(input.stem()).to_owned(),
+        _ => input.stem().to_owned(),
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let wanted = |fields: &[&str]| -> (Vec<usize>, Vec<usize>) {
+        let mut numbers: Vec<usize> = bands(fields)
+            .iter()
+            .flat_map(|g| g.columns.iter().chain(&g.nm_columns))
+            .copied()
+            .collect();
+        numbers.sort_unstable();
+        let words = fields
+            .iter()
+            .enumerate()
+            .filter(|(_, f)| NAMES.iter().any(|n| f.eq_ignore_ascii_case(n)))
+            .map(|(i, _)| i)
+            .take(NAMES.len())
+            .collect();
+        (numbers, words)
+    };
+    let tables = tables::tables(input, text, &wanted)?;
+    let mut reading = Reading::default();
+    let several_tables = tables
+        .iter()
+        .filter(|t| !t.number_columns.is_empty())
+        .count()
+        > 1;
+    for (index, table) in tables.iter().enumerate() {
+        let groups = bands(&table.fields);
+        let several_groups = groups.len() > 1;
+        if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
+            return Err(input.error(
+                format!("more than {MOST_SPECTRA} spectra"),
+                "a smaller file",
+            ));
+        }
+        for group in &groups {
+            read_group(input, table, group, several_groups, &mut reading)?;
+        }
+        reading.notes.extend(table.notes.iter().cloned());
+        if several_tables && !groups.is_empty() {
+            reading
+                .notes
+                .push(format!("table {}: {} sets", index + 1, table.sets()));
+        }
+    }
+    if reading.spectra.is_empty() {
+        return Err(nothing_in(input, &tables));
+    }
+    Ok(reading)
+}
+
+/// The spectra of a group of columns.
+struct Sets {
+    /// Of each spectrum.
+    values: Vec<Vec<f64>>,
+    /// Wavelengths of each spectrum, or of all.
+    axes: Vec<Vec<f64>>,
+    /// Lines of the spectra, from 1.
+    lines: Vec<u32>,
+    /// What is to be said of the wavelengths.
+    note: Option<String>,
+}
+
+impl Sets {
+    /// Those of a table; `None` where it holds none.
+    fn of(table: &CgatsTable, group: &Bands) -> Option<Self> {
+        let at = |columns: &[usize]| -> Vec<usize> {
+            columns
+                .iter()
+                .filter_map(|c| table.number_columns.binary_search(c).ok())
+                .collect()
+        };
+        let (columns, nm_columns) = (at(&group.columns), at(&group.nm_columns));
+        let row = |set: usize, columns: &[usize]| -> Vec<f64> {
+            let row = &table.numbers[set * table.number_columns.len()..];
+            columns.iter().map(|c| row[*c]).collect()
+        };
+        let rows = |columns: &[usize]| -> Vec<Vec<f64>> {
+            (0..table.sets()).map(|set| row(set, columns)).collect()
+        };
+        let mut sets = Self {
+            values: rows(&columns),
+            axes: Vec::new(),
+            lines: table.lines.clone(),
+            note: None,
+        };
+        if nm_columns.is_empty() {
+            if sets.values.is_empty() {
+                return None;
+            }
+            let (axis, note) = grid(table, &group.labels);
+            (sets.axes, sets.note) = (vec![axis], note);
+        } else if nm_columns.len() == 1 {
+            // One wavelength and one value a set: the sets are the points.
+            let points =
+                |rows: Vec<Vec<f64>>| -> Vec<f64> { rows.iter().map(|row| row[0]).collect() };
+            sets.axes = vec![points(rows(&nm_columns))];
+            sets.values = vec![points(sets.values)];
+            sets.lines.truncate(1);
+        } else {
+            sets.axes = rows(&nm_columns);
+        }
+        Some(sets)
+    }
+}
+
+/// What `SPECTRAL_NORM` says, and what of it makes sense.
+struct Norm {
+    stated: Option<f64>,
+    good: Option<f64>,
+}
+
+impl Norm {
+    fn of(table: &CgatsTable) -> Self {
+        let stated = table.number("SPECTRAL_NORM");
+        let good = stated.filter(|n| (1e-9..=1e9).contains(n));
+        Self { stated, good }
+    }
+
+    /// The factor to the values.
+    fn scale(&self, table: &CgatsTable, group: &Bands) -> KnownScale {
+        match self.good {
+            Some(norm) if norm != 1.0 => KnownScale::Stated(1.0 / norm),
+            Some(_) if table.is_own() => KnownScale::Stated(1.0),
+            _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => KnownScale::Stated(0.01),
+            _ => KnownScale::Open,
+        }
+    }
+
+    /// Words for the line of provenance, and a note, where there are any: per cent of a factor
+    /// are worth a note of their own.
+    fn words(&self, kind: Kind) -> (Option<String>, Option<String>) {
+        match (self.good, self.stated) {
+            (Some(1.0), _) | (None, None) => (None, None),
+            (Some(norm), _) => {
+                let said = Some(format!("divided by SPECTRAL_NORM {norm}"));
+                match kind.is_factor() && norm == 100.0 {
+                    true => (None, said),
+                    false => (said, None),
+                }
+            }
+            (None, Some(bad)) => {
+                let note = format!("SPECTRAL_NORM {bad} makes no sense and was passed over");
+                (None, Some(note))
+            }
+        }
+    }
+}
+
+fn read_group(
+    input: &Input,
+    table: &CgatsTable,
+    group: &Bands,
+    several_groups: bool,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let Some(sets) = Sets::of(table, group) else {
+        return Ok(());
+    };
+    let found = quantity(input, table, group, &sets.values);
+    let norm = Norm::of(table);
+    let (divided, of_norm) = norm.words(found.kind.value);
+    let comma = table.decimal_comma.then(|| "decimal comma".to_owned());
+    let unit = match (found.kind.value, found.unit.as_str()) {
+        (Kind::Light, "") if norm.good.is_some_and(|n| n != 1.0) => "relative",
+        (_, unit) => unit,
+    };
+    let several = sets.values.len() > 1;
+    for (set, values) in sets.values.into_iter().enumerate() {
+        let mut name = name(input, table, set, several);
+        if several_groups {
+            name = format!("{name}, {}", group.word.replace('|', "_").trim_matches('_'));
+        }
+        let nm = sets.axes.get(set).unwrap_or(&sets.axes[0]);
+        let kind = found.kind.clone();
+        let mut spectrum = RawSpectrum::known(name, nm, values, kind, unit);
+        spectrum.known.scale = norm.scale(table, group);
+        spectrum.lines = sets.lines.get(set..=set).unwrap_or(&[]);
+        spectrum.how = [&divided, &comma].into_iter().flatten().cloned().collect();
+        let notes = [&sets.note, &found.note, &of_norm].into_iter().flatten();
+        spectrum.notes = notes.cloned().collect();
+        if let Some(source) = table.key("SOURCE").filter(|_| table.is_own()) {
+            spectrum.source = Some(source.to_owned());
+            spectrum.before = table.key("NOTES").unwrap_or("");
+        }
+        interpret(spectrum, input, reading)?;
+    }
+    reading.notes.extend(sets.note);
+    Ok(())
+}
+
+/// The refusal of a file without spectra.
+fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
+    const EXPECTED: &str = "columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380";
+    let measured = tables.iter().find(|t| t.kind != "CAL");
+    let Some(table) = measured.or(tables.first()) else {
+        let what = match input.head().split_whitespace().next() {
+            Some("CCMX") => "an Argyll colorimeter matrix (.ccmx) and no spectral columns",
+            Some("CAL") => "an Argyll calibration and no spectral columns",
+            _ => "a CGATS header without a table and no spectral columns",
+        };
+        return input.error(what, EXPECTED);
+    };
+    let mut fields: Vec<&str> = table.fields.iter().take(8).copied().collect();
+    if table.fields.len() > fields.len() {
+        fields.push("...");
+    }
+    let what = match table.kind {
+        "CCMX" => "an Argyll colorimeter matrix (.ccmx)",
+        "CAL" => "an Argyll calibration",
+        _ => "a CGATS table",
+    };
+    let joined: String = fields.join(" ").chars().take(120).collect();
+    let has_columns = !table.number_columns.is_empty();
+    let found = if has_columns {
+        format!("{what} with spectral columns and no sets in it")
+    } else {
+        format!(
+            "{what} of {} sets with no spectral columns ({joined})",
+            table.sets()
+        )
+    };
+    input
+        .error(
+            found,
+            if has_columns {
+                "at least one set of data"
+            } else {
+                EXPECTED
+            },
+        )
+        .at_line(table.format_line)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+
+    fn sp(header: &str, fields: &str, data: &str) -> String {
+        format!(
+            "SPECT   \n\nORIGINATOR \"Argyll CMS\"\n{header}\nBEGIN_DATA_FORMAT\n{fields}\nEND_DATA_FORMAT\n\nBEGIN_DATA\n{data}\nEND_DATA\n"
+        )
+    }
+
+    fn reading(text: &str) -> Reading {
+        read_bytes("x.sp", text.as_bytes()).unwrap()
+    }
+
+    fn refusal(text: &str) -> String {
+        read_bytes("x.sp", text.as_bytes()).unwrap_err().to_string()
+    }
+
+    const GRID: &str =
+        "SPECTRAL_BANDS \"3\"\nSPECTRAL_START_NM \"380.0\"\nSPECTRAL_END_NM \"400.0\"";
+
+    #[test]
+    fn a_norm_is_the_scale_and_the_type_is_the_kind() {
+        let text = sp(
+            &format!("MEAS_TYPE \"REFLECTIVE\"\nSPECTRAL_NORM \"100.0\"\n{GRID}"),
+            "SPEC_380 SPEC_390 SPEC_400",
+            "3.5 4.5 5.5",
+        );
+        let found = reading(&text);
+        let spectrum = &found.spectra[0];
+        assert_eq!((spectrum.kind, spectrum.scale), (Kind::Reflectance, 0.01));
+        assert_eq!(spectrum.samples.nm(), [380.0, 390.0, 400.0]);
+        assert!(found.guesses.is_empty());
+        for text in [
+            text.replace('\n', "\r\n"),
+            text.replace('"', ""),
+            text.replace(' ', "\t"),
+            text.replace("3.5 4.5 5.5", "3,5 4,5 5,5"),
+            text.replace("3.5 4.5 5.5", "3.5\n4.5 5.5"),
+            format!("\u{feff}{text}"),
+            text.replace("SPEC_", "nm"),
+            text.replace("SPEC_", "SPECTRAL_NM"),
+            text.replace("SPEC_", "SPECTRAL_NM_"),
+            text.replace("SPEC_", "SPECTRAL_"),
+            text.replace("SPECT   ", "CGATS.17"),
+        ] {
+            assert_eq!(
+                reading(&text).spectra[0].samples,
+                spectrum.samples,
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn light_has_argylls_unit() {
+        for (kind, unit) in [("EMISSION", "mW m-2 sr-1 nm-1"), ("AMBIENT", "mW m-2 nm-1")] {
+            let text = sp(
+                &format!("MEAS_TYPE \"{kind}\"\nSPECTRAL_NORM \"1.0\""),
+                "SPEC_380 SPEC_390 SPEC_400",
+                "3 4 5",
+            );
+            assert_eq!(reading(&text).spectra[0].unit, unit);
+        }
+    }
+
+    #[test]
+    fn rounded_labels_yield_to_the_header_and_a_wrong_header_to_the_labels() {
+        let header = "SPECTRAL_BANDS \"4\"\nSPECTRAL_START_NM \"370.0\"\nSPECTRAL_END_NM \"380.0\"";
+        let rounded = reading(&sp(
+            header,
+            "SPEC_370 SPEC_373 SPEC_377 SPEC_380",
+            "1 2 3 4",
+        ));
+        assert_eq!(rounded.spectra[0].samples.nm()[1], 370.0 + 10.0 / 3.0);
+        assert!(
+            rounded
+                .notes
+                .iter()
+                .any(|n| n.contains("header's") && n.contains("believed"))
+        );
+        let lies = reading(&sp(
+            header,
+            "SPEC_355 SPEC_360 SPEC_365 SPEC_370",
+            "1 2 3 4",
+        ));
+        assert_eq!(lies.spectra[0].samples.first_nm(), 355.0);
+        assert!(
+            lies.notes.iter().any(|n| n.contains("labels are believed")),
+            "{:?}",
+            lies.notes
+        );
+        let fewer = reading(&sp(header, "SPEC_370 SPEC_375 SPEC_380", "1 2 3"));
+        assert_eq!(fewer.spectra[0].samples.nm(), [370.0, 375.0, 380.0]);
+        assert!(
+            fewer
+                .notes
+                .iter()
+                .any(|n| n.contains("columns are believed"))
+        );
+    }
+
+    #[test]
+    fn sets_are_spectra_named_by_their_fields() {
+        let text = sp(
+            "DESCRIPTOR \"Test Color Samples\"",
+            "SAMPLE_ID\tSAMPLE_NAME\tRGB_R\tnm380\tnm390\tnm400",
+            "1\tDark skin\t5\t0.1\t0.2\t0.3\n2\t\"Light skin\"\t5\t0.2\t0.3\t0.4\n3\tNone\t5\t\t0.3\t0.4",
+        );
+        let found = reading(&text);
+        let names: Vec<_> = found.spectra.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(names, ["Dark skin", "Light skin", "None"]);
+        assert_eq!(found.spectra[2].samples.len(), 2, "the empty cell is a gap");
+        assert_eq!(found.spectra[0].kind, Kind::Reflectance);
+    }
+
+    #[test]
+    fn several_tables_and_several_spectra_a_set_are_read() {
+        let one = sp("", "SAMPLE_ID SPEC_380 SPEC_390 SPEC_400", "A1 0.1 0.2 0.3");
+        let two = sp(
+            "",
+            "SAMPLE_ID SPEC_380_M0 SPEC_390_M0 SPEC_400_M0 SPEC_380_M1 SPEC_390_M1 SPEC_400_M1",
+            "B1 1 2 3 4 5 6",
+        );
+        let names: Vec<String> = reading(&(one + &two))
+            .spectra
+            .into_iter()
+            .map(|s| s.name)
+            .collect();
+        assert_eq!(names, ["A1", "B1, SPEC_M0", "B1, SPEC_M1"]);
+    }
+
+    #[test]
+    fn wavelengths_among_the_data_are_read() {
+        let text = sp(
+            "",
+            "SAMPLE_ID SPECTRAL_NM SPECTRAL_PCT SPECTRAL_NM SPECTRAL_PCT",
+            "A 380 10 390 20\nB 380 30 390 40",
+        );
+        let found = reading(&text);
+        assert_eq!(found.spectra.len(), 2);
+        assert_eq!(found.spectra[1].scale, 0.01);
+        assert_eq!(found.spectra[1].samples.nm(), [380.0, 390.0]);
+        let text = sp("", "SPECTRAL_NM SPECTRAL_DEC", "380 0.1\n390 0.2\n400 0.3");
+        assert_eq!(reading(&text).spectra[0].samples.values(), [0.1, 0.2, 0.3]);
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_line() {
+        assert_eq!(
+            refusal(&sp("", "SAMPLE_ID RGB_R RGB_G", "1 2 3")),
+            "x.sp, line 5: found a CGATS table of 1 sets with no spectral columns (SAMPLE_ID RGB_R RGB_G), expected columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380"
+        );
+        let fields = "SPEC_380 SPEC_390 SPEC_400";
+        assert_eq!(
+            refusal(&sp("", fields, "1 2 3\n1 abc 3")),
+            "x.sp, line 11: found \"abc\", expected a number for SPEC_390"
+        );
+        assert_eq!(
+            refusal(&sp("", fields, "1 2 3\n1 2\n1 2 3")),
+            "x.sp, line 11: found 2 cells, expected 3, one for each field"
+        );
+        assert_eq!(
+            refusal("SPECT\nDESCRIPTOR \"x\"\n"),
+            "x.sp: found a CGATS header without a table and no spectral columns, expected columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380"
+        );
+        assert!(refusal("CGATS.17\nBEGIN_DATA\n1 2 3\nEND_DATA\n").contains("BEGIN_DATA_FORMAT"));
+    }
+
+    #[test]
+    fn a_file_cut_off_behind_a_whole_row_is_read_and_it_is_said() {
+        let text = sp(
+            "NUMBER_OF_SETS 3",
+            "SPEC_380 SPEC_390 SPEC_400",
+            "1 2 3\n4 5 6",
+        );
+        let found = reading(text.split("END_DATA\n").next().unwrap_or(""));
+        assert!(!found.spectra.is_empty() || found.notes.is_empty());
+        let cut = text.trim_end().strip_suffix("END_DATA").unwrap();
+        let found = reading(cut);
+        assert_eq!(found.spectra.len(), 2);
+        assert!(found.notes.iter().any(|n| n.contains("END_DATA")));
+        assert!(
+            found
+                .notes
+                .iter()
+                .any(|n| n.contains("NUMBER_OF_SETS says 3"))
+        );
+    }
+}

@@ -1,0 +1,344 @@
+//! The composite model as JSON, bit-exact there and back.
+//!
+//! ```text
+//! {"format": "composite-spectrum", "version": 1 | 2, "range_nm": [min, max],
+//!  "basis": "fourier" | "cosine",
+//!  "coefficients": {"a": [N+1], "b": [N]} | {"c": [2N+1]},
+//!  "spikes": [{"at_nm", "weight", "fwhm_nm"}], "unit", "source", "name", "kind", "scale_in_force",
+//!  "written_by"}
+//! ```
+//!
+//! `name` and `kind` ("light", "reflectance", ...) may be missing: then the model is called as its
+//! file and is a light. The last two are for people; a model is always written in its file's own
+//! numbers.
+//!
+//! `fwhm_nm`, the full width of a Gaussian line at half its height, is version 2's: without it a line
+//! is an ideal spike. A model of ideal spikes is written as version 1.
+//!
+//! The Fourier `a0` is the paper's, halved in the series; the cosine `c0` is not. A Fourier series
+//! whose last sine was dropped is written with a zero in its place.
+
+use serde::{Deserialize, Serialize};
+
+use crate::spectrum::{Band, Basis, Composite, Kind, Series, Spike};
+
+use super::{Confidence, Format};
+use crate::io::decode::json::json_error;
+use crate::io::error::WriteError;
+use crate::io::many::{many, numbers};
+use crate::io::text::number::is_measured;
+use crate::io::{CompositeFile, Input, ReadError, Reading};
+
+/// The word in `format`.
+pub(crate) const FORMAT_WORD: &str = "composite-spectrum";
+
+/// The versions written and read: of ideal spikes, and of lines that have a width.
+pub(crate) const VERSIONS: [u32; 2] = [1, 2];
+
+/// The composite model.
+pub(crate) const FORMAT: Format = Format {
+    name: "composite JSON",
+    extensions: &["json"],
+    sniff,
+    read,
+};
+
+#[derive(Serialize, Deserialize)]
+struct File {
+    format: String,
+    version: u32,
+    range_nm: [f64; 2],
+    basis: Basis,
+    coefficients: Coefficients,
+    #[serde(default)]
+    spikes: Vec<Line>,
+    #[serde(default)]
+    unit: String,
+    #[serde(default)]
+    source: String,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    name: String,
+    #[serde(default)]
+    kind: Option<Kind>,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    scale_in_force: String,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    written_by: String,
+}
+
+#[derive(Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Coefficients {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    a: Option<Vec<f64>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    b: Option<Vec<f64>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    c: Option<Vec<f64>>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Line {
+    at_nm: f64,
+    weight: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    fwhm_nm: Option<f64>,
+}
+
+fn sniff(input: &Input) -> Confidence {
+    if input.head().starts_with('{') && input.head().contains(FORMAT_WORD) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let file = parse(input, text)?;
+    Ok(Reading {
+        notes: vec![in_words(&file.composite, &file.widths_nm)],
+        composites: vec![file],
+        ..Reading::default()
+    })
+}
+
+/// One line about a composite with the widths of its lines, if they have any: basis, order, range,
+/// spikes. That they have one is a number more.
+pub fn in_words(composite: &Composite, widths_nm: &[f64]) -> String {
+    let (band, smooth) = (composite.band(), &composite.smooth);
+    format!(
+        "{} series of order {}, {}-{} nm, {}, {}",
+        smooth.basis.word(),
+        smooth.order(),
+        band.min_nm(),
+        band.max_nm(),
+        match composite.spikes.len() {
+            0 => "no spikes".to_owned(),
+            n if widths_nm.is_empty() => many(n, "spike", "spikes"),
+            n => many(n, "line with its width", "lines with their widths"),
+        },
+        numbers(composite.numbers() + usize::from(!widths_nm.is_empty()))
+    )
+}
+
+fn parse(input: &Input, text: &str) -> Result<CompositeFile, ReadError> {
+    let file: File = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
+    let File {
+        format,
+        version,
+        range_nm: [min, max],
+        basis,
+        coefficients,
+        spikes,
+        unit,
+        source,
+        name,
+        kind,
+        scale_in_force: _,
+        written_by: _,
+    } = file;
+    if format != FORMAT_WORD {
+        return Err(input.error(format!("format \"{format}\""), format!("\"{FORMAT_WORD}\"")));
+    }
+    let [first, last] = VERSIONS;
+    if !VERSIONS.contains(&version) {
+        let expected = format!("version {first} or {last}");
+        return Err(input.error(format!("version {version}"), expected));
+    }
+    let band = Band::new(min, max)
+        .map_err(|error| input.error(format!("range_nm [{min}, {max}]"), error.to_string()))?;
+    let coefficients = prefix_order(basis, coefficients)
+        .map_err(|(found, expected)| input.error(found, expected))?;
+    let lines = spikes.into_iter().map(|line| {
+        let Line { at_nm, weight, .. } = line;
+        let width_nm = line.fwhm_nm.filter(|_| version == last);
+        (Spike { at_nm, weight }, width_nm.unwrap_or(0.0))
+    });
+    let (composite, widths_nm) = checked_lines(band, basis, coefficients, lines.collect())
+        .map_err(|(found, expected)| input.error(found, expected))?;
+    Ok(CompositeFile {
+        composite,
+        widths_nm,
+        unit,
+        source,
+        name: if name.is_empty() {
+            input.stem().to_owned()
+        } else {
+            name
+        },
+        kind: kind.unwrap_or(Kind::Light),
+    })
+}
+
+fn prefix_order(
+    basis: Basis,
+    coefficients: Coefficients,
+) -> Result<Vec<f64>, (String, &'static str)> {
+    let Coefficients { a, b, c } = coefficients;
+    match (basis, a, b, c) {
+        (Basis::Cosine, None, None, Some(c)) => Ok(c),
+        (Basis::Fourier, Some(a), b, None) => {
+            let b = b.unwrap_or_default();
+            // One sine less is a series whose last sine was dropped.
+            if a.is_empty() || (a.len() != b.len() + 1 && a.len() != b.len() + 2) {
+                return Err((
+                    format!("{} numbers in a and {} in b", a.len(), b.len()),
+                    "one more in a than in b",
+                ));
+            }
+            let mut all = vec![a[0]];
+            let mut sines = b.iter();
+            for cosine in &a[1..] {
+                all.push(*cosine);
+                all.extend(sines.next());
+            }
+            Ok(all)
+        }
+        (Basis::Cosine, ..) => Err((
+            "other coefficients with the cosine basis".to_owned(),
+            "{\"c\": [...]}",
+        )),
+        (Basis::Fourier, ..) => Err((
+            "other coefficients with the fourier basis".to_owned(),
+            "{\"a\": [...], \"b\": [...]}",
+        )),
+    }
+}
+
+/// A composite of numbers that make sense: at least one coefficient and no more than the band
+/// carries, everything below 1e30 (what is computed from it stays finite), spikes put in rising order.
+pub(crate) fn checked(
+    band: Band,
+    basis: Basis,
+    coefficients: Vec<f64>,
+    mut spikes: Vec<Spike>,
+) -> Result<Composite, (String, String)> {
+    let most = 2 * Basis::highest_order(band) + 1;
+    if coefficients.is_empty() || coefficients.len() > most {
+        return Err((
+            format!("{} coefficients", coefficients.len()),
+            format!("1 to {most} on this range"),
+        ));
+    }
+    if let Some(odd) = coefficients.iter().find(|c| !is_measured(**c)) {
+        return Err((
+            format!("the coefficient {odd}"),
+            "a number below 1e30".into(),
+        ));
+    }
+    for spike in &spikes {
+        if !is_measured(spike.at_nm) || spike.at_nm <= 0.0 || !is_measured(spike.weight) {
+            return Err((
+                format!("a spike of {} at {} nm", spike.weight, spike.at_nm),
+                "a wavelength above 0 and a weight below 1e30".to_owned(),
+            ));
+        }
+    }
+    if !spikes.is_sorted_by(|x, y| x.at_nm <= y.at_nm) {
+        spikes.sort_by(|x, y| x.at_nm.total_cmp(&y.at_nm));
+    }
+    Ok(Composite {
+        smooth: Series {
+            band,
+            basis,
+            coefficients,
+        },
+        spikes,
+    })
+}
+
+/// The widest line that is believed, nm.
+const WIDEST_NM: f64 = 1000.0;
+
+/// [`checked`] of lines with their widths, which are put in order with them; the widths are empty
+/// where all are ideal.
+pub(crate) fn checked_lines(
+    band: Band,
+    basis: Basis,
+    coefficients: Vec<f64>,
+    mut lines: Vec<(Spike, f64)>,
+) -> Result<(Composite, Vec<f64>), (String, String)> {
+    let is_width = |width: &f64| (0.0..=WIDEST_NM).contains(width);
+    if let Some((_, odd)) = lines.iter().find(|(_, width)| !is_width(width)) {
+        let expected = format!("a width of 0 to {WIDEST_NM} nm");
+        return Err((format!("a line {odd} nm wide"), expected));
+    }
+    if !lines.is_sorted_by(|(x, _), (y, _)| x.at_nm <= y.at_nm) {
+        lines.sort_by(|(x, _), (y, _)| x.at_nm.total_cmp(&y.at_nm));
+    }
+    let (spikes, mut widths): (Vec<Spike>, Vec<f64>) = lines.into_iter().unzip();
+    if widths.iter().all(|width| *width == 0.0) {
+        widths.clear();
+    }
+    Ok((checked(band, basis, coefficients, spikes)?, widths))
+}
+
+/// A composite as JSON.
+///
+/// # Errors
+/// [`WriteError`] when a number is not finite, which JSON cannot hold.
+pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
+    let CompositeFile {
+        composite,
+        widths_nm,
+        unit,
+        source,
+        name,
+        kind,
+    } = file;
+    let smooth = &composite.smooth;
+    let finite = smooth.coefficients.iter().all(|c| c.is_finite())
+        && composite
+            .spikes
+            .iter()
+            .all(|s| s.at_nm.is_finite() && s.weight.is_finite())
+        && widths_nm.iter().all(|width| width.is_finite());
+    if !finite || smooth.coefficients.is_empty() {
+        return Err(WriteError::new(
+            name,
+            "found a coefficient or spike that is not finite, expected numbers",
+        ));
+    }
+    let coefficients = match smooth.basis {
+        Basis::Fourier => {
+            let (a, b) = smooth.a_b();
+            Coefficients {
+                a: Some(a),
+                b: Some(b),
+                c: None,
+            }
+        }
+        Basis::Cosine => Coefficients {
+            c: Some(smooth.coefficients.clone()),
+            ..Coefficients::default()
+        },
+    };
+    let file = File {
+        format: FORMAT_WORD.to_owned(),
+        version: VERSIONS[usize::from(!widths_nm.is_empty())],
+        range_nm: [smooth.band.min_nm(), smooth.band.max_nm()],
+        basis: smooth.basis,
+        coefficients,
+        spikes: composite
+            .spikes
+            .iter()
+            .enumerate()
+            .map(|(i, s)| Line {
+                at_nm: s.at_nm,
+                weight: s.weight,
+                fwhm_nm: widths_nm.get(i).copied().filter(|width| *width > 0.0),
+            })
+            .collect(),
+        unit: unit.clone(),
+        source: source.clone(),
+        name: name.clone(),
+        kind: Some(*kind),
+        scale_in_force: "as measured".to_owned(),
+        written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
+    };
+    match serde_json::to_string_pretty(&file) {
+        Ok(text) => Ok(text + "\n"),
+        Err(error) => Err(WriteError::new(name, error.to_string())),
+    }
+}

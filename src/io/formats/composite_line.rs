@@ -1,0 +1,374 @@
+//! The composite model as one line of text, to paste into a message; bit-exact there and back.
+//!
+//! ```text
+//! cs1;fourier;380:780;a0 a1 b1 a2 b2 ...;404.87*2.39 435.84*5.94
+//! cs1;cosine;380:780;c0 c1 c2 ...;
+//! cs2;cosine;380:780;c0 c1 c2 ...;404.87*2.39*3.1 435.84*5.94
+//! ```
+//!
+//! Five fields: mark and version, basis, range in nm, coefficients in prefix order, spikes as
+//! `nm*weight`. In a line of mark `cs2` a spike may have a third number, the full width at half
+//! maximum of a Gaussian line in nm; it is written where a line has a width. Numbers are the shortest decimals that read back to the same bits. Unit, source, name
+//! and kind are not in the line: it is taken as a light unless a person says otherwise.
+
+use std::fmt;
+
+use crate::spectrum::{Band, Basis, Composite, Kind, Spike};
+
+use super::composite_json::{checked_lines, in_words};
+use super::{Confidence, Format};
+use crate::io::error::quoted;
+use crate::io::provenance::shortest;
+use crate::io::text::number::number;
+use crate::io::{CompositeFile, Guess, Guessed, Input, ReadError, Reading};
+
+/// First field of the line: the format and its version, of ideal spikes and of lines that have a
+/// width.
+pub(crate) const MARKS: [&str; 2] = ["cs1", "cs2"];
+
+/// The one-line composite.
+pub(crate) const FORMAT: Format = Format {
+    name: "composite line",
+    extensions: &["txt"],
+    sniff,
+    read,
+};
+
+/// Why a line is no composite.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LineError {
+    /// What stands there.
+    pub found: String,
+    /// What should.
+    pub expected: String,
+}
+
+impl fmt::Display for LineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "found {}, expected {}", self.found, self.expected)
+    }
+}
+
+impl std::error::Error for LineError {}
+
+fn trouble(found: impl Into<String>, expected: impl Into<String>) -> LineError {
+    LineError {
+        found: found.into(),
+        expected: expected.into(),
+    }
+}
+
+fn sniff(input: &Input) -> Confidence {
+    let starts = |mark: &&str| input.head().starts_with(&format!("{mark};"));
+    if MARKS.iter().any(starts) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let (composite, widths_nm) = parse_lines(&input.needs_text()?.text)
+        .map_err(|LineError { found, expected }| input.error(found, expected).at_line(1))?;
+    Ok(Reading {
+        notes: vec![in_words(&composite, &widths_nm)],
+        composites: vec![CompositeFile {
+            composite,
+            widths_nm,
+            unit: String::new(),
+            source: String::new(),
+            name: input.stem().to_owned(),
+            kind: Kind::Light,
+        }],
+        guesses: vec![Guess {
+            spectrum: 0,
+            what: Guessed::Kind,
+            chosen: Kind::Light.word().to_owned(),
+            because: "the line does not say".to_owned(),
+            plain: false,
+        }],
+        ..Reading::default()
+    })
+}
+
+/// A composite of ideal spikes as one line without a line end.
+pub fn write(composite: &Composite) -> String {
+    write_lines(composite, &[])
+}
+
+/// A composite with the widths of its lines (none where all are ideal) as one line without a line
+/// end.
+pub fn write_lines(composite: &Composite, widths_nm: &[f64]) -> String {
+    let mark = MARKS[usize::from(!widths_nm.is_empty())];
+    let smooth = &composite.smooth;
+    let coefficients: Vec<String> = smooth.coefficients.iter().map(|c| shortest(*c)).collect();
+    let spikes: Vec<String> = composite
+        .spikes
+        .iter()
+        .enumerate()
+        .map(|(i, s)| {
+            let spike = format!("{}*{}", shortest(s.at_nm), shortest(s.weight));
+            match widths_nm.get(i).filter(|width| **width > 0.0) {
+                Some(width) => format!("{spike}*{}", shortest(*width)),
+                None => spike,
+            }
+        })
+        .collect();
+    format!(
+        "{mark};{};{}:{};{};{}",
+        smooth.basis.word(),
+        shortest(smooth.band.min_nm()),
+        shortest(smooth.band.max_nm()),
+        coefficients.join(" "),
+        spikes.join(" ")
+    )
+}
+
+/// The composite of a line; blanks and line breaks that a message put in are no matter.
+///
+/// # Errors
+/// [`LineError`] with the part that is wrong.
+pub fn parse(text: &str) -> Result<Composite, LineError> {
+    parse_lines(text).map(|(composite, _)| composite)
+}
+
+/// The same with the widths of its lines; none where all are ideal.
+///
+/// # Errors
+/// [`LineError`] with the part that is wrong.
+pub(crate) fn parse_lines(text: &str) -> Result<(Composite, Vec<f64>), LineError> {
+    let fields: Vec<&str> = text.trim().split(';').map(str::trim).collect();
+    let has_widths = fields[0] == MARKS[1];
+    if !MARKS.contains(&fields[0]) {
+        return Err(trouble(
+            quoted(fields[0]),
+            "a line that begins with \"cs1;\"",
+        ));
+    }
+    let (basis, range, coefficients, spikes) = match fields[..] {
+        [_, basis, range, coefficients, spikes] => (basis, range, coefficients, spikes),
+        [_, basis, range, coefficients] => (basis, range, coefficients, ""),
+        _ => {
+            return Err(trouble(
+                format!("{} fields", fields.len()),
+                "5: cs1;basis;range;coefficients;spikes",
+            ));
+        }
+    };
+    let basis = Basis::from_word(basis)
+        .ok_or_else(|| trouble(format!("basis {}", quoted(basis)), "fourier or cosine"))?;
+    let band = parse_range(range)?;
+    let coefficients = coefficients
+        .split_whitespace()
+        .map(|word| finite(word, "a number as coefficient"))
+        .collect::<Result<_, _>>()?;
+    let spikes = spikes
+        .split_whitespace()
+        .map(|word| parse_spike(word, has_widths))
+        .collect::<Result<_, _>>()?;
+    checked_lines(band, basis, coefficients, spikes)
+        .map_err(|(found, expected)| trouble(found, expected))
+}
+
+fn finite(word: &str, expected: &str) -> Result<f64, LineError> {
+    number(word, false)
+        .filter(|v| v.is_finite())
+        .ok_or_else(|| trouble(quoted(word), expected))
+}
+
+fn parse_range(range: &str) -> Result<Band, LineError> {
+    let (min, max) = range
+        .split_once(':')
+        .ok_or_else(|| trouble(format!("range {}", quoted(range)), "MIN:MAX in nm"))?;
+    let (min, max) = (
+        finite(min.trim(), "a range in whole nm")?,
+        finite(max.trim(), "a range in whole nm")?,
+    );
+    Band::new(min, max)
+        .map_err(|error| trouble(format!("range {}", quoted(range)), error.to_string()))
+}
+
+/// A spike with its width, 0 where it has none.
+fn parse_spike(word: &str, has_widths: bool) -> Result<(Spike, f64), LineError> {
+    let (at_nm, rest) = word
+        .split_once('*')
+        .ok_or_else(|| trouble(format!("spike {}", quoted(word)), "nm*weight"))?;
+    let (weight, width) = match rest.split_once('*').filter(|_| has_widths) {
+        Some((weight, width)) => (weight, finite(width, "a line's width in nm")?),
+        None => (rest, 0.0),
+    };
+    let spike = Spike {
+        at_nm: finite(at_nm, "a spike's wavelength in nm")?,
+        weight: finite(weight, "a spike's weight")?,
+    };
+    Ok((spike, width))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::formats::composite_json;
+    use crate::io::read_bytes;
+    use crate::spectrum::Series;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_line_of_the_description_is_read_and_written() {
+        let line = "cs1;fourier;380:780;2 0.5 -0.25;404.87*2.39 435.84*5.94";
+        let composite = parse(line).unwrap();
+        assert_eq!(composite.smooth.order(), 1);
+        assert_eq!(composite.spikes[1].at_nm, 435.84);
+        assert_eq!(write(&composite), line);
+        assert_eq!(
+            parse("  cs1; cosine;380:780;\n1 2\n3;\n")
+                .unwrap()
+                .numbers(),
+            3
+        );
+    }
+
+    #[test]
+    fn each_fault_is_named() {
+        for (line, words) in [
+            (
+                "cs3;x",
+                "found \"cs3\", expected a line that begins with \"cs1;\"",
+            ),
+            ("cs1;fourier", "found 2 fields"),
+            (
+                "cs1;sine;380:780;1;",
+                "found basis \"sine\", expected fourier or cosine",
+            ),
+            ("cs1;cosine;380-780;1;", "expected MIN:MAX in nm"),
+            ("cs1;cosine;380:381;1;", "at least 20 nm"),
+            (
+                "cs1;cosine;380:780;1 x;",
+                "found \"x\", expected a number as coefficient",
+            ),
+            ("cs1;cosine;380:780;;", "found 0 coefficients"),
+            (
+                "cs1;cosine;380:780;1;404",
+                "found spike \"404\", expected nm*weight",
+            ),
+            ("cs1;cosine;380:780;1;404*inf", "expected a spike's weight"),
+        ] {
+            let error = parse(line).unwrap_err().to_string();
+            assert!(error.contains(words), "{line}: {error}");
+        }
+    }
+
+    #[test]
+    fn widths_come_back_in_line_and_json_and_sort_with_their_lines() {
+        let line = "cs2;cosine;380:780;1 2 3;404.87*2.39*3.1 435.84*5.94";
+        let (composite, widths_nm) = parse_lines(line).unwrap();
+        assert_eq!(widths_nm, [3.1, 0.0]);
+        assert_eq!(write_lines(&composite, &widths_nm), line);
+        let turned = "cs2;cosine;380:780;1 2 3;435.84*5.94 404.87*2.39*3.1";
+        assert_eq!(parse_lines(turned).unwrap().1, widths_nm);
+        let file = CompositeFile {
+            composite,
+            widths_nm,
+            unit: String::new(),
+            source: String::new(),
+            name: "wide".to_owned(),
+            kind: Kind::Light,
+        };
+        let text = composite_json::write(&file).unwrap();
+        assert!(text.contains("\"version\": 2"), "{text}");
+        let read = |text: &str| read_bytes("x.json", text.as_bytes());
+        assert_eq!(read(&text).unwrap().composites, std::slice::from_ref(&file));
+        // The first version knows no widths.
+        let first = text.replace("\"version\": 2", "\"version\": 1");
+        assert!(read(&first).unwrap().composites[0].widths_nm.is_empty());
+        assert!(read(&text.replace("3.1", "-3.1")).is_err());
+        let plain = CompositeFile {
+            widths_nm: Vec::new(),
+            ..file
+        };
+        assert!(
+            composite_json::write(&plain)
+                .unwrap()
+                .contains("\"version\": 1")
+        );
+        assert!(parse("cs1;cosine;380:780;1;404*1*2").is_err());
+    }
+
+    fn bits() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            9 => any::<u64>().prop_map(f64::from_bits).prop_map(small),
+            1 => Just(-0.0),
+            1 => (0u64..1 << 52).prop_map(f64::from_bits),
+        ]
+    }
+
+    /// The same digits of a size that is believed.
+    fn small(value: f64) -> f64 {
+        match value.abs() {
+            size if size < 1e30 => value,
+            size if size < 1e300 => value * 1e-280,
+            _ => 1.0,
+        }
+    }
+
+    fn composite() -> impl Strategy<Value = Composite> {
+        let spike = (bits(), bits()).prop_map(|(at, weight)| Spike {
+            at_nm: at.abs().max(f64::MIN_POSITIVE),
+            weight,
+        });
+        (
+            0..20usize,
+            prop::bool::ANY,
+            prop::collection::vec(bits(), 41),
+            prop::collection::vec(spike, 0..6),
+        )
+            .prop_map(|(order, fourier, mut coefficients, mut spikes)| {
+                coefficients.truncate(2 * order + 1);
+                spikes.sort_by(|a, b| a.at_nm.total_cmp(&b.at_nm));
+                Composite {
+                    smooth: Series {
+                        band: Band::VISIBLE,
+                        basis: if fourier {
+                            Basis::Fourier
+                        } else {
+                            Basis::Cosine
+                        },
+                        coefficients,
+                    },
+                    spikes,
+                }
+            })
+    }
+
+    fn all_bits(composite: &Composite) -> Vec<u64> {
+        let spikes = composite.spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
+        composite
+            .smooth
+            .coefficients
+            .iter()
+            .copied()
+            .chain(spikes)
+            .map(f64::to_bits)
+            .collect()
+    }
+
+    proptest! {
+        #[test]
+        fn any_composite_comes_back_to_the_bit(composite in composite()) {
+            let line = parse(&write(&composite)).unwrap();
+            prop_assert_eq!(all_bits(&line), all_bits(&composite));
+            let file = CompositeFile {
+                composite: composite.clone(),
+                widths_nm: Vec::new(),
+                unit: "W m-2 nm-1".to_owned(),
+                source: "a \"test\"".to_owned(),
+                name: "a leaf".to_owned(),
+                kind: Kind::Reflectance,
+            };
+            let text = composite_json::write(&file).unwrap();
+            let back = read_bytes("x.json", text.as_bytes()).unwrap().composites.remove(0);
+            prop_assert_eq!(all_bits(&back.composite), all_bits(&composite));
+            prop_assert_eq!(back.composite.smooth.basis, composite.smooth.basis);
+            prop_assert_eq!(back, file);
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! CxF3, the Color Exchange Format (ISO 17972): XML with measured colours.
+//!
+//! An `Object` has a `Name` and under `ColorValues` spectra: `ReflectanceSpectrum`,
+//! `TransmittanceSpectrum`, `EmissiveSpectrum`, blanks between values. `StartWL` stands at the
+//! spectrum or, with `Increment`, at the `WavelengthRange` of the `ColorSpecification` that it
+//! names; without an increment it is 10 nm.
+
+use std::collections::HashMap;
+
+use roxmltree::Node;
+
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format};
+use crate::io::decode::xml;
+use crate::io::error::quoted;
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::reading::decision::Decision;
+use crate::io::text::number;
+use crate::io::{Input, ReadError, Reading, budget};
+
+/// CxF3.
+pub(crate) const FORMAT: Format = Format {
+    name: "CxF3",
+    extensions: &["cxf"],
+    sniff,
+    read,
+};
+
+/// Memory of a spectrum besides its samples, in bytes.
+const SPECTRUM_BYTES: usize = 1000;
+
+/// How far above a spectrum its object is looked for.
+const DEEPEST: usize = 16;
+
+const SPECTRA: [(&str, Kind); 4] = [
+    ("ReflectanceSpectrum", Kind::Reflectance),
+    ("TransmittanceSpectrum", Kind::Transmittance),
+    ("EmissiveSpectrum", Kind::Light),
+    ("EmissionSpectrum", Kind::Light),
+];
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    let is_cxf = head.contains("colorexchangeformat.com") || head.contains(":CxF ");
+    if head.starts_with('<') && (is_cxf || head.contains("<CxF")) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let document = xml::parse(input, text.trim_start())?;
+    let root = document.root_element();
+    let mut ranges: HashMap<&str, Node> = HashMap::new();
+    for specification in xml::named(root, "ColorSpecification") {
+        let range = xml::named(specification, "WavelengthRange").next();
+        if let (Some(id), Some(range)) = (xml::attribute(specification, "Id"), range) {
+            ranges.entry(id).or_insert(range);
+        }
+    }
+    let mut reading = Reading::default();
+    let mut left = budget::of(input.bytes.len()) / 2;
+    for node in root.descendants().filter(Node::is_element) {
+        let word = node.tag_name().name();
+        let Some((_, kind)) = SPECTRA.iter().find(|(known, _)| *known == word) else {
+            continue;
+        };
+        let Some(object) = object_of(node) else {
+            continue;
+        };
+        let name = xml::attribute(object, "Name")
+            .or_else(|| xml::attribute(object, "Id"))
+            .unwrap_or(input.stem());
+        let points = read_spectrum(input, node, &ranges, (name, *kind), &mut reading)?;
+        left = left
+            .checked_sub(SPECTRUM_BYTES + 32 * points)
+            .ok_or_else(|| {
+                input
+                    .error("far more spectra than its size allows", budget::WORDS)
+                    .at_line(xml::line(node))
+            })?;
+    }
+    if reading.spectra.is_empty() {
+        return Err(input.error(
+            "a CxF file without spectra",
+            "an Object with a ReflectanceSpectrum or an EmissiveSpectrum",
+        ));
+    }
+    Ok(reading)
+}
+
+/// The object that a spectrum belongs to.
+fn object_of<'a, 'i>(node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+    node.ancestors()
+        .take(DEEPEST)
+        .find(|n| n.tag_name().name().eq_ignore_ascii_case("Object"))
+}
+
+/// Adds the spectrum of an element; its number of points.
+fn read_spectrum(
+    input: &Input,
+    node: Node,
+    ranges: &HashMap<&str, Node>,
+    (name, kind): (&str, Kind),
+    reading: &mut Reading,
+) -> Result<usize, ReadError> {
+    // Counted from the file's start, so only where there is trouble.
+    let at = || xml::line(node);
+    let range = xml::attribute(node, "ColorSpecification").and_then(|id| ranges.get(id));
+    let told = |name: &str| {
+        xml::attribute(node, name).or_else(|| range.and_then(|r| xml::attribute(*r, name)))
+    };
+    let positive = |name: &str, text: &str| {
+        number::number(text, false)
+            .filter(|x| x.is_finite() && *x > 0.0)
+            .ok_or_else(|| {
+                input
+                    .error(format!("{name}={}", quoted(text)), "a wavelength in nm")
+                    .at_line(at())
+            })
+    };
+    let start = told("StartWL").ok_or_else(|| {
+        input
+            .error(
+                format!("<{}> without StartWL", node.tag_name().name()),
+                "StartWL=\"nm\" there or in its ColorSpecification",
+            )
+            .at_line(at())
+    })?;
+    let start = positive("StartWL", start)?;
+    let mut notes = Vec::new();
+    let step = match told("Increment") {
+        Some(text) => positive("Increment", text)?,
+        None => {
+            notes.push("no increment in the file: taken as 10 nm".to_owned());
+            10.0
+        }
+    };
+    let mut values = Vec::new();
+    for word in node.text().unwrap_or("").split_whitespace() {
+        values.push(number::number(word, false).ok_or_else(|| {
+            input
+                .error(quoted(word), "numbers with blanks between them")
+                .at_line(at())
+        })?);
+    }
+    let nm: Vec<f64> = (0..values.len()).map(|i| start + i as f64 * step).collect();
+    let mut raw = RawSpectrum::known(name, &nm, values, Decision::of_format(kind), "");
+    raw.known.scale = KnownScale::Fractions;
+    raw.notes = notes;
+    interpret(raw, input, reading).map_err(|refusal| refusal.at_line(at()))?;
+    reading.keep_scale_to_notes();
+    Ok(nm.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+
+    const XML: &str = "<?xml version=\"1.0\"?>\n<cc:CxF xmlns:cc=\"http://colorexchangeformat.com/CxF3-core\">\n\
+        <cc:Resources><cc:ObjectCollection>\n<cc:Object Name=\"Sky\" Id=\"c1\"><cc:ColorValues>\n\
+        <cc:ReflectanceSpectrum ColorSpecification=\"CS1\" StartWL=\"400\">0.1 0.2\n0.3</cc:ReflectanceSpectrum>\n\
+        </cc:ColorValues></cc:Object>\n<cc:Object Name=\"Lamp\"><cc:ColorValues>\n\
+        <cc:EmissiveSpectrum ColorSpecification=\"CS2\">5 6</cc:EmissiveSpectrum>\n\
+        </cc:ColorValues></cc:Object></cc:ObjectCollection>\n<cc:ColorSpecificationCollection>\n\
+        <cc:ColorSpecification Id=\"CS2\"><cc:MeasurementSpec><cc:WavelengthRange StartWL=\"380\" Increment=\"5\"/>\n\
+        </cc:MeasurementSpec></cc:ColorSpecification></cc:ColorSpecificationCollection></cc:Resources></cc:CxF>";
+
+    #[test]
+    fn spectra_take_their_grid_from_themselves_or_their_specification() {
+        let reading = read_bytes("a.cxf", XML.as_bytes()).expect("spectra");
+        assert_eq!(reading.spectra[0].samples.nm(), [400.0, 410.0, 420.0]);
+        assert_eq!(reading.spectra[0].kind, Kind::Reflectance);
+        assert_eq!(reading.spectra[1].samples.nm(), [380.0, 385.0]);
+        assert_eq!(reading.spectra[1].name, "Lamp");
+        assert_eq!(reading.spectra[1].kind, Kind::Light);
+    }
+
+    #[test]
+    fn what_is_missing_or_wrong_is_said_by_its_line() {
+        let said = |text: &str| {
+            read_bytes("a.cxf", text.as_bytes())
+                .unwrap_err()
+                .to_string()
+        };
+        assert!(
+            said(&XML.replace(" StartWL=\"400\"", ""))
+                .contains("line 5: found <ReflectanceSpectrum> without")
+        );
+        assert!(said(&XML.replace("0.2", "much")).contains("line 5: found \"much\""));
+        assert!(said(&XML.replace("Spectrum", "Lab")).contains("a CxF file without spectra"));
+        let crowded = format!("<CxF {}/>", "a='1' ".repeat(300));
+        assert!(said(&crowded).contains("hundreds of attributes"));
+    }
+}

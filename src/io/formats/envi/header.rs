@@ -1,0 +1,287 @@
+//! The header of an ENVI file.
+
+use std::collections::HashMap;
+
+use crate::spectrum::cube::{Interleave, Number};
+
+use super::number_of;
+use crate::io::error::quoted;
+use crate::io::text::{lines, number};
+use crate::io::{ReadError, budget};
+
+/// A header's fields.
+#[derive(Debug)]
+pub struct Header {
+    /// Name of the header's file, for messages.
+    pub file: String,
+    /// Columns of a cube, channels of a library.
+    pub samples: usize,
+    /// Rows of a cube, spectra of a library.
+    pub lines: usize,
+    /// Channels of a cube, 1 in a library.
+    pub bands: usize,
+    /// Bytes before the first number.
+    pub offset: usize,
+    /// How numbers are written.
+    pub number: Number,
+    /// Most significant byte first.
+    pub big_endian: bool,
+    /// What runs fastest.
+    pub interleave: Interleave,
+    fields: HashMap<String, Field>,
+}
+
+/// A value and the line on which it starts.
+#[derive(Debug)]
+struct Field {
+    line: usize,
+    value: String,
+}
+
+impl Header {
+    /// A field's text, without braces; keys are lower case.
+    pub fn text(&self, key: &str) -> Option<&str> {
+        let value = self.fields.get(key)?.value.trim();
+        (!value.is_empty()).then_some(value)
+    }
+
+    /// The line of a field, or the first of the file.
+    pub fn line(&self, key: &str) -> usize {
+        self.fields.get(key).map_or(1, |field| field.line)
+    }
+
+    /// The items of a field in braces.
+    pub fn list(&self, key: &str) -> Vec<&str> {
+        let mut items = self.text(key).map(split).unwrap_or_default();
+        // Some writers leave a comma behind the last item.
+        if items.last() == Some(&"") {
+            items.pop();
+        }
+        items
+    }
+
+    /// The numbers of a field in braces.
+    ///
+    /// # Errors
+    /// [`ReadError`] at the field when an item is no number.
+    pub fn numbers(&self, key: &str) -> Result<Vec<f64>, ReadError> {
+        let number = |item: &str| {
+            number::number(item, false)
+                .filter(|x| x.is_finite())
+                .ok_or_else(|| self.error(key, quoted(item), format!("numbers in \"{key}\"")))
+        };
+        self.list(key).into_iter().map(number).collect()
+    }
+
+    /// One number; `None` where the field is not there.
+    ///
+    /// # Errors
+    /// [`ReadError`] at the field when it is no number.
+    pub fn number(&self, key: &str) -> Result<Option<f64>, ReadError> {
+        let Some(text) = self.text(key) else {
+            return Ok(None);
+        };
+        // "-nan" and the like stand for numbers that are missing anyway.
+        match number::number(text, false) {
+            Some(x) => Ok(Some(x)),
+            None if text.to_lowercase().contains("nan") => Ok(None),
+            None => Err(self.error(key, quoted(text), format!("a number as \"{key}\""))),
+        }
+    }
+
+    /// Whether the data are spectra one after the other rather than an image.
+    pub fn is_library(&self) -> bool {
+        let kind = self.text("file type").unwrap_or("").to_lowercase();
+        let without_word = self.bands == 1
+            && self.samples > 1
+            && (self.list("wavelength").len() == self.samples
+                || self.fields.contains_key("spectra names"));
+        kind.contains("spectral library") || without_word
+    }
+
+    /// An error at a field.
+    pub fn error(
+        &self,
+        key: &str,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> ReadError {
+        ReadError::new(&self.file, found, expected).at_line(self.line(key))
+    }
+}
+
+/// The items between commas; one that begins with a quote goes on to the quote before a comma, so
+/// that names may have commas of their own.
+pub fn split(text: &str) -> Vec<&str> {
+    let mut items = Vec::new();
+    let mut rest = text;
+    loop {
+        let item = rest.trim_start();
+        let quote = item.chars().next().filter(|c| matches!(c, '"' | '\''));
+        let quoted = quote.and_then(|quote| {
+            let (inside, after) = closed(&item[1..], quote)?;
+            Some((inside, after))
+        });
+        let next = if let Some((inside, after)) = quoted {
+            items.push(inside.trim());
+            after
+        } else {
+            let (one, after) = match item.split_once(',') {
+                Some((one, after)) => (one, Some(after)),
+                None => (item, None),
+            };
+            items.push(one.trim());
+            after
+        };
+        match next {
+            Some(next) => rest = next,
+            None => return items,
+        }
+    }
+}
+
+/// What a quote encloses, and what stands behind the comma after it; `None` where no quote is
+/// followed by a comma or the end, as in `'t Hooft`.
+fn closed(text: &str, quote: char) -> Option<(&str, Option<&str>)> {
+    // As far as a header's longest name goes: an open quote must not be looked for again and again.
+    let end = text
+        .char_indices()
+        .nth(200)
+        .map_or(text.len(), |(at, _)| at);
+    text[..end].match_indices(quote).find_map(|(at, _)| {
+        let after = text[at + 1..].trim_start();
+        if after.is_empty() {
+            return Some((&text[..at], None));
+        }
+        let behind = after.strip_prefix(',')?;
+        Some((&text[..at], Some(behind)))
+    })
+}
+
+/// Reads a header.
+///
+/// # Errors
+/// [`ReadError`] with the line at fault.
+pub fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
+    let fields = fields(file, text)?;
+    let mut header = Header {
+        file: file.to_owned(),
+        samples: 0,
+        lines: 0,
+        bands: 1,
+        offset: 0,
+        number: Number::U8,
+        big_endian: false,
+        interleave: Interleave::Bands,
+        fields,
+    };
+    let count = |key: &str, otherwise: Option<usize>| {
+        let Some(text) = header.text(key) else {
+            return otherwise.ok_or_else(|| {
+                ReadError::new(
+                    file,
+                    format!("no \"{key}\""),
+                    format!("a line \"{key} = number\""),
+                )
+            });
+        };
+        text.parse::<usize>()
+            .map_err(|_| header.error(key, quoted(text), format!("a whole number as \"{key}\"")))
+    };
+    let samples = count("samples", None)?;
+    let lines = count("lines", None)?;
+    let bands = count("bands", Some(1))?;
+    let offset = count("header offset", Some(0))?;
+    let data_type = count("data type", None)?;
+    let byte_order = count("byte order", Some(0))?;
+    let number = number_of(data_type).ok_or_else(|| {
+        let found = match data_type {
+            6 | 9 => "complex numbers (data type 6 or 9)".to_owned(),
+            other => format!("data type {other}"),
+        };
+        header.error(
+            "data type",
+            found,
+            "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15",
+        )
+    })?;
+    let word = header.text("interleave").unwrap_or("bsq").to_lowercase();
+    let interleave = match &*word {
+        "bsq" => Interleave::Bands,
+        "bil" => Interleave::Lines,
+        "bip" => Interleave::Pixels,
+        _ => return Err(header.error("interleave", quoted(&word), "bsq, bil or bip")),
+    };
+    for (key, value) in [("samples", samples), ("lines", lines), ("bands", bands)] {
+        if value == 0 {
+            return Err(header.error(key, format!("{key} = 0"), "1 or more"));
+        }
+    }
+    if byte_order > 1 {
+        return Err(header.error("byte order", format!("byte order = {byte_order}"), "0 or 1"));
+    }
+    if header
+        .text("file compression")
+        .is_some_and(|word| word != "0")
+    {
+        return Err(header.error(
+            "file compression",
+            "compressed data",
+            "data that are not compressed; unpack them with ENVI or GDAL first",
+        ));
+    }
+    header.samples = samples;
+    header.lines = lines;
+    header.bands = bands;
+    header.offset = offset;
+    header.number = number;
+    header.big_endian = byte_order == 1;
+    header.interleave = interleave;
+    Ok(header)
+}
+
+fn fields(file: &str, text: &str) -> Result<HashMap<String, Field>, ReadError> {
+    let mut fields: HashMap<String, Field> = HashMap::new();
+    // A field costs its text and about 200 bytes of book-keeping.
+    let most = budget::of(text.len()) / 400;
+    let mut rows = lines(text).skip(1);
+    while let Some((line, row)) = rows.next() {
+        let trimmed = row.trim();
+        if trimmed.is_empty() || trimmed.starts_with(';') {
+            continue;
+        }
+        let Some((key, value)) = trimmed.split_once('=') else {
+            return Err(ReadError::new(file, quoted(trimmed), "\"key = value\"").at_line(line));
+        };
+        let mut value = value.trim().to_owned();
+        if let Some(inside) = value.strip_prefix('{') {
+            let mut inside = inside.to_owned();
+            let mut closed = inside.contains('}');
+            while !closed {
+                let Some((_, more)) = rows.next() else {
+                    return Err(ReadError::new(
+                        file,
+                        format!("{} with no closing brace", quoted(key.trim())),
+                        "a closing brace",
+                    )
+                    .at_line(line));
+                };
+                inside.push(' ');
+                inside.push_str(more);
+                closed = more.contains('}');
+            }
+            let end = inside.find('}').unwrap_or(inside.len());
+            inside.truncate(end);
+            value = inside;
+        }
+        if fields.len() >= most {
+            return Err(ReadError::new(file, "too many fields", "an ENVI header").at_line(line));
+        }
+        let key = key.split_whitespace().collect::<Vec<_>>().join(" ");
+        // The first of two fields of one name counts.
+        fields
+            .entry(key.to_lowercase())
+            .or_insert(Field { line, value });
+    }
+    Ok(fields)
+}

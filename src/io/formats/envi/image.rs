@@ -1,0 +1,76 @@
+//! An ENVI cube: a picture whose pixels are spectra.
+
+use std::sync::Arc;
+
+use crate::spectrum::cube::{Cube, CubeError, Layout};
+use crate::spectrum::{Kind, SpectralImage};
+
+use super::header::Header;
+use super::library::short;
+use super::meaning;
+use crate::io::formats::spectral_image::{self, RawImage};
+use crate::io::{Choices, ReadError, Reading};
+
+/// Reads a cube; its numbers stay as they are.
+///
+/// # Errors
+/// [`ReadError`] when the data are too short, or the header gives no wavelengths.
+pub fn read(
+    header: &Header,
+    data: Vec<u8>,
+    data_name: &str,
+    choices: &Choices,
+) -> Result<Reading, ReadError> {
+    let kind = header.text("file type").unwrap_or("");
+    if kind.to_lowercase().contains("classification") {
+        let found = "a classification (classes, not spectra)";
+        return Err(header.error("file type", found, "a cube or a spectral library"));
+    }
+    let channels = meaning::channels(header, header.bands, choices.wavelengths)?;
+    let layout = Layout {
+        first_byte: header.offset,
+        number: header.number,
+        big_endian: header.big_endian,
+        interleave: header.interleave,
+        stored_bands: header.bands,
+        missing: header.number("data ignore value")?,
+    };
+    let cube = Cube::new(
+        header.samples,
+        header.lines,
+        &channels.bands,
+        layout,
+        Arc::new(data),
+    )
+    .map_err(|error| match error {
+        CubeError::Short { found, .. } => short(header, found, data_name),
+        CubeError::Empty | CubeError::Bands => {
+            header.error("bands", error.to_string(), "an image of two or more bands")
+        }
+    })?;
+    let sample = spectral_image::sample(&cube);
+    let (known, of_values) = meaning::values(header, data_name, &sample)?;
+    let mut notes = channels.notes;
+    notes.extend(of_values);
+    let stem = data_name
+        .rsplit_once('.')
+        .map_or(data_name, |(stem, _)| stem);
+    let (nm, stored): (Vec<f64>, Vec<usize>) = channels.bands.into_iter().unzip();
+    let image = SpectralImage {
+        name: stem.to_owned(),
+        kind: Kind::Light,
+        unit: String::new(),
+        scale: 1.0,
+        bandwidth_nm: meaning::bandwidth_nm(header, &nm, &stored),
+        cube,
+        notes,
+        source: data_name.to_owned(),
+    };
+    let raw = RawImage {
+        image,
+        known,
+        axis: Some(channels.axis),
+        against: channels.against,
+    };
+    Ok(spectral_image::reading(raw, 0, choices))
+}

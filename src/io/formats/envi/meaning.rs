@@ -1,0 +1,272 @@
+//! What the numbers of an ENVI file mean: wavelengths of the channels, kind and scale of values.
+
+use crate::spectrum::Kind;
+
+use super::header::Header;
+use crate::io::ReadError;
+use crate::io::error::quoted;
+use crate::io::interpret::axis::{self, Axis};
+use crate::io::interpret::meaning::{by_size, largest};
+use crate::io::interpret::raw::{Known, KnownScale};
+use crate::io::interpret::{kinds, or_large};
+use crate::io::reading::decision::{AxisDecision, Decision, Origin};
+use crate::io::reading::remark::{taken_as, unit_words};
+use crate::io::text::units::WavelengthUnit;
+
+/// The channels to read and what was done to find them.
+#[derive(Debug)]
+pub struct Chosen {
+    /// Wavelength (nm, strictly rising) and channel (from 0).
+    pub bands: Vec<(f64, usize)>,
+    /// What the wavelengths were counted in, and another unit that the header names.
+    pub axis: AxisDecision,
+    pub against: Option<String>,
+    /// What was done, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// The channels of a file that stores `stored` of them, without the bad ones; `chosen` is the unit
+/// that a person said.
+///
+/// # Errors
+/// [`ReadError`] when the header gives no wavelengths for them.
+pub fn channels(
+    header: &Header,
+    stored: usize,
+    chosen: Option<WavelengthUnit>,
+) -> Result<Chosen, ReadError> {
+    let axis = header.numbers("wavelength")?;
+    if axis.len() != stored {
+        let found = match axis.len() {
+            0 => format!("{stored} channels without wavelengths"),
+            n => format!("{n} wavelengths for {stored} channels"),
+        };
+        return Err(header.error("wavelength", found, "\"wavelength = {...}\", one a channel"));
+    }
+    let mut notes = Vec::new();
+    let title = header.text("wavelength units").unwrap_or("");
+    let range = axis
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+            (lo.min(*x), hi.max(*x))
+        });
+    let word = title.to_lowercase();
+    if chosen.is_none() && ["hz", "index"].iter().any(|other| word.contains(other)) {
+        return Err(header.error(
+            "wavelength units",
+            quoted(title),
+            "nanometers, micrometers, angstroms or wavenumber",
+        ));
+    }
+    let (mut found, against) = match chosen {
+        Some(unit) => (Decision::chosen(unit), None),
+        None => axis::unit(&Axis {
+            title,
+            header: &[],
+            says_nm: false,
+            is_dpt: false,
+            range,
+        }),
+    };
+    let unit = found.value;
+    if found.is_guess() {
+        let words = unit_words(unit, against.as_deref());
+        notes.push(taken_as(&words, &found.reason));
+    } else if unit != WavelengthUnit::Nanometre {
+        notes.push(format!("wavelengths converted from {}", unit.word()));
+    }
+    if found.origin == Origin::Stated {
+        found.reason = format!("wavelength units = {title}");
+    }
+    let mut bands: Vec<(f64, usize)> = axis
+        .iter()
+        .enumerate()
+        .map(|(channel, x)| (unit.to_nm(*x), channel))
+        .collect();
+    drop_bad(header, &mut bands, &mut notes)?;
+    put_in_order(&mut bands, &mut notes);
+    if bands.len() < 2 {
+        return Err(header.error(
+            "wavelength",
+            format!("{} good channels", bands.len()),
+            "at least 2 at different wavelengths above 0",
+        ));
+    }
+    Ok(Chosen {
+        bands,
+        axis: AxisDecision::Unit(found),
+        against,
+        notes,
+    })
+}
+
+/// Drops the channels that the bad bands list marks with 0.
+fn drop_bad(
+    header: &Header,
+    bands: &mut Vec<(f64, usize)>,
+    notes: &mut Vec<String>,
+) -> Result<(), ReadError> {
+    let good = header.numbers("bbl")?;
+    if good.is_empty() {
+        return Ok(());
+    }
+    if good.len() != bands.len() {
+        notes.push(format!(
+            "the bad bands list has {} entries for {} channels: passed over",
+            good.len(),
+            bands.len()
+        ));
+        return Ok(());
+    }
+    let before = bands.len();
+    bands.retain(|(_, channel)| good[*channel] != 0.0);
+    match before - bands.len() {
+        0 => {}
+        1 => notes.push("1 bad band dropped".to_owned()),
+        n => notes.push(format!("{n} bad bands dropped")),
+    }
+    Ok(())
+}
+
+fn put_in_order(bands: &mut Vec<(f64, usize)>, notes: &mut Vec<String>) {
+    let before = bands.len();
+    bands.retain(|(nm, _)| nm.is_finite() && *nm > 0.0);
+    if !bands.is_sorted_by(|a, b| a.0 <= b.0) {
+        bands.sort_by(|a, b| a.0.total_cmp(&b.0));
+        notes.push("channels put in order of rising wavelength".to_owned());
+    }
+    bands.dedup_by(|later, earlier| later.0 == earlier.0);
+    match before - bands.len() {
+        0 => {}
+        n => notes.push(format!(
+            "{n} channels of no or of a doubled wavelength dropped"
+        )),
+    }
+}
+
+/// Scale factors that make sense; others are passed over.
+const SENSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
+/// The median width of a band, nm: "fwhm" in the unit of the wavelengths, where these are so many
+/// times nm; wave numbers are not.
+pub fn bandwidth_nm(header: &Header, nm: &[f64], stored: &[usize]) -> Option<f64> {
+    let written = header.numbers("wavelength").ok()?;
+    let mut widths = header.numbers("fwhm").ok()?;
+    let times = |at: usize| Some(nm.get(at)? / written.get(*stored.get(at)?)?);
+    let (first, last) = (times(0)?, times(nm.len().checked_sub(1)?)?);
+    if widths.is_empty() || (first / last - 1.0).abs() > 1e-6 {
+        return None;
+    }
+    let middle = widths.len() / 2;
+    Some(first * *widths.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// What the values are by the header, else by a sample of them: kind, unit, scale, and what is to be
+/// said.
+///
+/// # Errors
+/// [`ReadError`] when the scale factor is no number.
+pub fn values(
+    header: &Header,
+    data_name: &str,
+    sample: &[f64],
+) -> Result<(Known, Vec<String>), ReadError> {
+    // The first title is the x axis's.
+    let title = header.list("z plot titles");
+    let title = title.get(1).copied().unwrap_or("");
+    let factor = header
+        .number("reflectance scale factor")?
+        .filter(|factor| SENSIBLE_FACTORS.contains(factor));
+    let kind = kind_of_values(header, title, factor.is_some(), data_name, sample);
+    let mut notes = Vec::new();
+    let mut scale = KnownScale::Stated(1.0);
+    if kind.value.is_factor() {
+        scale = match factor.or_else(|| stated_factor(title)) {
+            Some(factor) => {
+                if factor != 1.0 {
+                    notes.push(format!("values divided by {factor}, as the header says"));
+                }
+                KnownScale::Stated(1.0 / factor)
+            }
+            None => KnownScale::Told(or_large(by_size(sample), true, sample)),
+        };
+    }
+    if header.text("data gain values").is_some() || header.text("data offset values").is_some() {
+        notes.push("gains and offsets of the header are not applied".to_owned());
+    }
+    let known = Known {
+        kind: Some(kind),
+        unit: Some(header.text("data units").unwrap_or("").to_owned()),
+        scale,
+        may_be_large: true,
+    };
+    Ok((known, notes))
+}
+
+/// What values stand for: by their title, the key that scales factors, the words of the header, else
+/// by what is usual.
+fn kind_of_values(
+    header: &Header,
+    title: &str,
+    has_factor: bool,
+    data_name: &str,
+    sample: &[f64],
+) -> Decision<Kind> {
+    if let Some(kind) = kinds::kind_of_title(title) {
+        return Decision::of_format(kind);
+    }
+    let words: Vec<String> = ["data units", "description", "data values", "sensor type"]
+        .iter()
+        .filter_map(|key| header.text(key).map(str::to_lowercase))
+        .collect();
+    let lines: Vec<(usize, &str)> = words.iter().map(|w| (1, w.as_str())).collect();
+    let found = kinds::kind(title, &kinds::FromHeader::of(&lines), data_name, sample);
+    if has_factor {
+        // Transmittances are scaled by the same key.
+        let is_factor = !found.is_guess() && found.value.is_factor();
+        let kind = if is_factor {
+            found.value
+        } else {
+            Kind::Reflectance
+        };
+        return Decision::of_format(kind);
+    }
+    if !found.is_guess() {
+        return Decision::of_format(found.value);
+    }
+    // Radiances come as counts beyond 20 000 or with their unit; reflectances mostly as fractions or
+    // times 10 000.
+    if largest(sample) <= 20_000.0 {
+        let because = "nothing states it; ENVI files mostly hold reflectances";
+        return Decision::guessed(Kind::Reflectance, false, because);
+    }
+    Decision::guessed(found.value, false, "nothing states it")
+}
+
+/// The factor in a title such as `reflectance [*10000]` or `reflectance (%)`.
+fn stated_factor(title: &str) -> Option<f64> {
+    if title.contains('%') {
+        return Some(100.0);
+    }
+    let start = title.find(['*', '×']).or_else(|| title.find(" x "))?;
+    let digits: String = title[start..]
+        .chars()
+        .skip_while(|c| !c.is_ascii_digit())
+        .take_while(char::is_ascii_digit)
+        .collect();
+    let factor = digits.parse().ok();
+    factor.filter(|factor| SENSIBLE_FACTORS.contains(factor))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_factor_may_stand_in_the_title() {
+        assert_eq!(stated_factor("reflectance [*10000]"), Some(10_000.0));
+        assert_eq!(stated_factor("Reflectance (%)"), Some(100.0));
+        assert_eq!(stated_factor("Reflectance x 1000"), Some(1000.0));
+        assert_eq!(stated_factor("Reflectance"), None);
+    }
+}

@@ -1,0 +1,209 @@
+//! ENVI spectral libraries and image cubes: a text header `.hdr` beside a file of bare numbers.
+//!
+//! The header starts with the line `ENVI` and goes on with `key = value` lines; a value in braces
+//! may run over several lines, a line that starts with `;` is a comment. The data file has the
+//! same name without `.hdr`, with or without an extension of its own (`a.hdr` beside `a`, `a.sli`,
+//! `a.img`, `a.bsq`, ...; `a.sli.hdr` beside `a.sli`). Either of the two may be opened.
+//!
+//! In a **library** (`file type = ENVI Spectral Library`) `samples` counts the channels and
+//! `lines` the spectra; in a **cube** they are columns and rows, and `bands` the channels.
+//! `interleave` is `bsq` (band by band), `bil` (row by row) or `bip` (pixel by pixel), `byte
+//! order` 0 (least significant first) or 1, `data type` one of [`number_of`]'s, and `header
+//! offset` the bytes before the first number. `wavelength units` may be unknown; `bbl = {1, 0}`
+//! marks bad bands with 0; `reflectance scale factor = 10000` says that 10000 is a reflectance
+//! of 1.
+//!
+//! Limits: 512 MiB of data; [`needs`] tells size and memory from the header alone.
+
+pub mod header;
+pub mod image;
+pub mod library;
+pub mod meaning;
+pub mod pair;
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use crate::spectrum::cube::{Number, bytes_of};
+
+use super::{Confidence, Format};
+use crate::io::{Input, ReadError, Reading, text};
+use header::Header;
+
+/// ENVI header or data.
+pub const FORMAT: Format = Format {
+    name: "ENVI",
+    extensions: &[
+        "hdr", "sli", "esl", "slb", "img", "bsq", "bil", "bip", "raw",
+    ],
+    sniff,
+    read,
+};
+
+/// Extensions of data files that may be taken for text by their bytes.
+const DATA_EXTENSIONS: [&str; 10] = [
+    "sli", "esl", "slb", "img", "bsq", "bil", "bip", "raw", "dat", "bin",
+];
+
+fn sniff(input: &Input) -> Confidence {
+    if is_header(input) {
+        return Confidence::Certain;
+    }
+    let may_be_data = input.text().is_none()
+        || !input.name.contains('.')
+        || DATA_EXTENSIONS.iter().any(|e| input.has_extension(e));
+    if may_be_data && input.path.as_deref().and_then(pair::header_of).is_some() {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn is_header(input: &Input) -> bool {
+    input.head().lines().next().map(str::trim) == Some("ENVI")
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    if is_header(input) {
+        let header = header::parse(&input.name, &input.needs_text()?.text)?;
+        let path = input.path.as_deref().ok_or_else(|| {
+            input.error(
+                "an ENVI header by itself",
+                "its data file beside it in the same folder",
+            )
+        })?;
+        let need = data_bytes(&header)?;
+        let data = pair::data_of(path, &header, need)?;
+        return read_pair(&header, data.bytes.into(), &data.name, input);
+    }
+    let header = input
+        .path
+        .as_deref()
+        .and_then(pair::header_of)
+        .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
+    let header = pair::read_header(&header)?;
+    data_bytes(&header)?;
+    read_pair(&header, input.bytes.into(), &input.name, input)
+}
+
+fn read_pair(
+    header: &Header,
+    data: Cow<[u8]>,
+    data_name: &str,
+    input: &Input,
+) -> Result<Reading, ReadError> {
+    if header.is_library() {
+        let file_bytes = data.len() + input.bytes.len();
+        library::read(header, &data, data_name, file_bytes, input)
+    } else {
+        image::read(header, data.into_owned(), data_name, &input.choices)
+    }
+}
+
+/// The data file that would be read with the header at `path`; `None` when that is no header or
+/// has no data beside it.
+pub fn data_beside(path: &Path) -> Option<PathBuf> {
+    if !pair::starts_as_header(path) {
+        return None;
+    }
+    let header = pair::read_header(path).ok()?;
+    // Data too large to be read whole are data all the same.
+    let need = all_bytes(&header)?;
+    pair::place_of_data(path, need)
+}
+
+/// The other file of a pair: a header's data, or the header of data.
+pub fn pair_of(path: &Path) -> Option<PathBuf> {
+    data_beside(path).or_else(|| pair::header_of(path))
+}
+
+/// What a header announces, before its data are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Needs {
+    /// Columns of a cube, 1 for a library.
+    pub width: usize,
+    /// Rows of a cube, spectra of a library.
+    pub height: usize,
+    /// Channels.
+    pub bands: usize,
+    /// Bytes of the data, which is the memory that a cube takes.
+    pub bytes: usize,
+}
+
+/// Size and memory of the library or cube whose header or data file is at `path`; only the header
+/// is read.
+///
+/// # Errors
+/// [`ReadError`] when there is no header, or it is not right.
+pub fn needs(path: &Path) -> Result<Needs, ReadError> {
+    let header_path = if path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("hdr"))
+    {
+        path.to_owned()
+    } else {
+        pair::header_of(path).ok_or_else(|| {
+            ReadError::new(
+                &crate::io::input::name_of(path),
+                "no ENVI header beside it",
+                "a header .hdr of the same name",
+            )
+        })?
+    };
+    let header = pair::read_header(&header_path)?;
+    let bytes = data_bytes(&header)?;
+    let (width, height, bands) = if header.is_library() {
+        (1, header.lines, header.samples)
+    } else {
+        (header.samples, header.lines, header.bands)
+    };
+    Ok(Needs {
+        width,
+        height,
+        bands,
+        bytes,
+    })
+}
+
+/// Bytes that the data file must have, header offset included; `None` beyond counting.
+pub fn all_bytes(header: &Header) -> Option<usize> {
+    bytes_of(header.samples, header.lines, header.bands, header.number)
+        .and_then(|bytes| bytes.checked_add(header.offset))
+}
+
+/// The same where they are few enough to be read whole.
+fn data_bytes(header: &Header) -> Result<usize, ReadError> {
+    let bytes = all_bytes(header).filter(|bytes| *bytes as u64 <= text::MOST_BYTES);
+    bytes.ok_or_else(|| {
+        header.error(
+            "samples",
+            format!(
+                "{} x {} x {} numbers of {} bytes",
+                header.samples,
+                header.lines,
+                header.bands,
+                header.number.bytes()
+            ),
+            "at most 512 MiB of data",
+        )
+    })
+}
+
+/// The kind of number behind a `data type`.
+pub fn number_of(data_type: usize) -> Option<Number> {
+    Some(match data_type {
+        1 => Number::U8,
+        2 => Number::I16,
+        3 => Number::I32,
+        4 => Number::F32,
+        5 => Number::F64,
+        12 => Number::U16,
+        13 => Number::U32,
+        14 => Number::I64,
+        15 => Number::U64,
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,119 @@
+//! The two files of an ENVI pair: finding and reading the other one.
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use super::header::{self, Header};
+use crate::io::input::name_of;
+use crate::io::text::{self, MOST_BYTES};
+use crate::io::{ReadError, budget};
+
+/// Endings of data files, in the order in which they are looked for.
+const DATA_ENDINGS: [&str; 15] = [
+    "", ".sli", ".esl", ".slb", ".img", ".dat", ".bsq", ".bil", ".bip", ".raw", ".bin", ".cube",
+    ".hyspex", ".lib", ".spc",
+];
+
+/// Most bytes of a header.
+const MOST_HEADER_BYTES: u64 = 64 << 20;
+
+/// A data file.
+pub struct Data {
+    /// Its name, for messages.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+/// The ENVI header that belongs to a data file: `a.sli.hdr` or `a.hdr` beside `a.sli`.
+pub fn header_of(data: &Path) -> Option<PathBuf> {
+    let longer = |ending: &str| {
+        let mut name = data.as_os_str().to_owned();
+        name.push(ending);
+        PathBuf::from(name)
+    };
+    [
+        longer(".hdr"),
+        data.with_extension("hdr"),
+        longer(".HDR"),
+        data.with_extension("HDR"),
+    ]
+    .into_iter()
+    .find(|path| path != data && path.is_file() && starts_as_header(path))
+}
+
+/// Whether a file begins as an ENVI header does.
+pub fn starts_as_header(path: &Path) -> bool {
+    let mut start = [0; 8];
+    let read = File::open(path).and_then(|mut file| file.read(&mut start));
+    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
+    read.is_ok() && start.starts_with(b"ENVI")
+}
+
+/// Reads a header from disk.
+///
+/// # Errors
+/// [`ReadError`] when it cannot be read or is not right.
+pub fn read_header(path: &Path) -> Result<Header, ReadError> {
+    let name = name_of(path);
+    let bytes = read_file(path, MOST_HEADER_BYTES, "at most 64 MiB in a header")?;
+    header::parse(&name, &text::decode(&bytes).text)
+}
+
+/// The data that belong to a header of which `need` bytes are announced.
+///
+/// # Errors
+/// [`ReadError`] when there is none, or it cannot be read.
+pub fn data_of(path: &Path, header: &Header, need: usize) -> Result<Data, ReadError> {
+    let chosen = place_of_data(path, need).ok_or_else(|| {
+        ReadError::new(
+            &header.file,
+            "an ENVI header by itself",
+            format!(
+                "its data beside it ({} with an ending such as .sli, .img, .bsq, or none)",
+                name_of(&path.with_extension(""))
+            ),
+        )
+    })?;
+    Ok(Data {
+        name: name_of(&chosen),
+        bytes: read_file(&chosen, MOST_BYTES, "at most 512 MiB in one file")?,
+    })
+}
+
+/// The data file beside a header of which `need` bytes are announced. Of several files with
+/// fitting names the first that is large enough is taken.
+pub fn place_of_data(path: &Path, need: usize) -> Option<PathBuf> {
+    let stem = path.with_extension("");
+    let candidates = DATA_ENDINGS.iter().flat_map(|ending| {
+        [(*ending).to_owned(), ending.to_uppercase()].map(|ending| {
+            let mut name = stem.clone().into_os_string();
+            name.push(ending);
+            PathBuf::from(name)
+        })
+    });
+    let mut there = candidates.filter(|candidate| candidate != path && candidate.is_file());
+    let first = there.next()?;
+    let large = |path: &PathBuf| fs::metadata(path).is_ok_and(|about| about.len() >= need as u64);
+    Some(if large(&first) {
+        first
+    } else {
+        there.find(large).unwrap_or(first)
+    })
+}
+
+fn read_file(path: &Path, most: u64, at_most: &str) -> Result<Vec<u8>, ReadError> {
+    let name = name_of(path);
+    let trouble =
+        |error: std::io::Error| ReadError::new(&name, error.to_string(), "a file that can be read");
+    let file = File::open(path).map_err(trouble)?;
+    let size = file.metadata().map_err(trouble)?.len();
+    if size > most {
+        let found = budget::in_words(usize::try_from(size).unwrap_or(usize::MAX));
+        return Err(ReadError::new(&name, found, at_most));
+    }
+    let mut bytes = Vec::with_capacity(size as usize);
+    file.take(most).read_to_end(&mut bytes).map_err(trouble)?;
+    Ok(bytes)
+}

@@ -1,0 +1,128 @@
+//! Spectra of colorimetry-io 1.0 files.
+
+use serde_json::Value;
+
+use crate::spectrum::Kind;
+
+use super::spectrum::{JsonSpectrum, add, numbers, word};
+use crate::io::interpret::curve::MOST_SAMPLES;
+use crate::io::interpret::kinds;
+use crate::io::provenance::shortest;
+use crate::io::{Input, ReadError, Reading};
+
+/// Adds one spectrum object to a reading.
+///
+/// # Errors
+/// [`ReadError`] when axis or values are missing or do not fit each other.
+pub(super) fn read_colorimetry(
+    input: &Input,
+    value: &Value,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let axis = value.get("wavelength_axis").ok_or_else(|| {
+        input.error(
+            "no \"wavelength_axis\"",
+            "one with \"values_nm\" or \"range_nm\"",
+        )
+    })?;
+    let values = value
+        .pointer("/spectral_data/values")
+        .ok_or_else(|| input.error("no \"spectral_data\"", "one with \"values\""))?;
+    let values = numbers(input, values, "\"values\"")?;
+    let nm = if let Some(list) = axis.get("values_nm").filter(|l| !l.is_null()) {
+        numbers(input, list, "\"values_nm\"")?
+    } else {
+        range(input, axis, values.len())?
+    };
+    if nm.len() != values.len() {
+        return Err(input.error(
+            format!("{} wavelengths and {} values", nm.len(), values.len()),
+            "one value for each wavelength",
+        ));
+    }
+    let stated = word(value, "/metadata/measurement_type").unwrap_or("");
+    let kind = match stated.to_lowercase().as_str() {
+        "sensitivity" => Some(Kind::Weighting),
+        "emission" => Some(Kind::Light),
+        other => kinds::kind_of_words(other),
+    };
+    let percent =
+        word(value, "/spectral_data/scale").map(|s| s.to_lowercase().starts_with("percent"));
+    let name = word(value, "/metadata/title")
+        .or_else(|| word(value, "/id"))
+        .unwrap_or(input.stem());
+    let found = JsonSpectrum {
+        name: name.to_owned(),
+        kind: kind.unwrap_or(Kind::Light),
+        kind_stated: kind.is_some(),
+        unit: word(value, "/spectral_data/unit").unwrap_or("").to_owned(),
+        percent,
+        source: word(value, "/metadata/description")
+            .unwrap_or(&input.name)
+            .to_owned(),
+    };
+    add(input, found, &nm, values, reading)
+}
+
+/// The wavelengths of a range for some values: no more are made than there are values.
+fn range(input: &Input, axis: &Value, values: usize) -> Result<Vec<f64>, ReadError> {
+    let expected = "\"range_nm\" with numbers \"start\", \"end\" and \"interval\"";
+    let number = |key: &str| {
+        axis.pointer(&format!("/range_nm/{key}"))
+            .and_then(Value::as_f64)
+            .ok_or_else(|| input.error(format!("no \"{key}\" in \"range_nm\""), expected))
+    };
+    let (start, end, interval) = (number("start")?, number("end")?, number("interval")?);
+    let steps = ((end - start) / interval).round();
+    // The negated test also refuses a step of zero, which makes the count infinite or no number.
+    if !(1.0..MOST_SAMPLES as f64).contains(&steps) {
+        return Err(input.error(
+            format!(
+                "a range of {} to {} nm in steps of {}",
+                shortest(start),
+                shortest(end),
+                shortest(interval)
+            ),
+            "at least one step and at most 10,000,000",
+        ));
+    }
+    if steps as usize + 1 != values {
+        return Err(input.error(
+            format!("{} wavelengths and {values} values", steps as usize + 1),
+            "one value for each wavelength",
+        ));
+    }
+    Ok((0..=steps as usize)
+        .map(|i| start + i as f64 * interval)
+        .collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn colorimetry_io_gives_a_range_or_a_list_of_wavelengths() {
+        let text = r#"{"schema_version":"1.0.0","spectra":[
+            {"id":"a","metadata":{"title":"Tile","measurement_type":"reflectance"},
+             "wavelength_axis":{"range_nm":{"start":400,"end":420,"interval":10}},
+             "spectral_data":{"scale":"percent","values":[10,20,30]}},
+            {"id":"b","metadata":{"measurement_type":"irradiance"},
+             "wavelength_axis":{"values_nm":[400,405.5]},"spectral_data":{"values":[1,2]}}]}"#;
+        let spectra = read_bytes("a.json", text.as_bytes()).unwrap().spectra;
+        assert_eq!(
+            (spectra[0].name.as_str(), spectra[0].kind),
+            ("Tile", Kind::Reflectance)
+        );
+        assert_eq!(
+            (spectra[0].scale, spectra[0].samples.last_nm()),
+            (0.01, 420.0)
+        );
+        assert_eq!(
+            (spectra[1].name.as_str(), spectra[1].kind),
+            ("b", Kind::Light)
+        );
+        assert_eq!(spectra[1].samples.values(), [1.0, 2.0]);
+    }
+}

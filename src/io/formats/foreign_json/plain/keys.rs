@@ -1,0 +1,111 @@
+//! What a key says, and which values are numbers.
+
+use crate::io::decode::json_tree::{Object, Tree};
+use crate::io::text::number::{self, Cell};
+use crate::io::text::units::names_wavelength;
+
+/// Keys under which a sample's name stands.
+pub(super) const NAMES: [&str; 6] = ["name", "title", "label", "id", "sample", "description"];
+
+/// Keys that are no names of what stands under them.
+pub(super) const NO_NAMES: [&str; 22] = [
+    "data",
+    "spectrum",
+    "spectra",
+    "spectral data",
+    "values",
+    "value",
+    "points",
+    "samples",
+    "sample",
+    "measurements",
+    "measurement",
+    "results",
+    "result",
+    "spd",
+    "series",
+    "records",
+    "rows",
+    "items",
+    "meta",
+    "metadata",
+    "info",
+    "main",
+];
+
+/// Whether a key is "x", which is mostly something else where another says that it is an axis.
+pub(super) fn is_x(key: &str) -> bool {
+    key.eq_ignore_ascii_case("x")
+}
+
+/// Whether keys count rows from 0 or 1, as tables are written that have columns for objects.
+pub(super) fn row_numbers(object: &Object) -> bool {
+    let first = object
+        .first()
+        .and_then(|(key, _)| key.parse::<usize>().ok());
+    let Some(first @ 0..=1) = first else {
+        return false;
+    };
+    let mut rows = object.iter().enumerate();
+    rows.all(|(row, (key, _))| key.parse() == Ok(row + first))
+}
+
+/// The values of a list, or of an object whose keys count rows.
+pub(super) fn items(value: &Tree) -> Option<Vec<&Tree>> {
+    match value {
+        Tree::List(list) => Some(list.iter().collect()),
+        Tree::Object(object) if row_numbers(object) => {
+            Some(object.iter().map(|(_, item)| item).collect())
+        }
+        _ => None,
+    }
+}
+
+/// At least two numbers; `null` and words for a gap stand for missing ones.
+pub(super) fn numbers(value: &Tree) -> Option<Vec<f64>> {
+    let list = items(value).filter(|list| list.len() > 1)?;
+    let list: Vec<f64> = list.into_iter().map(one_number).collect::<Option<_>>()?;
+    list.iter().any(|number| !number.is_nan()).then_some(list)
+}
+
+/// A number, or a word that stands for one; NaN for a gap.
+pub(super) fn one_number(value: &Tree) -> Option<f64> {
+    match value {
+        Tree::Nothing => Some(f64::NAN),
+        Tree::Number(number) => Some(*number),
+        Tree::Text(text) => match number::parse(text, false) {
+            Cell::Number(number) | Cell::Nanometres(number) | Cell::WithUnit(number) => {
+                Some(number)
+            }
+            Cell::Gap => Some(f64::NAN),
+            Cell::Percent(_) | Cell::Empty | Cell::Text => None,
+        },
+        Tree::List(_) | Tree::Object(_) => None,
+    }
+}
+
+/// Whether a number has "nm" behind it.
+pub(super) fn says_nm(value: &Tree) -> bool {
+    value
+        .text()
+        .is_some_and(|text| text.trim_end().ends_with("nm"))
+}
+
+/// Whether a key says that wavelengths stand under it.
+pub(super) fn is_axis(key: &str) -> bool {
+    names_wavelength(&spaced(key))
+}
+
+/// A key as a title: `wavelength_nm` and `wavelengthNm` are "wavelength nm".
+pub(super) fn spaced(key: &str) -> String {
+    let mut title = String::with_capacity(key.len() + 4);
+    let mut before = ' ';
+    for letter in key.chars() {
+        if letter.is_uppercase() && before.is_lowercase() {
+            title.push(' ');
+        }
+        title.push(if letter == '_' { ' ' } else { letter });
+        before = letter;
+    }
+    title
+}

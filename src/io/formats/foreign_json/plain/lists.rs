@@ -1,0 +1,289 @@
+//! Lists of values beside a list of wavelengths, in the ways that JSON has for them.
+
+use std::collections::HashMap;
+
+use super::DEPTH;
+use super::keys::{
+    NAMES, NO_NAMES, is_axis, is_x, items, numbers, one_number, row_numbers, says_nm, spaced,
+};
+use super::range::Ends;
+use crate::io::decode::json_tree::{Object, Tree};
+use crate::io::interpret::kinds;
+use crate::io::text::number;
+
+/// Least and greatest number, nm, of a list that only its key's last word tells to be one of
+/// wavelengths.
+const BANDS_NM: std::ops::RangeInclusive<f64> = 100.0..=50_000.0;
+
+/// Memory that a table of points may take for each key in the file: not every point has every key.
+const CELLS_A_KEY: usize = 8;
+
+/// Most lists of one object that are tried as wavelengths.
+const MOST_AXES: usize = 8;
+
+/// Wavelengths and the lists of values beside them.
+pub(super) struct Lists<'a> {
+    /// The key above the wavelengths, its words set apart.
+    pub axis_title: String,
+    /// Whether a number has "nm" behind it.
+    pub says_nm: bool,
+    /// The wavelengths.
+    pub axis: Vec<f64>,
+    /// The lists of values.
+    pub columns: Vec<Column<'a>>,
+}
+
+/// A list of values.
+pub(super) struct Column<'a> {
+    /// The key above it: what is measured.
+    pub title: &'a str,
+    /// What its sample is called.
+    pub name: Option<&'a str>,
+    /// As many as there are wavelengths; NaN where one is missing.
+    pub values: Vec<f64>,
+}
+
+/// Wavelengths, listed or given by their ends, and the lists as long beside and below.
+pub(super) fn of_lists(object: &Object) -> Option<Lists<'_>> {
+    let ranked = object.iter().enumerate().filter_map(|(at, (key, value))| {
+        let rank = match () {
+            // Of colours too there is an x.
+            () if is_x(key) && !rises(value) => return None,
+            () if is_axis(key) => usize::from(is_x(key)),
+            () if is_bands(key) && rises(value) => 2,
+            () => return None,
+        };
+        numbers(value)?;
+        Some((rank, at))
+    });
+    let mut ranked: Vec<(usize, usize)> = ranked.take(MOST_AXES).collect();
+    ranked.sort_unstable();
+    let mut tables = ranked.into_iter().filter_map(|(_, at)| beside(object, at));
+    tables.next().or_else(|| of_range(object))
+}
+
+/// The lists beside and below that are as long as the one at a place, which has the wavelengths.
+fn beside(object: &Object, at: usize) -> Option<Lists<'_>> {
+    let (axis_key, value) = object.get(at)?;
+    let axis = numbers(value)?;
+    let others = object.iter().enumerate().filter(|(other, _)| *other != at);
+    let columns = lists_beside(others.map(|(_, entry)| entry), axis.len());
+    let table = Lists {
+        axis_title: if is_axis(axis_key) {
+            spaced(axis_key)
+        } else {
+            "wavelength nm".to_owned()
+        },
+        says_nm: items(value).is_some_and(|items| items.iter().any(|item| says_nm(item))),
+        axis,
+        columns,
+    };
+    (!table.columns.is_empty()).then_some(table)
+}
+
+/// Wavelengths given by their ends, and the lists as long as they say.
+fn of_range(object: &Object) -> Option<Lists<'_>> {
+    let ends = Ends::of(object);
+    let beside = object.iter().find_map(|(_, value)| numbers(value));
+    ends.lengths(beside.map(|list| list.len()))
+        .into_iter()
+        .find_map(|length| {
+            let columns = lists_beside(object.iter(), length);
+            let found = !columns.is_empty();
+            found.then(|| {
+                let (axis_title, axis) = ends.axis(length);
+                Lists {
+                    axis_title,
+                    says_nm: false,
+                    axis,
+                    columns,
+                }
+            })
+        })
+}
+
+/// Whether the last word of a key says that numbers under it may be wavelengths.
+fn is_bands(key: &str) -> bool {
+    let key = spaced(key).to_lowercase();
+    ["bands", "nm", "wavelengths"]
+        .iter()
+        .any(|word| key.ends_with(word))
+}
+
+fn rises(value: &Tree) -> bool {
+    numbers(value).is_some_and(|list| {
+        list.is_sorted_by(|a, b| a < b) && list.iter().all(|nm| BANDS_NM.contains(nm))
+    })
+}
+
+/// Lists of a length below some keys.
+fn lists_beside<'a>(
+    entries: impl Iterator<Item = &'a (String, Tree)>,
+    length: usize,
+) -> Vec<Column<'a>> {
+    let mut columns = Vec::new();
+    for (key, value) in entries {
+        gather(key, value, None, length, DEPTH, &mut columns);
+    }
+    columns
+}
+
+/// Lists of as many numbers as there are wavelengths.
+fn gather<'a>(
+    key: &'a str,
+    value: &'a Tree,
+    name: Option<&'a str>,
+    length: usize,
+    depth: usize,
+    columns: &mut Vec<Column<'a>>,
+) {
+    let Some(depth) = depth.checked_sub(1) else {
+        return;
+    };
+    if let Some(values) = numbers(value) {
+        // The same axis again, or counted otherwise.
+        let is_axis_too = is_axis(key) && !is_x(key);
+        if values.len() == length && !is_axis_too {
+            columns.push(Column {
+                title: key,
+                name,
+                values,
+            });
+        }
+        return;
+    }
+    match value {
+        Tree::List(list) => list
+            .iter()
+            .for_each(|inner| gather(key, inner, name, length, depth, columns)),
+        Tree::Object(object) => {
+            let own = NAMES.iter().find_map(|name| get(object, name)?.text());
+            let is_named = !NO_NAMES.contains(&&*spaced(key).to_lowercase());
+            for (inner_key, inner) in object {
+                // Keys over lists of their own are names, unless they say what is measured:
+                // {"samples": {"A": [..]}}, {"A": {"reflectance": [..]}}.
+                let plain = spaced(inner_key).to_lowercase();
+                let says_what =
+                    NO_NAMES.contains(&&*plain) || kinds::kind_of_title(&plain).is_some();
+                let is_name = matches!(inner, Tree::List(_)) && !(says_what && is_named);
+                let name = own.or(is_name.then_some(inner_key)).or(Some(key));
+                gather(inner_key, inner, name, length, depth, columns);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn get<'a>(object: &'a Object, key: &str) -> Option<&'a Tree> {
+    object
+        .iter()
+        .find(|(other, _)| other == key)
+        .map(|(_, value)| value)
+}
+
+/// Wavelengths as keys: `{"380": 0.1, "390": 0.2}`.
+pub(super) fn of_keys(object: &Object) -> Option<Lists<'_>> {
+    let mut points = Vec::new();
+    for (key, value) in object {
+        points.push((wavelength_of(key)?, one_number(value)?));
+    }
+    if points.len() < 2 || row_numbers(object) {
+        return None;
+    }
+    // Keys may stand in the order of their letters.
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (axis, values) = points.into_iter().unzip();
+    let column = Column {
+        title: "",
+        name: None,
+        values,
+    };
+    Some(Lists {
+        axis_title: String::new(),
+        says_nm: object.iter().all(|(key, _)| key.trim_end().ends_with("nm")),
+        axis,
+        columns: vec![column],
+    })
+}
+
+/// A key that is a wavelength: `380`, `380nm`.
+fn wavelength_of(key: &str) -> Option<f64> {
+    let bare = key.trim().trim_end_matches("nm").trim_end();
+    number::number(bare, false).filter(|nm| number::is_measured(*nm) && *nm > 0.0)
+}
+
+/// Points as objects: `[{"wavelength": 380, "value": 0.1}, ...]`.
+pub(super) fn of_points(value: &Tree) -> Option<Lists<'_>> {
+    let points: Vec<&Object> = items(value)?
+        .into_iter()
+        .map(Tree::object)
+        .collect::<Option<_>>()?;
+    let first = points.first().filter(|_| points.len() > 1)?;
+    let numbers = first
+        .iter()
+        .filter(|(_, value)| one_number(value).is_some());
+    let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
+    let axis_at = keys.iter().position(|key| is_axis(key) && !is_x(key));
+    let axis_at = axis_at.or_else(|| keys.iter().position(|key| is_axis(key)))?;
+    let entries: usize = points.iter().map(|point| point.len()).sum();
+    if keys.len() < 2 || keys.len() * points.len() > CELLS_A_KEY * entries {
+        return None;
+    }
+    let places: HashMap<&str, usize> = keys
+        .iter()
+        .enumerate()
+        .map(|(at, key)| (*key, at))
+        .collect();
+    let mut columns = vec![vec![f64::NAN; points.len()]; keys.len()];
+    let mut says_nm_too = false;
+    for (row, point) in points.iter().enumerate() {
+        for (key, value) in *point {
+            if let (Some(at), Some(number)) = (places.get(&**key), one_number(value)) {
+                columns[*at][row] = number;
+                says_nm_too |= *at == axis_at && says_nm(value);
+            }
+        }
+    }
+    let axis = std::mem::take(&mut columns[axis_at]);
+    let others = keys
+        .iter()
+        .zip(columns)
+        .enumerate()
+        .filter(|(at, _)| *at != axis_at);
+    let columns = others.map(|(_, (key, values))| Column {
+        title: key,
+        name: None,
+        values,
+    });
+    Some(Lists {
+        axis_title: spaced(keys[axis_at]),
+        says_nm: says_nm_too,
+        axis,
+        columns: columns.collect(),
+    })
+}
+
+/// Points as lists: `[[380, 0.1], [390, 0.2], ...]`.
+pub(super) fn of_rows(list: &[Tree]) -> Option<Lists<'_>> {
+    if list.len() < 2 {
+        return None;
+    }
+    let rows: Vec<Vec<f64>> = list.iter().map(numbers).collect::<Option<_>>()?;
+    let width = rows[0].len();
+    let axis: Vec<f64> = rows.iter().map(|row| row[0]).collect();
+    let rises = axis.is_sorted_by(|a, b| a < b) || axis.is_sorted_by(|a, b| a > b);
+    if !rises || axis.iter().any(|nm| *nm <= 0.0) || rows.iter().any(|row| row.len() != width) {
+        return None;
+    }
+    let columns = (1..width).map(|at| Column {
+        title: "",
+        name: None,
+        values: rows.iter().map(|row| row[at]).collect(),
+    });
+    Some(Lists {
+        axis_title: String::new(),
+        says_nm: false,
+        axis,
+        columns: columns.collect(),
+    })
+}

@@ -1,0 +1,396 @@
+//! JSON of no program in particular: lists of numbers beside a list of wavelengths.
+//!
+//! ```text
+//! {"name": "lamp", "unit": "W/m2/nm", "wavelengths": [380, 390, ..], "values": [..], "other": [..]}
+//! {"wavelength_nm": [..], "samples": [{"name": "A", "reflectance": [..]}, ..]}
+//! [{"wavelength": 380, "value": 0.1}, ..]      [[380, 0.1], [390, 0.2], ..]      {"380": 0.1, ..}
+//! {"start": 380, "end": 730, "interval": 10, "values": [..]}      {"bands": [400, 410, ..], ..}
+//! {"wavelength": {"0": 380, "1": 390, ..}, "value": {"0": 0.1, "1": 0.2, ..}}
+//! ```
+//!
+//! What the words mean is decided as in a table of text: keys are the titles of columns, and other
+//! words beside them are the lines above it. Keys above several tables are their names.
+
+mod keys;
+mod lists;
+mod range;
+
+use crate::io::decode::json_tree::{Object, Tree};
+use crate::io::error::kept;
+use crate::io::interpret::heading::Heading;
+use crate::io::interpret::raw::{RawSpectrum, Scale};
+use crate::io::interpret::{interpret, kinds};
+use crate::io::text::number;
+use crate::io::{Input, ReadError, Reading};
+use keys::{NAMES, NO_NAMES, spaced};
+use lists::{Column, Lists, of_keys, of_lists, of_points, of_rows};
+
+/// How deep in a file spectra are looked for.
+pub(super) const DEPTH: usize = 8;
+
+/// Most words beside a table that are kept, and most bytes of them: every table is read with all.
+const MOST_WORDS: usize = 100;
+const MOST_WORD_BYTES: usize = 4096;
+
+/// Bytes of words that are read with the tables of one file altogether, besides twice its size;
+/// with further tables only the start of the nearest line is.
+const MOST_BYTES_READ: usize = 1 << 19;
+const NEAREST_BYTES: usize = 60;
+
+/// Adds all spectra that a JSON value holds; none where it holds no wavelengths.
+///
+/// # Errors
+/// [`ReadError`] when numbers beside wavelengths are no spectrum.
+pub(super) fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result<(), ReadError> {
+    let mut finder = Finder {
+        input,
+        reading,
+        words: Vec::new(),
+        bytes: 0,
+        bytes_read: 0,
+    };
+    finder.look(value, DEPTH)
+}
+
+/// Looks for tables and adds their spectra.
+struct Finder<'i, 'f, 'r> {
+    input: &'i Input<'f>,
+    reading: &'r mut Reading,
+    /// Words of the objects around, the innermost last.
+    words: Vec<String>,
+    /// Of those words.
+    bytes: usize,
+    /// Of words read with tables so far.
+    bytes_read: usize,
+}
+
+impl Finder<'_, '_, '_> {
+    fn look(&mut self, value: &Tree, depth: usize) -> Result<(), ReadError> {
+        let Some(depth) = depth.checked_sub(1) else {
+            return Ok(());
+        };
+        match value {
+            Tree::Object(object) => self.look_in_object(value, object, depth),
+            Tree::List(list) => match of_points(value).or_else(|| of_rows(list)) {
+                Some(lists) => self.add(lists),
+                None => list.iter().try_for_each(|inner| self.look(inner, depth)),
+            },
+            _ => Ok(()),
+        }
+    }
+
+    fn look_in_object(
+        &mut self,
+        value: &Tree,
+        object: &Object,
+        depth: usize,
+    ) -> Result<(), ReadError> {
+        let outside = (self.words.len(), self.bytes);
+        for line in words_of(object) {
+            self.push(line);
+        }
+        let table = of_lists(object)
+            .or_else(|| of_points(value))
+            .or_else(|| of_keys(object));
+        let outcome = match table {
+            Some(lists) => self.add(lists),
+            None => self.look_below(object, depth),
+        };
+        self.forget(outside);
+        outcome
+    }
+
+    /// Looks at what stands under the keys, which are names where there are several.
+    fn look_below(&mut self, object: &Object, depth: usize) -> Result<(), ReadError> {
+        let several = object
+            .iter()
+            .filter(|(_, inner)| inner.holds_values())
+            .count()
+            > 1;
+        for (key, inner) in object.iter().filter(|(_, inner)| inner.holds_values()) {
+            let outside = (self.words.len(), self.bytes);
+            let plain = spaced(key).to_lowercase();
+            if several && !NO_NAMES.contains(&plain.trim()) {
+                let is_kind = kinds::kind_of_title(&plain).is_some();
+                let is_number = number::number(key.trim(), false).is_some();
+                self.push(if is_kind || is_number {
+                    format!("name: {} {}", self.input.stem(), kept(key))
+                } else {
+                    format!("name: {}", kept(key))
+                });
+            }
+            let outcome = self.look(inner, depth);
+            self.forget(outside);
+            outcome?;
+        }
+        Ok(())
+    }
+
+    /// Remembers a line, unless there are many already.
+    fn push(&mut self, line: String) {
+        if self.words.len() < MOST_WORDS && self.bytes + line.len() <= MOST_WORD_BYTES {
+            self.bytes += line.len();
+            self.words.push(line);
+        }
+    }
+
+    fn forget(&mut self, (lines, bytes): (usize, usize)) {
+        self.words.truncate(lines);
+        self.bytes = bytes;
+    }
+
+    fn add(&mut self, lists: Lists) -> Result<(), ReadError> {
+        self.bytes_read += self.bytes;
+        let most_read = MOST_BYTES_READ + 2 * self.input.bytes.len();
+        let lines: Vec<(usize, &str)> = if self.bytes_read <= most_read {
+            self.words.iter().map(|line| (0, &**line)).collect()
+        } else {
+            let start = |line: &str| line.floor_char_boundary(NEAREST_BYTES);
+            let nearest = self.words.last().map(|line| (0, &line[..start(line)]));
+            nearest.into_iter().collect()
+        };
+        let heading = Heading::of(&lines).shared_by(lists.columns.len());
+        let scale = Scale::new(&lists.axis);
+        let several = lists.columns.len() > 1;
+        let are_channels = are_channels(&lists.columns);
+        let stem = heading.name.unwrap_or(self.input.stem());
+        for column in lists.columns {
+            let name = match (column.name, several) {
+                (Some(name), _) => name.to_owned(),
+                (None, true) if !column.title.is_empty() => format!("{stem} {}", column.title),
+                _ => stem.to_owned(),
+            };
+            let axis_title = &lists.axis_title;
+            let raw = RawSpectrum::written(name, &scale, axis_title, column.values, &heading);
+            let raw = RawSpectrum {
+                title: match are_channels {
+                    true => title_of_channel(column.title).to_owned(),
+                    false => spaced(column.title),
+                },
+                ..raw.saying_nm(lists.says_nm)
+            };
+            interpret(raw, self.input, self.reading)?;
+        }
+        Ok(())
+    }
+}
+
+/// Whether columns are a camera's or a display's red, green and blue: then R is no reflectance.
+fn are_channels(columns: &[Column]) -> bool {
+    [["r", "red"], ["g", "green"], ["b", "blue"]]
+        .iter()
+        .all(|names| {
+            columns.iter().any(|column| {
+                let title = spaced(column.title).to_lowercase();
+                let first = title.split_whitespace().next().unwrap_or("");
+                names.contains(&first)
+            })
+        })
+}
+
+/// What the title of a channel says of its values: `red_ssf` is a camera's sensitivity.
+fn title_of_channel(title: &str) -> &'static str {
+    let title = title.to_lowercase();
+    let is_sensitivity = ["ssf", "sensitiv", "respons", "qe"]
+        .iter()
+        .any(|w| title.contains(w));
+    if is_sensitivity {
+        "spectral sensitivity"
+    } else {
+        ""
+    }
+}
+
+/// Words and numbers beside lists, as the lines above a lists.
+fn words_of(object: &Object) -> impl Iterator<Item = String> {
+    object.iter().filter_map(|(key, value)| {
+        let key = if NAMES[..2].contains(&&*key.to_lowercase()) {
+            "name".to_owned()
+        } else {
+            spaced(&kept(key).to_lowercase())
+        };
+        match value {
+            Tree::Text(text) if !text.trim().is_empty() => Some(format!("{key}: {}", kept(text))),
+            _ => None,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Reading, read_bytes};
+    use crate::spectrum::Kind;
+
+    fn read(text: &str) -> Reading {
+        read_bytes("a.json", text.as_bytes()).expect("spectra")
+    }
+
+    fn names(reading: &Reading) -> Vec<&str> {
+        reading.spectra.iter().map(|s| s.name.as_str()).collect()
+    }
+
+    #[test]
+    fn lists_beside_wavelengths_are_spectra_of_the_kind_that_their_key_names() {
+        let one = read(
+            r#"{"name":"Lamp A","unit":"W/m2/nm","wavelengths":[380,390,400],"values":[1,null,3]}"#,
+        );
+        let spectrum = &one.spectra[0];
+        assert_eq!(
+            (spectrum.name.as_str(), spectrum.kind),
+            ("Lamp A", Kind::Light)
+        );
+        assert_eq!(spectrum.unit, "W/m2/nm");
+        assert_eq!(spectrum.samples.nm(), [380.0, 400.0]);
+        let two = read(r#"{"data":{"wavelength_um":[0.4,0.5],"reflectance":[0.1,0.2],"n":7}}"#);
+        assert_eq!(two.spectra[0].kind, Kind::Reflectance);
+        assert_eq!(two.spectra[0].samples.nm(), [400.0, 500.0]);
+    }
+
+    #[test]
+    fn samples_below_shared_wavelengths_keep_their_names() {
+        let list = read(
+            r#"{"wavelengthsNm":[400,410],"samples":[{"name":"A","reflectance":[0.1,0.2]},
+                {"name":"B","reflectance":[0.3,0.4]}]}"#,
+        );
+        assert_eq!(names(&list), ["A", "B"]);
+        assert!(list.spectra.iter().all(|s| s.kind == Kind::Reflectance));
+        let keyed = read(r#"{"lambda":[400,410],"spectra":{"A":[1,2],"B":[3,4]}}"#);
+        assert_eq!(names(&keyed), ["A", "B"]);
+        assert_eq!(keyed.spectra[1].samples.values(), [3.0, 4.0]);
+    }
+
+    #[test]
+    fn points_as_objects_lists_or_keys_are_spectra_too() {
+        for text in [
+            r#"[{"wavelength":380,"power":1},{"wavelength":390,"power":"2.5"}]"#,
+            "[[380,1],[390,2.5]]",
+            r#"{"390":2.5,"380":1}"#,
+            r#"{"lamp":{"390nm":2.5,"380nm":1}}"#,
+            r#"{"points":[{"nm":390,"v":2.5},{"nm":380,"v":1}]}"#,
+        ] {
+            let reading = read(text);
+            assert_eq!(reading.spectra.len(), 1, "{text}");
+            let samples = &reading.spectra[0].samples;
+            assert_eq!(samples.nm(), [380.0, 390.0], "{text}");
+            assert_eq!(samples.values(), [1.0, 2.5], "{text}");
+        }
+    }
+
+    #[test]
+    fn ends_and_a_step_are_wavelengths_where_they_fit_the_lists() {
+        for axis in [
+            r#""start":380,"end":420,"interval":10"#,
+            r#""domain":[380,420],"interval":10"#,
+            r#""span":[380,420],"step":10"#,
+            r#""bands":[380,420,10]"#,
+            r#""lambda_min":380,"lambda_max":420,"n":5"#,
+            r#""wavelength_min_nm":380,"wavelength_max_nm":420"#,
+            r#""range":{"start":380,"end":420,"increment":10}"#,
+        ] {
+            let reading = read(&format!(r#"{{"name":"L","values":[1,2,3,4,5],{axis}}}"#));
+            assert_eq!(names(&reading), ["L"], "{axis}");
+            let samples = &reading.spectra[0].samples;
+            assert_eq!(samples.nm(), [380.0, 390.0, 400.0, 410.0, 420.0], "{axis}");
+        }
+        for axis in [
+            r#""start":380,"end":430,"interval":10"#,
+            r#""start":1,"end":5,"interval":1"#,
+            r#""start":380,"end":420"#,
+            r#""bands":[380,420,11]"#,
+            r#""domain":[380,420]"#,
+        ] {
+            let text = format!(r#"{{"values":[1,2,3,4,5],{axis}}}"#);
+            assert!(read_bytes("a.json", text.as_bytes()).is_err(), "{axis}");
+        }
+        let several = read(
+            r#"{"spectra":[{"name":"A","bands":[400,430,10],"values":[1,2,3,4]},
+                {"name":"B","bands":[400,430,10],"values":[4,3,2,1]}]}"#,
+        );
+        assert_eq!(names(&several), ["A", "B"]);
+    }
+
+    #[test]
+    fn the_list_that_fits_others_has_the_wavelengths() {
+        for text in [
+            r#"{"wavelength_range":[400,420],"wavelengths":[400,410,420],"v":[1,2,3]}"#,
+            r#"{"x":[1,2,3],"wavelength":[400,410,420],"wavenumber":[25000,24390,23810]}"#,
+            r#"{"wavelengths":[400,430,10],"v":[1,2,3,4]}"#,
+        ] {
+            let reading = read(text);
+            assert_eq!(reading.spectra.len(), 1, "{text}");
+            let samples = &reading.spectra[0].samples;
+            assert_eq!(samples.nm()[..3], [400.0, 410.0, 420.0], "{text}");
+            assert_eq!(samples.values()[..3], [1.0, 2.0, 3.0], "{text}");
+        }
+    }
+
+    #[test]
+    fn bands_and_three_channels_are_a_cameras() {
+        let camera = read(
+            r#"{"camera":"C","ssf_bands":[400,410,420,430],"red_ssf":[0.1,0.2,0.3,0.2],
+                "green_ssf":[0.1,0.3,0.3,0.2],"blue_ssf":[0.3,0.2,0.1,0.1]}"#,
+        );
+        assert_eq!(names(&camera), ["a red_ssf", "a green_ssf", "a blue_ssf"]);
+        assert!(camera.spectra.iter().all(|s| s.kind == Kind::Weighting));
+        let points =
+            read(r#"[{"nm":400,"R":0.1,"G":0.2,"B":0.3},{"nm":410,"R":0.2,"G":0.2,"B":0.2}]"#);
+        assert_eq!(names(&points), ["a R", "a G", "a B"]);
+        assert!(points.spectra.iter().all(|s| s.kind == Kind::Light));
+    }
+
+    #[test]
+    fn keys_that_count_rows_are_no_wavelengths() {
+        for text in [
+            r#"{"wavelength":{"0":380,"1":390},"value":{"0":1,"1":2.5}}"#,
+            r#"{"0":{"wavelength":380,"value":1},"1":{"wavelength":390,"value":2.5}}"#,
+        ] {
+            let samples = &read(text).spectra[0].samples;
+            assert_eq!(samples.nm(), [380.0, 390.0], "{text}");
+            assert_eq!(samples.values(), [1.0, 2.5], "{text}");
+        }
+        let counted = br#"{"value":{"0":1,"1":2.5,"2":3}}"#;
+        assert!(read_bytes("a.json", counted).is_err());
+    }
+
+    #[test]
+    fn one_object_a_line_and_numbers_with_their_unit_are_read() {
+        let lines = "{\"wavelength\":\"380 nm\",\"v\":1}\n{\"wavelength\":\"390 nm\",\"v\":2.5}\n";
+        let reading = read(lines);
+        assert_eq!(reading.spectra[0].samples.nm(), [380.0, 390.0]);
+        let spectra = "{\"name\":\"A\",\"nm\":[380,390],\"v\":[1,2]}\n{\"name\":\"B\",\"nm\":[400,410],\"v\":[3,4]}";
+        assert_eq!(names(&read(spectra)), ["A", "B"]);
+        let broken = read_bytes("a.json", format!("{lines}{{\"x\" 5}}").as_bytes()).unwrap_err();
+        assert!(broken.to_string().contains("line 3"), "{broken}");
+    }
+
+    #[test]
+    fn keys_above_tables_are_names_in_the_order_of_the_file() {
+        for text in [
+            r#"{"D65":{"wavelength":[400,410],"values":[1,2]},"A":{"wavelength":[400,410],"values":[3,4]}}"#,
+            r#"{"D65":{"400":1,"410":2},"A":{"400":3,"410":4}}"#,
+            r#"{"name":"set","spectra":{"D65":[{"nm":400,"v":1},{"nm":410,"v":2}],"A":[[400,3],[410,4]]}}"#,
+            r#"{"nm":[400,410],"D65":{"values":[1,2]},"A":{"values":[3,4]}}"#,
+        ] {
+            assert_eq!(names(&read(text)), ["D65", "A"], "{text}");
+        }
+        let kinds =
+            read(r#"{"reflectance":{"400":0.5,"410":0.4},"transmittance":{"400":0.1,"410":0.2}}"#);
+        assert_eq!(names(&kinds), ["a reflectance", "a transmittance"]);
+        assert_eq!(kinds.spectra[1].kind, Kind::Transmittance);
+    }
+
+    #[test]
+    fn lists_of_other_things_are_no_spectra() {
+        for text in [
+            r#"{"prices":[1,2,3],"items":[4,5,6]}"#,
+            r#"{"x":[0.31,0.32,0.33],"y":[0.33,0.34,0.35]}"#,
+            r#"{"wavelengths":[380,390],"values":[1,2,3]}"#,
+            "[1,2,3]",
+            "[[5,1],[3,2],[4,4]]",
+        ] {
+            assert!(read_bytes("a.json", text.as_bytes()).is_err(), "{text}");
+        }
+        let trouble = read_bytes("a.json", br#"{"wl":[-380,370],"v":[1,2]}"#).unwrap_err();
+        assert!(trouble.to_string().contains("-380 nm"), "{trouble}");
+    }
+}

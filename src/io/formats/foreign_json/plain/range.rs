@@ -1,0 +1,194 @@
+//! Wavelengths that are given by their ends and their step or number.
+//!
+//! ```text
+//! {"start": 380, "end": 730, "interval": 10}    {"domain": [300, 780], "interval": 5}
+//! {"lambda_min": 380, "lambda_max": 780, "n": 41}    {"bands": [380, 780, 10]}
+//! ```
+
+use super::keys::{is_axis, one_number, spaced};
+use crate::io::decode::json_tree::{Object, Tree};
+
+/// Ends of light where no key says that they are wavelengths, nm.
+const PLAUSIBLE_NM: std::ops::RangeInclusive<f64> = 150.0..=50_000.0;
+
+/// Fewest wavelengths: a pair or three numbers may be ends again.
+const FEWEST: usize = 4;
+
+/// What keys say of an axis.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Ends {
+    start: Option<f64>,
+    end: Option<f64>,
+    step: Option<f64>,
+    count: Option<f64>,
+    /// Whether the key of an end says that it is a wavelength.
+    names_wavelengths: bool,
+    /// Whether the ends have keys of their own.
+    are_apart: bool,
+    unit: Option<&'static str>,
+}
+
+/// What a number is to an axis.
+enum Role {
+    Start,
+    End,
+    Step,
+    Count,
+}
+
+/// Words in a key that say that it is about wavelengths.
+const ABOUT: [&str; 9] = [
+    "wavelength",
+    "wavelengths",
+    "lambda",
+    "wl",
+    "nm",
+    "um",
+    "µm",
+    "spectral",
+    "band",
+];
+
+/// Words in a key that say nothing.
+const FILLING: [&str; 7] = ["range", "axis", "sampling", "in", "bands", "of", "spectrum"];
+
+/// Words in a key of two or three numbers that are ends and a step.
+const RANGES: [&str; 6] = ["domain", "span", "bands", "range", "limits", "extent"];
+
+fn words(key: &str) -> Vec<String> {
+    let key = spaced(key).to_lowercase();
+    let words = key.split(|c: char| !c.is_alphanumeric());
+    words.filter(|w| !w.is_empty()).map(str::to_owned).collect()
+}
+
+fn role(words: &[String]) -> Option<Role> {
+    let is_left = |word: &&str| !ABOUT.contains(word) && !FILLING.contains(word);
+    let left: Vec<&str> = words.iter().map(String::as_str).filter(is_left).collect();
+    Some(match left.join(" ").as_str() {
+        "start" | "from" | "first" | "min" | "minimum" | "begin" => Role::Start,
+        "end" | "to" | "last" | "max" | "maximum" | "stop" => Role::End,
+        "step" | "interval" | "increment" | "delta" | "spacing" | "step size" => Role::Step,
+        "n" | "count" | "points" | "num" | "num points" | "number points" => Role::Count,
+        "" if words.last().is_some_and(|word| word == "bands") => Role::Count,
+        _ => return None,
+    })
+}
+
+impl Ends {
+    /// What an object says of an axis.
+    pub(super) fn of(object: &Object) -> Self {
+        let mut ends = Self::default();
+        for (key, value) in object {
+            ends.look(key, value);
+        }
+        ends
+    }
+
+    fn look(&mut self, key: &str, value: &Tree) {
+        let words = words(key);
+        let is_range = RANGES.iter().any(|range| words.iter().any(|w| w == range));
+        match value {
+            Tree::Number(number) => self.number(&words, *number),
+            Tree::List(list) if (2..=3).contains(&list.len()) => {
+                let three = list.len() == 3 && is_axis(key);
+                if is_range || three {
+                    self.list(&words, list);
+                }
+            }
+            Tree::Object(inner) if is_range || is_axis(key) => {
+                let inner_ends = Self::of_flat(inner);
+                if inner_ends.start.is_some() && self.start.is_none() {
+                    *self = inner_ends;
+                    self.names_wavelengths |= is_axis(key);
+                    self.note_unit(&words);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// As [`Ends::of`], without looking further down.
+    fn of_flat(object: &Object) -> Self {
+        let mut ends = Self::default();
+        for (key, value) in object {
+            if let Tree::Number(number) = value {
+                ends.number(&words(key), *number);
+            }
+        }
+        ends
+    }
+
+    fn number(&mut self, words: &[String], number: f64) {
+        let Some(role) = role(words) else { return };
+        let is_end = matches!(role, Role::Start | Role::End);
+        let place = match role {
+            Role::Start => &mut self.start,
+            Role::End => &mut self.end,
+            Role::Step => &mut self.step,
+            Role::Count => &mut self.count,
+        };
+        place.get_or_insert(number);
+        if is_end {
+            self.are_apart = true;
+            self.names_wavelengths |= words.iter().any(|word| ABOUT.contains(&&**word));
+            self.note_unit(words);
+        }
+    }
+
+    fn list(&mut self, words: &[String], list: &[Tree]) {
+        let numbers: Option<Vec<f64>> = list.iter().map(one_number).collect();
+        let Some([start, end, step @ ..]) = numbers.as_deref() else {
+            return;
+        };
+        if self.start.is_none() && start < end {
+            (self.start, self.end) = (Some(*start), Some(*end));
+            self.step = step.first().copied().or(self.step);
+            self.note_unit(words);
+        }
+    }
+
+    fn note_unit(&mut self, words: &[String]) {
+        let unit = ["nm", "um", "µm"]
+            .into_iter()
+            .find(|unit| words.iter().any(|w| w == unit));
+        self.unit = unit.or(self.unit);
+    }
+
+    /// How many wavelengths there may be; `beside` is the length of the first list of numbers.
+    pub(super) fn lengths(&self, beside: Option<usize>) -> Vec<usize> {
+        let (Some(start), Some(end)) = (self.start, self.end) else {
+            return Vec::new();
+        };
+        let is_light = PLAUSIBLE_NM.contains(&start) && PLAUSIBLE_NM.contains(&end);
+        if !(start > 0.0 && start < end && (is_light || self.names_wavelengths)) {
+            return Vec::new();
+        }
+        let whole = |count: f64| {
+            let is_whole = (count - count.round()).abs() < 1e-6 && count < 1e9;
+            (is_whole && count >= FEWEST as f64).then_some(count.round() as usize)
+        };
+        let by_step = self.step.filter(|step| *step > 0.0);
+        let by_step = by_step.and_then(|step| whole((end - start) / step + 1.0));
+        let mut lengths: Vec<usize> = by_step.into_iter().collect();
+        lengths.extend(self.count.and_then(whole));
+        if self.step.is_none() && self.count.is_none() && self.are_apart && self.names_wavelengths {
+            // Pixels of a spectrometer are not evenly apart: only steps that a person would choose.
+            let is_chosen = |n: &usize| {
+                let hundredths = 100.0 * (end - start) / (*n as f64 - 1.0);
+                (hundredths - hundredths.round()).abs() < 1e-6
+            };
+            lengths.extend(beside.filter(|n| *n >= FEWEST).filter(is_chosen));
+        }
+        lengths
+    }
+
+    /// That many wavelengths from end to end, and their title.
+    pub(super) fn axis(&self, length: usize) -> (String, Vec<f64>) {
+        let (start, end) = (self.start.unwrap_or(0.0), self.end.unwrap_or(0.0));
+        let last = (length.max(2) - 1) as f64;
+        // Rounded, so that steps of a tenth are even.
+        let at = |i: usize| ((start + (end - start) * (i as f64) / last) * 1e9).round() / 1e9;
+        let title = format!("wavelength {}", self.unit.unwrap_or(""));
+        (title.trim_end().to_owned(), (0..length).map(at).collect())
+    }
+}

@@ -1,0 +1,82 @@
+//! One spectrum of another program's JSON, on its way to a reading.
+
+use serde_json::Value;
+
+use crate::spectrum::Kind;
+
+use crate::io::error::{kept, quoted};
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::reading::decision::Decision;
+use crate::io::{Input, ReadError, Reading};
+
+/// What is known of a spectrum before its numbers are put in order.
+pub(crate) struct JsonSpectrum {
+    /// What to call it.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Whether the file says so.
+    pub kind_stated: bool,
+    /// Unit of its values.
+    pub unit: String,
+    /// Whether a factor is per cent, where the file says.
+    pub percent: Option<bool>,
+    /// Where it comes from.
+    pub source: String,
+}
+
+/// Adds a spectrum to a reading.
+///
+/// # Errors
+/// [`ReadError`] when the numbers are no spectrum.
+pub(crate) fn add(
+    input: &Input,
+    found: JsonSpectrum,
+    nm: &[f64],
+    values: Vec<f64>,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let kind = match found.kind_stated {
+        true => Decision::of_format(found.kind),
+        false => Decision::guessed(found.kind, false, "nothing states it"),
+    };
+    let mut raw = RawSpectrum::known(found.name, nm, values, kind, &found.unit);
+    raw.known.scale = match found.percent {
+        // What is no share of a whole has no per cent.
+        Some(true) if found.kind.is_factor() => KnownScale::Stated(0.01),
+        Some(true) => KnownScale::Open,
+        Some(false) => KnownScale::Stated(1.0),
+        None => KnownScale::Open,
+    };
+    raw.source = Some(found.source);
+    interpret(raw, input, reading)?;
+    reading.keep_scale_to_notes();
+    Ok(())
+}
+
+/// A word at a place in the JSON, unless it is empty.
+pub(crate) fn word<'a>(value: &'a Value, pointer: &str) -> Option<&'a str> {
+    let text = value.pointer(pointer)?.as_str()?.trim();
+    (!text.is_empty()).then(|| kept(text))
+}
+
+/// A list of numbers; `null` stands for a missing one.
+///
+/// # Errors
+/// [`ReadError`] for anything else in the list.
+pub(crate) fn numbers(input: &Input, list: &Value, what: &str) -> Result<Vec<f64>, ReadError> {
+    let list = list
+        .as_array()
+        .ok_or_else(|| input.error(format!("{what} that is no list"), "a list of numbers"))?;
+    list.iter()
+        .map(|item| match item {
+            Value::Null => Ok(f64::NAN),
+            Value::Number(number) => Ok(number.as_f64().unwrap_or(f64::NAN)),
+            other => Err(input.error(
+                format!("{} in {what}", quoted(&other.to_string())),
+                "a number",
+            )),
+        })
+        .collect()
+}

@@ -1,0 +1,214 @@
+//! GDTF, the General Device Type Format of stage lights (DIN SPEC 15800): a zip archive with
+//! `description.xml`.
+//!
+//! `Emitter` and `Filter` elements hold `Measurement`s, each a spectrum of `MeasurementPoint`s
+//! with `WaveLength` (nm) and `Energy`; `Physical` is the dimmer's value at which it was measured.
+//! A wheel's `Slot` names the filter in it.
+
+use std::collections::HashMap;
+
+use roxmltree::Node;
+
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format};
+use crate::io::decode::archive::{Archive, seems_to_hold};
+use crate::io::decode::xml;
+use crate::io::error::{kept, quoted};
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::reading::decision::Decision;
+use crate::io::text::{self, number};
+use crate::io::{Input, ReadError, Reading};
+
+/// GDTF fixtures.
+pub(crate) const FORMAT: Format = Format {
+    name: "GDTF",
+    extensions: &["gdtf"],
+    sniff,
+    read,
+};
+
+/// The member with the spectra.
+const DESCRIPTION: &str = "description.xml";
+
+/// Share of the memory that may come out of the archive; the parsed XML takes the rest.
+const SHARE: f64 = 0.2;
+
+fn sniff(input: &Input) -> Confidence {
+    if seems_to_hold(input.bytes, DESCRIPTION) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let mut archive = Archive::open(input, SHARE)?;
+    let index = archive
+        .names
+        .iter()
+        .position(|name| name.eq_ignore_ascii_case(DESCRIPTION))
+        .ok_or_else(|| input.error("an archive without description.xml", "a GDTF fixture"))?;
+    let bytes = archive.member(index)?;
+    let text = text::decode(&bytes);
+    let document = xml::parse(input, &text.text)?;
+    let root = document.root_element();
+    let fixture = xml::named(root, "FixtureType")
+        .find_map(|node| xml::attribute(node, "LongName").or(xml::attribute(node, "Name")))
+        .map_or(input.stem(), kept);
+    let slots = slots(root);
+    let mut reading = Reading::default();
+    let mut without = 0_usize;
+    for (element, kind) in [("Emitter", Kind::Light), ("Filter", Kind::Transmittance)] {
+        for node in xml::named(root, element) {
+            let measurements: Vec<Node> = xml::children(node, "Measurement")
+                .filter(|m| xml::children(*m, "MeasurementPoint").next().is_some())
+                .collect();
+            without += usize::from(measurements.is_empty());
+            for measurement in &measurements {
+                let of_element = xml::attribute(node, "Name").unwrap_or(element);
+                let name = match xml::attribute(*measurement, "Physical") {
+                    Some(physical) if measurements.len() > 1 => {
+                        format!("{fixture} {of_element}, dimmer {physical}")
+                    }
+                    _ => format!("{fixture} {of_element}"),
+                };
+                let mut notes = read_measurement(input, *measurement, (name, kind), &mut reading)?;
+                let slot = slots.get(of_element);
+                if let Some(slot) = slot.filter(|_| kind == Kind::Transmittance) {
+                    notes.push(format!("in the wheel as {slot}"));
+                }
+                if let Some(spectrum) = reading.spectra.last_mut() {
+                    spectrum.notes = notes;
+                }
+            }
+        }
+    }
+    if reading.spectra.is_empty() {
+        return Err(input.error(
+            format!("a GDTF fixture of {without} emitters and filters without measurements"),
+            "<Measurement> with two or more <MeasurementPoint> elements",
+        ));
+    }
+    if without > 0 {
+        let note = format!("{without} emitters or filters have no measurement");
+        reading.notes.push(note);
+    }
+    Ok(reading)
+}
+
+/// Adds the spectrum of a measurement; what else is to be said of it.
+fn read_measurement(
+    input: &Input,
+    node: Node,
+    (name, kind): (String, Kind),
+    reading: &mut Reading,
+) -> Result<Vec<String>, ReadError> {
+    let (mut nm, mut values) = (Vec::new(), Vec::new());
+    for point in xml::children(node, "MeasurementPoint") {
+        let get = |name: &str| {
+            let text = xml::attribute(point, name).unwrap_or("");
+            number::number(text, false)
+                .filter(|x| x.is_finite())
+                .ok_or_else(|| {
+                    input
+                        .error(quoted(text), format!("a number as {name}=\"...\""))
+                        .at_line(xml::line(point))
+                })
+        };
+        nm.push(get("WaveLength")?);
+        values.push(get("Energy")?);
+    }
+    let kind = Decision::of_format(kind);
+    let mut raw = RawSpectrum::known(name, &nm, values, kind, "relative");
+    raw.known.scale = KnownScale::Fractions;
+    interpret(raw, input, reading).map_err(|refusal| refusal.at_line(xml::line(node)))?;
+    reading.keep_scale_to_notes();
+    let mut notes = Vec::new();
+    for (name, what) in [
+        ("Physical", "dimmer at"),
+        ("LuminousIntensity", "luminous intensity"),
+        ("Transmission", "transmission"),
+    ] {
+        if let Some(text) = xml::attribute(node, name) {
+            notes.push(format!("{what} {text}"));
+        }
+    }
+    Ok(notes)
+}
+
+/// The wheel slots by the filters in them, the first of each.
+fn slots<'a>(root: Node<'a, '_>) -> HashMap<&'a str, &'a str> {
+    let mut slots = HashMap::new();
+    for slot in xml::named(root, "Slot") {
+        let filter = xml::attribute(slot, "Filter");
+        if let (Some(filter), Some(name)) = (filter, xml::attribute(slot, "Name")) {
+            // A link may name the collection too: "Filters.CTO".
+            let filter = filter.rsplit('.').next().unwrap_or(filter);
+            slots.entry(filter).or_insert(name);
+        }
+    }
+    slots
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::decode::archive::zipped;
+    use crate::io::read_bytes;
+
+    const XML: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
+        <FixtureType Name=\"Spot\">\n<Wheels><Wheel><Slot Name=\"Warm\" Filter=\"CTO\"/></Wheel></Wheels>\n\
+        <Emitters><Emitter Name=\"Red\">\n<Measurement Physical=\"100\">\n\
+        <MeasurementPoint WaveLength=\"600\" Energy=\"0.5\"/>\n\
+        <MeasurementPoint WaveLength=\"610.5\" Energy=\"1\"/></Measurement>\n\
+        <Measurement Physical=\"50\"><MeasurementPoint WaveLength=\"600\" Energy=\"0.2\"/>\n\
+        <MeasurementPoint WaveLength=\"610\" Energy=\"0.4\"/></Measurement></Emitter>\n\
+        <Emitter Name=\"Blue\"/></Emitters>\n<Filters><Filter Name=\"CTO\"><Measurement Physical=\"1\">\n\
+        <MeasurementPoint WaveLength=\"500\" Energy=\"20\"/>\n\
+        <MeasurementPoint WaveLength=\"600\" Energy=\"80\"/></Measurement></Filter></Filters>\n\
+        </FixtureType></GDTF>";
+
+    fn fixture(xml: &str) -> Vec<u8> {
+        zipped(&[("thumbnail.png", b"x"), (DESCRIPTION, xml.as_bytes())])
+    }
+
+    #[test]
+    fn emitters_and_filters_give_a_spectrum_a_measurement() {
+        let reading = read_bytes("a.gdtf", &fixture(XML)).expect("spectra");
+        let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
+        assert_eq!(
+            names,
+            ["Spot Red, dimmer 100", "Spot Red, dimmer 50", "Spot CTO"]
+        );
+        assert_eq!(reading.spectra[0].samples.nm(), [600.0, 610.5]);
+        let filter = &reading.spectra[2];
+        assert_eq!((filter.kind, filter.scale), (Kind::Transmittance, 0.01));
+        assert!(filter.notes.iter().any(|n| n == "in the wheel as Warm"));
+        assert!(reading.notes.iter().any(|n| n.starts_with("1 emitters")));
+    }
+
+    #[test]
+    fn a_fixture_without_spectra_and_a_wrong_number_are_said() {
+        let said = |xml: &str| {
+            let refusal = read_bytes("a.gdtf", &fixture(xml)).unwrap_err();
+            refusal.to_string()
+        };
+        assert!(said("<GDTF/>").contains("without measurements"));
+        let wrong = said(&XML.replace("\"0.5\"", "\"much\""));
+        assert_eq!(
+            wrong,
+            "a.gdtf, line 7: found \"much\", expected a number as Energy=\"...\""
+        );
+        assert!(said("<!DOCTYPE a [<!ENTITY b \"b\">]><GDTF>&b;</GDTF>").contains("with a DTD"));
+    }
+
+    #[test]
+    fn a_bomb_is_refused_by_what_comes_out_of_it() {
+        let bomb = fixture(&" ".repeat(64 << 20));
+        assert!(bomb.len() < 1 << 20);
+        let said = read_bytes("a.gdtf", &bomb).unwrap_err().to_string();
+        assert!(said.contains("unfolds to far more than its size"), "{said}");
+    }
+}

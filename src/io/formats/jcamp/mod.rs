@@ -1,0 +1,234 @@
+//! JCAMP-DX 4.24 and 5: labelled records, numbers plain or packed into letters.
+//!
+//! A record is `##LABEL= value` and the lines below it; labels count without blanks, dashes,
+//! slashes, underscores and case, `$$` starts a comment. A file is one block from `##TITLE=` to
+//! `##END=`, or a block of `DATA TYPE= LINK` with further blocks inside; every block with a
+//! spectrum gives one. Numbers are `XYDATA= (X++(Y..Y))`, lines of an abscissa and many ordinates
+//! ([`packed`]), or pairs, `(XY..XY)` ([`pairs`]). Ordinates are multiplied by YFACTOR, abscissas
+//! by XFACTOR.
+//!
+//! - McDonald and Wilks, JCAMP-DX: a standard form for exchange of infrared spectra in computer
+//!   readable form, Applied Spectroscopy 42 (1988) 151.
+//! - Lampen, Hillig, Davies, Linscheid, JCAMP-DX for mass spectrometry, and version 5.01 of the
+//!   IUPAC: same packing.
+
+pub(crate) mod blocks;
+pub(crate) mod packed;
+pub(crate) mod pairs;
+
+use super::{Confidence, Format};
+use crate::io::error::quoted;
+use crate::io::interpret::heading::Heading;
+use crate::io::interpret::raw::{RawSpectrum, Scale};
+use crate::io::interpret::{interpret, kinds};
+use crate::io::reading::decision::Decision;
+use crate::io::reading::remark::Remark;
+use crate::io::text::units::WavelengthUnit;
+use crate::io::{Input, ReadError, Reading, budget};
+use blocks::Block;
+
+/// JCAMP-DX.
+pub(crate) const FORMAT: Format = Format {
+    name: "JCAMP-DX",
+    extensions: &["jdx", "dx", "jcm", "jcamp"],
+    sniff,
+    read,
+};
+
+/// Memory of a point on its way: abscissa and ordinate, and both again while they are put in
+/// order, in bytes.
+const POINT_BYTES: usize = 72;
+
+/// Wave numbers under this (1/cm) lie beyond 9 um, where no light is: numbers between
+/// [`LOW_NM`] and this are nanometres, whatever the label says.
+const HIGH_NM: f64 = 1100.0;
+const LOW_NM: f64 = 150.0;
+
+/// A transmittance or reflectance beyond this many per cent is none.
+const ABSURD_PERCENT: f64 = 1000.0;
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    let first = head.lines().find(|line| {
+        let line = line.trim();
+        !line.is_empty() && !line.starts_with("$$")
+    });
+    match first.and_then(blocks::label_of) {
+        Some((label, _)) if matches!(&*label, "TITLE" | "JCAMPDX" | "JCAMPCS") => {
+            Confidence::Certain
+        }
+        Some(_) if head.to_uppercase().contains("JCAMP") => Confidence::Certain,
+        Some(_) | None => Confidence::No,
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let blocks = blocks::of(input, text)?;
+    let mut reading = Reading::default();
+    let mut left_points = budget::of(input.bytes.len()) / POINT_BYTES;
+    let mut refusals = Vec::new();
+    for block in &blocks {
+        if block.is_link() {
+            continue;
+        }
+        match read_block(input, block, left_points, &mut reading) {
+            Ok(points) => left_points = left_points.saturating_sub(points),
+            Err(refusal) => refusals.push(refusal),
+        }
+    }
+    if reading.spectra.is_empty() {
+        return Err(match refusals.into_iter().next() {
+            Some(refusal) => refusal,
+            None => input.error(
+                "a JCAMP-DX file without data",
+                "a block with ##XYDATA= or ##XYPOINTS=",
+            ),
+        });
+    }
+    for ReadError {
+        line,
+        found,
+        expected,
+        ..
+    } in refusals.into_iter().take(20)
+    {
+        let place = line.map_or(String::new(), |line| format!(" at line {line}"));
+        let note = format!("block{place} left out: found {found}, expected {expected}");
+        reading.notes.push(note);
+    }
+    Ok(reading)
+}
+
+/// Whether a block names the unit of its wavelengths; it may leave it open.
+///
+/// # Errors
+/// [`ReadError`] for a spectrum over something else.
+fn names_unit(
+    input: &Input,
+    block: &Block,
+    x_units: &str,
+    data_type: &str,
+) -> Result<bool, ReadError> {
+    if data_type.to_lowercase().contains("raman") {
+        return Err(input
+            .error(
+                "a Raman spectrum (shifts from its laser's line)",
+                "a spectrum over wavelengths",
+            )
+            .at_line(block.line));
+    }
+    let is_open =
+        ["", "arbitrary units", "unknown", "none"].contains(&x_units.to_lowercase().as_str());
+    if WavelengthUnit::of_title(x_units).is_none() && !is_open {
+        return Err(input
+            .error(
+                format!("{} on the x axis", quoted(x_units)),
+                "NANOMETERS, MICROMETERS or 1/CM",
+            )
+            .at_line(block.line_of("XUNITS")));
+    }
+    Ok(!is_open)
+}
+
+/// Reads the spectrum of one block; returns its number of points.
+fn read_block(
+    input: &Input,
+    block: &Block,
+    most_points: usize,
+    reading: &mut Reading,
+) -> Result<usize, ReadError> {
+    let data = block.data(input)?;
+    let x_units = block.text("XUNITS").unwrap_or("");
+    let y_units = block.text("YUNITS").unwrap_or("");
+    let data_type = block.text("DATATYPE").unwrap_or("");
+    let names_unit = names_unit(input, block, x_units, data_type)?;
+    let decimal_comma = block.has_decimal_comma(data);
+    let mut notes = Vec::new();
+    let points = if data.is_pairs {
+        pairs::read(input, block, data, decimal_comma, most_points, &mut notes)
+    } else {
+        packed::read(input, block, data, decimal_comma, most_points, &mut notes)
+    }?;
+    let (axis, values) = points;
+    let count = axis.len();
+    if let Some(announced) = block.number(input, "NPOINTS", decimal_comma)?
+        && announced != count as f64
+    {
+        notes.push(format!("NPOINTS says {announced}, found {count} points"));
+    }
+
+    let range = extent(&axis);
+    let told = WavelengthUnit::of_title(x_units);
+    let not_wave_numbers =
+        told == Some(WavelengthUnit::PerCentimetre) && range.0 >= LOW_NM && range.1 <= HIGH_NM;
+    let axis_title = match names_unit && !not_wave_numbers {
+        true => x_units,
+        false => "",
+    };
+    if not_wave_numbers {
+        notes.push(format!(
+            "XUNITS says {x_units}, which would be beyond 9 um: taken as nm"
+        ));
+    }
+    // A block of what repeated measurements differ by stands beside that of their mean.
+    let of_spread = [y_units, data_type, block.text("TITLE").unwrap_or("")]
+        .into_iter()
+        .find(|text| kinds::is_spread(text));
+    let kind = of_spread.map_or_else(
+        || kinds::kind_of_title(y_units),
+        |_| Some(crate::spectrum::Kind::Other),
+    );
+    let highest = extent(&values).1;
+    let counts = kind.is_some_and(crate::spectrum::Kind::is_factor) && highest > ABSURD_PERCENT;
+    let title = match of_spread {
+        Some(spread) => spread,
+        None if counts => "counts",
+        None => y_units,
+    };
+    let header = (kind.is_none() && !y_units.is_empty()).then_some((block.line, y_units));
+    let index = reading.spectra.len();
+    let name = block.text("TITLE").unwrap_or(input.stem()).to_owned();
+    let (scale, heading, at) = (
+        Scale::new(&axis),
+        Heading::of(header.as_slice()),
+        [data.line as u32],
+    );
+    let raw = RawSpectrum {
+        title: title.to_owned(),
+        lines: &at,
+        ..RawSpectrum::written(name, &scale, axis_title, values, &heading)
+    };
+    interpret(raw.with_comma(decimal_comma), input, reading)?;
+    let spectrum = &mut reading.spectra[index];
+    if counts && input.choices.kind_of(index).is_none() {
+        let because = format!(
+            "YUNITS says {}, but the values reach {highest}",
+            quoted(y_units)
+        );
+        notes.push(format!("taken as counts: {because}"));
+        if let Some(facts) = reading.facts.get_mut(index) {
+            facts.decisions.kind = Decision::guessed(spectrum.kind, false, because);
+            facts.remarks.retain(|remark| *remark != Remark::Kind);
+        }
+    } else if !y_units.is_empty() && spectrum.unit.is_empty() {
+        notes.push(format!("values in {}", y_units.to_lowercase()));
+    }
+    let about = [("ORIGIN", "origin"), ("DATE", "date"), ("LONGDATE", "date")];
+    let about = about.map(|(label, what)| Some(format!("{what}: {}", block.text(label)?)));
+    notes.extend(about.into_iter().flatten());
+    spectrum.notes.extend(notes);
+    Ok(count)
+}
+
+fn extent(numbers: &[f64]) -> (f64, f64) {
+    numbers
+        .iter()
+        .filter(|x| !x.is_nan())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+            (lo.min(*x), hi.max(*x))
+        })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,98 @@
+//! Macam spectroradiometers `.DTA`: date and time behind `@`, then one number a line.
+//!
+//! ```text
+//! @19/5/1997
+//! @17:44:58
+//! #No Title
+//!  2.5000000000E+02               wavelength in nm
+//!  0.0000000000E+00               spectral irradiance, W m-2 nm-1, and so on by turns
+//! ```
+
+use super::{Confidence, Format};
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::RawSpectrum;
+use crate::io::table::alternating;
+use crate::io::text::lines;
+use crate::io::{Input, ReadError, Reading};
+
+/// Macam text.
+pub(crate) const FORMAT: Format = Format {
+    name: "Macam",
+    extensions: &["dta"],
+    sniff,
+    read,
+};
+
+fn sniff(input: &Input) -> Confidence {
+    let mut first = lines(input.head()).map(|(_, line)| line.trim());
+    let dated = first.next().is_some_and(|line| line.starts_with('@'));
+    let timed = first
+        .next()
+        .is_some_and(|line| line.starts_with(['@', '#']));
+    if dated && timed {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let Some(pairs) = alternating::find(text) else {
+        let line = lines(text).take(4).count();
+        return Err(input
+            .error(
+                "no wavelengths and values by turns behind Macam's header",
+                "one number a line: a wavelength in nm, its value, the next wavelength",
+            )
+            .at_line(line));
+    };
+    let title = lines(text)
+        .take(5)
+        .filter_map(|(_, line)| line.trim().strip_prefix('#'))
+        .map(str::trim)
+        .find(|title| !title.is_empty() && !title.eq_ignore_ascii_case("no title"));
+    let name = title.unwrap_or(input.stem());
+    let mut spectrum = RawSpectrum::light(name, &pairs.axis, pairs.values, "W m-2 nm-1");
+    spectrum.lines = &pairs.lines;
+    spectrum
+        .notes
+        .push("W m-2 nm-1 is the instrument's unit; the file states none".to_owned());
+    if pairs.decimal_comma {
+        spectrum.how.push("decimal comma".to_owned());
+    }
+    let mut reading = Reading::default();
+    interpret(spectrum, input, &mut reading)?;
+    reading
+        .notes
+        .push("one number a line: wavelength and value by turns".to_owned());
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+
+    #[test]
+    fn unit_and_title_are_known() {
+        let text = "@1/5/1997\n@17:44\n#Lamp 3\n 2.5E+02\n 0.0\n 2.51E+02\n 0.5\n 2.52E+02\n 1.0\n 2.53E+02\n 0.5\n 2.54E+02\n 0.25\n";
+        for text in [
+            text.to_owned(),
+            text.replace('\n', "\r\n"),
+            text.replace('.', ","),
+        ] {
+            let reading = read_bytes("a.DTA", text.as_bytes()).unwrap();
+            let spectrum = &reading.spectra[0];
+            assert_eq!(
+                (reading.format, spectrum.name.as_str()),
+                ("Macam", "Lamp 3")
+            );
+            assert_eq!(spectrum.unit, "W m-2 nm-1");
+            assert_eq!(spectrum.samples.len(), 5);
+        }
+        let why = read_bytes("a.DTA", b"@1/5/1997\n@17:44\n#x\n")
+            .unwrap_err()
+            .to_string();
+        assert!(why.contains("line 3: found no wavelengths"), "{why}");
+    }
+}

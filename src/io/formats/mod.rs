@@ -1,0 +1,96 @@
+//! The formats, one a file or a folder: each says how sure it is of a file, and reads it.
+
+pub(super) mod cgats;
+pub(super) mod columns;
+pub(super) mod composite_json;
+pub(super) mod composite_line;
+pub(super) mod cxf;
+pub mod envi;
+pub(super) mod foreign_json;
+pub(super) mod gdtf;
+pub(super) mod jcamp;
+pub(super) mod keyed_lines;
+pub(super) mod licor_1800;
+pub(super) mod licor_li180;
+pub(super) mod macam;
+pub(super) mod perkin_elmer;
+pub(super) mod procspec;
+pub(super) mod raman;
+pub(super) mod refractive_yaml;
+pub(super) mod sekonic;
+pub(super) mod spd;
+pub(super) mod spdx;
+pub(super) mod spectral_exr;
+pub(super) mod spectral_image;
+pub(super) mod spectrum_json;
+pub(super) mod spotread;
+pub(super) mod svc;
+pub(super) mod tuv;
+pub(super) mod unreadable;
+pub(super) mod uprtek;
+pub(super) mod usgs;
+pub(super) mod wasatch;
+pub(super) mod xlsx;
+
+use super::{Input, ReadError, Reading};
+
+/// How sure a format is that a file is its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Confidence {
+    /// Not this format.
+    No,
+    /// Nothing speaks against it.
+    Possible,
+    /// The content looks like it.
+    Likely,
+    /// The content says so.
+    Certain,
+    /// This program wrote it: words in its names that other formats use do not matter.
+    Own,
+}
+
+/// A file format that the program knows.
+#[derive(Clone, Copy)]
+pub struct Format {
+    /// What messages call it.
+    pub name: &'static str,
+    /// Usual extensions, lower case, for file dialogues.
+    pub extensions: &'static [&'static str],
+    /// How sure it is that a file is its own.
+    pub sniff: fn(&Input) -> Confidence,
+    /// Reads a file of its own, or refuses it.
+    pub read: fn(&Input) -> Result<Reading, ReadError>,
+}
+
+/// Every format, the special before the general.
+pub const FORMATS: &[Format] = &[
+    envi::FORMAT,
+    spectral_exr::FORMAT,
+    gdtf::FORMAT,
+    xlsx::FORMAT,
+    procspec::FORMAT,
+    jcamp::FORMAT,
+    cxf::FORMAT,
+    refractive_yaml::FORMAT,
+    unreadable::FORMAT,
+    composite_json::FORMAT,
+    composite_line::FORMAT,
+    spectrum_json::FORMAT,
+    foreign_json::FORMAT,
+    spdx::FORMAT,
+    spd::FORMAT,
+    cgats::FORMAT,
+    uprtek::FORMAT,
+    licor_li180::FORMAT,
+    sekonic::FORMAT,
+    licor_1800::FORMAT,
+    svc::FORMAT,
+    usgs::FORMAT,
+    perkin_elmer::FORMAT,
+    tuv::FORMAT,
+    macam::FORMAT,
+    wasatch::FORMAT,
+    spotread::FORMAT,
+    raman::FORMAT,
+    columns::FORMAT,
+];

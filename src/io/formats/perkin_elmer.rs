@@ -1,0 +1,156 @@
+//! PerkinElmer PEDS ASCII: `#HDR`, `#GR` and `#DATA` behind some fixed header lines.
+//!
+//! ```text
+//! PE FL                   SPECTRUM    ASCII       PEDS        1.60
+//! ...
+//! #GR
+//! NM                             unit of x: NM, CM-1
+//!                                unit of y: %T, %R, A, INT; empty for intensities
+//! ...
+//! #DATA
+//! 405.000000<TAB>27.150000
+//! ```
+
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format};
+use crate::io::error::quoted;
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::reading::decision::Decision;
+use crate::io::text::units::WavelengthUnit;
+use crate::io::text::{kept_line, lines, number};
+use crate::io::{Input, ReadError, Reading};
+
+/// PerkinElmer ASCII.
+pub(crate) const FORMAT: Format = Format {
+    name: "PerkinElmer PEDS ASCII",
+    extensions: &["sp", "asc", "txt"],
+    sniff,
+    read,
+};
+
+fn sniff(input: &Input) -> Confidence {
+    let first = input.head().lines().next().unwrap_or("");
+    if first.starts_with("PE ") && first.contains("ASCII") {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+/// The two numbers of a row, or what stands there instead.
+fn pair(row: &str) -> Result<(f64, f64), &str> {
+    let mut words = row.split(['\t', ' ', ';']).filter(|w| !w.is_empty());
+    let (Some(x), Some(y), None) = (words.next(), words.next(), words.next()) else {
+        return Err(row);
+    };
+    let cell = |word| number::parse(word, word.contains(',')).plain_value();
+    Ok((cell(x).ok_or(x)?, cell(y).ok_or(y)?))
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let (mut nm, mut values, mut at) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut in_data, mut graph, mut x_unit, mut y_unit) = (false, 0, "", "");
+    for (line, content) in lines(text) {
+        let content = content.trim();
+        if content.starts_with('#') {
+            in_data = content.eq_ignore_ascii_case("#DATA");
+            graph = usize::from(content.eq_ignore_ascii_case("#GR"));
+            continue;
+        }
+        if !in_data {
+            match graph {
+                1 => x_unit = content,
+                2 => y_unit = content,
+                _ => {}
+            }
+            graph += usize::from((1..3).contains(&graph));
+            continue;
+        }
+        if content.is_empty() {
+            continue;
+        }
+        let (wavelength, value) = pair(content).map_err(|found| {
+            input
+                .error(quoted(found), "a wavelength and a value")
+                .at_line(line)
+        })?;
+        nm.push(wavelength);
+        values.push(value);
+        at.push(kept_line(line));
+    }
+    if nm.is_empty() {
+        return Err(input.error(
+            "PerkinElmer ASCII without numbers behind #DATA",
+            "wavelengths and values",
+        ));
+    }
+    let unit = WavelengthUnit::of_title(x_unit);
+    let mut notes = Vec::new();
+    match unit {
+        None => notes.push("the file names no unit of its wavelengths: taken as nm".to_owned()),
+        Some(WavelengthUnit::Nanometre) => {}
+        Some(other) => notes.push(format!("wavelengths converted from {} (#GR)", other.word())),
+    }
+    let unit = unit.unwrap_or(WavelengthUnit::Nanometre);
+    if unit != WavelengthUnit::Nanometre {
+        nm.iter_mut().for_each(|x| *x = unit.to_nm(*x));
+    }
+    let first = input.head().lines().next().unwrap_or("");
+    let fluorescence = first.starts_with("PE FL");
+    let (kind, scale, unit) = match y_unit.to_uppercase().as_str() {
+        "%T" | "T%" => (Kind::Transmittance, 0.01, ""),
+        "T" => (Kind::Transmittance, 1.0, ""),
+        "%R" | "R%" => (Kind::Reflectance, 0.01, ""),
+        "R" => (Kind::Reflectance, 1.0, ""),
+        "A" | "ABS" => (Kind::Absorbance, 1.0, ""),
+        _ if fluorescence => (Kind::Light, 1.0, "a.u."),
+        _ => (Kind::Light, 1.0, ""),
+    };
+    if fluorescence {
+        notes.push("a fluorescence spectrum, intensities in arbitrary units".to_owned());
+    }
+    let mut spectrum = RawSpectrum::light(input.stem(), &nm, values, unit);
+    spectrum.lines = &at;
+    spectrum.notes = notes;
+    spectrum.known.kind = Some(match (kind, unit) {
+        (Kind::Light, "") => Decision::guessed(kind, false, "#GR names no unit of the values"),
+        _ => Decision::of_format(kind),
+    });
+    spectrum.known.scale = KnownScale::Stated(scale);
+    let mut reading = Reading::default();
+    interpret(spectrum, input, &mut reading)?;
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn kind_and_scale_are_told_by_the_graphs_units() {
+        let file = |first: &str, y: &str| {
+            format!(
+                "PE {first}   SPECTRUM    ASCII       PEDS   1.60\r\n -1\r\nx\r\n#HDR\r\n-1\r\n#GR\r\nNM\r\n{y}\r\n1.0\r\n#DATA\r\n500.0\t20.5  \r\n499.0\t10.5\r\n"
+            )
+        };
+        for (first, y, kind, scale) in [
+            ("FL", "", Kind::Light, 1.0),
+            ("UV", "%T", Kind::Transmittance, 0.01),
+            ("UV", "A", Kind::Absorbance, 1.0),
+        ] {
+            let reading = read_bytes("a.sp", file(first, y).as_bytes()).unwrap();
+            let spectrum = &reading.spectra[0];
+            assert_eq!((spectrum.kind, spectrum.scale), (kind, scale));
+            assert_eq!(spectrum.samples.nm(), [499.0, 500.0]);
+        }
+        let why = read_bytes("a.sp", file("FL", "").replace("10.5", "x").as_bytes()).unwrap_err();
+        assert_eq!(
+            why.to_string(),
+            "a.sp, line 12: found \"x\", expected a wavelength and a value"
+        );
+    }
+}

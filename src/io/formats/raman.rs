@@ -1,0 +1,592 @@
+//! Raman spectrometers' text: the axis counts wave numbers from a laser line, not nanometres.
+//!
+//! A shift `s` (1/cm) from a laser of `L` nm is light of `1e7 / (1e7 / L - s)` nm. The laser is told
+//! by the header ("Laser wavelength 785 nm") or by the file's name as Horiba's instruments write it
+//! (`iR785`, `iR532`) and the RRUFF project in its own (`__Raman__532__`); shifts from an unknown
+//! laser are refused. A table that holds wavelengths beside the shifts is left to
+//! [`columns`](super::columns).
+//!
+//! ```text
+//! Horiba LabSpec  #Range (cm-1): 200 - 3198 / #Laser: 785
+//! RRUFF           ##NAMES=Corundum / ##RRUFFID=R060020 / ##RAMAN WAVELENGTH=514
+//! Renishaw WiRE   #Wave <TAB> <TAB> #Intensity; a map has #X and #Y before
+//! WITec           rel. 1/cm <TAB> CCD cts
+//! JASCO           DATA TYPE,RAMAN SPECTRUM / XUNITS,1/CM
+//! ```
+
+use super::{Confidence, Format, columns};
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::{RawAxis, RawSpectrum};
+use crate::io::reading::decision::{AxisDecision, Decision};
+use crate::io::reading::remark::taken_as;
+use crate::io::table::block::Block;
+use crate::io::table::layout::Layout;
+use crate::io::table::pick;
+use crate::io::table::roles::value_columns;
+use crate::io::table::scan::scan;
+use crate::io::table::titles::Titles;
+use crate::io::text::dialect::Dialect;
+use crate::io::text::lines;
+use crate::io::{Input, ReadError, Reading};
+
+/// Raman text.
+pub(crate) const FORMAT: Format = Format {
+    name: "Raman text",
+    extensions: &["txt"],
+    sniff,
+    read,
+};
+
+/// Lasers that Raman spectrometers have, nm: from deep ultraviolet to infrared.
+const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
+
+/// Most lines of a header that are looked at.
+const HEADER_LINES: usize = 60;
+
+/// Words that name an axis of shifts, lower case.
+const SHIFTS: [&str; 9] = [
+    "raman shift",
+    "ramanshift",
+    "raman_shift",
+    "rel. wavenumber",
+    "relative wavenumber",
+    "rel. 1/cm",
+    "rel.1/cm",
+    "rel 1/cm",
+    "relative 1/cm",
+];
+
+/// What a reader of shifts asks for where no laser is named.
+const NEEDS_LASER: &str = "wavelengths, or the laser's wavelength in the header";
+
+fn headers(text: &str) -> impl Iterator<Item = &str> {
+    lines(text)
+        .take(HEADER_LINES)
+        .map(|(_, line)| line.trim())
+        .filter(|line| line.len() <= 400 && line.contains(|c: char| c.is_alphabetic()))
+}
+
+/// Whether a header names shifts and no wavelengths beside them.
+fn names_shifts(head: &str) -> bool {
+    headers(head).any(|line| {
+        let lower = line.to_lowercase();
+        SHIFTS.iter().any(|word| lower.contains(word)) && !lower.contains("wavelength")
+    })
+}
+
+/// Whether a header as Horiba's LabSpec writes it counts its first axis in 1/cm: shifts from the
+/// laser.
+fn counts_shifts(head: &str) -> bool {
+    let unit = headers(head).find(|line| line.to_lowercase().contains("axisunit[1]"));
+    unit.is_some_and(is_per_cm) && laser_of_header(head).is_some() || has_range_of_shifts(head)
+}
+
+/// Whether a text holds the unit of a shift.
+fn is_per_cm(text: &str) -> bool {
+    ["1/cm", "1/CM", "cm-1", "cm-¹", "cm⁻¹", "cm^-1"]
+        .iter()
+        .any(|unit| text.contains(unit))
+}
+
+/// Whether LabSpec's range is one of shifts (`#Range (cm-1):`): it has no other wave numbers. The
+/// lines about the laser or the exposure tell it from other programs' headers.
+fn has_range_of_shifts(head: &str) -> bool {
+    let has = |word: &str| keys(head).any(|(key, _)| key.starts_with(word));
+    let range = headers(head).any(|line| {
+        let line = line.trim_start_matches('#').trim_start();
+        let (key, _) = line.split_once(['=', ':', '\t']).unwrap_or((line, ""));
+        key.to_lowercase().starts_with("range") && is_per_cm(key)
+    });
+    range && (has("laser") || has("acq"))
+}
+
+/// Keys of header lines (lower case letters and digits only) and what stands behind them.
+fn keys(head: &str) -> impl Iterator<Item = (String, &str)> {
+    headers(head).filter_map(|line| {
+        let (key, value) = line.split_once(['=', ':', ',', ';', '\t'])?;
+        let key = key.chars().filter(|c| c.is_alphanumeric());
+        Some((key.flat_map(char::to_lowercase).collect(), value.trim()))
+    })
+}
+
+/// Whether a header says that its data is a Raman spectrum, and nothing of wavelengths.
+fn says_raman(head: &str) -> bool {
+    let says = keys(head).any(|(key, value)| {
+        matches!(&*key, "datatype" | "filetype" | "technique")
+            && value.to_lowercase().contains("raman")
+    });
+    says && !headers(head).any(|line| {
+        let lower = line.to_lowercase();
+        let is_laser = ["laser", "excitation", "raman wavelength"]
+            .iter()
+            .any(|word| lower.contains(word));
+        !is_laser && ["wavelength", "nanomet"].iter().any(|w| lower.contains(w))
+    })
+}
+
+/// Whether a file is one of the RRUFF project's Raman spectra: those of infrared light and X-rays
+/// say what they are.
+fn is_rruff(head: &str, name: &str) -> bool {
+    let is_other = |text: &str| {
+        let text = text.to_lowercase();
+        ["infrared", "x-ray", "xray", "powder"]
+            .iter()
+            .any(|word| text.contains(word))
+    };
+    let named = |word: &str| keys(head).find(|(key, _)| key == word);
+    head.starts_with("##")
+        && named("rruffid").is_some()
+        && !is_other(name)
+        && !named("filetype").is_some_and(|(_, value)| is_other(value))
+}
+
+/// The titles of a table of Renishaw's WiRE, lower case: `#Wave`, `#Intensity`, and in front of
+/// them where in a map.
+fn wire_titles(head: &str) -> Option<Vec<String>> {
+    let line = headers(head).find(|line| line.starts_with('#'))?;
+    let titles: Vec<String> = line.split_whitespace().map(str::to_lowercase).collect();
+    let has = |title: &str| titles.iter().any(|other| other == title);
+    (has("#wave") && has("#intensity")).then_some(titles)
+}
+
+/// The laser in a file's name: `iR785`, `__Raman__532__`.
+fn laser_of_name(name: &str) -> Option<f64> {
+    let horiba = name.match_indices("iR");
+    let rruff = name.match_indices("__Raman__");
+    horiba.chain(rruff).find_map(|(at, word)| {
+        let before = name[..at].chars().next_back();
+        let before = before.filter(|_| word == "iR");
+        let digits: String = name[at + word.len()..]
+            .chars()
+            .take_while(char::is_ascii_digit)
+            .collect();
+        let apart = before.is_none_or(|c| !c.is_alphanumeric());
+        digits
+            .parse()
+            .ok()
+            .filter(|nm| apart && digits.len() >= 3 && LASERS_NM.contains(nm))
+    })
+}
+
+/// The laser in a header line: `Laser wavelength: 785 nm`, `#Laser=785nm_edge`.
+fn laser_of_header(text: &str) -> Option<f64> {
+    let named: Vec<Laser> = headers(text).flat_map(lasers_of_line).collect();
+    let by_unit = named.iter().find(|laser| laser.says_nm);
+    by_unit.or(named.first()).map(|laser| laser.nm)
+}
+
+/// A number behind the word "laser".
+struct Laser {
+    nm: f64,
+    /// Whether it is said to be a wavelength.
+    says_nm: bool,
+}
+
+/// The numbers of a header line that may be a laser's wavelength: not its power or its share.
+fn lasers_of_line(line: &str) -> Vec<Laser> {
+    let lower = line.to_lowercase();
+    let word = [
+        "laser",
+        "excitation",
+        "raman wavelength",
+        "raman_wavelength",
+    ];
+    let Some(at) = word.iter().find_map(|word| lower.find(word)) else {
+        return Vec::new();
+    };
+    // RRUFF's crystals lie somehow to the beam: "Laser parallel to c* (0 0 1)".
+    if lower.contains("orientation") || lower.contains("parallel") {
+        return Vec::new();
+    }
+    let is_number = |c: char| c.is_ascii_digit() || c == '.';
+    let names_wavelength = lower.contains("wavelength") || lower.contains("lambda");
+    let names_other = ["power", "attenuation", "exposure"]
+        .iter()
+        .any(|word| lower.contains(word));
+    let mut lasers = Vec::new();
+    let mut rest = &lower[at..];
+    while let Some(from) = rest.find(is_number) {
+        rest = &rest[from..];
+        let end = rest.find(|c| !is_number(c)).unwrap_or(rest.len());
+        let (number, behind) = rest.split_at(end);
+        let unit = behind.trim_start();
+        let counts_other = ["mw", "w", "%", "µw", "s", "ms"]
+            .iter()
+            .any(|other| word_of(unit) == *other);
+        let says_nm = word_of(unit).starts_with("nm");
+        if let Ok(nm) = number.parse::<f64>()
+            && LASERS_NM.contains(&nm)
+            && nm != 1000.0
+            && (says_nm || !counts_other && !names_other)
+        {
+            lasers.push(Laser {
+                nm,
+                says_nm: says_nm || names_wavelength,
+            });
+        }
+        rest = behind;
+    }
+    lasers
+}
+
+/// The letters (or per cent sign) that a text begins with.
+fn word_of(text: &str) -> &str {
+    let end = text
+        .find(|c: char| !(c.is_alphabetic() || c == '%'))
+        .unwrap_or(text.len());
+    &text[..end]
+}
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    if head.is_empty() || head.starts_with(['{', '<']) {
+        Confidence::No
+    } else if is_rruff(head, &input.name) {
+        // Its labels are written as JCAMP-DX's, which is sure of its own.
+        Confidence::Certain
+    } else if head.starts_with("##") {
+        Confidence::No
+    } else if wire_titles(head).is_some() {
+        // WiRE writes wavelengths under the same title: a person may say so.
+        match input.choices.wavelengths {
+            Some(_) => Confidence::No,
+            None => Confidence::Likely,
+        }
+    } else if names_shifts(head)
+        || counts_shifts(head)
+        || says_raman(head)
+        || laser_of_name(&input.name).is_some() && !names_nm(head)
+    {
+        Confidence::Likely
+    } else {
+        Confidence::No
+    }
+}
+
+/// Whether a header names wavelengths.
+fn names_nm(head: &str) -> bool {
+    headers(head).any(|line| {
+        let lower = line.to_lowercase();
+        lower.contains("wavelength") || lower.contains("nm")
+    })
+}
+
+/// Numbers with the column of shifts among them.
+struct Shifts<'a> {
+    block: Block<'a>,
+    titles: Titles,
+    axis: usize,
+}
+
+/// The tables of shifts of a text, and notes on what is left out.
+fn tables_of(text: &str, dialect: Dialect) -> (Vec<Shifts<'_>>, Vec<String>) {
+    let (mut found, mut notes) = (Vec::new(), Vec::new());
+    for table in pick::tables(text, dialect).unwrap_or_default() {
+        if table.is_short {
+            notes.push(pick::lines_left_out(&table.block));
+            continue;
+        }
+        let (block, titles) = (table.block, table.titles);
+        match table.layout {
+            // What rises beside shifts below zero looks more like wavelengths than they do.
+            _ if leads(&block) => found.push((block, titles, 0)),
+            Layout::Column(axis) => found.push((block, titles, axis)),
+            _ => {}
+        }
+    }
+    if found.is_empty() {
+        // Shifts from zero or below are no wavelengths to the finder of tables.
+        let blocks = scan(text, dialect).unwrap_or_default();
+        let longest = blocks.into_iter().filter(leads).max_by_key(Block::rows);
+        found.extend(longest.map(|block| {
+            let titles = Titles::of(&block, dialect);
+            (block, titles, 0)
+        }));
+    }
+    let shifts = |(block, titles, axis)| Shifts {
+        block,
+        titles,
+        axis,
+    };
+    (found.into_iter().map(shifts).collect(), notes)
+}
+
+/// Whether the first column of a block can be one of shifts.
+fn leads(block: &Block) -> bool {
+    if block.width < 2 || block.rows() < 2 || block.counts_rows(0) {
+        return false;
+    }
+    let first = block.column(0);
+    first.is_sorted_by(|a, b| a < b) || first.is_sorted_by(|a, b| a > b)
+}
+
+/// What the spectra of a file are called.
+fn name_of(input: &Input, text: &str) -> String {
+    let named = keys(text).find(|(key, value)| {
+        matches!(&**key, "names" | "name") && !value.is_empty() && is_rruff(text, &input.name)
+    });
+    named.map_or_else(|| input.stem().to_owned(), |(_, name)| name.to_owned())
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_long_text()?.text;
+    let head = input.head();
+    if wire_titles(head).is_some_and(|titles| titles.len() > 2) {
+        return Err(input.error(
+            "a Raman map or series of several points",
+            "the spectrum of one point: #Wave and #Intensity",
+        ));
+    }
+    let by_hand = input.choices.laser_nm.map(Decision::chosen);
+    let by_header = || laser_of_header(text).map(|nm| Decision::stated(nm, "the header"));
+    // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
+    let of_name = |nm| Decision::guessed(nm, true, "the file's name");
+    let by_name = || laser_of_name(&input.name).map(of_name);
+    let Some(laser) = by_hand.or_else(by_header).or_else(by_name) else {
+        return Err(input.error(
+            "Raman shifts (1/cm) from a laser that is not named",
+            NEEDS_LASER,
+        ));
+    };
+    let look = pick::look(text, input.choices.delimiter);
+    let dialect = look.dialect;
+    let (mut tables, mut notes) = tables_of(look.seen, dialect);
+    if look.is_part() && !tables.is_empty() {
+        (tables, notes) = tables_of(text, dialect);
+    }
+    if tables.is_empty() {
+        // Plain columns know better what is wrong; what they make of shifts is not shown.
+        let refusal = (columns::FORMAT.read)(input).err();
+        return Err(refusal.unwrap_or_else(|| no_shifts(input)));
+    }
+    let mut reading = Reading {
+        notes,
+        ..Reading::default()
+    };
+    for table in &tables {
+        add(input, table, &laser, dialect, &mut reading)?;
+    }
+    if reading.spectra.is_empty() {
+        return Err(no_shifts(input));
+    }
+    reading.notes.push(dialect.words());
+    Ok(reading)
+}
+
+fn no_shifts(input: &Input) -> ReadError {
+    input.error("no column of Raman shifts", "shifts (1/cm) and values")
+}
+
+/// Adds the spectra of a table; the laser in nm.
+fn add(
+    input: &Input,
+    table: &Shifts,
+    laser: &Decision<f64>,
+    dialect: Dialect,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let (block, axis) = (&table.block, table.axis);
+    let nm: Vec<f64> = block
+        .column(axis)
+        .iter()
+        .map(|shift| 1e7 / (1e7 / laser.value - shift))
+        .collect();
+    let (values, _) = value_columns(block, &table.titles, axis);
+    let is_used = |column| column == axis || values.contains(&column);
+    if let Some(bad) = block.bad.iter().find(|bad| is_used(bad.column)) {
+        return Err(bad.refusal(input));
+    }
+    let stem = name_of(input, input.head());
+    for column in &values {
+        let name = match values.len() {
+            1 => stem.clone(),
+            _ => format!("{stem}, column {}", column + 1),
+        };
+        let mut spectrum = RawSpectrum::light(name, &nm, block.column(*column).to_vec(), "");
+        spectrum.lines = &block.lines;
+        spectrum
+            .how
+            .push(format!("from Raman shifts of {} nm", laser.value));
+        let chosen = format!("Raman shifts from {} nm", laser.value);
+        spectrum.notes.push(taken_as(&chosen, &laser.reason));
+        spectrum.axis = RawAxis::Nm(&nm, Some(AxisDecision::Laser(laser.clone())));
+        if dialect.decimal_comma {
+            spectrum.how.push("decimal comma".to_owned());
+        }
+        interpret(spectrum, input, reading)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::text::units::WavelengthUnit;
+    use crate::io::{Choices, read_bytes, read_bytes_as};
+
+    #[test]
+    fn the_lasers_power_is_not_its_wavelength() {
+        let rows = "100.5\t10\n200.5\t20\n300.5\t30\n400.5\t40\n";
+        for header in [
+            "Laser power: 300 mW\nLaser wavelength: 785 nm\n",
+            "Laser: 300 mW, 785 nm\n",
+            "Laser power 300\nLaser 785\n",
+        ] {
+            let text = format!("{header}Raman shift (cm-1)\tIntensity\n{rows}");
+            let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
+            let first = reading.spectra[0].samples.first_nm();
+            assert!((790.0..800.0).contains(&first), "{header}: {first}");
+        }
+    }
+
+    #[test]
+    fn shifts_from_a_known_laser_become_wavelengths() {
+        let rows = "100.5\t10\n200.5\t20\n300.5\t30\n400.5\t40\n";
+        for (name, text) in [
+            ("Neon_iR785_x.txt", rows.to_owned()),
+            (
+                "a.txt",
+                format!("Laser wavelength: 785 nm\nRaman shift (cm-1)\tIntensity\n{rows}"),
+            ),
+            (
+                "a.txt",
+                format!("#Laser=\t785.0\n#AxisType[1]=\tSpectr\n#AxisUnit[1]=\t1/cm\n{rows}"),
+            ),
+            (
+                "a.txt",
+                format!(
+                    "#Laser=\t785nm_edge\r\n#Raman shift\r\n{}",
+                    rows.replace('\n', "\r\n")
+                ),
+            ),
+        ] {
+            let reading = read_bytes(name, text.as_bytes()).unwrap();
+            assert_eq!(reading.format, "Raman text", "{text}");
+            let want = 1e7 / (1e7 / 785.0 - 100.5);
+            assert_eq!(reading.spectra[0].samples.first_nm(), want);
+            assert!(
+                reading
+                    .guesses
+                    .iter()
+                    .any(|g| g.chosen == "Raman shift from 785 nm")
+            );
+        }
+    }
+
+    #[test]
+    fn an_unknown_laser_is_refused_and_wavelengths_beside_are_taken() {
+        let why = read_bytes("a.txt", b"Raman shift\tCounts\n100\t1\n200\t2\n300\t3\n");
+        assert_eq!(
+            why.unwrap_err().to_string(),
+            "a.txt: found Raman shifts (1/cm) from a laser that is not named, expected wavelengths, or the laser's wavelength in the header"
+        );
+        let both = "Wavelength (nm)\tRaman Shift\tCounts\n400\t1\t1\n500\t2\t2\n600\t3\t3\n";
+        assert_eq!(
+            read_bytes("a.txt", both.as_bytes()).unwrap().format,
+            "plain columns"
+        );
+    }
+
+    /// What a file is refused with.
+    fn refusal(name: &str, text: &str) -> String {
+        read_bytes(name, text.as_bytes()).unwrap_err().to_string()
+    }
+
+    const UNKNOWN_LASER: &str = "Raman shifts (1/cm) from a laser that is not named";
+
+    #[test]
+    fn makers_headers_of_shifts_without_a_laser_are_refused() {
+        let rows = "200.5 10\n201.5 20\n202.5 15\n203.5 30\n";
+        for (header, mark) in [
+            ("DATA TYPE,RAMAN SPECTRUM\nXUNITS,1/CM\nXYDATA\n", ","),
+            ("[Data]\nXAxisUnit\tYAxisUnit\nrel. 1/cm\tCCD cts\n", "\t"),
+            ("#Acq. time (s):\t15\n#Range (cm-1):\t200 - 204\n", "\t"),
+            ("#Wave\t\t#Intensity\r\n", "\t"),
+            ("##NAMES=Stone\n##RRUFFID=R1\n", ","),
+            (
+                "##NAMES=Stone\n##RRUFFID=R1\n##ORIENTATION=Laser parallel to c* (3 0 0)\n",
+                ",",
+            ),
+        ] {
+            let text = format!("{header}{}", rows.replace(' ', mark));
+            let why = refusal("a.txt", &text);
+            assert!(why.contains(UNKNOWN_LASER), "{header}: {why}");
+        }
+    }
+
+    #[test]
+    fn makers_headers_that_name_the_laser_are_read() {
+        let rows = "200.5 10\n201.5 20\n202.5 15\n203.5 30\n";
+        for (header, mark, laser) in [
+            ("#Range (cm-1):\t200 - 204\n#Laser:\t785\n", "\t", 785.0),
+            ("#Range (cm-¹)=\t200...204\n#Laser=\t532nm\n", "\t", 532.0),
+            (
+                "##NAMES=Stone\n##RRUFFID=R1\n##ORIENTATION=Laser parallel to c* (300 0 0)\n\
+                 ##FILETYPE=Raman Processed\n##RAMAN WAVELENGTH=514\n",
+                ", ",
+                514.0,
+            ),
+            (
+                "##NAME=Stone\n##RRUFFID=R1\n##LASER_WAVELENGTH=532\n",
+                ",",
+                532.0,
+            ),
+        ] {
+            let text = format!("{header}{}", rows.replace(' ', mark));
+            let reading = read_bytes("a.txt", text.as_bytes()).expect(header);
+            assert_eq!(reading.format, "Raman text", "{header}");
+            let spectrum = &reading.spectra[0];
+            let want = 1e7 / (1e7 / laser - 200.5);
+            assert_eq!(spectrum.samples.first_nm(), want, "{header}");
+            let name = if header.starts_with("##") {
+                "Stone"
+            } else {
+                "a"
+            };
+            assert_eq!(spectrum.name, name);
+        }
+        let named = "Stone__R1__Raman__532__0.txt";
+        let text = "##NAMES=Stone\n##RRUFFID=R1\n200.5, 1\n201.5, 3\n202.5, 2\n";
+        assert!(read_bytes(named, text.as_bytes()).is_ok());
+    }
+
+    #[test]
+    fn a_map_of_points_is_never_one_spectrum() {
+        let text = "#X\t\t#Y\t\t#Wave\t\t#Intensity\n-1.5\t2\t302\t5\n-1.5\t2\t301\t6\n\
+                    -1.5\t2\t300\t7\n0\t2\t302\t8\n0\t2\t301\t8\n0\t2\t300\t7\n";
+        let why = refusal("a.txt", text);
+        assert!(
+            why.contains("a Raman map or series of several points"),
+            "{why}"
+        );
+    }
+
+    #[test]
+    fn a_person_may_name_the_laser_or_say_that_they_are_wavelengths() {
+        let text = b"#Wave\t\t#Intensity\n802.5\t5\n801.5\t6\n800.5\t7\n799.5\t9\n";
+        let mut choices = Choices {
+            laser_nm: Some(532.0),
+            ..Choices::default()
+        };
+        let reading = read_bytes_as("a.txt", text, &choices).unwrap();
+        let first = reading.spectra[0].samples.first_nm();
+        assert_eq!(first, 1e7 / (1e7 / 532.0 - 799.5));
+        choices.laser_nm = None;
+        choices.wavelengths = Some(WavelengthUnit::Nanometre);
+        let reading = read_bytes_as("a.txt", text, &choices).unwrap();
+        assert_eq!(reading.spectra[0].samples.first_nm(), 799.5);
+    }
+
+    #[test]
+    fn light_on_the_other_side_of_the_laser_has_shifts_below_zero() {
+        for first in [-200.5, 0.0] {
+            let rows: String = (0..6_u8)
+                .map(|i| format!("{}\t{}\n", first + 50.0 * f64::from(i), 10 + i % 3))
+                .collect();
+            let text = format!("Laser: 785 nm\nRaman shift (1/cm)\tCounts\n{rows}");
+            let reading = read_bytes("a.txt", text.as_bytes()).expect("shifts");
+            let samples = &reading.spectra[0].samples;
+            assert_eq!(samples.len(), 6);
+            assert!((samples.first_nm() - 1e7 / (1e7 / 785.0 - first)).abs() < 1e-9);
+        }
+    }
+}

@@ -1,0 +1,481 @@
+//! refractiveindex.info: YAML with the optical constants n and k over wavelengths in micrometres.
+//!
+//! `DATA` is a list of tables (`tabulated nk`, `tabulated n`, `tabulated k`, columns with blanks)
+//! and dispersion formulas 1 to 9 ([`formula`]), which are sampled at whole nanometres, and more
+//! coarsely in the far infrared ([`grid`]). Every n and k becomes a spectrum, and the reflectance
+//! at normal incidence from air, ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), a further one that says it
+//! was computed. Where a file holds n as a table and by a formula, the table counts.
+
+pub(crate) mod formula;
+pub(crate) mod grid;
+pub(crate) mod quoted_text;
+
+use serde::Deserialize;
+
+use crate::spectrum::{Kind, Outside, Sampled};
+
+use super::{Confidence, Format};
+use crate::io::decode::guarded::guarded;
+use crate::io::error::quoted;
+use crate::io::interpret::raw::RawSpectrum;
+use crate::io::interpret::{curve, interpret};
+use crate::io::reading::decision::Decision;
+use crate::io::reading::remark::Remark;
+use crate::io::text::{lines, number};
+use crate::io::{Input, ReadError, Reading, budget};
+
+/// refractiveindex.info.
+pub(crate) const FORMAT: Format = Format {
+    name: "refractiveindex.info YAML",
+    extensions: &["yml", "yaml"],
+    sniff,
+    read,
+};
+
+/// Most tables and formulas of one file.
+const MOST_DATA: usize = 20;
+
+/// Most coefficients of a formula, several times what any has: each counts at every wavelength.
+const MOST_COEFFICIENTS: usize = 100;
+
+fn sniff(input: &Input) -> Confidence {
+    let is_ours = |text: &str| {
+        (text.contains("type: tabulated") || text.contains("type: formula"))
+            && text.lines().any(|line| line.trim_end() == "DATA:")
+    };
+    match input.text() {
+        Some(_) if is_ours(input.head()) => Confidence::Certain,
+        // Long references may stand before the data.
+        Some(text) if input.has_extension("yml") || input.has_extension("yaml") => {
+            if is_ours(&text.text) {
+                Confidence::Certain
+            } else {
+                Confidence::No
+            }
+        }
+        Some(_) | None => Confidence::No,
+    }
+}
+
+/// The file, as far as it is read.
+#[derive(Deserialize)]
+struct File {
+    #[serde(rename = "REFERENCES", default)]
+    references: String,
+    #[serde(rename = "COMMENTS", default)]
+    comments: String,
+    #[serde(rename = "DATA")]
+    data: Vec<Data>,
+}
+
+/// One table or formula.
+#[derive(Deserialize)]
+struct Data {
+    r#type: String,
+    #[serde(default)]
+    data: String,
+    #[serde(default)]
+    wavelength_range: String,
+    #[serde(default)]
+    range: String,
+    #[serde(default)]
+    coefficients: String,
+}
+
+/// The file as YAML.
+fn parse(input: &Input, text: &str) -> Result<File, ReadError> {
+    let parsed = match parse_strictly(text) {
+        // The site's own reader is more lenient about text in quotes.
+        Some(Err(first)) => match quoted_text::indented(text).map(|text| parse_strictly(&text)) {
+            Some(second @ Some(Ok(_))) => second,
+            _ => Some(Err(first)),
+        },
+        parsed => parsed,
+    };
+    match parsed {
+        Some(Ok(file)) => Ok(file),
+        Some(Err(why)) => Err(input.error(
+            format!("broken YAML ({why})"),
+            "REFERENCES, COMMENTS and DATA as refractiveindex.info writes them",
+        )),
+        None => Err(input.error("broken YAML", "YAML of refractiveindex.info")),
+    }
+}
+
+/// What the parser makes of a text, or the first line of its complaint.
+fn parse_strictly(text: &str) -> Option<Result<File, String>> {
+    let mut limits = serde_saphyr::Budget::default();
+    limits.max_recorded_anchor_bytes = 1 << 20;
+    limits.max_total_scalar_bytes = budget::of(text.len()) / 4;
+    limits.max_nodes = 20_000;
+    let mut options = serde_saphyr::Options::default();
+    options.budget = Some(limits);
+    let parsed = guarded(|| serde_saphyr::from_str_with_options::<File>(text, options))?;
+    Some(parsed.map_err(|error| {
+        let why = error.to_string();
+        why.lines().next().unwrap_or("").to_owned()
+    }))
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let file = parse(input, text)?;
+    if file.data.len() > MOST_DATA {
+        let found = format!("{} tables and formulas", file.data.len());
+        return Err(input.error(found, format!("at most {MOST_DATA}")));
+    }
+    let source = plain(&file.references);
+    let mut about = Vec::new();
+    if !file.comments.trim().is_empty() {
+        about.push(format!("comment in the file: {}", plain(&file.comments)));
+    }
+    let mut reading = Reading::default();
+    let (mut n, mut k): (Option<Sampled>, Option<Sampled>) = (None, None);
+    let has_table_of_n = file.data.iter().any(|data| tabulates_n(&data.r#type));
+    let is_beside = |data: &&Data| has_table_of_n && is_formula(&data.r#type);
+    let (beside, first): (Vec<&Data>, Vec<&Data>) = file.data.iter().partition(is_beside);
+    let first = first.into_iter().map(|data| (data, false));
+    let beside = beside.into_iter().map(|data| (data, true));
+    for (data, is_beside) in first.chain(beside) {
+        for (letter, samples, mut notes) in read_data(input, text, data)? {
+            notes.extend(about.iter().cloned());
+            let kept = if letter == 'n' { &mut n } else { &mut k };
+            let mut name = format!("{} {letter}", input.stem());
+            if is_beside {
+                name += &format!(" by {}", data.r#type.trim());
+                notes.push(
+                    "the file holds n as a table too, from which the rest is computed".into(),
+                );
+            } else {
+                kept.get_or_insert_with(|| samples.clone());
+            }
+            let of_n_or_k = (name, Kind::Other);
+            push(input, &mut reading, of_n_or_k, &samples, notes, &source)?;
+        }
+    }
+    if let Some(n) = &n {
+        let (samples, how) = reflectance(n, k.as_ref());
+        if let Some(samples) = samples {
+            let mut notes = vec![how.to_owned()];
+            notes.extend(about);
+            let name = format!("{} reflectance", input.stem());
+            let of_surface = (name, Kind::Reflectance);
+            push(input, &mut reading, of_surface, &samples, notes, &source)?;
+        }
+    }
+    if reading.spectra.is_empty() {
+        return Err(input.error(
+            "no data",
+            "tabulated nk, tabulated n, tabulated k or a formula",
+        ));
+    }
+    Ok(reading)
+}
+
+fn is_formula(kind: &str) -> bool {
+    kind.trim().starts_with("formula")
+}
+
+/// Whether data of a kind hold n as a table.
+fn tabulates_n(kind: &str) -> bool {
+    matches!(kind.trim(), "tabulated n" | "tabulated nk")
+}
+
+fn push(
+    input: &Input,
+    reading: &mut Reading,
+    (name, kind): (String, Kind),
+    samples: &Sampled,
+    notes: Vec<String>,
+    source: &str,
+) -> Result<(), ReadError> {
+    let kind = Decision::of_format(kind);
+    let values = samples.values().to_vec();
+    let mut raw = RawSpectrum::known(name, samples.nm(), values, kind, "");
+    raw.notes = notes;
+    raw.source = Some(source.to_owned());
+    interpret(raw, input, reading)
+}
+
+/// Spectra of one table or formula: 'n' or 'k', and what was done.
+fn read_data(
+    input: &Input,
+    text: &str,
+    data: &Data,
+) -> Result<Vec<(char, Sampled, Vec<String>)>, ReadError> {
+    let kind = data.r#type.trim();
+    let letters = match kind {
+        "tabulated nk" => "nk",
+        "tabulated n" => "n",
+        "tabulated k" => "k",
+        _ => {
+            let number = kind
+                .strip_prefix("formula ")
+                .and_then(|n| n.trim().parse().ok());
+            return match number {
+                Some(number @ 1..=9) => {
+                    let (samples, notes) = read_formula(input, data, number)?;
+                    Ok(vec![('n', samples, notes)])
+                }
+                _ => Err(input.error(
+                    format!("data of the type {}", quoted(kind)),
+                    "tabulated nk, tabulated n, tabulated k or formula 1 to 9",
+                )),
+            };
+        }
+    };
+    let rows = rows(input, text, &data.data, letters.len() + 1)?;
+    let nm: Vec<f64> = rows.iter().map(|row| row[0] * 1000.0).collect();
+    let mut found = Vec::new();
+    for (place, letter) in letters.chars().enumerate() {
+        let values: Vec<f64> = rows.iter().map(|row| row[place + 1]).collect();
+        let cleaned = curve::clean(&nm, &values)
+            .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
+        let mut notes = in_words(&cleaned.remarks);
+        notes.push("wavelengths converted from um".to_owned());
+        found.push((letter, cleaned.samples, notes));
+    }
+    Ok(found)
+}
+
+fn rows(input: &Input, text: &str, table: &str, width: usize) -> Result<Vec<[f64; 3]>, ReadError> {
+    let mut rows = Vec::new();
+    for (_, row) in lines(table) {
+        let row = row.trim();
+        if row.is_empty() || row.starts_with('#') {
+            continue;
+        }
+        let mut numbers = [0.0; 3];
+        let mut count = 0;
+        for cell in row.split_whitespace() {
+            match (number::number(cell, false), numbers.get_mut(count)) {
+                (Some(number), Some(slot)) => *slot = number,
+                _ => count = usize::MAX - 1,
+            }
+            count = count.saturating_add(1);
+            if count > 3 {
+                break;
+            }
+        }
+        if count != width {
+            let error = input.error(quoted(row), format!("{width} numbers"));
+            let at = lines(text).find(|(_, line)| line.trim() == row);
+            return Err(match at {
+                Some((line, _)) => error.at_line(line),
+                None => error,
+            });
+        }
+        rows.push(numbers);
+    }
+    Ok(rows)
+}
+
+fn read_formula(
+    input: &Input,
+    data: &Data,
+    number: u8,
+) -> Result<(Sampled, Vec<String>), ReadError> {
+    let numbers = |text: &str, what: &str| -> Result<Vec<f64>, ReadError> {
+        let number = |word: &str| {
+            number::number(word, false)
+                .filter(|x| x.is_finite())
+                .ok_or_else(|| input.error(quoted(word), format!("numbers as {what}")))
+        };
+        text.split_whitespace().map(number).collect()
+    };
+    let coefficients = numbers(&data.coefficients, "coefficients")?;
+    if coefficients.len() > MOST_COEFFICIENTS {
+        let found = format!("{} coefficients", coefficients.len());
+        return Err(input.error(found, format!("at most {MOST_COEFFICIENTS}")));
+    }
+    let range = if data.wavelength_range.trim().is_empty() {
+        &data.range
+    } else {
+        &data.wavelength_range
+    };
+    let range = numbers(range, "wavelength_range")?;
+    let [from_um, to_um] = range[..] else {
+        let found = format!("a wavelength range of {} numbers", range.len());
+        return Err(input.error(found, "first and last wavelength in um"));
+    };
+    let (nm, how) = grid::of(from_um * 1000.0, to_um * 1000.0);
+    let values: Vec<f64> = nm
+        .iter()
+        .map(|nm| formula::index(number, &coefficients, nm / 1000.0))
+        .collect();
+    let cleaned = curve::clean(&nm, &values)
+        .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
+    let mut notes = in_words(&cleaned.remarks);
+    notes.push(format!("n computed from dispersion formula {number} {how}"));
+    Ok((cleaned.samples, notes))
+}
+
+/// What was done to put points in order.
+fn in_words(remarks: &[Remark]) -> Vec<String> {
+    remarks.iter().map(Remark::to_string).collect()
+}
+
+/// Reflectance at normal incidence from air, and how it came about.
+fn reflectance(n: &Sampled, k: Option<&Sampled>) -> (Option<Sampled>, &'static str) {
+    let inside = |nm: f64| k.is_none_or(|k| nm >= k.first_nm() && nm <= k.last_nm());
+    let points = n
+        .nm()
+        .iter()
+        .zip(n.values())
+        .filter(|(nm, _)| inside(**nm))
+        .map(|(nm, n)| {
+            let k = k.map_or(0.0, |k| k.at(*nm, Outside::Hold));
+            let squared = |real: f64| real * real + k * k;
+            (*nm, squared(n - 1.0) / squared(n + 1.0))
+        })
+        .filter(|(_, r)| r.is_finite());
+    let (nm, values) = points.unzip();
+    let how = if k.is_some() {
+        "computed from n and k: ((n-1)^2+k^2)/((n+1)^2+k^2), normal incidence from air"
+    } else {
+        "computed from n alone (no k in the file): ((n-1)/(n+1))^2, one face, normal incidence"
+    };
+    (Sampled::new(nm, values).ok(), how)
+}
+
+/// Text without tags and line ends.
+fn plain(html: &str) -> String {
+    let mut text = String::new();
+    let mut in_tag = false;
+    for c in html.chars().take(2000) {
+        match c {
+            '<' => in_tag = true,
+            '>' if in_tag => in_tag = false,
+            c if !in_tag => text.push(c),
+            _ => {}
+        }
+    }
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+
+    const YAML: &str = "REFERENCES: |\n    A. Author.\n    <i>Metals</i> (1972)\nCOMMENTS: |\n    Warm\n\
+        DATA:\n  - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.6 1.0 2.0\n";
+
+    fn formula(body: &str) -> String {
+        format!("DATA:\n  - type: {body}\n")
+    }
+
+    #[test]
+    fn n_and_k_and_the_reflectance_between_them_are_read() {
+        let reading = read_bytes("Au.yml", YAML.as_bytes()).expect("a table");
+        let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
+        assert_eq!(names, ["Au n", "Au k", "Au reflectance"]);
+        assert_eq!(reading.spectra[0].samples.nm(), [500.0, 600.0]);
+        assert_eq!(reading.spectra[1].samples.values(), [0.0, 2.0]);
+        let reflected = reading.spectra[2].samples.values();
+        // Glass of n 1.5 sends 4 % back; n 1, k 2 sends 4 / 8.
+        assert!((reflected[0] - 0.04).abs() < 1e-15 && (reflected[1] - 0.5).abs() < 1e-15);
+        assert_eq!(reading.spectra[0].source, "A. Author. Metals (1972)");
+        assert!(
+            reading.spectra[2]
+                .notes
+                .iter()
+                .any(|n| n.starts_with("computed"))
+        );
+    }
+
+    #[test]
+    fn a_formula_is_sampled_over_its_range() {
+        let text = formula(
+            "formula 1\n    wavelength_range: 0.4 0.7\n    coefficients: 0 1.03961212 0.0774641 \
+             0.231792344 0.141484 1.01046945 10.176475",
+        );
+        let reading = read_bytes("bk7.yml", text.as_bytes()).expect("a formula");
+        let n = &reading.spectra[0].samples;
+        assert_eq!((n.len(), n.first_nm(), n.last_nm()), (301, 400.0, 700.0));
+        // Schott N-BK7 at 587.6 nm.
+        assert!((n.at(587.6, Outside::Hold) - 1.5168).abs() < 2e-4);
+        assert_eq!(reading.spectra[1].kind, Kind::Reflectance);
+    }
+
+    #[test]
+    fn a_formula_for_the_far_infrared_is_sampled_to_its_end() {
+        let text = formula("formula 5\n    wavelength_range: 6 22.5\n    coefficients: 1.5 0.1 -2");
+        let reading = read_bytes("ir.yml", text.as_bytes()).expect("a formula");
+        let n = &reading.spectra[0].samples;
+        assert_eq!(
+            (n.first_nm(), n.last_nm(), n.len()),
+            (6000.0, 22500.0, 1651)
+        );
+        let notes = reading.spectra[0].notes.join("; ");
+        assert!(
+            notes.contains("in steps of 10 nm beyond 5000 nm"),
+            "{notes}"
+        );
+        let far = formula("formula 5\n    wavelength_range: 5 2000\n    coefficients: 1.5");
+        let far = read_bytes("far.yml", far.as_bytes()).expect("a formula");
+        let notes = far.spectra[0].notes.join("; ");
+        assert!(notes.contains("not sampled beyond 1000000 nm"), "{notes}");
+    }
+
+    #[test]
+    fn quoted_text_may_go_on_at_the_start_of_a_line() {
+        let text = "REFERENCES: \"1) A \\\"quoted\\\" author.\n\nDATA: of others\"\nCOMMENTS: 'it''s\n\
+                    warm' # said\nDATA:\n  - type: tabulated n\n    data: |\n        0.5 1.5\n        0.6 1.4\n";
+        let reading = read_bytes("q.yml", text.as_bytes()).expect("a table");
+        let first = &reading.spectra[0];
+        assert_eq!(first.source, "1) A \"quoted\" author. DATA: of others");
+        assert!(
+            first
+                .notes
+                .contains(&"comment in the file: it's warm".to_owned())
+        );
+        let broken = text.replace("0.6 1.4", "0.6 1.4 x");
+        let why = read_bytes("q.yml", broken.as_bytes()).unwrap_err();
+        assert!(why.to_string().starts_with("q.yml, line 10:"), "{why}");
+    }
+
+    #[test]
+    fn a_table_of_n_counts_more_than_a_formula_beside_it() {
+        let text = "DATA:\n  - type: formula 5\n    wavelength_range: 0.4 0.7\n    coefficients: 3\n  \
+                    - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.6 1.5 0\n";
+        let reading = read_bytes("p.yml", text.as_bytes()).expect("both");
+        let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
+        assert_eq!(names, ["p n", "p k", "p n by formula 5", "p reflectance"]);
+        assert!((reading.spectra[3].samples.values()[0] - 0.04).abs() < 1e-12);
+        assert!(
+            reading.spectra[2]
+                .notes
+                .iter()
+                .any(|n| n.contains("as a table too"))
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        let said = |text: &str| {
+            read_bytes("a.yml", text.as_bytes())
+                .unwrap_err()
+                .to_string()
+        };
+        let wrong = said(&YAML.replace("0.6 1.0 2.0", "0.6 1.0"));
+        assert_eq!(
+            wrong,
+            "a.yml, line 10: found \"0.6 1.0\", expected 3 numbers"
+        );
+        assert!(said(&formula("formula 12")).contains("data of the type \"formula 12\""));
+        let range = said(&formula("formula 5\n    coefficients: 1 2 3"));
+        assert!(range.contains("a wavelength range of 0 numbers"), "{range}");
+    }
+
+    #[test]
+    fn bombs_are_refused() {
+        let mut bomb = "a: &a [x,x,x,x,x,x,x,x,x]\n".to_owned();
+        for (one, other) in "abcdefgh".chars().zip("bcdefghi".chars()) {
+            bomb +=
+                &format!("{other}: &{other} [*{one},*{one},*{one},*{one},*{one},*{one},*{one}]\n");
+        }
+        bomb += "DATA:\n  - type: tabulated n\n    data: *i\n";
+        assert!(read_bytes("a.yml", bomb.as_bytes()).is_err());
+    }
+}

@@ -1,0 +1,299 @@
+//! IES TM-27-14 `.spdx`: XML with a header, a spectral quantity and irregular samples.
+//!
+//! Elements are matched by their local names, since files use two namespaces or none. Numeric
+//! header fields may say "Unknown". Entities and document type declarations are refused by the
+//! XML parser, so a small file cannot unfold into a large one.
+
+use roxmltree::Node;
+
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format};
+use crate::io::decode::xml;
+use crate::io::error::{kept, quoted};
+use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::interpret::{interpret, kinds};
+use crate::io::provenance::{ORIGINATOR, notes_of_a_line};
+use crate::io::reading::decision::Decision;
+use crate::io::reading::remark::Remark;
+use crate::io::text::{kept_line, number};
+use crate::io::write::spdx::QUANTITIES;
+use crate::io::{Input, ReadError, Reading};
+
+/// Behind this stand the notes in the comments of a file of this program.
+const NOTES_AT: &str = "; notes: ";
+
+/// IES TM-27.
+pub(crate) const FORMAT: Format = Format {
+    name: "IES TM-27 .spdx",
+    extensions: &["spdx"],
+    sniff,
+    read,
+};
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    let is_xml = head.trim_start().starts_with('<');
+    if is_xml && (head.contains("IESTM2714") || head.contains("iestm2714")) {
+        Confidence::Certain
+    } else if head.starts_with("<?xml") || input.has_extension("spdx") {
+        Confidence::Likely
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    if !text.trim_start().starts_with('<') {
+        return Err(input
+            .error(
+                "text that is no XML",
+                "an IES TM-27 .spdx file, which is XML",
+            )
+            .at_line(1));
+    }
+    let text = without_declaration(text);
+    let document = xml::parse(input, &text)?;
+    let root = document.root_element();
+    if !root.tag_name().name().eq_ignore_ascii_case("IESTM2714") {
+        return Err(input
+            .error(
+                format!(
+                    "<{}> as the outermost element",
+                    quoted(root.tag_name().name()).replace('"', "")
+                ),
+                "<IESTM2714>",
+            )
+            .at_line(line(root)));
+    }
+    read_root(input, root)
+}
+
+/// Blanks the XML declaration: some writers put a version there that XML does not know.
+fn without_declaration(text: &str) -> String {
+    let mut text = text.to_owned();
+    let start = text.len() - text.trim_start().len();
+    if text[start..].starts_with("<?xml")
+        && let Some(end) = text[start..].find("?>")
+    {
+        let blank: String = text[start..start + end + 2]
+            .chars()
+            .map(|c| if c == '\n' { '\n' } else { ' ' })
+            .collect();
+        text.replace_range(start..start + end + 2, &blank);
+    }
+    text
+}
+
+/// The line of a node, from 1: counted from the file's start, so only where there is trouble.
+fn line(node: Node) -> usize {
+    node.document().text_pos_at(node.range().start).row as usize
+}
+
+fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
+    node.children()
+        .find(|n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case(name))
+}
+
+/// A header field, unless it is empty or says that it is unknown.
+fn field<'a>(header: Option<Node<'a, 'a>>, name: &str) -> Option<&'a str> {
+    let text = child(header?, name)?.text()?.trim();
+    (!text.is_empty() && !text.eq_ignore_ascii_case("unknown")).then(|| kept(text))
+}
+
+fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError> {
+    let header = child(root, "Header");
+    let name = field(header, "Description")
+        .or_else(|| field(header, "CatalogNumber"))
+        .unwrap_or(input.stem());
+    let maker = ["Manufacturer", "Laboratory", "ReportNumber", "ReportDate"]
+        .iter()
+        .filter_map(|f| field(header, f))
+        .collect::<Vec<_>>()
+        .join(", ");
+    let is_own =
+        field(header, "DocumentCreator").is_some_and(|program| program.starts_with(ORIGINATOR));
+    let mut reading = Reading::default();
+    let distributions = || {
+        root.children().filter(|n| {
+            n.is_element()
+                && n.tag_name()
+                    .name()
+                    .eq_ignore_ascii_case("SpectralDistribution")
+        })
+    };
+    let source = match maker.is_empty() {
+        true => input.name.clone(),
+        false => maker,
+    };
+    for distribution in distributions() {
+        let width = read_distribution(input, distribution, (name, &source), &mut reading)?;
+        let (Some(spectrum), Some(facts)) = (reading.spectra.last_mut(), reading.facts.last_mut())
+        else {
+            continue;
+        };
+        spectrum.notes.extend(width);
+        let Some(comments) = field(header, "Comments") else {
+            continue;
+        };
+        if is_own {
+            let notes = comments.split_once(NOTES_AT);
+            let notes = notes_of_a_line(notes.map_or("", |(_, notes)| notes));
+            let notes = notes.map(|note| Remark::Before(note.to_owned()));
+            facts.remarks.extend(notes);
+        } else {
+            let note = format!("comment in the file: {comments}");
+            spectrum.notes.push(note);
+        }
+    }
+    if reading.spectra.is_empty() {
+        return Err(input
+            .error(
+                "no <SpectralDistribution>",
+                "one with <SpectralData> elements",
+            )
+            .at_line(line(root)));
+    }
+    Ok(reading)
+}
+
+/// Adds the spectrum of an element; what is to be said of its bandwidth.
+fn read_distribution<'a>(
+    input: &Input,
+    node: Node<'a, 'a>,
+    (name, source): (&str, &str),
+    reading: &mut Reading,
+) -> Result<Option<String>, ReadError> {
+    let (mut nm, mut values, mut at) = (vec![], vec![], vec![]);
+    for data in node
+        .children()
+        .filter(|n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case("SpectralData"))
+    {
+        let number = |text: &str, expected: &str| {
+            number::number(text.trim(), false)
+                .filter(|v| v.is_finite())
+                .ok_or_else(|| input.error(quoted(text), expected).at_line(line(data)))
+        };
+        let wavelength = data.attribute("wavelength").ok_or_else(|| {
+            input
+                .error("<SpectralData> with no wavelength", "wavelength=\"nm\"")
+                .at_line(line(data))
+        })?;
+        nm.push(number(wavelength, "a wavelength in nm")?);
+        values.push(number(
+            data.text().unwrap_or(""),
+            "a number as spectral value",
+        )?);
+        at.push(data);
+    }
+    // Lines are counted from the file's start, so only where there is trouble.
+    let at_line = |refusal: ReadError| {
+        let index = refusal.line.and_then(|index| at.get(index));
+        refusal.at_line(line(index.copied().unwrap_or(node)))
+    };
+    let points: Vec<u32> = (0..at.len()).map(kept_line).collect();
+    let stated = field(Some(node), "SpectralQuantity").unwrap_or("");
+    let (kind, unit) = quantity(stated);
+    let mut raw = RawSpectrum::known(name, &nm, values, kind, &unit);
+    raw.known.scale = KnownScale::Fractions;
+    raw.lines = &points;
+    raw.source = Some(source.to_owned());
+    interpret(raw, input, reading).map_err(at_line)?;
+    reading.keep_scale_to_notes();
+    let width = field(Some(node), "BandwidthFWHM");
+    Ok(width.map(|width| format!("bandwidth {width} nm (FWHM)")))
+}
+
+/// Kind and unit of a spectral quantity; writers put units there too ("W/nm").
+fn quantity(stated: &str) -> (Decision<Kind>, String) {
+    let known = QUANTITIES
+        .iter()
+        .find(|(word, ..)| word.eq_ignore_ascii_case(stated));
+    if let Some((_, kind, unit)) = known {
+        return (Decision::of_format(*kind), (*unit).to_owned());
+    }
+    let by_words = kinds::kind_of_words(stated);
+    let kind = by_words.unwrap_or(Kind::Light);
+    let because = format!(
+        "the spectral quantity {} is none of TM-27's",
+        quoted(stated)
+    );
+    // Writers put units there too ("W/nm"), which say as much.
+    let kind = Decision::guessed(kind, by_words.is_some(), because);
+    (kind, stated.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::{Guessed, read_bytes};
+
+    fn file(quantity: &str, data: &str) -> String {
+        format!(
+            "<?xml version=\"1\"?>\n<x:IESTM2714 xmlns:x=\"http://www.ies.org/iestm2714\">\n<x:Header>\
+             <x:Description>A &amp; B</x:Description><x:ReportDate>Unknown</x:ReportDate></x:Header>\n\
+             <x:SpectralDistribution><x:SpectralQuantity>{quantity}</x:SpectralQuantity>\
+             <x:BandwidthFWHM>Unknown</x:BandwidthFWHM>\n{data}\n\
+             </x:SpectralDistribution></x:IESTM2714>"
+        )
+    }
+
+    fn refusal(text: &str) -> String {
+        read_bytes("a.spdx", text.as_bytes())
+            .unwrap_err()
+            .to_string()
+    }
+
+    const DATA: &str = "<x:SpectralData wavelength=\"400.5\">0.47</x:SpectralData>\n\
+                        <x:SpectralData wavelength=\"410\"> 0.51 </x:SpectralData>";
+
+    #[test]
+    fn any_namespace_and_unknown_fields_are_read() {
+        let reading = read_bytes("a.spdx", file("irradiance", DATA).as_bytes()).unwrap();
+        let spectrum = &reading.spectra[0];
+        assert_eq!(spectrum.samples.nm(), [400.5, 410.0]);
+        assert_eq!(spectrum.samples.values(), [0.47, 0.51]);
+        assert_eq!(
+            (spectrum.name.as_str(), spectrum.unit.as_str()),
+            ("A & B", "W m-2 nm-1")
+        );
+        assert!(reading.guesses.is_empty());
+    }
+
+    #[test]
+    fn a_quantity_that_is_none_is_a_guess() {
+        let reading = read_bytes("a.spdx", file("W/nm", DATA).as_bytes()).unwrap();
+        assert_eq!(reading.spectra[0].unit, "W/nm");
+        assert_eq!(reading.guesses[0].what, Guessed::Kind);
+    }
+
+    #[test]
+    fn every_quantity_has_a_kind() {
+        for (word, kind, _) in QUANTITIES {
+            let reading = read_bytes("a.spdx", file(word, DATA).as_bytes()).unwrap();
+            assert_eq!(reading.spectra[0].kind, kind, "{word}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_tm_27_is_refused_in_words() {
+        assert_eq!(
+            refusal("<?xml version=\"1.0\"?>\n<item></item>\n"),
+            "a.spdx, line 2: found <item> as the outermost element, expected <IESTM2714>"
+        );
+        assert!(refusal("400 0.5\n").contains("text that is no XML"));
+        assert!(refusal("<IESTM2714><a></IESTM2714>").contains("line 1: found broken XML"));
+        assert!(refusal("<IESTM2714></IESTM2714>").contains("no <SpectralDistribution>"));
+        let bad = DATA.replace("0.47", "abc");
+        assert!(refusal(&file("flux", &bad)).contains("line 5: found \"abc\", expected a number"));
+    }
+
+    #[test]
+    fn a_bomb_of_entities_is_refused() {
+        let bomb = "<!DOCTYPE a [<!ENTITY b \"bbbbbbbb\"><!ENTITY c \"&b;&b;&b;\">]><IESTM2714>&c;</IESTM2714>";
+        assert!(refusal(bomb).contains("with a DTD"));
+        let deep = "<IESTM2714>".to_owned() + &"<a>".repeat(100_000);
+        assert!(refusal(&deep).contains("broken XML"));
+    }
+}

@@ -1,0 +1,179 @@
+//! What a reader of images hands out: the picture, and its pixels where they are a list of
+//! patches rather than a picture.
+
+use crate::spectrum::cube::Cube;
+use crate::spectrum::{Kind, SpectralImage};
+
+use crate::io::choices::{Counted, OfOne};
+use crate::io::interpret::raw::Known;
+use crate::io::interpret::{decide_kind, decide_scale, meaning, or_large};
+use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
+use crate::io::reading::facts::Facts;
+use crate::io::reading::provenance;
+use crate::io::reading::remark::Remark;
+use crate::io::{Choices, Reading, budget};
+
+/// Images of at most so many pixels are patches: each becomes a spectrum.
+pub(crate) const MOST_PATCHES: usize = 64;
+
+/// How many pixels are looked at where the size of an image's values must tell their scale.
+const PIXELS_LOOKED_AT: usize = 400;
+
+/// An image as its reader found it.
+pub(crate) struct RawImage {
+    /// The image in the file's own numbers.
+    pub image: SpectralImage,
+    /// What its format knows of the values.
+    pub known: Known,
+    /// What was decided about its wavelengths, and another unit that the file names for them.
+    pub axis: Option<AxisDecision>,
+    pub against: Option<String>,
+}
+
+/// What the values of an image are.
+pub struct Meant {
+    /// What they stand for.
+    pub kind: Decision<Kind>,
+    /// What they are counted in; `None` where they are no factor.
+    pub counted: Option<Decision<Counted>>,
+    /// Factor from the file's numbers to the unit.
+    pub scale: f64,
+    /// Their unit, the scale applied.
+    pub unit: String,
+    /// What the file says against a person's decision.
+    against_choice: Option<Remark>,
+}
+
+impl Meant {
+    /// By what the format knows and a person decided, else by the values of some pixels.
+    pub fn of(known: Known, chosen: OfOne, sample: impl FnOnce() -> Vec<f64>) -> Self {
+        let Known {
+            kind: own,
+            unit,
+            scale,
+            may_be_large,
+        } = known;
+        let own = own.unwrap_or_else(|| Decision::of_format(Kind::Light));
+        let was = own.value;
+        let (kind, against_choice) = decide_kind(own, chosen.kind);
+        let (counted, scale) = decide_scale((kind.value, was), &scale, chosen.counted, || {
+            let values = sample();
+            or_large(meaning::by_size(&values), may_be_large, &values)
+        });
+        let unit = if kind.value.is_factor() {
+            "fraction".to_owned()
+        } else if was.is_factor() || kind.value == Kind::Absorbance {
+            String::new()
+        } else {
+            unit.unwrap_or_default()
+        };
+        Self {
+            kind,
+            counted,
+            scale,
+            unit,
+            against_choice,
+        }
+    }
+}
+
+/// The values of some pixels all over an image.
+pub(crate) fn sample(cube: &Cube) -> Vec<f64> {
+    let pixels = cube.width() * cube.height();
+    (0..pixels)
+        .step_by(pixels.div_ceil(PIXELS_LOOKED_AT).max(1))
+        .flat_map(|i| cube.values_at(i % cube.width(), i / cube.width()))
+        .collect()
+}
+
+/// The reading of one image, which is the file's `index`-th.
+pub(crate) fn reading(raw: RawImage, index: usize, choices: &Choices) -> Reading {
+    let RawImage {
+        mut image,
+        known,
+        axis,
+        against,
+    } = raw;
+    let of_it = choices.each_image.get(&index).copied().unwrap_or_default();
+    let chosen = OfOne {
+        kind: of_it.kind.or(choices.kind),
+        counted: of_it.counted.or(choices.counted),
+    };
+    let Meant {
+        kind,
+        counted,
+        scale,
+        unit,
+        against_choice,
+    } = Meant::of(known, chosen, || sample(&image.cube));
+    (image.kind, image.scale, image.unit) = (kind.value, scale, unit);
+    let is_guess = counted.as_ref().is_some_and(Decision::is_guess);
+    let decisions = Decisions {
+        axis,
+        kind,
+        counted,
+    };
+    let remarks = [
+        Some(against_choice.unwrap_or(Remark::Kind)),
+        is_guess.then_some(Remark::Counted),
+    ];
+    let said = remarks.into_iter().flatten();
+    let said = said.filter_map(|remark| remark.words(&decisions, against.as_deref()));
+    image.notes.extend(said);
+    let line = line_of(&image);
+    image.notes.insert(0, line);
+    let mut reading = Reading {
+        notes: image.notes.clone(),
+        images_understood: vec![decisions.clone()],
+        ..Reading::default()
+    };
+    add_patches(&image, &decisions, against.as_ref(), &mut reading);
+    reading.images.push(image);
+    reading
+}
+
+/// One line about an image.
+fn line_of(image: &SpectralImage) -> String {
+    let cube = &image.cube;
+    format!(
+        "image of {} x {} pixels, {} bands, {:.1}-{:.1} nm, {}, {} of memory",
+        cube.width(),
+        cube.height(),
+        cube.nm().len(),
+        cube.nm()[0],
+        cube.nm()[cube.nm().len() - 1],
+        image.kind.word(),
+        budget::in_words(cube.memory()),
+    )
+}
+
+/// Adds the pixels of an image of patches.
+fn add_patches(
+    image: &SpectralImage,
+    decisions: &Decisions,
+    against: Option<&String>,
+    reading: &mut Reading,
+) {
+    let (width, height) = (image.cube.width(), image.cube.height());
+    if width.saturating_mul(height) > MOST_PATCHES {
+        return;
+    }
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    for (x, y) in places {
+        let Some(mut spectrum) = image.pixel(x, y) else {
+            continue;
+        };
+        if (width, height) == (1, 1) {
+            spectrum.name.clone_from(&image.name);
+        }
+        spectrum.notes[0] = provenance(&spectrum, &[]);
+        reading.spectra.push(spectrum);
+        reading.facts.push(Facts {
+            decisions: decisions.clone(),
+            against: against.cloned(),
+            how: Vec::new(),
+            tells_scale: false,
+            remarks: Vec::new(),
+        });
+    }
+}

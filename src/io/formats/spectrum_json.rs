@@ -1,0 +1,124 @@
+//! The program's own spectrum as JSON.
+//!
+//! ```text
+//! {"format": "spectral-explorer-spectrum", "version": 1, "name", "kind", "unit",
+//!  "wavelengths_nm": [..], "values": [..], "source", "notes": [..],
+//!  "scale_in_force", "settings", "written_by"}
+//! ```
+//!
+//! Values are in `unit`, kinds are the words of [`Kind::word`](crate::spectrum::Kind::word); the
+//! last three are for people.
+
+use super::{Confidence, Format};
+use crate::io::decode::json::json_error;
+use crate::io::error::quoted;
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::RawSpectrum;
+use crate::io::reading::decision::Decision;
+use crate::io::reading::remark::Remark;
+use crate::io::write::json::{FORMAT_WORD, SpectrumFile, VERSION};
+use crate::io::{Input, ReadError, Reading};
+
+/// The program's own spectrum.
+pub(crate) const FORMAT: Format = Format {
+    name: "spectrum JSON",
+    extensions: &["json"],
+    sniff,
+    read,
+};
+
+fn sniff(input: &Input) -> Confidence {
+    if input.head().starts_with('{') && input.head().contains(FORMAT_WORD) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_long_text()?.text;
+    let file: SpectrumFile = serde_json::from_str(text).map_err(|e| json_error(input, &e))?;
+    let SpectrumFile {
+        format,
+        version,
+        name,
+        kind,
+        unit,
+        wavelengths_nm,
+        values,
+        source,
+        notes,
+        scale_in_force: _,
+        settings: _,
+        written_by: _,
+    } = file;
+    if format != FORMAT_WORD {
+        return Err(input.error(
+            format!("\"format\": {}", quoted(&format)),
+            format!("\"{FORMAT_WORD}\""),
+        ));
+    }
+    if version != VERSION {
+        return Err(input.error(format!("version {version}"), format!("version {VERSION}")));
+    }
+    if wavelengths_nm.len() != values.len() {
+        return Err(input.error(
+            format!(
+                "{} wavelengths and {} values",
+                wavelengths_nm.len(),
+                values.len()
+            ),
+            "one value for each wavelength",
+        ));
+    }
+    let name = match name.is_empty() {
+        true => input.stem().to_owned(),
+        false => name,
+    };
+    let mut reading = Reading::default();
+    let kind = Decision::of_format(kind);
+    let mut raw = RawSpectrum::known(name, &wavelengths_nm, values, kind, &unit);
+    raw.notes = notes;
+    raw.source = Some(source);
+    interpret(raw, input, &mut reading)?;
+    if let (Some(spectrum), Some(facts)) = (reading.spectra.last_mut(), reading.facts.last_mut()) {
+        spectrum.unit = unit;
+        // Its notes begin with the line of the file before.
+        facts.remarks.retain(|remark| *remark != Remark::Line);
+    }
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+
+    const HEAD: &str = r#"{"format":"spectral-explorer-spectrum","version":1,"kind":"light","#;
+
+    #[test]
+    fn faults_are_named_with_their_line() {
+        for (body, words) in [
+            (
+                "\n\"wavelengths_nm\":[400,\"x\"],\"values\":[1,2]}",
+                "line 2: found JSON with invalid type: string \"x\", expected f64",
+            ),
+            (
+                "\"wavelengths_nm\":[400,500],\"values\":[1]}",
+                "found 2 wavelengths and 1 values, expected one value for each wavelength",
+            ),
+            (
+                "\"wavelengths_nm\":[400],\"values\":[1]}",
+                "found 1 point with a wavelength and a value, expected at least 2",
+            ),
+            (
+                "\"wavelengths_nm\":[400,500],\"values\":[1,1e999]}",
+                "number out of range",
+            ),
+        ] {
+            let refusal = read_bytes("a.json", (HEAD.to_owned() + body).as_bytes())
+                .unwrap_err()
+                .to_string();
+            assert!(refusal.contains(words), "{refusal}");
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! Spectra Vista (and GER) `.sig`: reference, target and their ratio in per cent.
+//!
+//! ```text
+//! /*** Spectra Vista SIG Data ***/
+//! name= gr070214_003.sig
+//! units= Radiance, Radiance              of reference and target
+//! factors= 0.993, 0.990, 1.000 [Overlap: Remove @ 985,1906, ...]
+//! data=
+//! 337.9  351.54  30.69  8.73             nm, reference, target, reflectance in per cent
+//! ```
+//!
+//! The reflectance comes first, reference and target follow as lights. Where the detectors overlap
+//! the wavelengths step back; they are put in order, and it is said.
+
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format};
+use crate::io::error::quoted;
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::reading::decision::Decision;
+use crate::io::text::{kept_line, lines, number};
+use crate::io::{Input, ReadError, Reading};
+
+/// Spectra Vista text.
+pub(crate) const FORMAT: Format = Format {
+    name: "SVC .sig",
+    extensions: &["sig"],
+    sniff,
+    read,
+};
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    let first = head.lines().next().unwrap_or("");
+    let marked = first.starts_with("/***") && first.to_uppercase().contains("SIG");
+    let has = |word: &str| lines(head).any(|(_, l)| key(l).is_some_and(|(k, _)| k == word));
+    if marked || has("units") && has("data") && has("instrument") {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+/// Key and value of a header line.
+fn key(line: &str) -> Option<(&str, &str)> {
+    let (key, value) = line.split_once('=')?;
+    (key.len() <= 40).then(|| (key.trim(), value.trim()))
+}
+
+/// Puts the numbers of a row under those above it; returns how many there are, five where there
+/// are more.
+fn take_row(row: &str, columns: &mut [Vec<f64>; 4]) -> Result<usize, (String, String)> {
+    let cells = row
+        .split(|c: char| c.is_whitespace() || c == ';')
+        .filter(|c| !c.is_empty());
+    let mut count = 0;
+    for (column, cell) in cells.enumerate().take(5) {
+        let Some(value) = number::parse(cell, cell.contains(',')).value() else {
+            return Err((quoted(cell), format!("a number in column {}", column + 1)));
+        };
+        if let Some(column) = columns.get_mut(column) {
+            column.push(value);
+        }
+        count = column + 1;
+    }
+    Ok(count)
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let (mut units, mut name, mut in_data) = (Vec::new(), "", false);
+    let mut columns: [Vec<f64>; 4] = Default::default();
+    let (mut at, mut width) = (Vec::new(), 0);
+    for (line, content) in lines(text) {
+        let content = content.trim();
+        if content.is_empty() {
+            continue;
+        }
+        if !in_data {
+            match key(content) {
+                Some(("data", _)) => in_data = true,
+                Some(("units", value)) => units = value.split(',').map(str::trim).collect(),
+                Some(("name", value)) => name = value,
+                _ => {}
+            }
+            continue;
+        }
+        let count = take_row(content, &mut columns)
+            .map_err(|(found, expected)| input.error(found, expected).at_line(line))?;
+        if width == 0 {
+            width = count;
+        }
+        if count != width || !(2..=4).contains(&count) {
+            return Err(input
+                .error(
+                    format!("{count} numbers"),
+                    "a wavelength, reference, target and reflectance",
+                )
+                .at_line(line));
+        }
+        at.push(kept_line(line));
+    }
+    if at.is_empty() {
+        return Err(input.error(
+            "a Spectra Vista header and no rows behind \"data=\"",
+            "a wavelength, reference, target and reflectance in each row",
+        ));
+    }
+    let name = name.rsplit(['/', '\\']).next().unwrap_or("");
+    let name = name.strip_suffix(".sig").unwrap_or(name);
+    let name = if name.is_empty() { input.stem() } else { name };
+    let [nm, reference, target, ratio] = columns;
+    let mut reading = Reading::default();
+    if width == 4 {
+        let mut spectrum = RawSpectrum::light(name, &nm, ratio, "");
+        spectrum.known.kind = Some(Decision::of_format(Kind::Reflectance));
+        spectrum.known.scale = KnownScale::Stated(0.01);
+        spectrum.lines = &at;
+        interpret(spectrum, input, &mut reading)?;
+    }
+    for (index, (values, role)) in [(reference, "reference"), (target, "target")]
+        .into_iter()
+        .enumerate()
+        .filter(|(_, (values, _))| !values.is_empty())
+    {
+        // Reference or target alone may not have been measured: zeros or gaps throughout.
+        if width == 4 && values.iter().filter(|v| v.is_finite()).count() < 2 {
+            continue;
+        }
+        let word = units.get(index).or(units.first()).copied().unwrap_or("");
+        let unit = match word.to_lowercase().as_str() {
+            // The instrument's manual: 1e-10 W cm-2 nm-1 sr-1.
+            "radiance" => "1e-10 W cm-2 nm-1 sr-1",
+            "irradiance" => "1e-10 W cm-2 nm-1",
+            _ => word,
+        };
+        let called = if width == 2 {
+            name.to_owned()
+        } else {
+            format!("{name}, {role}")
+        };
+        let mut spectrum = RawSpectrum::light(called, &nm, values, unit);
+        spectrum.lines = &at;
+        spectrum
+            .notes
+            .push(format!("the {role}, in the file's units \"{word}\""));
+        interpret(spectrum, input, &mut reading)?;
+    }
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+
+    const SMALL: &str = "/*** Spectra Vista SIG Data ***/\nname= leaf.sig\ninstrument= HI: 1\nunits= Radiance, Radiance\ndata= \n\
+        400.0  100.0  10.0  10.00\n401.5  200.0  30.0  15.00\n403.0  200.0  40.0  20.00\n404.5 1 2 3\n406 1 2 3\n407 1 2 3\n408 1 2 3\n409 1 2 3\n410 1 2 3\n411 1 2 3\n412 1 2 3\n411.5 1 2 4\n413 1 2 3\n";
+
+    #[test]
+    fn the_reflectance_comes_first_and_the_others_follow() {
+        for text in [
+            SMALL.to_owned(),
+            SMALL.replace('\n', "\r\n"),
+            SMALL.replace("0  10", "0\t10"),
+        ] {
+            let reading = read_bytes("x.sig", text.as_bytes()).unwrap();
+            assert_eq!(reading.format, "SVC .sig");
+            let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
+            assert_eq!(names, ["leaf", "leaf, reference", "leaf, target"]);
+            let first = &reading.spectra[0];
+            assert_eq!((first.kind, first.scale), (Kind::Reflectance, 0.01));
+            assert_eq!(first.samples.values()[0], 0.1);
+            assert!(
+                first.notes.iter().any(|n| n.contains("step back")),
+                "{:?}",
+                first.notes
+            );
+        }
+    }
+
+    #[test]
+    fn rows_that_are_none_are_refused() {
+        let why = |text: &str| {
+            read_bytes("x.sig", text.as_bytes())
+                .unwrap_err()
+                .to_string()
+        };
+        assert_eq!(
+            why(&SMALL.replace("30.0", "abc")),
+            "x.sig, line 7: found \"abc\", expected a number in column 3"
+        );
+        assert!(
+            why(&SMALL.replace("404.5 1 2 3", "404.5 1 2"))
+                .starts_with("x.sig, line 9: found 3 numbers")
+        );
+        assert!(why("/*** Spectra Vista SIG Data ***/\ndata=\n").contains("no rows"));
+    }
+}

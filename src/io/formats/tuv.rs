@@ -1,0 +1,183 @@
+//! TUV (Tropospheric Ultraviolet and Visible model) reports with a table of spectral irradiance.
+//!
+//! ```text
+//!  solar zenith angle =     23.18721
+//!  SPECTRAL IRRADIANCE (W m-2 nm-1):
+//!  LOWER WVL  UPPER WVL  DIRECT     DIFFUSE DOWN  DIFFUSE UP  TOTAL DOWNWELLING
+//!  280.00     281.00     9.839E-17  8.887E-17     1.873E-17   1.873E-16
+//! ```
+//!
+//! Each row is a band; its spectrum stands at the band's middle. The total comes first.
+
+use super::{Confidence, Format};
+use crate::io::error::quoted;
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::RawSpectrum;
+use crate::io::text::number::{self, Cell};
+use crate::io::text::{kept_line, lines};
+use crate::io::{Input, ReadError, Reading};
+
+/// TUV reports.
+pub(crate) const FORMAT: Format = Format {
+    name: "TUV report",
+    extensions: &["txt"],
+    sniff,
+    read,
+};
+
+fn is_title(line: &str) -> bool {
+    let upper = line.to_uppercase();
+    upper.contains("LOWER WVL") && upper.contains("UPPER WVL")
+}
+
+fn sniff(input: &Input) -> Confidence {
+    if input.head().lines().any(is_title) {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+/// What a report holds.
+struct Report<'a> {
+    /// Above the columns of values.
+    titles: Vec<&'a str>,
+    /// Of all values.
+    unit: &'a str,
+    /// The sun's distance from the zenith, degrees.
+    sun: Option<&'a str>,
+    /// The middles of the bands, nm.
+    nm: Vec<f64>,
+    /// Values, a column for each title.
+    columns: Vec<Vec<f64>>,
+    /// The line of each row, from 1.
+    lines: Vec<u32>,
+}
+
+impl<'a> Report<'a> {
+    /// Takes what a line in front of the table says; whether it is the table's titles.
+    fn take_header(&mut self, content: &'a str) -> bool {
+        if is_title(content) {
+            self.titles = content
+                .split("  ")
+                .map(str::trim)
+                .filter(|t| !t.is_empty())
+                .skip(2)
+                .take(20)
+                .collect();
+            return true;
+        }
+        if content.to_uppercase().starts_with("SPECTRAL ")
+            && let Some((_, inside)) = content.split_once('(')
+        {
+            self.unit = inside.split(')').next().unwrap_or(self.unit).trim();
+        } else if content.starts_with("solar zenith angle") {
+            self.sun = content.split_once('=').map(|(_, v)| v.trim());
+        }
+        false
+    }
+
+    /// Takes a row: a band's ends and its values.
+    fn take_row(&mut self, input: &Input, content: &str, line: usize) -> Result<(), ReadError> {
+        let mut row = Vec::new();
+        for word in content.split_whitespace().take(22) {
+            let value = number::parse(word, false).plain_value();
+            row.push(value.ok_or_else(|| input.error(quoted(word), "a number").at_line(line))?);
+        }
+        if self.columns.is_empty() {
+            self.columns = vec![Vec::new(); row.len().saturating_sub(2)];
+        }
+        if row.len() != self.columns.len() + 2 || row.len() < 3 {
+            return Err(input
+                .error(
+                    format!("{} numbers", row.len()),
+                    "the band's ends and a value for each title",
+                )
+                .at_line(line));
+        }
+        self.nm.push(0.5 * (row[0] + row[1]));
+        for (column, value) in self.columns.iter_mut().zip(&row[2..]) {
+            column.push(*value);
+        }
+        self.lines.push(kept_line(line));
+        Ok(())
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let mut report = Report {
+        titles: Vec::new(),
+        unit: "W m-2 nm-1",
+        sun: None,
+        nm: Vec::new(),
+        columns: Vec::new(),
+        lines: Vec::new(),
+    };
+    let mut in_table = false;
+    for (line, content) in lines(text) {
+        let content = content.trim();
+        if !in_table {
+            in_table = report.take_header(content);
+            continue;
+        }
+        // A blank line, a rule or words end the table.
+        let first = content.split_whitespace().next().unwrap_or("");
+        if matches!(number::parse(first, false), Cell::Number(_)) {
+            report.take_row(input, content, line)?;
+        } else if !report.nm.is_empty() {
+            break;
+        }
+    }
+    if report.nm.is_empty() {
+        return Err(input.error(
+            "a TUV report with no rows in its table",
+            "bands and their irradiance",
+        ));
+    }
+    let mut order: Vec<usize> = (0..report.columns.len()).collect();
+    order.sort_by_key(|c| {
+        !report
+            .titles
+            .get(*c)
+            .is_some_and(|t| t.to_uppercase().contains("TOTAL"))
+    });
+    let mut reading = Reading::default();
+    for column in order {
+        let title = report.titles.get(column).map_or_else(
+            || format!("column {}", column + 3),
+            |title| title.to_lowercase(),
+        );
+        let name = format!("{}, {title}", input.stem());
+        let values = std::mem::take(&mut report.columns[column]);
+        let mut spectrum = RawSpectrum::light(name, &report.nm, values, report.unit);
+        spectrum.lines = &report.lines;
+        spectrum.how.push("middles of bands".to_owned());
+        let sun = report.sun;
+        spectrum
+            .notes
+            .extend(sun.map(|angle| format!("solar zenith angle {angle} degrees")));
+        interpret(spectrum, input, &mut reading)?;
+    }
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+
+    #[test]
+    fn the_total_comes_first_at_the_middles_of_bands() {
+        let text = "\n solar zenith angle =  23.2\n SPECTRAL IRRADIANCE (W m-2 nm-1):\n\n LOWER WVL  UPPER WVL  DIRECT     DIFFUSE DOWN  TOTAL DOWNWELLING\n 280.00     281.00     1E-17  2E-17     3E-17\n 281.00     282.00     1  2     3\n\n rest 1 2\n";
+        let reading = read_bytes("q.txt", text.as_bytes()).unwrap();
+        assert_eq!(reading.format, "TUV report");
+        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(
+            names,
+            ["q, total downwelling", "q, direct", "q, diffuse down"]
+        );
+        assert_eq!(reading.spectra[0].samples.nm(), [280.5, 281.5]);
+        assert_eq!(reading.spectra[0].samples.values(), [3e-17, 3.0]);
+        assert_eq!(reading.spectra[0].unit, "W m-2 nm-1");
+    }
+}

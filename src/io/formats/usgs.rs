@@ -1,0 +1,305 @@
+//! USGS spectral library 7 (splib07): one number a line, the wavelengths in a file of their own.
+//!
+//! ```text
+//!  splib07a Record=18377: Brick GDS355 Paving Dk Gry   ASDFRa AREF
+//!  6.5847017e-002                 AREF absolute, RREF relative reflectance; -1.23e34 not measured
+//! ```
+//!
+//! The wavelengths, in micrometres, lie in `splib07a_Wavelengths_ASD_0.35-2.5_microns_2151_ch.txt`
+//! and its like: a file beside that says "Wavelengths" and holds as many numbers is taken, by the
+//! spectrometer's name where several do. Without one, 2151 channels of an ASD are 350 to 2500 nm
+//! every nanometre; other counts are refused by the name of the file that is needed.
+
+use std::path::Path;
+
+use crate::spectrum::Kind;
+
+use super::{Confidence, Format};
+use crate::io::error::quoted;
+use crate::io::interpret::interpret;
+use crate::io::interpret::raw::RawSpectrum;
+use crate::io::reading::decision::Decision;
+use crate::io::text::number::{self, Cell};
+use crate::io::text::units::WavelengthUnit;
+use crate::io::text::{self, kept_line, lines};
+use crate::io::{Input, ReadError, Reading};
+
+/// USGS splib07 text.
+pub(crate) const FORMAT: Format = Format {
+    name: "USGS splib07",
+    extensions: &["txt"],
+    sniff,
+    read,
+};
+
+/// Channels of an ASD, 350-2500 nm every nanometre.
+const ASD_CHANNELS: usize = 2151;
+
+/// Largest file beside that is looked at, in bytes: wavelengths of a library take some 60 KB.
+const LARGEST_BESIDE: u64 = 4 << 20;
+
+/// Most files of a folder that are looked through.
+const MOST_BESIDE: usize = 20_000;
+
+/// A title and numbers, one a line.
+struct List<'a> {
+    title: &'a str,
+    numbers: Vec<f64>,
+    lines: Vec<u32>,
+}
+
+fn sniff(input: &Input) -> Confidence {
+    let head = input.head();
+    let first = head.lines().next().unwrap_or("").to_lowercase();
+    let second = head.lines().nth(1).unwrap_or("").trim();
+    let one_number = matches!(number::parse(second, false), Cell::Number(_) | Cell::Gap);
+    // "splib07a Record=18377: ...", and libraries of other names made alike.
+    if first.contains(" record=") && first.contains(':') && one_number {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+fn list<'a>(name: &str, text: &'a str) -> Result<List<'a>, ReadError> {
+    let mut out = List {
+        title: "",
+        numbers: Vec::new(),
+        lines: Vec::new(),
+    };
+    for (line, content) in lines(text) {
+        let content = content.trim();
+        if content.is_empty() {
+            continue;
+        }
+        if out.title.is_empty() {
+            out.title = content;
+            continue;
+        }
+        let value = number::parse(content, false).plain_value();
+        let bad = || ReadError::new(name, quoted(content), "one number").at_line(line);
+        out.numbers.push(value.ok_or_else(bad)?);
+        out.lines.push(kept_line(line));
+    }
+    Ok(out)
+}
+
+/// The spectrometer's word in a title or file name, upper case: ASDFRa and ASDHRb are ASD.
+fn spectrometer(title: &str) -> Option<&'static str> {
+    let title = title.to_uppercase();
+    [
+        "ASD",
+        "BECK",
+        "NIC4",
+        "AVIRIS",
+        "HYMAP",
+        "HYPERION",
+        "VIMS",
+        "CRISM",
+        "ASTER",
+        "LANDSAT",
+        "SENTINEL",
+        "WORLDVIEW",
+    ]
+    .into_iter()
+    .find(|word| title.contains(word))
+}
+
+/// Wavelengths in nm of as many channels from a file beside, or in the folder above as the library
+/// keeps them, and the file's name.
+fn beside(path: &Path, channels: usize, title: &str) -> Option<(String, Vec<f64>)> {
+    let mut folders = path.ancestors().skip(1).take(2);
+    folders.find_map(|folder| in_folder(folder, channels, title))
+}
+
+fn in_folder(folder: &Path, channels: usize, title: &str) -> Option<(String, Vec<f64>)> {
+    let wanted = spectrometer(title);
+    let mut names: Vec<String> = std::fs::read_dir(folder)
+        .ok()?
+        .take(MOST_BESIDE)
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| name.to_lowercase().contains("wavelength"))
+        .collect();
+    // The same spectrometer first, then by name.
+    names.sort_by_key(|name| (spectrometer(name) != wanted, name.clone()));
+    names.into_iter().take(100).find_map(|name| {
+        let file = folder.join(&name);
+        let about = std::fs::metadata(&file).ok()?;
+        if !about.is_file() || about.len() > LARGEST_BESIDE {
+            return None;
+        }
+        let bytes = std::fs::read(&file).ok()?;
+        let text = text::decode(&bytes);
+        let list = list(&name, &text.text).ok()?;
+        if list.numbers.len() != channels {
+            return None;
+        }
+        let finite = || list.numbers.iter().filter(|v| v.is_finite());
+        let (min, max) = finite().fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(*v), b.max(*v)));
+        let unit = WavelengthUnit::of_title(list.title)
+            .or_else(|| WavelengthUnit::of_range(min, max))
+            .unwrap_or(WavelengthUnit::Micrometre);
+        Some((name, list.numbers.iter().map(|x| unit.to_nm(*x)).collect()))
+    })
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_text()?.text;
+    let list = list(&input.name, text)?;
+    let channels = list.numbers.len();
+    // "splib07a Record=18377: Brick GDS355 ... ASDFRa AREF"
+    let title = list
+        .title
+        .split_once(':')
+        .map_or(list.title, |t| t.1)
+        .trim();
+    let lower = title.to_lowercase();
+    if lower.starts_with("wavelength")
+        || lower.starts_with("bandpass")
+        || lower.starts_with("wavenumber")
+    {
+        return Err(input.error(
+            format!(
+                "a list of the library's {}",
+                lower.split_whitespace().next().unwrap_or("wavelengths")
+            ),
+            "the spectrum that it belongs to; it is read from beside",
+        ));
+    }
+    let found = input
+        .path
+        .as_deref()
+        .and_then(|path| beside(path, channels, title));
+    let asd = spectrometer(title).is_none_or(|word| word == "ASD");
+    let (nm, note) = match found {
+        Some((file, nm)) => (nm, format!("wavelengths from {file}")),
+        None if channels == ASD_CHANNELS && asd => (
+            (0..channels).map(|i| 350.0 + i as f64).collect(),
+            format!(
+                "no wavelengths beside; {channels} channels of an ASD are 350 to 2500 nm every nanometre"
+            ),
+        ),
+        None => {
+            let word = spectrometer(title).unwrap_or("the spectrometer");
+            return Err(input.error(
+                format!("{channels} lines of one number each and no wavelengths beside"),
+                format!("the library's file of wavelengths of {word} in the same folder (splib07a_Wavelengths_{}..._{channels}_ch.txt)", word.replace("the spectrometer", "")),
+            ));
+        }
+    };
+    let words: Vec<&str> = title.split_whitespace().collect();
+    let stated = words.last().is_some_and(|w| w.ends_with("REF"));
+    let kind = if words.last() == Some(&"TRAN") {
+        Kind::Transmittance
+    } else if words.first() == Some(&"SRF") {
+        Kind::Weighting
+    } else {
+        Kind::Reflectance
+    };
+    let stated = stated || kind != Kind::Reflectance;
+    let words: Vec<&str> = words.into_iter().filter(|w| !w.ends_with("REF")).collect();
+    let name = if words.is_empty() {
+        input.stem().to_owned()
+    } else {
+        words.join(" ")
+    };
+    let mut spectrum = RawSpectrum::light(name, &nm, list.numbers, "");
+    spectrum.known.kind = Some(match stated {
+        true => Decision::of_format(kind),
+        false => Decision::guessed(kind, false, "the library mostly holds reflectances"),
+    });
+    spectrum.lines = &list.lines;
+    spectrum.notes.push(note.clone());
+    spectrum.notes.push(list.title.to_owned());
+    let mut reading = Reading::default();
+    interpret(spectrum, input, &mut reading)?;
+    reading.notes.push(note);
+    Ok(reading)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::{read_bytes, read_path};
+
+    fn file(title: &str, values: &[&str]) -> String {
+        format!(
+            " splib07a Record=7: {title}\r\n {}\r\n",
+            values.join("\r\n ")
+        )
+    }
+
+    #[test]
+    fn the_wavelengths_beside_are_taken_in_micrometres() {
+        let folder = tempfile::tempdir().unwrap();
+        let put =
+            |name: &str, text: String| std::fs::write(folder.path().join(name), text).unwrap();
+        put(
+            "splib07a_Wavelengths_ASD_3_ch.txt",
+            file("Wavelengths ASD 0.4-0.6 microns", &["0.9", "1.0", "1.1"]),
+        );
+        put(
+            "splib07a_Wavelengths_BECK_3_ch.txt",
+            file("Wavelengths BECK 0.4-0.6 microns", &["0.4", "0.5", "0.6"]),
+        );
+        put(
+            "splib07a_Alunite_BECKa_AREF.txt",
+            file("Alunite X   BECKa AREF", &["0.1", "-1.23e34", "0.3"]),
+        );
+        let reading = read_path(&folder.path().join("splib07a_Alunite_BECKa_AREF.txt")).unwrap();
+        let spectrum = &reading.spectra[0];
+        assert_eq!(reading.format, "USGS splib07");
+        assert_eq!(
+            (spectrum.name.as_str(), spectrum.kind),
+            ("Alunite X BECKa", Kind::Reflectance)
+        );
+        assert_eq!(spectrum.samples.nm(), [400.0, 600.0], "-1.23e34 is a gap");
+    }
+
+    #[test]
+    fn a_library_of_any_name_keeps_its_wavelengths_in_the_folder_above() {
+        let library = tempfile::tempdir().unwrap();
+        let chapter = library.path().join("ChapterM");
+        std::fs::create_dir(&chapter).unwrap();
+        let wavelengths = " ours Record=1: Wavelengths AVIRIS um\n 0.4\n 0.5\n 0.6\n";
+        std::fs::write(
+            library.path().join("ours_Wavelengths_AVIRIS.txt"),
+            wavelengths,
+        )
+        .unwrap();
+        let file = chapter.join("ours_Glass_AVIRISb_TRAN.txt");
+        std::fs::write(
+            &file,
+            " ours Record=2: Glass AVIRISb TRAN\n 0.8\n 0.9\n 0.7\n",
+        )
+        .unwrap();
+        let spectrum = &read_path(&file).unwrap().spectra[0];
+        assert_eq!(spectrum.kind, Kind::Transmittance);
+        assert_eq!(spectrum.samples.nm(), [400.0, 500.0, 600.0]);
+    }
+
+    #[test]
+    fn an_asd_needs_no_file_beside_and_others_are_told_which() {
+        let values = vec!["0.5"; ASD_CHANNELS];
+        let reading = read_bytes("a.txt", file("Brick ASDFRa AREF", &values).as_bytes()).unwrap();
+        let samples = &reading.spectra[0].samples;
+        assert_eq!((samples.first_nm(), samples.last_nm()), (350.0, 2500.0));
+        let why = read_bytes(
+            "a.txt",
+            file("Alunite BECKa AREF", &["0.1", "0.2"]).as_bytes(),
+        );
+        assert_eq!(
+            why.unwrap_err().to_string(),
+            "a.txt: found 2 lines of one number each and no wavelengths beside, expected the library's file of wavelengths of BECK in the same folder (splib07a_Wavelengths_BECK..._2_ch.txt)"
+        );
+        let own = read_bytes(
+            "a.txt",
+            file("Wavelengths ASD microns", &["0.1"]).as_bytes(),
+        );
+        assert!(
+            own.unwrap_err()
+                .to_string()
+                .contains("a list of the library's wavelengths")
+        );
+    }
+}

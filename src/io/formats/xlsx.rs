@@ -1,0 +1,367 @@
+//! Excel workbooks `.xlsx`: each sheet a table of plain columns.
+//!
+//! A sheet's cells become tab-separated text, a row a line, and go the way of every table
+//! ([`columns`]); so lines in messages are rows of the sheet. Columns without numbers (pictures'
+//! captions, disclaimers beside the table) are left out and their texts noted. Everything in the
+//! archive is unpacked once to count it before the workbook is opened; cells are read one by one,
+//! so that a lone cell far down costs nothing.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::io::Cursor;
+
+use calamine::{DataRef, Reader, Xlsx};
+
+use super::{Confidence, Format, columns};
+use crate::io::decode::archive::{Archive, seems_to_hold};
+use crate::io::decode::guarded::guarded;
+use crate::io::text::number;
+use crate::io::{Choices, Guess, Input, ReadError, Reading, budget};
+
+/// Excel workbooks.
+pub(crate) const FORMAT: Format = Format {
+    name: "Excel workbook",
+    extensions: &["xlsx", "xlsm"],
+    sniff,
+    read,
+};
+
+/// Shares of the memory that parts of the archive may unpack to, by what they unfold to when the
+/// workbook is opened: sheets are streamed, a text of 5 bytes takes 24, a style hundreds.
+const SHARES: [(Part, f64); 3] = [
+    (Part::Streamed, 1.0),
+    (Part::Texts, 0.1),
+    (Part::Kept, 0.03),
+];
+
+/// How a member of the archive is used.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    /// Sheets, charts, pictures: read piece by piece or not at all.
+    Streamed,
+    /// The workbook's list of texts.
+    Texts,
+    /// Styles, names of sheets, links: kept in memory.
+    Kept,
+}
+
+fn part_of(name: &str) -> Part {
+    let name = name.to_lowercase();
+    if name.contains("sharedstrings") {
+        Part::Texts
+    } else if [
+        "worksheets/",
+        "charts/",
+        "media/",
+        "drawings/",
+        "printersettings/",
+    ]
+    .iter()
+    .any(|folder| name.contains(folder))
+        && !name.ends_with(".rels")
+    {
+        Part::Streamed
+    } else {
+        Part::Kept
+    }
+}
+
+/// Memory of a cell on its way, in bytes.
+const CELL_BYTES: usize = 120;
+
+/// Fewest numbers in a column of a table.
+const FEWEST_NUMBERS: usize = 2;
+
+/// Most texts beside the table that are noted.
+const MOST_NOTED: usize = 6;
+
+fn sniff(input: &Input) -> Confidence {
+    let bytes = input.bytes;
+    if seems_to_hold(bytes, "xl/workbook") || seems_to_hold(bytes, "xl/worksheets") {
+        Confidence::Certain
+    } else {
+        Confidence::No
+    }
+}
+
+/// A cell as text, and whether it is a number.
+struct Cell {
+    text: String,
+    is_number: bool,
+    /// Whether it is a number that was typed as text with a decimal comma.
+    had_comma: bool,
+}
+
+impl Cell {
+    /// A cell; numbers that were typed as text are numbers, with a decimal comma too.
+    fn of(text: String, is_number: bool) -> Self {
+        let is_number = is_number || text.parse::<f64>().is_ok();
+        match number::number(&text, true).filter(|_| !is_number) {
+            Some(value) => Self {
+                text: format!("{value:?}"),
+                is_number: true,
+                had_comma: true,
+            },
+            None => Self {
+                text,
+                is_number,
+                had_comma: false,
+            },
+        }
+    }
+}
+
+/// Cells by row and column.
+type Sheet = BTreeMap<(u32, u32), Cell>;
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    for (part, share) in SHARES {
+        Archive::open(input, share)?.count(|name| part_of(name) == part)?;
+    }
+    let broken = |why: String| input.error(format!("a broken workbook ({why})"), "a whole one");
+    let sheets = guarded(|| sheets(input))
+        .ok_or_else(|| broken("unreadable".to_owned()))?
+        .map_err(|trouble| match trouble {
+            Trouble::Broken(why) => broken(why),
+            Trouble::TooMany => input.error("far more cells than its size allows", budget::WORDS),
+        })?;
+    let mut reading = Reading::default();
+    let mut refusals = Vec::new();
+    let several = sheets.iter().filter(|(_, sheet)| !sheet.is_empty()).count() > 1;
+    for (title, sheet) in &sheets {
+        let (text, aside) = table_of(input, sheet)?;
+        if text.trim().is_empty() {
+            continue;
+        }
+        // Cells are cells: what a person decides about a sheet is what its numbers mean.
+        let choices = Choices {
+            dialect: None,
+            axis_column: None,
+            ..input.choices.from(reading.spectra.len())
+        };
+        let as_text = Input::new(&input.name, text.as_bytes()).deciding(&choices);
+        match columns::read_cells(&as_text) {
+            Ok(one) => {
+                let first = reading.spectra.len();
+                for mut spectrum in one.spectra {
+                    if several {
+                        spectrum.name = format!("{title}: {}", spectrum.name);
+                    }
+                    spectrum.notes.extend(aside.iter().cloned());
+                    reading.spectra.push(spectrum);
+                }
+                reading
+                    .guesses
+                    .extend(one.guesses.into_iter().map(|guess| Guess {
+                        spectrum: guess.spectrum + first,
+                        ..guess
+                    }));
+                reading.facts.extend(one.facts);
+                reading.notes.extend(one.notes);
+            }
+            Err(refusal) => refusals.push((title, refusal)),
+        }
+    }
+    if reading.spectra.is_empty() {
+        let nothing = || input.error("a workbook without cells", "a sheet with a table");
+        return Err(refusals
+            .into_iter()
+            .next()
+            .map_or_else(nothing, |(_, why)| why));
+    }
+    for (title, why) in refusals.into_iter().take(MOST_NOTED) {
+        reading
+            .notes
+            .push(format!("sheet {title} left out: found {}", why.found));
+    }
+    Ok(reading)
+}
+
+enum Trouble {
+    Broken(String),
+    TooMany,
+}
+
+fn sheets(input: &Input) -> Result<Vec<(String, Sheet)>, Trouble> {
+    let broken = |error: calamine::XlsxError| Trouble::Broken(error.to_string());
+    let mut book = Xlsx::new(Cursor::new(input.bytes)).map_err(broken)?;
+    let mut left = budget::of(input.bytes.len()) / 2;
+    let mut sheets = Vec::new();
+    for name in book.sheet_names() {
+        // Sheets of charts have no cells.
+        let Ok(mut cells) = book.worksheet_cells_reader(&name) else {
+            continue;
+        };
+        let mut sheet = Sheet::new();
+        while let Some(cell) = cells.next_cell().map_err(broken)? {
+            let (text, is_number) = match cell.get_value() {
+                DataRef::Int(value) => (value.to_string(), true),
+                DataRef::Float(value) => (format!("{value:?}"), true),
+                DataRef::String(text) => (flat(text), false),
+                DataRef::SharedString(text) => (flat(text), false),
+                _ => continue,
+            };
+            if text.is_empty() {
+                continue;
+            }
+            left = left
+                .checked_sub(CELL_BYTES + text.len())
+                .ok_or(Trouble::TooMany)?;
+            sheet.insert(cell.get_position(), Cell::of(text, is_number));
+        }
+        sheets.push((name, sheet));
+    }
+    Ok(sheets)
+}
+
+/// A text on one line, without tabs.
+fn flat(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The columns with numbers as tab-separated text, and notes of what stands beside them.
+fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadError> {
+    let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
+    for ((_, column), cell) in sheet {
+        *numbers.entry(*column).or_default() += usize::from(cell.is_number);
+    }
+    numbers.retain(|_, count| *count >= FEWEST_NUMBERS);
+    let places: BTreeMap<u32, usize> = numbers
+        .keys()
+        .enumerate()
+        .map(|(place, column)| (*column, place))
+        .collect();
+    let most = budget::of(input.bytes.len()) / 8;
+    let far = || input.error("a sheet far larger than its file", budget::WORDS);
+    let (mut text, mut aside) = (String::new(), Vec::new());
+    let (mut row, mut place) = (0, 0);
+    for ((cell_row, column), cell) in sheet {
+        let Some(cell_place) = places.get(column).copied() else {
+            if aside.len() < MOST_NOTED {
+                aside.push(format!("beside the table: {}", cell.text));
+            }
+            continue;
+        };
+        // Rows without cells are lines too, and a cell may say that it lies anywhere.
+        let lines = (*cell_row - row) as usize;
+        if text.len().saturating_add(lines) > most {
+            return Err(far());
+        }
+        if lines > 0 {
+            text.extend(std::iter::repeat_n('\n', lines));
+            (row, place) = (*cell_row, 0);
+        }
+        while place < cell_place {
+            text.push('\t');
+            place += 1;
+        }
+        let _ = write!(text, "{}", cell.text);
+        if text.len() > most {
+            return Err(far());
+        }
+    }
+    text.push('\n');
+    let commas = sheet.values().filter(|cell| cell.had_comma).count();
+    if commas > 0 {
+        aside.push(format!(
+            "numbers typed as text with a decimal comma: {commas} cells"
+        ));
+    }
+    Ok((text, aside))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::decode::archive::zipped;
+    use crate::io::read_bytes;
+    use crate::spectrum::Kind;
+
+    /// A workbook of one sheet with these rows.
+    fn workbook(rows: &str) -> Vec<u8> {
+        let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+        let office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+        let package = "http://schemas.openxmlformats.org/package/2006/relationships";
+        let book = format!(
+            "<workbook xmlns=\"{main}\" xmlns:r=\"{office}\"><sheets>\
+             <sheet name=\"Data\" sheetId=\"1\" r:id=\"rId1\"/></sheets></workbook>"
+        );
+        let links = format!(
+            "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
+             Type=\"{office}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
+        );
+        let root = format!(
+            "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
+             Type=\"{office}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
+        );
+        let sheet =
+            format!("<worksheet xmlns=\"{main}\"><sheetData>{rows}</sheetData></worksheet>");
+        zipped(&[
+            ("_rels/.rels", root.as_bytes()),
+            ("xl/workbook.xml", book.as_bytes()),
+            ("xl/_rels/workbook.xml.rels", links.as_bytes()),
+            ("xl/worksheets/sheet1.xml", sheet.as_bytes()),
+        ])
+    }
+
+    fn word(place: &str, text: &str) -> String {
+        format!("<c r=\"{place}\" t=\"inlineStr\"><is><t>{text}</t></is></c>")
+    }
+
+    fn rows() -> String {
+        format!(
+            "<row r=\"1\">{}{}{}</row><row r=\"2\">{}<c r=\"C2\"><v>600.5</v></c><c r=\"D2\"><v>80</v></c></row>\
+             <row r=\"4\"><c r=\"C4\"><v>500</v></c><c r=\"D4\"><v>2.5</v></c></row>",
+            word("A1", "Item 7"),
+            word("C1", "Wavelength (nm)"),
+            word("D1", "% Transmission"),
+            word("A2", "A disclaimer")
+        )
+    }
+
+    #[test]
+    fn a_sheet_is_read_as_columns_and_what_stands_beside_is_noted() {
+        let reading = read_bytes("a.xlsx", &workbook(&rows())).expect("a spectrum");
+        let spectrum = &reading.spectra[0];
+        assert_eq!(spectrum.samples.nm(), [500.0, 600.5]);
+        assert_eq!((spectrum.kind, spectrum.scale), (Kind::Transmittance, 0.01));
+        assert!(
+            spectrum
+                .notes
+                .iter()
+                .any(|n| n == "beside the table: Item 7")
+        );
+    }
+
+    #[test]
+    fn numbers_typed_as_text_with_a_decimal_comma_are_numbers() {
+        let row = |row: usize, nm: usize, value: &str| {
+            let nm = format!("<c r=\"A{row}\"><v>{nm}</v></c>");
+            let value = word(&format!("B{row}"), value);
+            format!("<row r=\"{row}\">{nm}{value}</row>")
+        };
+        let rows = row(1, 380, "0,5") + &row(2, 390, "0,25") + &row(3, 400, "1");
+        let reading = read_bytes("a.xlsx", &workbook(&rows)).expect("a spectrum");
+        let spectrum = &reading.spectra[0];
+        assert_eq!(spectrum.samples.values(), [0.5, 0.25, 1.0]);
+        let notes = [&reading.notes[..], &spectrum.notes[..]]
+            .concat()
+            .join("; ");
+        assert!(notes.contains("decimal comma: 2 cells"), "{notes}");
+        assert!(!notes.contains("TAB"), "{notes}");
+    }
+
+    #[test]
+    fn a_sheet_without_a_table_is_refused_by_its_row() {
+        let none = workbook(&format!("<row r=\"1\">{}</row>", word("A1", "only words")));
+        let said = read_bytes("a.xlsx", &none).unwrap_err().to_string();
+        assert!(said.contains("a workbook without cells"), "{said}");
+        let bad = rows().replace("r=\"D4\"", "r=\"XFD1048576\"");
+        let _ = read_bytes("a.xlsx", &workbook(&bad));
+    }
+
+    #[test]
+    fn bombs_are_refused() {
+        let said = read_bytes("a.xlsx", &workbook(&" ".repeat(64 << 20))).unwrap_err();
+        assert!(said.to_string().contains("unfolds to far more"), "{said}");
+    }
+}

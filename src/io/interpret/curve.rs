@@ -1,0 +1,277 @@
+//! From the numbers of a file to a spectrum: order, doubles and gaps.
+
+use std::fmt;
+
+use crate::spectrum::Sampled;
+
+use crate::io::reading::remark::Remark;
+use crate::io::text::number::is_measured;
+
+/// Most samples of one spectrum.
+pub(crate) const MOST_SAMPLES: usize = 10_000_000;
+
+/// More steps backwards than this share of all steps is not a table of wavelengths.
+pub(crate) const MOST_REVERSALS: f64 = 0.1;
+
+/// The same where a title says that they are wavelengths: a curve traced by hand from a printed
+/// plot goes back and forth, and may be traced in two pieces.
+pub(crate) const TRACED_REVERSALS: f64 = 0.5;
+
+/// A spectrum and what was done to get it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Cleaned {
+    /// The table.
+    pub samples: Sampled,
+    /// What was done.
+    pub remarks: Vec<Remark>,
+}
+
+/// Why numbers are no spectrum. Indices count the points given, from 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Trouble {
+    /// Fewer than two points with a wavelength and a value.
+    TooFew { found: usize },
+    /// More than [`MOST_SAMPLES`].
+    TooMany { found: usize },
+    /// Wavelengths run to and fro; the first step backwards.
+    NotMonotonic {
+        index: usize,
+        nm: f64,
+        after_nm: f64,
+    },
+    /// A wavelength below zero.
+    NotPositive { index: usize, nm: f64 },
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooFew { found: 1 } => f.write_str("1 point with a wavelength and a value"),
+            Self::TooFew { found } => write!(f, "{found} points with a wavelength and a value"),
+            Self::TooMany { found } => write!(f, "{found} points"),
+            Self::NotMonotonic { nm, after_nm, .. } => {
+                write!(f, "wavelength {nm} nm after {after_nm} nm")
+            }
+            Self::NotPositive { nm, .. } => write!(f, "wavelength {nm} nm"),
+        }
+    }
+}
+
+impl Trouble {
+    /// What would have been right.
+    pub(crate) fn expected(&self) -> String {
+        match self {
+            Self::TooFew { .. } => "at least 2".to_owned(),
+            Self::TooMany { .. } => format!("at most {MOST_SAMPLES}"),
+            Self::NotMonotonic { .. } => "wavelengths that rise or fall throughout".to_owned(),
+            Self::NotPositive { .. } => "a wavelength above 0".to_owned(),
+        }
+    }
+
+    /// The point at fault, where there is one.
+    pub(crate) fn index(&self) -> Option<usize> {
+        match self {
+            Self::TooFew { .. } | Self::TooMany { .. } => None,
+            Self::NotMonotonic { index, .. } | Self::NotPositive { index, .. } => Some(*index),
+        }
+    }
+}
+
+/// As [`clean`], for values on wavelengths that are in order already and are kept in memory once.
+///
+/// # Errors
+/// The values, when something needs to be done to them.
+pub(crate) fn beside(other: &Sampled, values: Vec<f64>) -> Result<Cleaned, Vec<f64>> {
+    // Without a way out in the middle, which is much faster on long columns.
+    if values.iter().fold(false, |odd, v| odd | !is_measured(*v)) {
+        return Err(values);
+    }
+    match other.sharing(values) {
+        Ok(samples) => Ok(Cleaned {
+            samples,
+            remarks: Vec::new(),
+        }),
+        Err((_, values)) => Err(values),
+    }
+}
+
+/// Makes a spectrum of wavelengths (nm) and values: gaps (anything that is not finite or of a size
+/// that nothing has, [`crate::io::text::number::ABSURD`]) are dropped,
+/// falling wavelengths turned round, a few out of order put in order, equal ones averaged, and
+/// each of these is noted. Values are never changed otherwise.
+///
+/// # Errors
+/// [`Trouble`] when that leaves no spectrum.
+pub(crate) fn clean(nm: &[f64], values: &[f64]) -> Result<Cleaned, Trouble> {
+    clean_within(nm, values, MOST_REVERSALS)
+}
+
+/// As [`clean`]; at most `most_reversals` of the steps may go backwards.
+///
+/// # Errors
+/// As [`clean`].
+pub(crate) fn clean_within(
+    nm: &[f64],
+    values: &[f64],
+    most_reversals: f64,
+) -> Result<Cleaned, Trouble> {
+    let mut remarks = Vec::new();
+    let given = nm.len().min(values.len());
+    let mut points: Vec<(f64, f64)> = Vec::with_capacity(given);
+    let mut whence: Vec<u32> = Vec::new();
+    let mut zeros = 0;
+    for (index, (w, v)) in nm.iter().zip(values).enumerate() {
+        if *w == 0.0 {
+            zeros += 1;
+        } else if is_measured(*w) && is_measured(*v) {
+            if *w < 0.0 {
+                return Err(Trouble::NotPositive { index, nm: *w });
+            }
+            if points.len() < index && whence.is_empty() {
+                whence.extend(0..points.len() as u32);
+            }
+            if points.len() < index {
+                whence.push(index as u32);
+            }
+            points.push((*w, *v));
+        }
+    }
+    let missing = given - points.len() - zeros;
+    remarks.extend((zeros > 0).then_some(Remark::AtZero(zeros)));
+    remarks.extend((missing > 0).then_some(Remark::Missing(missing)));
+    if points.len() < 2 {
+        return Err(Trouble::TooFew {
+            found: points.len(),
+        });
+    }
+    if points.len() > MOST_SAMPLES {
+        return Err(Trouble::TooMany {
+            found: points.len(),
+        });
+    }
+    put_in_order(&mut points, &whence, most_reversals, &mut remarks)?;
+    average_doubles(&mut points, &mut remarks);
+    let (nm, values) = points.iter().copied().unzip();
+    match Sampled::new(nm, values) {
+        Ok(samples) => Ok(Cleaned { samples, remarks }),
+        Err(_) => Err(Trouble::TooFew {
+            found: points.len(),
+        }),
+    }
+}
+
+fn put_in_order(
+    points: &mut [(f64, f64)],
+    whence: &[u32],
+    most_reversals: f64,
+    remarks: &mut Vec<Remark>,
+) -> Result<(), Trouble> {
+    let steps = points.len() - 1;
+    let (mut up, mut down) = (0, 0);
+    for pair in points.windows(2) {
+        up += usize::from(pair[1].0 > pair[0].0);
+        down += usize::from(pair[1].0 < pair[0].0);
+    }
+    let falling = down > up;
+    let reversals = up.min(down);
+    if reversals > 0 && reversals as f64 > most_reversals * steps as f64 {
+        let at = points
+            .windows(2)
+            .position(|p| {
+                if falling {
+                    p[1].0 > p[0].0
+                } else {
+                    p[1].0 < p[0].0
+                }
+            })
+            .unwrap_or(0);
+        return Err(Trouble::NotMonotonic {
+            index: whence.get(at + 1).map_or(at + 1, |i| *i as usize),
+            nm: points[at + 1].0,
+            after_nm: points[at].0,
+        });
+    }
+    if falling {
+        points.reverse();
+        remarks.push(Remark::TurnedRound);
+    }
+    if reversals > 0 {
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        remarks.push(Remark::StepsBack(reversals));
+    }
+    Ok(())
+}
+
+fn average_doubles(points: &mut Vec<(f64, f64)>, remarks: &mut Vec<Remark>) {
+    let before = points.len();
+    let mut kept = 0;
+    let mut from = 0;
+    while from < before {
+        let nm = points[from].0;
+        let count = points[from..].iter().take_while(|p| p.0 == nm).count();
+        let value = if count == 1 {
+            points[from].1
+        } else {
+            // Divided first, so that the sum of two huge values stays finite.
+            points[from..from + count]
+                .iter()
+                .map(|p| p.1 / count as f64)
+                .sum()
+        };
+        points[kept] = (nm, value);
+        kept += 1;
+        from += count;
+    }
+    points.truncate(kept);
+    let doubles = before - kept;
+    remarks.extend((doubles > 0).then_some(Remark::Averaged(doubles)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn falling_wavelengths_are_turned_round_and_said() {
+        let read = clean(&[500.0, 400.0], &[1.0, 2.0]).unwrap();
+        assert_eq!(read.samples.nm(), [400.0, 500.0]);
+        assert_eq!(read.samples.values(), [2.0, 1.0]);
+        assert_eq!(read.remarks, [Remark::TurnedRound]);
+    }
+
+    #[test]
+    fn doubles_are_averaged_and_gaps_dropped_and_both_said() {
+        let read = clean(
+            &[400.0, 410.0, 410.0, 420.0, 430.0],
+            &[1.0, 2.0, 4.0, f64::NAN, 5.0],
+        )
+        .unwrap();
+        assert_eq!(read.samples.values(), [1.0, 3.0, 5.0]);
+        assert_eq!(read.remarks, [Remark::Missing(1), Remark::Averaged(1)]);
+    }
+
+    #[test]
+    fn two_detectors_that_overlap_are_put_in_order() {
+        let nm: Vec<f64> = (0..20)
+            .map(f64::from)
+            .map(|i| 900.0 + i)
+            .chain([915.5, 930.0])
+            .collect();
+        let read = clean(&nm, &vec![1.0; nm.len()]).unwrap();
+        assert_eq!(read.samples.len(), 22);
+        assert_eq!(read.remarks, [Remark::StepsBack(1)]);
+    }
+
+    #[test]
+    fn numbers_that_run_to_and_fro_are_refused_at_the_first_step_back() {
+        let trouble = clean(&[400.0, f64::NAN, 500.0, 450.0, 600.0, 440.0], &[0.0; 6]).unwrap_err();
+        assert_eq!(
+            trouble,
+            Trouble::NotMonotonic {
+                index: 3,
+                nm: 450.0,
+                after_nm: 500.0
+            }
+        );
+    }
+}

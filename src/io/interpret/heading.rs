@@ -1,0 +1,120 @@
+//! What the lines above a table say about its spectra, worked out once for all of them: a table
+//! may have thousands of columns under hundreds of lines.
+
+use super::{axis, kinds, meaning};
+use crate::io::provenance::ORIGINATOR;
+use crate::io::text::NumberedLines;
+use crate::io::text::units::WavelengthUnit;
+
+/// What a table's header says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Heading<'a> {
+    /// Whether this program wrote the file: names are names then, and every number was measured.
+    pub is_own: bool,
+    /// What it calls the spectrum.
+    pub name: Option<&'a str>,
+    /// Where it says that the numbers come from.
+    pub source: Option<&'a str>,
+    /// What a file of this program says of how the numbers were read before.
+    pub notes: Option<&'a str>,
+    /// Units of the wavelength axis, the nearest line first.
+    pub axis_units: Vec<WavelengthUnit>,
+    /// What it says of the values' kind.
+    pub kind: kinds::FromHeader,
+    /// Whether values of a factor are per cent.
+    pub percent: Option<bool>,
+    /// Unit of the values; empty when it names none.
+    pub unit: String,
+}
+
+impl<'a> Heading<'a> {
+    /// What lines above a table say.
+    pub(crate) fn of(lines: &NumberedLines<'a>) -> Self {
+        if field(lines, "written by:").is_some_and(|program| program.starts_with(ORIGINATOR)) {
+            return Self::own(lines);
+        }
+        Self {
+            is_own: false,
+            name: field(lines, "name:"),
+            source: field(lines, "source:"),
+            notes: None,
+            axis_units: axis::units_of_header(lines),
+            kind: kinds::FromHeader::of(lines),
+            percent: meaning::percent_of_header(lines),
+            unit: meaning::unit_of_header(lines),
+        }
+    }
+
+    /// What the lines of a file say that this program wrote: each key counts, and nothing else.
+    pub(crate) fn own(lines: &NumberedLines<'a>) -> Self {
+        let unit = field(lines, "unit:").unwrap_or("");
+        Self {
+            is_own: true,
+            name: field(lines, "name:"),
+            source: field(lines, "source:"),
+            notes: field(lines, "notes:"),
+            axis_units: vec![WavelengthUnit::Nanometre],
+            kind: kinds::FromHeader::of(lines),
+            percent: Some(["%", "percent"].contains(&unit)),
+            unit: unit.to_owned(),
+        }
+    }
+
+    /// The same for a number of spectra: each has name, source and unit for itself, so that long
+    /// ones under thousands of columns are cut.
+    #[must_use]
+    pub(crate) fn shared_by(mut self, spectra: usize) -> Self {
+        let most = (MOST_SHARED / spectra.max(1)).max(LEAST_SHARED);
+        let cut = |text: &'a str| &text[..text.floor_char_boundary(most)];
+        self.name = self.name.map(cut);
+        self.source = self.source.map(cut);
+        self.notes = self.notes.map(cut);
+        self.unit.truncate(self.unit.floor_char_boundary(most));
+        self
+    }
+}
+
+/// Bytes that all copies of a text of the header may take together.
+const MOST_SHARED: usize = 3 << 20;
+
+/// Bytes of such a text that are kept in any case.
+const LEAST_SHARED: usize = 60;
+
+/// What a header line says behind a word ("name:", "source:"); upper or lower case.
+pub(crate) fn field<'a>(lines: &NumberedLines<'a>, word: &str) -> Option<&'a str> {
+    lines.iter().rev().find_map(|(_, line)| {
+        let start = line.trim_start().get(..word.len())?;
+        let value = line.trim_start()[word.len()..].trim();
+        (start.eq_ignore_ascii_case(word) && !value.is_empty()).then_some(value)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn only_the_keys_of_an_own_file_count() {
+        let lines = [
+            (1, "name: lamp [W/m2/nm]"),
+            (2, "kind: light"),
+            (3, "source: a book (mW/m2/nm)"),
+            (4, "written by: Spectral Explorer 1.0.0"),
+        ];
+        let own = Heading::own(&lines);
+        assert_eq!((own.unit.as_str(), own.name), ("", Some("lamp [W/m2/nm]")));
+        assert_eq!(own.kind.own, Some(Kind::Light));
+        assert_eq!(Heading::of(&lines), own);
+        assert!(!Heading::of(&lines[..3]).is_own);
+    }
+
+    #[test]
+    fn thousands_of_spectra_share_a_long_source_cut_short() {
+        let source = format!("source: {}", "ä".repeat(10_000));
+        let heading = Heading::of(&[(1, &source)]);
+        assert_eq!(heading.clone().shared_by(1), heading);
+        let cut = heading.shared_by(40_000);
+        assert_eq!(cut.source.map(str::len), Some(78));
+    }
+}

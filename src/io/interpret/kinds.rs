@@ -1,0 +1,586 @@
+//! What values stand for, told by titles, header lines, the file's name, last the values.
+//!
+//! Titles of columns count most, then lines that state what is on the y axis, then the rest of
+//! the header, then the file's name. Whatever is not stated is a guess, and the reading says so.
+
+use crate::spectrum::Kind;
+
+use crate::io::reading::decision::Decision;
+use crate::io::text::NumberedLines;
+use crate::io::text::words::{holds, holds_any};
+
+/// Words for what repeated measurements differ by.
+const SPREAD: [&str; 5] = [
+    "variance",
+    "standard deviation",
+    "std dev",
+    "std. dev",
+    "stddev",
+];
+
+/// Whether a text names what repeated measurements differ by, and not what was measured.
+pub(crate) fn is_spread(text: &str) -> bool {
+    let text = text.to_lowercase();
+    SPREAD.iter().any(|word| text.contains(word))
+}
+
+/// Words for how strongly each of the eye's receptors sees a wavelength: they end alike, and so do
+/// "tropic" and "spectroscopic".
+const RECEPTORS: [&str; 12] = [
+    "|opic|",
+    "|aopic|",
+    "cone-opic",
+    "coneopic",
+    "|melanopic",
+    "|rhodopic",
+    "|cyanopic",
+    "|photopic",
+    "|scotopic",
+    "|mesopic",
+    "|chloropic",
+    "|erythropic",
+];
+
+/// Words in a title or a header line, lower case, and the kind they tell, strongest first; a bar
+/// asks for the edge of a word ([`crate::io::text::words::holds`]).
+const WORDS: [(Kind, &[&str]); 8] = [
+    (Kind::Other, &SPREAD),
+    (Kind::Weighting, &RECEPTORS),
+    (
+        Kind::Weighting,
+        &[
+            "|xbar",
+            "|ybar",
+            "|zbar",
+            "|x_bar",
+            "|y_bar",
+            "|z_bar",
+            "|x-bar",
+            "|y-bar",
+            "|z-bar",
+            "colour-matching",
+            "color-matching",
+            "colour matching",
+            "color matching",
+            "|cmf",
+            "luminous efficiency",
+            "|v(lambda",
+            "|v(l)",
+            "|v(λ",
+            "action spectr",
+            "cone fundamental",
+            "spectral sensitivity",
+            "responsivity",
+            "quantum efficiency",
+        ],
+    ),
+    (
+        Kind::Absorbance,
+        &["absorban", "optical density", "extinktion"],
+    ),
+    (
+        Kind::Other,
+        &[
+            "refractive",
+            "optical constants",
+            "extinction coeff",
+            "tabulated n",
+            "epsilon",
+            "absorptivity",
+            "absorptance",
+            "absorption (%)",
+            "absorption [%]",
+        ],
+    ),
+    (
+        Kind::Reflectance,
+        &[
+            "reflect",
+            "|%r|",
+            "|%refl",
+            "|%rs|",
+            "|%rp|",
+            "|r%",
+            "|r (%)",
+            "|r [%]",
+            "albedo",
+            "reflexion",
+            "réflect",
+            "réflex",
+            "riflett",
+            "remission",
+        ],
+    ),
+    (
+        Kind::Transmittance,
+        &[
+            "transmit", "transmis", "|%t|", "|%trans", "|%ts|", "|%tp|", "|t%", "|t (%)", "|t [%]",
+            "trasmitt",
+        ],
+    ),
+    (
+        Kind::Light,
+        &[
+            "irrad",
+            "radiance",
+            "radiant",
+            "w/m",
+            "w/(m",
+            "w/(c",
+            "w m-2",
+            "wm-2",
+            "w*m-2",
+            "bestrahlungsst",
+            "strahldichte",
+            "strahlungs",
+            "éclairement",
+            "w/nm",
+            "w/cm",
+            "/nm",
+            "emission",
+            "spectral power",
+            "power distribution",
+            "photon",
+            "intensi",
+            "counts",
+            "dark subtracted",
+        ],
+    ),
+];
+
+/// How a word of a file's name is known.
+enum Named {
+    /// By the whole of it.
+    Whole(&'static [&'static str]),
+    /// By how it begins.
+    Begins(&'static [&'static str]),
+    /// By the whole of it, where it is the name's last: `Au.k`, `SiO2_n`.
+    Last(&'static [&'static str]),
+}
+
+/// Words in a file's name only: too weak for a line of text.
+const NAME_WORDS: [(Kind, Named); 10] = [
+    (Kind::Other, Named::Last(&["eta", "k", "n"])),
+    (
+        Kind::Weighting,
+        Named::Whole(&["cmf", "cmfs", "xyz", "vlambda", "vl", "opic", "action"]),
+    ),
+    (
+        Kind::Weighting,
+        Named::Begins(&["ciexyz", "linss", "sbrgb", "sensitiv"]),
+    ),
+    (Kind::Reflectance, Named::Whole(&["refl"])),
+    (
+        Kind::Reflectance,
+        Named::Begins(&[
+            "reflect",
+            "macbeth",
+            "colorchecker",
+            "colourchecker",
+            "munsell",
+        ]),
+    ),
+    (Kind::Transmittance, Named::Whole(&["filter", "filters"])),
+    (Kind::Transmittance, Named::Begins(&["transm"])),
+    (Kind::Absorbance, Named::Begins(&["absorb"])),
+    (
+        Kind::Light,
+        Named::Whole(&[
+            "lamp",
+            "lamps",
+            "led",
+            "leds",
+            "light",
+            "lights",
+            "daylight",
+            "sunlight",
+            "skylight",
+            "moonlight",
+            "spd",
+        ]),
+    ),
+    (
+        Kind::Light,
+        Named::Begins(&[
+            "irrad", "radian", "illum", "stdillum", "emission", "halogen",
+        ]),
+    ),
+];
+
+/// The words of a text, lower case: letters, apart from figures and from the next word's capital.
+fn words_of(text: &str) -> Vec<String> {
+    let letters: Vec<char> = text.chars().collect();
+    let mut words = vec![String::new()];
+    for (at, letter) in letters.iter().enumerate() {
+        let is_lower = |at: usize| letters.get(at).is_some_and(|c| c.is_lowercase());
+        let starts = letter.is_uppercase()
+            && (at > 0 && is_lower(at - 1)
+                || is_lower(at + 1) && letters[at.saturating_sub(1)].is_uppercase());
+        if starts || !letter.is_alphabetic() {
+            words.push(String::new());
+        }
+        if let Some(word) = words.last_mut().filter(|_| letter.is_alphabetic()) {
+            word.extend(letter.to_lowercase());
+        }
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// The kinds that the words of a file's name tell, in their order.
+fn kinds_of_name(name: &str) -> Vec<Kind> {
+    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
+    let mut words = words_of(stem);
+    let of_stem = words.len();
+    // An ending `.spd` is that of reflectances and indices too.
+    if !ending.eq_ignore_ascii_case("spd") {
+        words.extend(words_of(ending));
+    }
+    let mut kinds: Vec<Kind> = Vec::new();
+    for (at, word) in words.iter().enumerate() {
+        let word = word.as_str();
+        let is_known = |known: &Named| match known {
+            Named::Whole(whole) => whole.contains(&word),
+            Named::Begins(starts) => starts.iter().any(|start| word.starts_with(start)),
+            Named::Last(whole) => at > 0 && at + 1 == of_stem && whole.contains(&word),
+        };
+        let found = NAME_WORDS.iter().find(|(_, known)| is_known(known));
+        kinds.extend(found.map(|(kind, _)| *kind));
+    }
+    if holds_any(&name.to_lowercase(), &RECEPTORS) {
+        kinds.push(Kind::Weighting);
+    }
+    if kinds.is_empty() && ending.eq_ignore_ascii_case("spd") {
+        kinds.push(Kind::Light);
+    }
+    kinds
+}
+
+/// The kind that a title tells by its words or its one letter (`R`, `T`, `%R`, `n`, `k`).
+pub(crate) fn kind_of_title(title: &str) -> Option<Kind> {
+    let title = title.trim().to_lowercase();
+    if let Some(kind) = kind_of_logarithm(&title) {
+        return Some(kind);
+    }
+    // Beside R and T, in per cent, it is what stays in the sample.
+    if ["a (%)", "a [%]", "a(%)", "a[%]", "a%", "%a", "a %"].contains(&title.as_str()) {
+        return Some(Kind::Other);
+    }
+    let stem = title.split(['(', '[', ' ', '_', '.']).next().unwrap_or("");
+    // "Rfr" and "Tpc" are the R packages' fractions and per cent.
+    kind_of_words(&title).or(match stem {
+        "r" | "refl" | "rho" | "rfr" | "rpc" => Some(Kind::Reflectance),
+        "t" | "trans" | "tau" | "tfr" | "tpc" => Some(Kind::Transmittance),
+        "abs" | "od" => Some(Kind::Absorbance),
+        "n" | "k" | "eta" => Some(Kind::Other),
+        "qe" => Some(Kind::Weighting),
+        "spd" | "power" | "energy" | "irr" | "irrad" | "rad" | "dn" => Some(Kind::Light),
+        _ if title.contains("response") => Some(Kind::Weighting),
+        _ => None,
+    })
+}
+
+/// The kind of what a title (lower case) says is no plain measure: decibels, logarithms, and what a
+/// surface takes away.
+fn kind_of_logarithm(title: &str) -> Option<Kind> {
+    const LOGS: [&str; 4] = ["|log10|", "|log(", "|log |", "|ln("];
+    let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
+    let is_rest = ["1-r", "1-t", "100-r", "100-t", "100-%r", "100-%t"]
+        .iter()
+        .any(|rest| holds(&bare, &format!("|{rest}|")));
+    if ["log(1/", "log10(1/", "log1/", "-log"]
+        .iter()
+        .any(|of| bare.starts_with(of))
+    {
+        Some(Kind::Absorbance)
+    } else if is_rest || holds_any(title, &["|db|", "|dbm|"]) || holds_any(title, &LOGS) {
+        Some(Kind::Other)
+    } else {
+        None
+    }
+}
+
+/// The kind that a line of text tells.
+pub(crate) fn kind_of_words(line: &str) -> Option<Kind> {
+    let line = line.to_lowercase();
+    WORDS
+        .iter()
+        .find(|(_, words)| holds_any(&line, words))
+        .map(|(kind, _)| *kind)
+}
+
+/// The kind that a file's name suggests, by whole words: of several the last, which is what the
+/// others tell more of ("filtered lamp", "lamp filter").
+pub(crate) fn kind_of_name(name: &str) -> Option<Kind> {
+    kinds_of_name(name).last().copied()
+}
+
+/// Whether the words in a file's name all mean one kind.
+pub(crate) fn is_plain_name(name: &str) -> bool {
+    let kinds = kinds_of_name(name);
+    kinds
+        .first()
+        .is_some_and(|first| kinds.iter().all(|kind| kind == first))
+}
+
+/// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
+pub(crate) fn states_values(line: &str) -> bool {
+    let line = line.trim().to_lowercase();
+    [
+        "y unit",
+        "yunit",
+        "y-unit",
+        "unit",
+        "measurement",
+        "quantity",
+        "technique",
+    ]
+    .iter()
+    .any(|start| line.starts_with(start))
+}
+
+/// Whether a line titles columns of several kinds: it tells nothing of one without a kind.
+fn titles_several(line: &str) -> bool {
+    let cells = line.split([';', '\t', ',']);
+    let mut kinds = cells.filter_map(kind_of_words);
+    let first = kinds.next();
+    kinds.any(|kind| Some(kind) != first)
+}
+
+/// What the lines above a table say of the kind of its values.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct FromHeader {
+    /// What this program's own files say under "kind:".
+    pub own: Option<Kind>,
+    /// The kind that a line tells, and the line.
+    telling: Option<(Kind, String)>,
+    /// Whether a spectrometer says that it saw no white panel.
+    no_white: bool,
+}
+
+impl FromHeader {
+    /// Looks through the lines, the nearest to the table first.
+    pub(crate) fn of(header: &NumberedLines) -> Self {
+        let lines = || header.iter().rev().map(|(_, line)| *line);
+        let own = lines().find_map(|line| {
+            let word = line.strip_prefix("kind:")?.trim();
+            Kind::ALL.into_iter().find(|kind| kind.word() == word)
+        });
+        let telling = lines()
+            .filter(|line| states_values(line))
+            .chain(lines().filter(|line| !titles_several(line)))
+            .find_map(|line| kind_of_words(line).map(|kind| (kind, short(line))));
+        Self {
+            own,
+            telling,
+            no_white: lines().any(|line| line.contains("not compared to a white reference")),
+        }
+    }
+}
+
+/// The kind of one column.
+pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64]) -> Decision<Kind> {
+    if let Some(kind) = header.own {
+        return Decision::stated(kind, "the header");
+    }
+    if let Some(kind) = kind_of_title(title) {
+        return Decision::stated(kind, format!("the column's title \"{}\"", short(title)));
+    }
+    let guess = |kind, because: &str| Decision::guessed(kind, false, because);
+    if holds_any(&title.to_lowercase(), &["|%tr|", "|%t/r|"]) {
+        let title = short(title);
+        let because = format!("the column's title \"{title}\"; it may be a reflectance");
+        return guess(Kind::Transmittance, &because);
+    }
+    if let Some((kind, line)) = &header.telling {
+        return Decision::stated(*kind, format!("the header line \"{line}\""));
+    }
+    if let Some(kind) = kind_of_name(file) {
+        return Decision::guessed(kind, is_plain_name(file), "the file's name");
+    }
+    // ASD's spectrometers are mostly held over leaves and soils, beside a white panel.
+    let mut sorted: Vec<f64> = Vec::new();
+    if title.to_lowercase().trim_end().ends_with(".asd") && !header.no_white {
+        sorted.extend(values);
+        sorted.sort_by(f64::total_cmp);
+    }
+    if sorted
+        .get(sorted.len() / 2)
+        .is_some_and(|middle| (0.01..=1.5).contains(middle))
+    {
+        return guess(Kind::Reflectance, "an ASD's values of about 0..1");
+    }
+    if values.iter().all(|v| (-0.05..=1.2).contains(v)) {
+        guess(
+            Kind::Light,
+            "nothing states it; all values lie in 0..1, so it may be a reflectance or a transmittance",
+        )
+    } else {
+        guess(Kind::Light, "nothing states it")
+    }
+}
+
+fn short(text: &str) -> String {
+    let text = text.trim();
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_tell_the_kind() {
+        for (title, kind) in [
+            ("R(adaxial)", Some(Kind::Reflectance)),
+            ("T(abaxial)", Some(Kind::Transmittance)),
+            ("Transmittance(%)", Some(Kind::Transmittance)),
+            ("Reflect. [1.0]", Some(Kind::Reflectance)),
+            ("irradiance [W m-2 nm-1]", Some(Kind::Light)),
+            ("x_bar", Some(Kind::Weighting)),
+            ("Reflexionsgrad [%]", Some(Kind::Reflectance)),
+            ("Réflectance (%)", Some(Kind::Reflectance)),
+            ("Riflettanza %", Some(Kind::Reflectance)),
+            ("Trasmittanza", Some(Kind::Transmittance)),
+            ("Absorbanz", Some(Kind::Absorbance)),
+            ("Bestrahlungsstärke in W/(m²·nm)", Some(Kind::Light)),
+            ("Logarithm epsilon", Some(Kind::Other)),
+            ("s.e.response", Some(Kind::Weighting)),
+            ("Tfr", Some(Kind::Transmittance)),
+            ("Rpc", Some(Kind::Reflectance)),
+            ("s.e.irrad", Some(Kind::Light)),
+            ("n", Some(Kind::Other)),
+            ("Rad. (Ref.)", Some(Kind::Light)),
+            ("TL01", None),
+            ("red", None),
+        ] {
+            assert_eq!(kind_of_title(title), kind, "{title}");
+        }
+    }
+
+    #[test]
+    fn the_y_axis_line_outweighs_the_rest_of_the_header() {
+        let header = [
+            (1, "Y Units: Reflectance (percent)"),
+            (2, "irradiance of the sample"),
+        ];
+        assert_eq!(
+            kind("", &FromHeader::of(&header), "a.txt", &[50.0]).value,
+            Kind::Reflectance
+        );
+    }
+
+    #[test]
+    fn a_kind_that_nothing_states_is_a_guess() {
+        let none = FromHeader::default();
+        let found = kind("", &none, "x.csv", &[0.1, 0.5]);
+        assert_eq!((found.value, found.is_guess()), (Kind::Light, true));
+        assert!(found.reason.contains("may be a reflectance"));
+        assert_eq!(
+            kind("a.asd", &none, "x.txt", &[0.1, 0.5]).value,
+            Kind::Reflectance
+        );
+        assert_eq!(
+            kind("a.asd", &none, "irrad.txt", &[0.1, 0.5]).value,
+            Kind::Light
+        );
+        assert_eq!(kind("", &none, "Au.eta.spd", &[1.0]).value, Kind::Other);
+    }
+
+    #[test]
+    fn words_inside_of_other_words_tell_no_kind() {
+        for text in [
+            "Spectroscopic measurement of an LED",
+            "topic: LED",
+            "isotropic source",
+            "mV(lamp)",
+            "Light%",
+            "Solar%",
+            "laser (%)",
+        ] {
+            assert_eq!(kind_of_words(text), None, "{text}");
+        }
+        for (text, kind) in [
+            ("tropical lamp (W/m2/nm)", Kind::Light),
+            ("melanopic", Kind::Weighting),
+            ("s-cone-opic", Kind::Weighting),
+            ("V(lambda)", Kind::Weighting),
+            ("R%", Kind::Reflectance),
+            ("%T", Kind::Transmittance),
+            ("TotalReflectance", Kind::Reflectance),
+        ] {
+            assert_eq!(kind_of_words(text), Some(kind), "{text}");
+        }
+    }
+
+    #[test]
+    fn parts_of_words_in_a_files_name_tell_no_kind() {
+        for name in [
+            "tropical_fruit.csv",
+            "recycled_paper.csv",
+            "modelled.csv",
+            "peeled.csv",
+            "scaled.csv",
+            "shuffled.csv",
+            "delight.csv",
+            "unfiltered.csv",
+            "k.csv",
+        ] {
+            assert_eq!(kind_of_name(name), None, "{name}");
+        }
+        for (name, kind) in [
+            ("red_led_5.csv", Kind::Light),
+            ("LEDWhitesPlusCanaryYellow.txt", Kind::Light),
+            ("unfiltered_lamp.csv", Kind::Light),
+            ("xyz_lamp.csv", Kind::Light),
+            ("lampFilter.csv", Kind::Transmittance),
+            ("ciexyz31.csv", Kind::Weighting),
+            ("lin2012xyz2e_1_7sf.csv", Kind::Weighting),
+            ("Au.eta.spd", Kind::Other),
+            ("macbeth-1.spd", Kind::Reflectance),
+            ("FMNH6834.Master.Transmission", Kind::Transmittance),
+            ("F8.spd", Kind::Light),
+        ] {
+            assert_eq!(kind_of_name(name), Some(kind), "{name}");
+        }
+        assert!(is_plain_name("red_led.csv") && is_plain_name("macbeth-1.spd"));
+        assert!(!is_plain_name("xyz_lamp.csv") && !is_plain_name("paper.csv"));
+    }
+
+    #[test]
+    fn a_line_of_titles_of_several_kinds_tells_nothing_of_the_others() {
+        let header = [(1, "Dark Subtracted #1;%TR #1;Absorbance #1;Irradiance #1")];
+        let header = FromHeader::of(&header);
+        assert_eq!(
+            kind("else", &header, "a.txt", &[5.0]).reason,
+            "nothing states it"
+        );
+        assert_eq!(
+            kind("Dark Subtracted #1", &header, "a.txt", &[5.0]).value,
+            Kind::Light
+        );
+        let ratio = kind("%TR #1", &header, "a.txt", &[5.0]);
+        assert_eq!(
+            (ratio.value, ratio.is_doubtful()),
+            (Kind::Transmittance, true)
+        );
+    }
+
+    #[test]
+    fn the_technique_outweighs_a_setting_of_another_instrument() {
+        let header = [
+            (1, "Raman Intensity Corrected,False"),
+            (2, "Technique,Transmission"),
+        ];
+        for lines in [&header[..], &[header[1], header[0]]] {
+            let found = kind("Processed", &FromHeader::of(lines), "a.csv", &[80.0]);
+            assert_eq!(
+                (found.value, found.is_guess()),
+                (Kind::Transmittance, false)
+            );
+        }
+    }
+}

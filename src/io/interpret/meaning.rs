@@ -1,0 +1,307 @@
+//! How values are counted: per cent or fraction, and the unit.
+
+use crate::spectrum::Kind;
+
+use super::kinds::{kind_of_words, states_values};
+use crate::io::Counted;
+use crate::io::reading::decision::Decision;
+use crate::io::text::NumberedLines;
+
+/// Largest values that are per cent; of larger ones 10 000 is all of the light.
+pub(crate) const MOST_PERCENT: f64 = 160.0;
+
+/// Photons in the unit that plant scientists use.
+pub(crate) const PHOTONS: &str = "µmol m-2 s-1 nm-1";
+
+/// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
+pub(crate) fn counts_photons(unit: &str) -> bool {
+    let lower = unit.to_lowercase();
+    lower.contains("mol")
+        || lower.contains("photon")
+        || lower.starts_with("ue")
+        || lower.starts_with("µe")
+        || lower.starts_with("μe")
+}
+
+/// Largest values that only fractions, and only per cent, have: nothing reflects less than 1 %
+/// everywhere or more than all of the light by much.
+const PLAIN_FRACTION: std::ops::RangeInclusive<f64> = 0.1..=1.2;
+const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
+
+/// Largest values that are neither: remote sensing stores ten thousandths.
+const TEN_THOUSANDTHS: std::ops::RangeInclusive<f64> = 1000.0..=12_000.0;
+
+/// Largest values that are whole numbers of 16 bits; beyond them nobody knows.
+const SIXTEEN_BITS: std::ops::RangeInclusive<f64> = 12_000.0..=65_535.0;
+
+/// Whether the largest values leave hardly a doubt about what they are counted in.
+pub(crate) fn is_plain_size(counted: Counted, high: f64) -> bool {
+    match counted {
+        Counted::Fraction => PLAIN_FRACTION.contains(&high),
+        Counted::Percent => PLAIN_PERCENT.contains(&high),
+        Counted::TenThousandths => PLAIN_PERCENT.contains(&(0.01 * high)),
+        Counted::SixteenBits | Counted::Otherwise => false,
+    }
+}
+
+/// What the values of a factor (reflectance, transmittance) are counted in: as their title states,
+/// per cent signs, or the header (`header` is per cent), else by their size.
+///
+/// Unstated, it is per cent when more than 1 % of the values exceed 1.5 and they are not just
+/// noise over fractions: the middle value exceeds 1.5 too, or lies far under the largest (a
+/// narrow filter is near 0 nearly everywhere).
+pub(crate) fn counted(
+    title: &str,
+    header: Option<bool>,
+    signs: bool,
+    values: &[f64],
+) -> Decision<Counted> {
+    let title = title.to_lowercase();
+    let of_title = |counted| Decision::stated(counted, "the column's title");
+    if counts_ten_thousandths(&title) {
+        return of_title(Counted::TenThousandths);
+    }
+    if signs {
+        return Decision::stated(Counted::Percent, "per cent signs");
+    }
+    if title.contains('%') || title.contains("percent") || ["tpc", "rpc"].contains(&title.trim()) {
+        return of_title(Counted::Percent);
+    }
+    if title.contains("[1.0]")
+        || title.contains("fraction")
+        || ["tfr", "rfr"].contains(&title.trim())
+    {
+        return of_title(Counted::Fraction);
+    }
+    if let Some(percent) = header {
+        return Decision::stated(Counted::percent(percent), "the header");
+    }
+    by_size(values)
+}
+
+/// What the size of the values tells.
+pub(crate) fn by_size(values: &[f64]) -> Decision<Counted> {
+    let mut sizes: Vec<f64> = values.iter().map(|v| v.abs()).collect();
+    let mut at = |share: f64| {
+        let index = (share * sizes.len() as f64) as usize;
+        (index < sizes.len()).then(|| *sizes.select_nth_unstable_by(index, f64::total_cmp).1)
+    };
+    let (middle, high) = (at(0.5).unwrap_or(0.0), at(0.99).unwrap_or(0.0));
+    let percent = high > 1.5 && (middle > 1.5 || middle < 0.03 * high);
+    let counted = match percent {
+        true if TEN_THOUSANDTHS.contains(&high) => Counted::TenThousandths,
+        true if SIXTEEN_BITS.contains(&high) => Counted::SixteenBits,
+        _ => Counted::percent(percent),
+    };
+    let reason = format!("the values' size (up to about {high:.3})");
+    Decision::guessed(counted, is_plain_size(counted, high), reason)
+}
+
+/// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
+fn counts_ten_thousandths(title: &str) -> bool {
+    let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
+    ["x", "*", "×"].iter().any(|times| {
+        ["10000", "1e4", "10^4"]
+            .iter()
+            .any(|number| crate::io::text::words::holds(&bare, &format!("{times}{number}|")))
+    })
+}
+
+/// Whether a header says that values are per cent, or fractions; `None` where it does not.
+pub(crate) fn percent_of_header(header: &NumberedLines) -> Option<bool> {
+    header.iter().rev().find_map(|(_, line)| {
+        let line = line.trim().to_lowercase();
+        if !is_about_factors(&line) {
+            None
+        } else if line.contains('%') || line.contains("percent") {
+            Some(true)
+        } else {
+            line.contains("fraction").then_some(false)
+        }
+    })
+}
+
+/// Whether a line (lower case) states how the values of a factor are counted: humidities and other
+/// settings are per cent too. It names the y axis or the factor, or nothing but a unit.
+fn is_about_factors(line: &str) -> bool {
+    let bare = ["unit", "units"].iter().any(|key| {
+        line.strip_prefix(key).is_some_and(|rest| {
+            let rest = rest.trim_matches(|c: char| !c.is_alphanumeric() && c != '%');
+            ["%", "percent", "per cent", "fraction"].contains(&rest)
+        })
+    });
+    let names_factor = || kind_of_words(line).is_some_and(Kind::is_factor);
+    bare || states_values(line) && (line.starts_with('y') || names_factor())
+}
+
+/// The unit of values that a title gives: text in brackets, or a unit at its end.
+pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
+    bracketed(title).or_else(|| bare(title))
+}
+
+/// The unit of values that header lines give: in brackets, or behind "unit:".
+pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
+    for (_, line) in header.iter().rev() {
+        // What this program's own files say, whatever it is.
+        if let Some(own) = line.strip_prefix("unit: ") {
+            return own.trim().to_owned();
+        }
+        let lower = line.trim().to_lowercase();
+        let states = lower.starts_with("unit") || lower.starts_with("y unit");
+        if states && let Some(after) = line.split([':', '=', '\t', ',']).nth(1) {
+            let after = without_brackets(after.trim().trim_matches('"'));
+            if looks_like_unit(after) {
+                return after.to_owned();
+            }
+        }
+        if let Some(unit) =
+            bracketed(line).filter(|u| u.contains('/') && kind_of_words(u).is_some())
+        {
+            return unit.to_owned();
+        }
+        if lower.contains("w/m^2/nm") || lower.contains("(w m-2 nm-1)") {
+            return "W m-2 nm-1".to_owned();
+        }
+    }
+    String::new()
+}
+
+/// A unit without the brackets around the whole of it.
+fn without_brackets(unit: &str) -> &str {
+    let unit = unit.trim();
+    [('(', ')'), ('[', ']')]
+        .into_iter()
+        .find_map(|(open, close)| unit.strip_prefix(open)?.strip_suffix(close))
+        .unwrap_or(unit)
+        .trim()
+}
+
+/// The first unit in brackets; brackets inside it and a divisor in brackets belong to it, as in
+/// "E(lambda) [W/(m²·nm)]".
+fn bracketed(text: &str) -> Option<&str> {
+    text.match_indices(['[', '('])
+        .filter(|(open, _)| !text[..*open].ends_with('/'))
+        .find_map(|(open, mark)| {
+            let (open_mark, close_mark) = if mark == "[" { ('[', ']') } else { ('(', ')') };
+            let mut depth = 0;
+            let close = text[open..].find(|c| {
+                depth += i32::from(c == open_mark) - i32::from(c == close_mark);
+                depth == 0 && c == close_mark
+            });
+            // Titles close brackets of one form with the other now and then.
+            let close = close.or_else(|| text[open..].find([']', ')']))? + open;
+            let inside = text[open + 1..close].trim();
+            looks_like_unit(inside).then_some(inside)
+        })
+}
+
+/// A unit of light without brackets at the end of a title: "Global W*m-2*nm-1", "W/m2".
+fn bare(title: &str) -> Option<&str> {
+    let starts = ["mW", "uW", "µW", "μW", "W"];
+    let words = std::iter::once(0).chain(title.match_indices(' ').map(|(at, _)| at + 1));
+    words.map(|at| title[at..].trim()).find(|rest| {
+        let quantity = starts.iter().find_map(|start| rest.strip_prefix(start));
+        quantity.is_some_and(|divisor| {
+            divisor.trim_start().starts_with(['/', '*', '·', 'm', 'c'])
+                && looks_like_unit(rest)
+                && !rest.contains(['%', '='])
+        })
+    })
+}
+
+/// Whether a text is a unit of values and nothing else.
+pub(crate) fn looks_like_unit(text: &str) -> bool {
+    const WORDS: [&str; 6] = ["counts", "1.0", "fraction", "a.u.", "relative", "W"];
+    !text.is_empty()
+        && text.len() <= 40
+        && (text.contains(['/', '%', '²', '^']) || text.contains("-1") || WORDS.contains(&text))
+}
+
+/// The size that hardly a value exceeds.
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> = values
+        .iter()
+        .map(|v| v.abs())
+        .filter(|v| v.is_finite())
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn per_cent_is_told_from_noisy_fractions() {
+        let mut noisy = vec![0.9; 200];
+        noisy[5..15].fill(20.0);
+        assert!(by_size(&noisy).value != Counted::Percent);
+        let mut filter = vec![0.01; 200];
+        filter[90..100].fill(80.0);
+        assert!(by_size(&filter).value == Counted::Percent);
+        assert!(by_size(&[40.0, 50.0, 60.0]).value == Counted::Percent);
+    }
+
+    #[test]
+    fn whole_numbers_of_sixteen_bits_are_no_per_cent_and_are_asked_about() {
+        let found = by_size(&[6553.5, 32_767.0, 65_535.0]);
+        let known = (found.value, found.is_doubtful());
+        assert_eq!(known, (Counted::SixteenBits, true));
+        let found = by_size(&[1000.0, 5000.0, 10_000.0]);
+        assert_eq!(found.value, Counted::TenThousandths);
+    }
+
+    #[test]
+    fn a_stated_per_cent_needs_no_look_at_the_values() {
+        let header = percent_of_header(&[(1, "Y Units: Reflectance (percent)")]);
+        let of = |title, values: &[f64]| counted(title, header, false, values).value;
+        assert_eq!(of("", &[0.5]), Counted::Percent);
+        assert_eq!(of("Reflect. [1.0]", &[50.0]), Counted::Fraction);
+    }
+
+    #[test]
+    fn a_per_cent_of_something_else_is_not_the_values() {
+        for line in [
+            "Measurement humidity: 45 %",
+            "measurement: 5 % uncertainty",
+            "Unit serial 50%",
+        ] {
+            assert_eq!(percent_of_header(&[(1, line)]), None, "{line}");
+        }
+        for line in [
+            "Y Units: %",
+            "Unit: %",
+            "Units\t[%]",
+            "Measurement: % Reflectance",
+        ] {
+            assert_eq!(percent_of_header(&[(1, line)]), Some(true), "{line}");
+        }
+        assert_eq!(percent_of_header(&[(1, "unit: fraction")]), Some(false));
+    }
+
+    #[test]
+    fn units_stand_in_brackets_or_behind_the_word_or_alone() {
+        assert_eq!(unit_of_title("Irradiance [µW/cm2/nm]"), Some("µW/cm2/nm"));
+        assert_eq!(unit_of_title("mW/m2/nm"), Some("mW/m2/nm"));
+        assert_eq!(unit_of_title("W m-2 nm-1"), Some("W m-2 nm-1"));
+        assert_eq!(unit_of_title("TL01"), None);
+        assert_eq!(unit_of_title("LED 1/2"), None);
+        assert_eq!(unit_of_title("W"), None);
+        assert_eq!(unit_of_header(&[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
+        assert_eq!(unit_of_header(&[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
+        assert_eq!(unit_of_header(&[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
+        for title in [
+            "E(lambda) [W/(m²·nm)]",
+            "Strahlung in W/(m²·nm)",
+            "Global tilt  W*m-2*nm-1",
+            "W/m2",
+        ] {
+            let unit = unit_of_title(title).unwrap_or("");
+            assert!(
+                unit.starts_with("W/m2") || unit.starts_with("W/(m²") || unit.starts_with("W*m")
+            );
+        }
+        assert_eq!(unit_of_title("W 10/12"), None);
+    }
+}

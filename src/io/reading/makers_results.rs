@@ -1,0 +1,353 @@
+//! What an instrument itself computed and wrote beside its spectrum: CCT, Ra, lux, PPFD, ...
+//!
+//! The program computes the same numbers from the spectrum; both can be shown side by side. A key
+//! is known in the spellings of UPRtek, Sekonic, LI-COR, Argyll and their like: upper or lower
+//! case where it does not matter (`X` and `x` differ), with or without a unit in brackets.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::io::text::number::{self, Cell};
+
+/// Most results kept from one file.
+pub(crate) const MOST_RESULTS: usize = 1000;
+
+/// How many more results a file may give that has given so many.
+pub(crate) fn room_for(given: usize) -> usize {
+    MOST_RESULTS.saturating_sub(given)
+}
+
+/// A number that the maker's software computed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MakersResult {
+    /// Index into [`Reading::spectra`](crate::io::Reading::spectra); `None` when the file has no
+    /// spectrum that it belongs to.
+    pub spectrum: Option<usize>,
+    /// What was computed.
+    pub quantity: Quantity,
+    /// Its value, in `unit`.
+    pub value: f64,
+    /// Its unit as the file states it, else as the maker's manual does; empty for pure numbers.
+    pub unit: String,
+    /// Key and value as the file writes them: `Tcp [K] 3262`.
+    pub as_written: String,
+}
+
+/// What an instrument computed.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Correlated colour temperature, K.
+    Cct,
+    /// Distance from the Planckian locus in CIE 1960 uv.
+    Duv,
+    /// General colour rendering index of CIE 13.3.
+    Ra,
+    /// Special colour rendering index `R1` to `R15`.
+    R(u8),
+    /// Colour fidelity of TM-30.
+    Rf,
+    /// Colour gamut of TM-30.
+    Rg,
+    /// Illuminance, lx.
+    Illuminance,
+    /// Luminance, cd m-2.
+    Luminance,
+    /// Irradiance, W m-2.
+    Irradiance,
+    /// Photosynthetic photon flux density, 400-700 nm, µmol m-2 s-1.
+    Ppfd,
+    /// Photon flux density over the whole range, µmol m-2 s-1.
+    Pfd,
+    /// Tristimulus value.
+    TristimulusX,
+    /// Tristimulus value.
+    TristimulusY,
+    /// Tristimulus value.
+    TristimulusZ,
+    /// Chromaticity x of CIE 1931.
+    ChromaticityX,
+    /// Chromaticity y of CIE 1931.
+    ChromaticityY,
+    /// Chromaticity u' of CIE 1976.
+    UPrime,
+    /// Chromaticity v' of CIE 1976.
+    VPrime,
+    /// Wavelength of the largest value, nm.
+    PeakNm,
+    /// Dominant wavelength, nm.
+    DominantNm,
+    /// Excitation purity, per cent.
+    Purity,
+    /// Anything else, in the maker's words.
+    Other(String),
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::R(number) => write!(f, "R{number}"),
+            Self::Other(words) => f.write_str(words),
+            Self::Cct => f.write_str("CCT"),
+            Self::Duv => f.write_str("Duv"),
+            Self::Ra => f.write_str("Ra"),
+            Self::Rf => f.write_str("Rf"),
+            Self::Rg => f.write_str("Rg"),
+            Self::Illuminance => f.write_str("illuminance"),
+            Self::Luminance => f.write_str("luminance"),
+            Self::Irradiance => f.write_str("irradiance"),
+            Self::Ppfd => f.write_str("PPFD"),
+            Self::Pfd => f.write_str("PFD"),
+            Self::TristimulusX => f.write_str("X"),
+            Self::TristimulusY => f.write_str("Y"),
+            Self::TristimulusZ => f.write_str("Z"),
+            Self::ChromaticityX => f.write_str("x"),
+            Self::ChromaticityY => f.write_str("y"),
+            Self::UPrime => f.write_str("u'"),
+            Self::VPrime => f.write_str("v'"),
+            Self::PeakNm => f.write_str("peak wavelength"),
+            Self::DominantNm => f.write_str("dominant wavelength"),
+            Self::Purity => f.write_str("purity"),
+        }
+    }
+}
+
+impl Quantity {
+    /// The unit in which makers give it when they do not say.
+    pub fn usual_unit(&self) -> &'static str {
+        match self {
+            Self::Cct => "K",
+            Self::Illuminance => "lx",
+            Self::Luminance => "cd m-2",
+            Self::Irradiance => "W m-2",
+            Self::Ppfd | Self::Pfd => "µmol m-2 s-1",
+            Self::PeakNm | Self::DominantNm => "nm",
+            Self::Purity => "%",
+            Self::Duv
+            | Self::Ra
+            | Self::R(_)
+            | Self::Rf
+            | Self::Rg
+            | Self::TristimulusX
+            | Self::TristimulusY
+            | Self::TristimulusZ
+            | Self::ChromaticityX
+            | Self::ChromaticityY
+            | Self::UPrime
+            | Self::VPrime
+            | Self::Other(_) => "",
+        }
+    }
+
+    /// The quantity that a key names, and the unit in its brackets.
+    pub fn of_key(key: &str) -> (Self, String) {
+        let key = key.trim().trim_end_matches([':', '=']).trim();
+        let (name, unit) = split_unit(key);
+        // UPRtek writes the foot-candles of Sekonic's "Illuminance [fc]" so.
+        if name == "fc" {
+            return (Self::Other("Illuminance".to_owned()), "fc".to_owned());
+        }
+        // "Custom1(655~665nm)" and "Ratio1(Custom1:Custom2)" say what, not in which unit.
+        let (name, unit) = match unit.contains(['~', ':']) {
+            true => (key, ""),
+            false => (name, unit),
+        };
+        let quantity = known(name).unwrap_or_else(|| Self::Other(name.to_owned()));
+        let unit = if unit.is_empty() {
+            quantity.usual_unit().to_owned()
+        } else {
+            unit.to_owned()
+        };
+        (quantity, unit)
+    }
+}
+
+/// `Tcp [K]` into `Tcp` and `K`; brackets at the end only.
+fn split_unit(key: &str) -> (&str, &str) {
+    for (open, close) in [('[', ']'), ('(', ')')] {
+        if let Some(body) = key.strip_suffix(close)
+            && let Some(at) = body.rfind(open)
+            && at > 0
+        {
+            return (key[..at].trim_end(), body[at + open.len_utf8()..].trim());
+        }
+    }
+    (key, "")
+}
+
+fn known(name: &str) -> Option<Quantity> {
+    // One letter tells tristimulus values from chromaticities by its case alone.
+    let last = name.strip_prefix("Tristimulus Value ").unwrap_or(name);
+    match last {
+        "X" => return Some(Quantity::TristimulusX),
+        "Y" => return Some(Quantity::TristimulusY),
+        "Z" => return Some(Quantity::TristimulusZ),
+        _ => {}
+    }
+    let plain: String = name
+        .to_lowercase()
+        .replace(['′', '’', '`', '´'], "'")
+        .replace(['⊿', 'δ', '△', '∆'], "d")
+        .split([' ', '_', '-', '.'])
+        .collect();
+    let plain = plain
+        .strip_prefix("cie1931")
+        .or_else(|| plain.strip_prefix("cie1976"))
+        .or_else(|| plain.strip_prefix("tm3015"))
+        .or_else(|| plain.strip_prefix("tm3018"))
+        .or_else(|| plain.strip_prefix("tm3020"))
+        .or_else(|| plain.strip_prefix("tm30"))
+        .or_else(|| plain.strip_prefix("cri").filter(|rest| !rest.is_empty()))
+        .unwrap_or(&plain);
+    Some(match plain {
+        "cct" | "tcp" | "colortemperature" | "colourtemperature" | "correlatedcolortemperature" => {
+            Quantity::Cct
+        }
+        "duv" | "dduv" | "deltauv" => Quantity::Duv,
+        "ra" | "cri" => Quantity::Ra,
+        "rf" => Quantity::Rf,
+        "rg" => Quantity::Rg,
+        "lux" | "illuminance" | "lx" => Quantity::Illuminance,
+        "luminance" | "lv" => Quantity::Luminance,
+        "irr" | "irradiance" | "ee" => Quantity::Irradiance,
+        "ppfd" => Quantity::Ppfd,
+        "pfd" => Quantity::Pfd,
+        "x" => Quantity::ChromaticityX,
+        "y" => Quantity::ChromaticityY,
+        "u'" => Quantity::UPrime,
+        "v'" => Quantity::VPrime,
+        "lambdap" | "λp" | "lp" | "peakwavelength" | "peak" => Quantity::PeakNm,
+        "lambdad" | "λd" | "ld" | "dominantwavelength" | "dominant" => Quantity::DominantNm,
+        "purity" => Quantity::Purity,
+        special => {
+            let number = special.strip_prefix('r')?.parse().ok()?;
+            if !(1..=15).contains(&number) {
+                return None;
+            }
+            Quantity::R(number)
+        }
+    })
+}
+
+impl MakersResult {
+    /// The result that a key and a value state, if the value is a number.
+    ///
+    /// A foot-candle is no lux: `Illuminance [fc]` stays in the maker's words.
+    pub fn of(
+        spectrum: Option<usize>,
+        key: &str,
+        value: &str,
+        decimal_comma: bool,
+    ) -> Option<Self> {
+        let key = key.trim();
+        let text = value.trim().trim_matches('"').trim();
+        let (number, unit_behind) = number_and_unit(text, decimal_comma)?;
+        let (mut quantity, mut unit) = Quantity::of_key(key);
+        if !unit_behind.is_empty() {
+            unit_behind.clone_into(&mut unit);
+        }
+        let is_lux = unit.eq_ignore_ascii_case("lx") || unit.eq_ignore_ascii_case("lux");
+        if quantity == Quantity::Illuminance && !is_lux {
+            quantity = Quantity::Other(split_unit(key).0.to_owned());
+        }
+        Some(Self {
+            spectrum,
+            quantity,
+            value: number,
+            unit,
+            as_written: shortened(&format!("{key} {text}")),
+        })
+    }
+}
+
+/// A number with commas between its thousands: `1,234`, `12,345,678.9`.
+fn with_commas(text: &str) -> Option<f64> {
+    let (whole, _) = text.split_once('.').unwrap_or((text, ""));
+    let fits = whole.contains(',') && number::is_grouped(whole, ',');
+    fits.then(|| number::number(&text.replace(',', ""), false))?
+}
+
+/// `5528K`, `95.4`, `44632.4 Lux`: a number and what stands behind it.
+fn number_and_unit(text: &str, decimal_comma: bool) -> Option<(f64, &str)> {
+    match number::parse(text, decimal_comma) {
+        Cell::Number(value) | Cell::Nanometres(value) => return Some((value, "")),
+        Cell::Percent(value) => return Some((value, "%")),
+        Cell::Empty | Cell::Gap => return None,
+        Cell::Text | Cell::WithUnit(_) => {}
+    }
+    if !decimal_comma && let Some(value) = with_commas(text) {
+        return Some((value, ""));
+    }
+    let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+')))?;
+    let value = number::number(&text[..end], decimal_comma).filter(|v| v.abs() < 1e30)?;
+    let unit = text[end..].trim();
+    (unit.chars().count() <= 16 && !unit.contains(|c: char| c.is_ascii_digit() || c == ':'))
+        .then_some((value, unit))
+}
+
+fn shortened(text: &str) -> String {
+    text.chars()
+        .filter(|c| !c.is_control())
+        .take(80)
+        .collect::<String>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_of_several_makers_name_the_same_quantities() {
+        for (key, quantity, unit) in [
+            ("CCT", Quantity::Cct, "K"),
+            ("Tcp [K]", Quantity::Cct, "K"),
+            ("CCT(K)", Quantity::Cct, "K"),
+            ("⊿uv", Quantity::Duv, ""),
+            ("Duv", Quantity::Duv, ""),
+            ("CRI", Quantity::Ra, ""),
+            ("CRI Ra", Quantity::Ra, ""),
+            ("CRI R9", Quantity::R(9), ""),
+            ("R15", Quantity::R(15), ""),
+            ("TM-30 Rf", Quantity::Rf, ""),
+            ("Rg", Quantity::Rg, ""),
+            ("LUX", Quantity::Illuminance, "lx"),
+            ("Illuminance [lx]", Quantity::Illuminance, "lx"),
+            ("PPFD [umolm⁻²s⁻¹]", Quantity::Ppfd, "umolm⁻²s⁻¹"),
+            ("X", Quantity::TristimulusX, ""),
+            ("x", Quantity::ChromaticityX, ""),
+            ("Tristimulus Value Z", Quantity::TristimulusZ, ""),
+            ("CIE1931 y", Quantity::ChromaticityY, ""),
+            ("CIE1976 u'", Quantity::UPrime, ""),
+            ("LambdaP", Quantity::PeakNm, "nm"),
+            ("Peak Wavelength [nm]", Quantity::PeakNm, "nm"),
+            ("R:B", Quantity::Other("R:B".to_owned()), ""),
+            ("fc", Quantity::Other("Illuminance".to_owned()), "fc"),
+            (
+                "Custom1(655~665nm)",
+                Quantity::Other("Custom1(655~665nm)".to_owned()),
+                "",
+            ),
+            (
+                "Ratio1(Custom1:Custom2)",
+                Quantity::Other("Ratio1(Custom1:Custom2)".to_owned()),
+                "",
+            ),
+            ("R16", Quantity::Other("R16".to_owned()), ""),
+        ] {
+            assert_eq!(Quantity::of_key(key), (quantity, unit.to_owned()), "{key}");
+        }
+    }
+
+    #[test]
+    fn a_value_may_carry_its_unit_and_a_word_is_no_result() {
+        let cct = MakersResult::of(Some(0), "CCT", "5528K", false).unwrap();
+        assert_eq!((cct.value, cct.unit.as_str()), (5528.0, "K"));
+        let ra = MakersResult::of(None, "CRI", "92,5", true).unwrap();
+        assert_eq!((ra.quantity, ra.value), (Quantity::Ra, 92.5));
+        assert_eq!(MakersResult::of(None, "SSI1", "---", false), None);
+        assert_eq!(MakersResult::of(None, "Time", "2021/01/04", false), None);
+        let candles = MakersResult::of(None, "Illuminance [fc]", "2.79", false).unwrap();
+        assert_eq!(candles.quantity, Quantity::Other("Illuminance".to_owned()));
+    }
+}

@@ -1,0 +1,391 @@
+//! What comes out of a file.
+
+pub(super) mod decision;
+pub(super) mod facts;
+pub(super) mod makers_results;
+pub(super) mod remark;
+
+use std::collections::{HashMap, HashSet};
+
+use crate::io::error::printable_line;
+use crate::io::text::units::WavelengthUnit;
+use crate::io::{Choices, Dialect};
+use crate::spectrum::{Composite, Kind, NamedSpectrum, Sampled, SpectralImage};
+use decision::{AxisDecision, Decisions, Origin};
+use facts::Facts;
+use makers_results::MakersResult;
+
+/// What a reader had to guess and a person may flip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Guessed {
+    /// What the values stand for.
+    Kind,
+    /// What the wavelength axis counts.
+    WavelengthUnit,
+    /// Whether the values are per cent or fractions.
+    Percent,
+    /// What stands between the cells of a table.
+    Columns,
+}
+
+/// One guess: what was chosen and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guess {
+    /// Index into [`Reading::spectra`], counted on through [`Reading::composites`].
+    pub spectrum: usize,
+    /// What was guessed.
+    pub what: Guessed,
+    /// The choice in a word ("light", "nm", "percent", "fraction").
+    pub chosen: String,
+    /// What spoke for it.
+    pub because: String,
+    /// Whether words or numbers leave hardly a doubt, so that nobody need be asked.
+    pub plain: bool,
+}
+
+/// How a plain table was taken apart, for a person who wants to look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableFound {
+    /// What stands between cells and marks decimals.
+    pub dialect: Dialect,
+    /// The column of wavelengths, from 0; `None` where they stand in a row.
+    pub axis_column: Option<usize>,
+    /// Cells in a row.
+    pub width: usize,
+    /// Line of the first row, from 1.
+    pub first_line: usize,
+    /// Columns that became spectra, from 0; empty where the wavelengths stand in a row.
+    pub values: Vec<usize>,
+}
+
+impl Guess {
+    /// Whether a person should look: the kind and per cent can hardly be told from numbers, and
+    /// anything but nanometres is rare enough to ask.
+    pub fn is_doubtful(&self) -> bool {
+        match self.what {
+            _ if self.plain => false,
+            Guessed::Kind | Guessed::Percent | Guessed::Columns => true,
+            Guessed::WavelengthUnit => self.chosen != WavelengthUnit::Nanometre.word(),
+        }
+    }
+}
+
+/// A composite with what a person needs to know about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CompositeFile {
+    /// The model, each line at its centre.
+    pub composite: Composite,
+    /// Full width at half maximum of each line, nm, 0 for an ideal spike; empty where all are ideal.
+    pub widths_nm: Vec<f64>,
+    /// Unit of its smooth part; empty when unknown. A spike's weight is in this unit x nm.
+    pub unit: String,
+    /// Where the numbers come from; empty when unknown.
+    pub source: String,
+    /// What lists and plots call it; the file's own name where the format has none.
+    pub name: String,
+    /// What its values stand for; a light where the format does not say.
+    pub kind: Kind,
+}
+
+/// Everything that one file holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Name of the file without its folder.
+    pub file: String,
+    /// Name of the format that read it.
+    pub format: &'static str,
+    /// Measured spectra, in file order.
+    pub spectra: Vec<NamedSpectrum>,
+    /// Composite models.
+    pub composites: Vec<CompositeFile>,
+    /// How its first plain table was taken apart; `None` for other formats.
+    pub table: Option<TableFound>,
+    /// How its first spectra were understood, in their order.
+    pub understood: Vec<Decisions>,
+    /// How each of its images was understood.
+    pub images_understood: Vec<Decisions>,
+    /// What the instrument itself computed and wrote beside its spectra.
+    pub results: Vec<MakersResult>,
+    /// Images whose pixels are spectra.
+    pub images: Vec<SpectralImage>,
+    /// What had to be guessed of its spectra.
+    pub guesses: Vec<Guess>,
+    /// What is known of each spectrum until all is put in words; empty afterwards.
+    pub facts: Vec<Facts>,
+    /// What stands in front of the first spectrum's line of provenance in the file's own notes.
+    pub in_front: String,
+    /// Provenance and whatever is odd about the file, a line each; the first is the line that the
+    /// window and the command line show ("1 nm block, 401 points, W m-2 nm-1, decimal comma").
+    pub notes: Vec<String>,
+}
+
+impl Reading {
+    /// Whether a person should look at how the file was read.
+    pub fn is_doubtful(&self) -> bool {
+        self.guesses.iter().any(Guess::is_doubtful)
+            || self.images_understood.iter().any(Decisions::is_doubtful)
+    }
+
+    /// Lets the last spectrum's line of provenance not tell of per cent: its notes do.
+    pub fn keep_scale_to_notes(&mut self) {
+        if let Some(facts) = self.facts.last_mut() {
+            facts.tells_scale = false;
+        }
+    }
+
+    /// Makes every text one line without control characters: files put anything into their titles.
+    /// A spectrum or image without a name gets the file's.
+    pub fn tidy(&mut self) {
+        let Self {
+            file,
+            format: _,
+            spectra,
+            composites,
+            table: _,
+            understood,
+            images_understood,
+            results,
+            images,
+            guesses,
+            facts: _,
+            in_front: _,
+            notes,
+        } = self;
+        let mut names: Vec<&mut String> = Vec::new();
+        let mut texts: Vec<&mut String> = Vec::new();
+        for spectrum in spectra {
+            names.push(&mut spectrum.name);
+            texts.extend([&mut spectrum.unit, &mut spectrum.source]);
+            tidy_notes(&mut spectrum.notes);
+        }
+        for image in images {
+            names.push(&mut image.name);
+            texts.extend([&mut image.unit, &mut image.source]);
+            tidy_notes(&mut image.notes);
+        }
+        for composite in composites {
+            names.push(&mut composite.name);
+            texts.extend([&mut composite.unit, &mut composite.source]);
+        }
+        for result in results {
+            texts.extend([&mut result.unit, &mut result.as_written]);
+        }
+        for guess in guesses {
+            texts.extend([&mut guess.chosen, &mut guess.because]);
+        }
+        for told in understood.iter_mut().chain(images_understood) {
+            texts.extend(told.reasons());
+        }
+        tidy_notes(notes);
+        for name in names {
+            tidy(name);
+            if name.is_empty() {
+                *name = printable_line(file);
+            }
+        }
+        texts.into_iter().for_each(tidy);
+    }
+
+    /// Says of every spectrum where nothing was measured in its midst. A file that was written here
+    /// may say so already.
+    pub fn tell_holes(&mut self) {
+        for spectrum in &mut self.spectra {
+            let told = hole_notes(&spectrum.samples);
+            let new = told
+                .into_iter()
+                .filter(|note| !spectrum.notes.contains(note));
+            let new: Vec<String> = new.collect();
+            spectrum.notes.extend(new);
+        }
+    }
+
+    /// Says which of a person's decisions about the table do not apply to the file's format.
+    pub fn tell_unused(&mut self, choices: &Choices) {
+        let is_by_hand = |decisions: &Decisions| match &decisions.axis {
+            Some(AxisDecision::Unit(unit)) => unit.origin == Origin::Chosen,
+            Some(AxisDecision::Laser(_)) | None => false,
+        };
+        let mut all = self.understood.iter().chain(&self.images_understood);
+        if choices.wavelengths.is_some() && !all.any(is_by_hand) {
+            let note = "the unit chosen for the wavelengths is not used: the format has its own";
+            self.notes.push(note.to_owned());
+        }
+        let of_cells = choices.axis_column.is_some() || choices.delimiter.is_some();
+        if of_cells && self.table.is_none() {
+            let note = "the column or delimiter that was chosen is not used: no plain table";
+            self.notes.push(note.to_owned());
+        }
+    }
+
+    /// Gives every spectrum a name of its own: doubles get "(2)", "(3)", ...
+    pub fn name_apart(&mut self) {
+        // The names as the file has them are taken first: one of them may end in "(2)".
+        let mut taken: HashSet<String> = self.spectra.iter().map(|s| s.name.clone()).collect();
+        let mut seen: HashMap<String, usize> = HashMap::new();
+        for spectrum in &mut self.spectra {
+            let count = seen.entry(spectrum.name.clone()).or_default();
+            *count += 1;
+            while *count > 1 {
+                let name = format!("{} ({count})", spectrum.name);
+                if taken.insert(name.clone()) {
+                    spectrum.name = name;
+                    break;
+                }
+                *count += 1;
+            }
+        }
+    }
+}
+
+/// Notes of one line each, without empty ones.
+fn tidy_notes(notes: &mut Vec<String>) {
+    notes.iter_mut().for_each(tidy);
+    notes.retain(|note| !note.is_empty());
+}
+
+fn tidy(text: &mut String) {
+    let line = printable_line(text);
+    let line = line.trim();
+    if line != text.as_str() {
+        *text = line.to_owned();
+    }
+}
+
+/// Holes that are told one by one.
+const MOST_HOLES: usize = 3;
+
+/// Where a spectrum has no samples in its midst, a sentence each.
+fn hole_notes(samples: &Sampled) -> Vec<String> {
+    let holes = samples.holes();
+    let range = samples.last_nm() - samples.first_nm();
+    let share = |holes: &[[f64; 2]]| {
+        let wide: f64 = holes.iter().map(|[from, to]| to - from).sum();
+        round_step(100.0 * wide / range)
+    };
+    if holes.len() > MOST_HOLES {
+        let count = holes.len();
+        return vec![format!(
+            "{count} holes without measurements, {} % of the range",
+            share(&holes)
+        )];
+    }
+    let told = |hole: &[f64; 2]| {
+        let [from, to] = hole.map(round3);
+        let share = share(&[*hole]);
+        format!("nothing measured between {from} and {to} nm, {share} % of the range")
+    };
+    holes.iter().map(told).collect()
+}
+
+/// One line about a spectrum: grid, points, unit, and counts of what is odd.
+pub(super) fn provenance(spectrum: &NamedSpectrum, how: &[&str]) -> String {
+    let samples = &spectrum.samples;
+    let step = samples.step_nm();
+    let grid = if samples.has_even_steps() {
+        format!("{} nm steps", round_step(step))
+    } else {
+        format!("irregular steps (about {} nm)", round_step(step))
+    };
+    let mut parts = vec![
+        grid,
+        format!("{} points", samples.len()),
+        format!(
+            "{}-{} nm",
+            round3(samples.first_nm()),
+            round3(samples.last_nm())
+        ),
+        spectrum.kind.word().to_owned(),
+    ];
+    if !spectrum.unit.is_empty() && spectrum.unit != spectrum.kind.word() {
+        parts.push(spectrum.unit.clone());
+    }
+    parts.extend(
+        how.iter()
+            .filter(|h| !h.is_empty())
+            .map(|h| (*h).to_owned()),
+    );
+    match samples.values().iter().filter(|v| **v < 0.0).count() {
+        0 => {}
+        1 => parts.push("1 negative value kept".to_owned()),
+        n => parts.push(format!("{n} negative values kept")),
+    }
+    parts.join(", ")
+}
+
+/// A step to three decimals, to three figures where it is finer than that.
+fn round_step(step: f64) -> f64 {
+    if step >= 0.1 {
+        round3(step)
+    } else {
+        format!("{step:.2e}").parse().unwrap_or(step)
+    }
+}
+
+fn round3(x: f64) -> f64 {
+    (x * 1000.0).round() / 1000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spectrum(name: &str) -> NamedSpectrum {
+        NamedSpectrum {
+            name: name.to_owned(),
+            kind: Kind::Light,
+            unit: "W m-2 nm-1".to_owned(),
+            scale: 1.0,
+            samples: Sampled::even(380.0, 5.0, vec![1.0, -0.5, 2.0]).unwrap(),
+            notes: Vec::new(),
+            source: String::new(),
+        }
+    }
+
+    #[test]
+    fn provenance_is_one_line_that_says_what_was_read() {
+        assert_eq!(
+            provenance(&spectrum("a"), &["decimal comma"]),
+            "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1, decimal comma, 1 negative value kept"
+        );
+    }
+
+    #[test]
+    fn a_hole_is_told_with_its_share_of_the_range_and_once() {
+        let nm: Vec<f64> = (380..=420).chain(680..=780).map(f64::from).collect();
+        let values = vec![1.0; nm.len()];
+        let mut holed = spectrum("a");
+        holed.samples = Sampled::new(nm, values).unwrap();
+        let mut reading = Reading {
+            spectra: vec![holed],
+            ..Reading::default()
+        };
+        reading.tell_holes();
+        reading.tell_holes();
+        assert_eq!(
+            reading.spectra[0].notes,
+            ["nothing measured between 420 and 680 nm, 65 % of the range"]
+        );
+    }
+
+    #[test]
+    fn two_spectra_of_one_name_are_told_apart() {
+        let mut reading = Reading {
+            spectra: vec![spectrum("a"), spectrum("b"), spectrum("a")],
+            ..Reading::default()
+        };
+        reading.name_apart();
+        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(names, ["a", "b", "a (2)"]);
+    }
+
+    #[test]
+    fn a_name_that_ends_in_a_count_is_kept_for_its_own() {
+        let mut reading = Reading {
+            spectra: ["a", "a (2)", "a", "a (2)"].map(spectrum).to_vec(),
+            ..Reading::default()
+        };
+        reading.name_apart();
+        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(names, ["a", "a (2)", "a (3)", "a (2) (2)"]);
+    }
+}

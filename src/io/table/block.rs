@@ -1,0 +1,366 @@
+//! Blocks of numbers in a text, as [`scan`](super::scan) finds them.
+
+use crate::io::error::quoted;
+use crate::io::text::dialect::{Dialect, used};
+use crate::io::text::number::{self, Cell};
+use crate::io::text::{first_line, kept_line, lines};
+use crate::io::{Input, ReadError};
+
+/// Rows after which a block has shown its width.
+pub(crate) const SETTLED: usize = 3;
+
+/// Fewest rows of a table that agree so clearly that one which does not is left out.
+pub(crate) const FEWEST_THAT_AGREE: usize = 20;
+
+/// How many rows of a table may be left out as mistyped: one in fifty, none of a short table.
+pub(crate) fn most_left_out(rows: usize) -> usize {
+    if rows < FEWEST_THAT_AGREE {
+        return 0;
+    }
+    (rows / 50).max(1)
+}
+
+/// What one column of a block holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Column {
+    /// Cells with a number.
+    pub numbers: usize,
+    /// Cells with a word that is no gap.
+    pub texts: usize,
+    /// Numbers with a per cent sign.
+    pub percents: usize,
+    /// Numbers with "nm" behind them.
+    pub nanometres: usize,
+    /// The unit behind its first number that has one.
+    pub unit: Option<String>,
+    /// Whether a word below a number is in the block's list already.
+    has_bad: bool,
+}
+
+/// A word that stands where the column otherwise holds numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct BadCell {
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// Column, from 0.
+    pub column: usize,
+    /// The word.
+    pub text: String,
+    /// Whether its line is a row beyond doubt: its first number carries the column on.
+    pub certain: bool,
+}
+
+impl BadCell {
+    /// The refusal for a word among numbers.
+    pub(crate) fn refusal(&self, input: &Input) -> ReadError {
+        let expected = format!("a number in column {}", self.column + 1);
+        input.error(quoted(&self.text), expected).at_line(self.line)
+    }
+
+    /// What is said where `what` (the row, the cell) was left out.
+    pub(crate) fn left_out(&self, what: &str) -> String {
+        let (line, column) = (self.line, self.column + 1);
+        let text = quoted(&self.text);
+        format!("line {line}: found {text} in column {column}: the {what} was left out")
+    }
+}
+
+/// A run of rows and the lines before it.
+#[derive(Clone, Debug)]
+pub(crate) struct Block<'a> {
+    /// The lines before the block with their numbers, comment marks removed.
+    pub header: Vec<(usize, &'a str)>,
+    /// Cells in a row.
+    pub width: usize,
+    /// `width` columns from top to bottom; NaN where a cell holds no number.
+    pub values: Vec<Vec<f64>>,
+    /// Line of each row, from 1.
+    pub lines: Vec<u32>,
+    /// One entry a column.
+    pub columns: Vec<Column>,
+    /// Words among numbers, at most one a column (the first).
+    pub bad: Vec<BadCell>,
+    /// The line that ended the block, if it looked like a row gone wrong.
+    pub ended_by: Option<BadCell>,
+    /// Text of the first row, which returns to the header when the block stays a single row.
+    pub first_row: &'a str,
+    /// The text from the first row on, and that row's line.
+    from: (usize, &'a str),
+    /// Plain rows that the columns have not counted yet.
+    uncounted: usize,
+}
+
+impl<'a> Block<'a> {
+    /// A block without rows, of as many cells in a row; `from` is its first line, and the text from
+    /// that line on.
+    pub(crate) fn new(header: Vec<(usize, &'a str)>, width: usize, from: (usize, &'a str)) -> Self {
+        Self {
+            header,
+            width,
+            values: vec![Vec::new(); width],
+            lines: Vec::new(),
+            columns: vec![Column::default(); width],
+            bad: Vec::new(),
+            ended_by: None,
+            first_row: first_line(from.1).map_or("", |(row, _)| row.trim_ascii()),
+            from,
+            uncounted: 0,
+        }
+    }
+
+    /// Memory that the block takes besides its numbers, its titles and layout to come included:
+    /// many blocks of a few rows take far more than their text.
+    pub(crate) fn bytes_beside(&self) -> usize {
+        const OF_A_BLOCK: usize = 1024;
+        const OF_A_COLUMN: usize = 256;
+        let lines = self.header.capacity() * size_of::<(usize, &str)>();
+        OF_A_BLOCK + OF_A_COLUMN * self.width + lines
+    }
+
+    /// The cells of the first row.
+    pub(crate) fn first_cells(&self, dialect: Dialect) -> Vec<&'a str> {
+        let mut cells = Vec::new();
+        dialect.split(self.first_row, &mut cells);
+        cells
+    }
+
+    /// The lines of the rows as they stand in the text, while the rows stand in its order.
+    pub(crate) fn row_texts(&self) -> impl Iterator<Item = &'a str> {
+        let (before, text) = (self.from.0 - 1, self.from.1);
+        let mut all = lines(text);
+        self.lines.iter().map_while(move |line| {
+            let found = all.find(|(number, _)| before + number == *line as usize);
+            found.map(|(_, content)| content)
+        })
+    }
+
+    /// Makes the first row the last line of the header: it turned out to hold titles.
+    pub(crate) fn head_first_row(&mut self) {
+        let line = self.lines.remove(0) as usize;
+        for (column, values) in self.columns.iter_mut().zip(&mut self.values) {
+            let is_number = !values.remove(0).is_nan();
+            column.numbers -= usize::from(is_number);
+            column.texts = column.texts.saturating_sub(usize::from(!is_number));
+        }
+        self.bad.retain(|bad| bad.line != line);
+        self.header.push((line, self.first_row));
+    }
+
+    /// Leaves these rows, in this order.
+    pub(crate) fn arrange(&mut self, order: &[usize]) {
+        for values in &mut self.values {
+            *values = order.iter().map(|row| values[*row]).collect();
+        }
+        self.lines = order.iter().map(|row| self.lines[*row]).collect();
+    }
+
+    /// Number of rows.
+    pub(crate) fn rows(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// One row's numbers.
+    pub(crate) fn row(&self, row: usize) -> Vec<f64> {
+        self.values.iter().map(|column| column[row]).collect()
+    }
+
+    /// The first column's number in a row.
+    pub(crate) fn first(&self, row: usize) -> f64 {
+        self.values[0][row]
+    }
+
+    /// One column's numbers from top to bottom.
+    pub(crate) fn column(&self, column: usize) -> &[f64] {
+        &self.values[column]
+    }
+
+    /// Whether a column counts the rows, from 0 or 1.
+    pub(crate) fn counts_rows(&self, column: usize) -> bool {
+        let first = self.values[column][0];
+        (first == 0.0 || first == 1.0)
+            && self
+                .column(column)
+                .iter()
+                .enumerate()
+                .all(|(row, v)| *v == first + row as f64)
+    }
+
+    /// Whether a column holds one number in every row.
+    pub(crate) fn is_constant(&self, column: usize) -> bool {
+        let values = self.column(column);
+        values.len() >= SETTLED && values.windows(2).all(|pair| pair[0] == pair[1])
+    }
+
+    /// Whether a row with `used` filled of `all` cells belongs to the block: as wide, or shorter
+    /// where the block has shown its width.
+    pub(crate) fn takes(&self, used: usize, all: usize) -> bool {
+        used == self.width || used < self.width && (all == self.width || self.rows() >= SETTLED)
+    }
+
+    /// Makes room for `rows` more.
+    pub(crate) fn reserve(&mut self, rows: usize) {
+        self.lines.reserve(rows);
+        for column in &mut self.values {
+            column.reserve(rows);
+        }
+    }
+
+    /// Adds the rows of a block that goes on with this one.
+    pub(crate) fn append(&mut self, more: Self) {
+        for (column, more) in self.values.iter_mut().zip(&more.values) {
+            column.extend(more);
+        }
+        self.lines.extend(&more.lines);
+        for (sum, part) in self.columns.iter_mut().zip(more.columns) {
+            sum.numbers += part.numbers;
+            sum.texts += part.texts;
+            sum.percents += part.percents;
+            sum.nanometres += part.nanometres;
+            sum.unit = sum.unit.take().or(part.unit);
+        }
+        self.bad.extend(more.bad);
+        self.ended_by = more.ended_by;
+    }
+
+    /// Gives back the room for rows that did not come.
+    pub(crate) fn shrink(&mut self) {
+        if self.lines.capacity() > 2 * self.rows() {
+            self.lines.shrink_to_fit();
+            self.values.iter_mut().for_each(Vec::shrink_to_fit);
+        }
+    }
+
+    /// A row of `width` plain numbers.
+    pub(crate) fn push_plain(&mut self, line: usize, row: &[f64]) {
+        self.lines.push(kept_line(line));
+        self.uncounted += 1;
+        for (column, value) in self.values.iter_mut().zip(row) {
+            column.push(*value);
+        }
+    }
+
+    /// Brings the columns' counts up to date after plain rows.
+    pub(crate) fn count(&mut self) {
+        let rows = std::mem::take(&mut self.uncounted);
+        for column in &mut self.columns {
+            column.numbers += rows;
+        }
+    }
+
+    /// A row of cells, and what each holds.
+    pub(crate) fn push(&mut self, line: usize, cells: &[&str], kinds: &[Cell]) {
+        self.lines.push(kept_line(line));
+        let columns = self.columns.iter_mut().zip(&mut self.values);
+        for (column, (stats, values)) in columns.enumerate() {
+            let mut kind = kinds.get(column).copied().unwrap_or(Cell::Empty);
+            if let Cell::WithUnit(_) = kind {
+                let unit = cells.get(column).and_then(|cell| number::unit_behind(cell));
+                match (&stats.unit, unit) {
+                    (None, unit) => stats.unit = unit.map(str::to_owned),
+                    // Not the column's unit: its number counts something else.
+                    (Some(own), Some(unit)) if own != unit => kind = Cell::Text,
+                    _ => {}
+                }
+            }
+            let value = match kind {
+                Cell::Number(v) => v,
+                Cell::Percent(v) => {
+                    stats.percents += 1;
+                    v
+                }
+                Cell::Nanometres(v) => {
+                    stats.nanometres += 1;
+                    v
+                }
+                Cell::WithUnit(v) => v,
+                Cell::Empty | Cell::Gap => f64::NAN,
+                Cell::Text => {
+                    stats.texts += 1;
+                    if stats.numbers > 0 && !stats.has_bad {
+                        stats.has_bad = true;
+                        self.bad.push(BadCell {
+                            line,
+                            column,
+                            text: cells[column].to_owned(),
+                            certain: true,
+                        });
+                    }
+                    f64::NAN
+                }
+            };
+            stats.numbers += usize::from(!value.is_nan());
+            values.push(value);
+        }
+    }
+}
+
+/// A line of the block's width with numbers and words, where only numbers stood.
+///
+/// Either its first number carries the first column on, or a word with digits in it stands there
+/// ("38x") and the block may tell by what follows.
+pub(crate) fn row_gone_wrong(
+    block: &Block,
+    line: usize,
+    cells: &[&str],
+    kinds: &[Cell],
+) -> Option<BadCell> {
+    if used(cells) != block.width || block.rows() < 2 {
+        return None;
+    }
+    let column = kinds
+        .iter()
+        .zip(&block.columns)
+        .position(|(kind, column)| matches!(kind, Cell::Text) && column.numbers > 0)?;
+    let certain = match kinds[0] {
+        Cell::Number(first) | Cell::Nanometres(first) => {
+            let end = block.rows() - 1;
+            if !carries_on(block.first(end - 1), block.first(end), first) {
+                return None;
+            }
+            true
+        }
+        Cell::Text if cells[0].contains(|c: char| c.is_ascii_digit()) => false,
+        _ => return None,
+    };
+    kinds
+        .iter()
+        .any(|kind| matches!(kind, Cell::Number(_)))
+        .then(|| BadCell {
+            line,
+            column,
+            text: cells[column].to_owned(),
+            certain,
+        })
+}
+
+/// Whether `next` follows two numbers of a column: the same way on, and by no more than a few
+/// steps.
+pub(crate) fn carries_on(before: f64, last: f64, next: f64) -> bool {
+    let step = last - before;
+    (next - last) * step > 0.0 && (next - last).abs() <= 20.0 * step.abs()
+}
+
+/// The line above a block, if it is a row of it that holds a word.
+pub(crate) fn row_gone_wrong_above(block: &Block, dialect: Dialect) -> Option<BadCell> {
+    let (line, content) = block.header.last()?;
+    let mut cells = Vec::new();
+    dialect.split(content, &mut cells);
+    let Cell::Number(first) = number::parse(cells[..].first()?, dialect.decimal_comma) else {
+        return None;
+    };
+    if used(&cells) != block.width || !carries_on(block.first(1), block.first(0), first) {
+        return None;
+    }
+    let column = cells
+        .iter()
+        .zip(&block.columns)
+        .position(|(cell, column)| {
+            matches!(number::parse(cell, dialect.decimal_comma), Cell::Text) && column.numbers > 0
+        })?;
+    Some(BadCell {
+        line: *line,
+        column,
+        text: cells[column].to_owned(),
+        certain: true,
+    })
+}

@@ -1,0 +1,295 @@
+//! Tables whose wavelengths stand down a column: which rows make a spectrum of which column, and
+//! what it is called.
+
+use std::collections::HashSet;
+use std::ops::Range;
+
+use super::block::Block;
+use super::pick::Table;
+use super::roles::{self, Group, LeftOut};
+use super::titles::Titles;
+use super::{layout, row_order, samples};
+use crate::io::interpret::heading::Heading;
+use crate::io::interpret::raw::{RawSpectrum, Scale};
+use crate::io::interpret::{check_room, interpret, kinds};
+use crate::io::text::dialect::Dialect;
+use crate::io::text::units::names_wavelength;
+use crate::io::write::csv::Own;
+use crate::io::{Input, ReadError, Reading};
+
+/// A file of tables that is being read.
+pub(crate) struct File<'a, 'i> {
+    /// Its bytes and what a person decided about it.
+    pub input: &'a Input<'i>,
+    /// How its cells are set apart.
+    pub dialect: Dialect,
+    /// Its parts where this program wrote it.
+    pub own: Option<&'a Own<'a>>,
+}
+
+/// Rows under one column of wavelengths.
+struct Rows<'a> {
+    axis: &'a [f64],
+    group: &'a Group,
+    run: Range<usize>,
+    part: String,
+    /// Spectra of the whole table, and of its groups before this one.
+    columns: usize,
+    before: usize,
+    /// Names from a line above the titles; empty where none tells columns apart.
+    above: &'a [String],
+    /// Whether the columns are a camera's R, G and B.
+    is_rgb: bool,
+    /// What a column of words calls these rows.
+    sample: Option<&'a str>,
+}
+
+/// Adds the spectra of columns, each group of them beside its wavelengths. `part` tells the table
+/// apart from others of the file.
+///
+/// # Errors
+/// [`ReadError`] when numbers are no spectrum, or spectra are too many.
+pub(crate) fn read_groups(
+    file: &File,
+    table: &mut Table,
+    groups: &[Group],
+    part: &str,
+    mut left_out: Vec<LeftOut>,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let heading = match file.own {
+        Some(own) => Heading::own(&own.header),
+        None => Heading::of(&table.block.header),
+    };
+    let all: Vec<usize> = groups
+        .iter()
+        .flat_map(|g| g.values.iter().copied())
+        .collect();
+    let columns = all.len();
+    let heading = heading.shared_by(columns);
+    let above = names_above(&table.block, file.dialect, &table.titles, &all);
+    let is_rgb = are_rgb(&table.titles, &all);
+    let mut told_apart = Vec::new();
+    let mut before = 0;
+    for group in groups {
+        let mut of_samples = group.clone();
+        let named = match groups {
+            [_] => samples::together(&mut table.block, file.dialect, group.axis, &group.values),
+            _ => None,
+        };
+        if groups.len() == 1 && named.is_none() {
+            let said = row_order::put_right(&mut table.block, group.axis, &group.values);
+            reading.notes.extend(said);
+        }
+        let rows = match groups {
+            [_] => table.block.rows(),
+            _ => rows_of(table, group),
+        };
+        let axis = table.block.column(group.axis)[..rows].to_vec();
+        let (runs, names): (Vec<_>, Vec<_>) = match named {
+            Some((column, samples)) => {
+                left_out.retain(|other| other.column != column);
+                let shown = roles::shown(&table.titles, column);
+                told_apart.push(format!("{shown} tells the spectra apart"));
+                of_samples.values.retain(|of_values| *of_values != column);
+                names_of_samples(table, column, samples).unzip()
+            }
+            None => layout::runs(&axis).into_iter().map(|r| (r, None)).unzip(),
+        };
+        let several = runs.len() > 1;
+        let spectra: usize = of_samples
+            .values
+            .iter()
+            .map(|column| with_values(table.block.column(*column), &runs))
+            .sum();
+        check_room(file.input, reading.spectra.len() + spectra)?;
+        for (number, run) in runs.into_iter().enumerate() {
+            let sample = names[number].as_deref();
+            let rows = Rows {
+                axis: &axis,
+                group: &of_samples,
+                run,
+                part: if several && sample.is_none() {
+                    format!("{part}, part {}", number + 1)
+                } else {
+                    part.to_owned()
+                },
+                columns: columns - (group.values.len() - of_samples.values.len()),
+                before,
+                above: &above,
+                is_rgb,
+                sample,
+            };
+            read_columns(file, table, &heading, &rows, reading)?;
+        }
+        before += group.values.len();
+    }
+    let left_out = left_out.iter().map(|column| column.words(&table.titles));
+    reading.notes.extend(left_out.chain(told_apart));
+    Ok(())
+}
+
+/// The rows of each sample, and its name: what a column says of it, behind the column's title where
+/// that is a number.
+fn names_of_samples(
+    table: &Table,
+    column: usize,
+    samples: Vec<samples::Sample>,
+) -> impl Iterator<Item = (Range<usize>, Option<String>)> + use<> {
+    let is_number = table.block.columns[column].numbers > 0;
+    let title = if is_number {
+        format!("{} ", table.titles.names[column].trim())
+    } else {
+        String::new()
+    };
+    samples.into_iter().map(move |sample| {
+        let name = format!("{title}{}", sample.name).trim().to_owned();
+        (sample.rows, Some(name))
+    })
+}
+
+/// Rows of a table beside another, without those below its end.
+fn rows_of(table: &Table, group: &Group) -> usize {
+    let columns = || group.values.iter().chain([&group.axis]);
+    (0..table.block.rows())
+        .rev()
+        .find(|row| columns().any(|column| !table.block.column(*column)[*row].is_nan()))
+        .map_or(0, |row| row + 1)
+}
+
+/// How many of some runs of rows hold two values at least.
+fn with_values(column: &[f64], runs: &[Range<usize>]) -> usize {
+    let has_values = |run: &&Range<usize>| {
+        let values = column[Range::clone(run)].iter();
+        values.filter(|v| !v.is_nan()).nth(1).is_some()
+    };
+    runs.iter().filter(has_values).count()
+}
+
+fn read_columns(
+    file: &File,
+    table: &mut Table,
+    heading: &Heading,
+    rows: &Rows,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let Table { block, titles, .. } = table;
+    let values = &rows.group.values;
+    let says_nm = block.columns[rows.group.axis].nanometres > 0;
+    let axis_title = titles.whole(rows.group.axis);
+    let stem = heading.name.unwrap_or(file.input.stem());
+    let is_whole = rows.run.len() == block.rows();
+    let scale = Scale::new(&rows.axis[rows.run.clone()]);
+    for (number, column) in values.iter().enumerate() {
+        let of_column = &mut block.values[*column];
+        // A long column is moved, not copied.
+        let of_column = if is_whole {
+            std::mem::take(of_column)
+        } else {
+            of_column[rows.run.clone()].to_vec()
+        };
+        let name = match rows.above.get(rows.before + number) {
+            Some(name) => name.clone(),
+            None => column_name(titles, *column, rows.columns),
+        };
+        // A column that is empty in this part of the table is no spectrum; others still are.
+        if values.len() > 1 && of_column.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
+            reading.notes.push(format!(
+                "column {} holds no values and was left out",
+                column + 1
+            ));
+            continue;
+        }
+        let name = match file.own {
+            Some(own) => own.name(*column).unwrap_or(stem).to_owned(),
+            None => match (rows.sample, name.is_empty()) {
+                (Some(sample), true) => format!("{sample}{}", rows.part),
+                (Some(sample), false) => format!("{sample} {name}{}", rows.part),
+                (None, _) => name_with_part(stem, &name, &rows.part),
+            },
+        };
+        let title = match &block.columns[*column].unit {
+            _ if rows.is_rgb || file.own.is_some() => String::new(),
+            Some(unit) => format!("{} [{unit}]", titles.whole(*column)),
+            None => titles.whole(*column),
+        };
+        let raw = RawSpectrum {
+            title,
+            lines: block.lines.get(rows.run.clone()).unwrap_or(&[]),
+            percent_signs: block.columns[*column].percents > 0,
+            ..RawSpectrum::written(name, &scale, &axis_title, of_column, heading)
+        };
+        let raw = raw
+            .saying_nm(says_nm)
+            .with_comma(file.dialect.decimal_comma);
+        interpret(raw, file.input, reading)?;
+    }
+    Ok(())
+}
+
+/// Names of columns that all have one title, from the line above their titles: a sample's name over
+/// its values, or over the wavelengths to the left of them. Empty where none tells them apart.
+fn names_above(block: &Block, dialect: Dialect, titles: &Titles, values: &[usize]) -> Vec<String> {
+    let title = |column: &usize| titles.names[*column].trim();
+    let (Some(first), true) = (values.first(), values.len() > 1) else {
+        return Vec::new();
+    };
+    if title(first).is_empty() || values.iter().any(|column| title(column) != title(first)) {
+        return Vec::new();
+    }
+    let mut cells = Vec::new();
+    let mut lines = block.header.iter().rev().map(|(_, line)| *line).take(6);
+    if !lines.any(|line| line.contains(title(first))) {
+        return Vec::new();
+    }
+    let Some(line) = lines.next() else {
+        return Vec::new();
+    };
+    dialect.split(line, &mut cells);
+    let mut left = 0;
+    let mut names: Vec<String> = Vec::with_capacity(values.len());
+    let mut seen = HashSet::new();
+    for column in values {
+        let over = (left..=*column).rev().filter_map(|at| cells.get(at));
+        let mut filled = over.map(|cell| cell.trim().trim_matches('"').trim());
+        match filled.find(|cell| !cell.is_empty()) {
+            Some(name) if seen.insert(name) => names.push(name.to_owned()),
+            _ => return Vec::new(),
+        }
+        left = column + 1;
+    }
+    names
+}
+
+/// Whether columns are a camera's or a display's R, G and B: then R is no reflectance.
+fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
+    ["r", "g", "b"].iter().all(|letter| {
+        let mut names = values.iter().map(|column| titles.names[*column].trim());
+        names.any(|name| name.eq_ignore_ascii_case(letter))
+    })
+}
+
+/// Title of a value column where it says more than what kind of value it is, else its number in
+/// the file: the same by which its other columns are called.
+fn column_name(titles: &Titles, column: usize, columns: usize) -> String {
+    let title = titles.names[column].trim();
+    let generic = kinds::kind_of_title(title).is_some()
+        || title.len() == 1
+        || roles::is_processed(title)
+        || names_wavelength(title)
+        || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str());
+    match (title.is_empty(), columns) {
+        (true, 1) => String::new(),
+        (true, _) => format!("column {}", column + 1),
+        (false, 1) if generic => String::new(),
+        (false, _) => title.to_owned(),
+    }
+}
+
+fn name_with_part(stem: &str, name: &str, part: &str) -> String {
+    match (name.is_empty(), name.starts_with("column ")) {
+        (true, _) => format!("{stem}{part}"),
+        (false, true) => format!("{stem}, {name}{part}"),
+        (false, false) => format!("{name}{part}"),
+    }
+}

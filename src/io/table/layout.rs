@@ -1,0 +1,379 @@
+//! Where a block of numbers keeps its wavelengths: down a column or along a row.
+
+use std::ops::Range;
+
+use super::block::Block;
+use super::row_order::are_shuffled_nanometres;
+use super::titles::Titles;
+use crate::io::text::dialect::{Dialect, used};
+use crate::io::text::number::label_nm;
+use crate::io::text::units::{WavelengthUnit, looks_like_metres, names_wavelength};
+
+/// Where the wavelengths are.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Layout {
+    /// Down a column, one spectrum in each other column.
+    Column(usize),
+    /// Along a row, one spectrum in each row.
+    Row {
+        /// The first column with a wavelength; names may stand before it.
+        first: usize,
+        /// The wavelengths in the file's unit, one each column from `first` on.
+        axis: Vec<f64>,
+        /// The first row of values: 1 when the wavelengths are the block's first row, 0 when they
+        /// stand in the header.
+        from_row: usize,
+        /// Whether the axis says by itself that it counts nanometres.
+        says_nm: bool,
+    },
+}
+
+/// Fewest wavelengths in a row that make a table of spectra in rows.
+const FEWEST_IN_A_ROW: usize = 5;
+
+/// Share of rows that must hold a wavelength.
+const FILLED: f64 = 0.9;
+
+/// The same under a title that names wavelengths.
+const FILLED_TITLED: f64 = 0.25;
+
+/// What a column of nanometres that says so scores.
+const SUREST: u32 = 14;
+
+/// Steps in a hundred that may go against the others: rounding and overlapping detectors.
+const FEW_REVERSALS: usize = 10;
+
+/// The same under a title that names wavelengths: a curve traced by hand goes back and forth.
+const TRACED_REVERSALS: usize = 50;
+
+/// What nanometres in random order score: less than any that rise or fall.
+const SHUFFLED: u32 = 1;
+
+/// What numbers in the range of nanometres score, and every axis that is titled so.
+const CLEAR: u32 = 4;
+
+/// How sure a sequence of numbers is a wavelength axis: 0 is no.
+fn strength(values: impl Iterator<Item = f64> + Clone, most_reversals: usize) -> u32 {
+    let mut min = f64::INFINITY;
+    let mut max = f64::NEG_INFINITY;
+    let (mut count, mut up, mut down, mut ones) = (0usize, 0usize, 0usize, 0usize);
+    let mut last = f64::NAN;
+    let mut look = |v: f64| {
+        count += 1;
+        min = min.min(v);
+        max = max.max(v);
+        up += usize::from(v > last);
+        down += usize::from(v < last);
+        ones += usize::from(v - last == 1.0);
+        last = v;
+    };
+    // Some tables begin or end with a zero that is no wavelength.
+    let (mut begun, mut zeros) = (false, 0);
+    for v in values.filter(|v| !v.is_nan()) {
+        if v == 0.0 {
+            zeros += usize::from(begun);
+            continue;
+        }
+        begun = true;
+        (0..std::mem::take(&mut zeros)).for_each(|_| look(0.0));
+        look(v);
+    }
+    if zeros > 1 {
+        (0..zeros).for_each(|_| look(0.0));
+    }
+    let reversals = up.min(down);
+    // Numbers that hardly ever change are readings, unless a title says otherwise.
+    let is_untitled = most_reversals == FEW_REVERSALS;
+    if is_untitled && (up + down) * 3 + 1 < count {
+        return 0;
+    }
+    if count < 2 || up + down == 0 || reversals * 100 > count * most_reversals {
+        return 0;
+    }
+    let counts_rows = ones + 1 == count && min <= 1.0 && min.fract() == 0.0;
+    match WavelengthUnit::of_range(min, max) {
+        Some(WavelengthUnit::Nanometre) => 4,
+        Some(WavelengthUnit::PerCentimetre) => 3,
+        Some(_) if !counts_rows => 2,
+        None if looks_like_metres(min, max) => 2,
+        _ => u32::from(!counts_rows && min > 0.0 && max > 100.0),
+    }
+}
+
+/// The block's layout, or `None` when it holds no wavelengths.
+pub(crate) fn of(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
+    with_strength(block, titles, dialect).map(|(layout, _)| layout)
+}
+
+/// The layout of a block where its numbers or titles say clearly that they are wavelengths: what
+/// is asked of a few rows beside a long table.
+pub(crate) fn clear(block: &Block, titles: &Titles, dialect: Dialect) -> Option<Layout> {
+    let (layout, strength) = with_strength(block, titles, dialect)?;
+    (strength >= CLEAR).then_some(layout)
+}
+
+fn with_strength(block: &Block, titles: &Titles, dialect: Dialect) -> Option<(Layout, u32)> {
+    let (down, down_strength) = wavelength_column(block, titles);
+    let along = wavelength_row(block).or_else(|| wavelength_header(block, dialect));
+    match along {
+        Some((layout, along_strength))
+            if along_strength > down_strength
+                || along_strength == down_strength && block.width > block.rows() =>
+        {
+            Some((layout, along_strength))
+        }
+        _ => (down_strength > 0).then_some((Layout::Column(down), down_strength)),
+    }
+}
+
+fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
+    let mut best = (0, 0);
+    for column in 0..block.width {
+        let stats = &block.columns[column];
+        // Columns far to the right are not searched, so that a wide table stays cheap.
+        if column > 16 {
+            continue;
+        }
+        let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
+            || names_wavelength(titles.units.get(column).map_or("", String::as_str));
+        // Detectors reach beyond the range that was calibrated: only a title is worth more then.
+        let filled = if titled { FILLED_TITLED } else { FILLED };
+        if (stats.numbers as f64) < filled * block.rows() as f64 {
+            continue;
+        }
+        let most_reversals = if titled {
+            TRACED_REVERSALS
+        } else {
+            FEW_REVERSALS
+        };
+        let numbers = block.column(column);
+        let by_values = match strength(numbers.iter().copied(), most_reversals) {
+            0 if column == 0 && !titled && are_shuffled_nanometres(numbers) => SHUFFLED,
+            found => found,
+        };
+        let score = match (by_values, titled || stats.nanometres * 2 > stats.numbers) {
+            (0, _) => 0,
+            (s, true) => s + 10,
+            (s, false) => s,
+        };
+        if score > best.1 {
+            best = (column, score);
+        }
+        if best.1 == SUREST {
+            break;
+        }
+    }
+    best
+}
+
+/// Wavelengths along the first row of the block: `wavelength, 380, 385, ...`.
+fn wavelength_row(block: &Block) -> Option<(Layout, u32)> {
+    let row = &block.row(0);
+    let first = row.iter().position(|v| !v.is_nan())?;
+    let last = row.iter().rposition(|v| !v.is_nan())?;
+    let axis = &row[first..=last];
+    let strength = strength_of_row(axis)?;
+    let says_nm = block.columns[first].nanometres > 0;
+    Some((
+        Layout::Row {
+            first,
+            axis: axis.to_vec(),
+            from_row: 1,
+            says_nm,
+        },
+        strength,
+    ))
+}
+
+/// Wavelengths in titles with a common word: `R_400, R_410, ...` or `400 nm, 410 nm, ...`.
+fn wavelength_header(block: &Block, dialect: Dialect) -> Option<(Layout, u32)> {
+    let mut cells = Vec::new();
+    for (_, line) in block.header.iter().rev().take(3) {
+        dialect.split(line, &mut cells);
+        let labels: Vec<_> = cells[..used(&cells)].iter().map(|c| label_nm(c)).collect();
+        if labels.len() != block.width {
+            continue;
+        }
+        let Some(before) = labels
+            .iter()
+            .rposition(Option::is_none)
+            .map(|i| i + 1)
+            .or(Some(0))
+        else {
+            continue;
+        };
+        let axis: Vec<f64> = labels[before..].iter().flatten().map(|l| l.0).collect();
+        if let Some(strength) = strength_of_row(&axis) {
+            let says_nm = labels[before..].iter().flatten().all(|l| l.1);
+            return Some((
+                Layout::Row {
+                    first: before,
+                    axis,
+                    from_row: 0,
+                    says_nm,
+                },
+                strength,
+            ));
+        }
+    }
+    None
+}
+
+fn strength_of_row(axis: &[f64]) -> Option<u32> {
+    let rising = axis.windows(2).all(|p| p[1] > p[0]);
+    let falling = axis.windows(2).all(|p| p[1] < p[0]);
+    let found = strength(axis.iter().copied(), FEW_REVERSALS);
+    (axis.len() >= FEWEST_IN_A_ROW && (rising || falling) && found >= 2).then_some(found)
+}
+
+/// Rows of a wavelength column from one jump back to the start to the next: a file that lists the
+/// same range twice holds two tables. A short step back (detectors that overlap) is no jump.
+pub(crate) fn runs(axis: &[f64]) -> Vec<Range<usize>> {
+    let mut runs = Vec::new();
+    let (mut start, mut low, mut high) = (0, f64::INFINITY, f64::NEG_INFINITY);
+    let mut rising = None;
+    let mut last = f64::NAN;
+    for (row, v) in axis
+        .iter()
+        .copied()
+        .enumerate()
+        .filter(|(_, v)| !v.is_nan() && *v != 0.0)
+    {
+        let against = match rising {
+            Some(true) => last - v,
+            Some(false) => v - last,
+            None => 0.0,
+        };
+        if against > 0.5 * (high - low) && row - start >= 5 {
+            runs.push(start..row);
+            (start, low, high, rising) = (row, v, v, None);
+        } else {
+            if rising.is_none() && v != last && !last.is_nan() {
+                rising = Some(v > last);
+            }
+            (low, high) = (low.min(v), high.max(v));
+        }
+        last = v;
+    }
+    runs.push(start..axis.len());
+    if are_apart(axis, &runs) {
+        // One curve in several pieces, as people trace them from a plot.
+        runs.clear();
+        runs.push(0..axis.len());
+    }
+    runs
+}
+
+/// Whether no two runs share wavelengths.
+fn are_apart(axis: &[f64], runs: &[Range<usize>]) -> bool {
+    let mut spans: Vec<(f64, f64)> = runs
+        .iter()
+        .map(|run| {
+            let numbers = || axis[run.clone()].iter().copied().filter(|v| !v.is_nan());
+            let low = numbers().fold(f64::INFINITY, f64::min);
+            (low, numbers().fold(f64::NEG_INFINITY, f64::max))
+        })
+        .collect();
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    spans.windows(2).all(|pair| pair[0].1 <= pair[1].0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::table::scan::scan;
+    use crate::io::text::dialect::Delimiter;
+
+    fn layout(text: &str) -> Option<Layout> {
+        let dialect = Dialect {
+            delimiter: Delimiter::Comma,
+            decimal_comma: false,
+        };
+        let blocks = scan(text, dialect).unwrap();
+        let block = &blocks[0];
+        of(block, &Titles::of(block, dialect), dialect)
+    }
+
+    #[test]
+    fn wavelengths_stand_behind_a_column_that_counts_rows() {
+        let text = "0,380,1.5\n1,385,1.6\n2,390,1.7\n";
+        assert_eq!(layout(text), Some(Layout::Column(1)));
+    }
+
+    #[test]
+    fn a_curve_traced_by_hand_may_go_back_and_forth_under_its_title() {
+        let rows = "735,1\n734.5,0\n734.7,3\n734.1,0\n734.3,4\n733,0\n";
+        assert_eq!(layout(rows), None);
+        let titled = format!("w.length,response\n{rows}");
+        assert_eq!(layout(&titled), Some(Layout::Column(0)));
+    }
+
+    #[test]
+    fn a_titled_column_wins() {
+        let text = "counts,nm\n500,380\n510,385\n520,390\n";
+        assert_eq!(layout(text), Some(Layout::Column(1)));
+    }
+
+    #[test]
+    fn wavelengths_in_the_first_row_make_spectra_in_rows() {
+        let text = "wavelength,380,385,390,395,400\n1,.1,.2,.3,.2,.1\n2,.2,.3,.4,.3,.2\n";
+        let Some(Layout::Row {
+            first,
+            axis,
+            from_row,
+            ..
+        }) = layout(text)
+        else {
+            panic!("spectra in rows expected");
+        };
+        assert_eq!((first, axis[4], from_row), (1, 400.0, 1));
+    }
+
+    #[test]
+    fn wavelengths_in_labels_make_spectra_in_rows() {
+        let text = "name,R_400,R_410,R_420,R_430,R_440\nred,1,2,3,4,5\nblue,2,3,4,5,6\n";
+        let Some(Layout::Row {
+            first,
+            axis,
+            from_row,
+            ..
+        }) = layout(text)
+        else {
+            panic!("spectra in rows expected");
+        };
+        assert_eq!((first, axis[0], from_row), (1, 400.0, 0));
+    }
+
+    #[test]
+    fn wavelengths_with_their_unit_in_the_first_row_are_along_it() {
+        let text =
+            "id,380 nm,390 nm,400 nm,410 nm,420 nm\nred,.1,.2,.3,.4,.5\nblue,.5,.4,.3,.2,.1\n";
+        assert!(matches!(
+            layout(text),
+            Some(Layout::Row {
+                first: 1,
+                says_nm: true,
+                ..
+            })
+        ));
+    }
+
+    #[test]
+    fn numbers_without_wavelengths_have_no_layout() {
+        assert_eq!(layout("1,2\n3,1\n2,7\n1,0\n"), None);
+    }
+
+    #[test]
+    fn a_range_listed_twice_is_two_tables_and_an_overlap_is_one() {
+        let twice: Vec<f64> = (0..10)
+            .chain(0..10)
+            .map(|i| 380.0 + 5.0 * f64::from(i))
+            .collect();
+        assert_eq!(runs(&twice), [0..10, 10..20]);
+        let overlap: Vec<f64> = (0..10)
+            .chain(8..20)
+            .map(|i| 380.0 + 5.0 * f64::from(i))
+            .collect();
+        assert_eq!(runs(&overlap).len(), 1);
+    }
+}

@@ -1,0 +1,159 @@
+//! Refusals of texts that hold no table, each with the line at fault.
+
+use super::alternating;
+use super::pick::{self, NoTable};
+use super::scan::TooMuch;
+use crate::io::error::quoted;
+use crate::io::text::dialect::MOST_COLUMNS;
+use crate::io::text::lines;
+use crate::io::{Input, ReadError, budget};
+
+/// What a refusal asks for.
+pub(crate) const A_TABLE: &str = "two or more columns of numbers: wavelengths and values";
+
+/// A line longer than this, in bytes, is named by its length.
+const LONG_LINE: usize = 1 << 20;
+
+/// The refusal of a text.
+pub(crate) fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
+    match why {
+        NoTable::TooMany(too_much) => too_many(input, too_much),
+        NoTable::Bad(bad) => bad.refusal(input),
+        NoTable::NoWavelengths {
+            line,
+            step_back: None,
+        } => input
+            .error(
+                "numbers with no wavelengths among them",
+                "a column or row of wavelengths that rises or falls throughout",
+            )
+            .at_line(line),
+        NoTable::NoWavelengths {
+            step_back: Some((line, found, after)),
+            ..
+        } => input
+            .error(
+                format!("{found} after {after} in column 1"),
+                "wavelengths that rise or fall throughout",
+            )
+            .at_line(line),
+        NoTable::NoRows => no_rows(input, text),
+    }
+}
+
+fn too_many(input: &Input, too_much: TooMuch) -> ReadError {
+    match too_much {
+        TooMuch::Cells { line } => input
+            .error("more than 64 million numbers", "a smaller table")
+            .at_line(line),
+        TooMuch::Columns { line, found } => input
+            .error(
+                format!("{found} columns"),
+                format!("at most {MOST_COLUMNS} columns"),
+            )
+            .at_line(line),
+        TooMuch::Blocks { line, found } => input
+            .error(format!("{found} tables of a few rows each"), budget::WORDS)
+            .at_line(line),
+    }
+}
+
+fn no_rows(input: &Input, text: &str) -> ReadError {
+    let start = pick::start(text);
+    let is_part = start.len() < text.len();
+    let size = budget::in_words(start.len());
+    if let Some((count, line)) = alternating::lone_numbers(start) {
+        let more = if is_part { "more than " } else { "" };
+        return input
+            .error(
+                format!("{more}{count} lines of one number each"),
+                "a wavelength beside each value",
+            )
+            .at_line(line);
+    }
+    if let Some((line, long)) = lines(start).find(|(_, line)| line.len() > LONG_LINE) {
+        let found = format!("a line of {}", budget::in_words(long.len()));
+        let expected = format!("rows of at most {MOST_COLUMNS} columns");
+        return input.error(found, expected).at_line(line);
+    }
+    let Some((line, first)) = lines(start).find(|(_, line)| !line.trim().is_empty()) else {
+        let found = match is_part {
+            true => format!("{size} of blank lines"),
+            false => "blank lines".to_owned(),
+        };
+        return input.error(found, A_TABLE).at_line(1);
+    };
+    let found = match is_part {
+        true => format!("no table in {size} after {}", quoted(first)),
+        false => format!("no table after {}", quoted(first)),
+    };
+    input.error(found, A_TABLE).at_line(line)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{ReadError, read_bytes};
+
+    fn refusal(text: &str) -> ReadError {
+        read_bytes("a.csv", text.as_bytes()).unwrap_err()
+    }
+
+    #[test]
+    fn more_columns_than_are_read_are_refused_with_their_number_and_the_limit() {
+        for mark in [",", ";", "\t"] {
+            let row = |first: &str, cell: &str| {
+                format!("{first}{}\n", (mark.to_owned() + cell).repeat(70_000))
+            };
+            let rows = row("380", "1") + &row("390", "2");
+            for text in [
+                rows.clone(),
+                row("nm", "a") + &rows,
+                "x".to_owned() + &mark.repeat(70_000),
+            ] {
+                assert_eq!(
+                    refusal(&text).to_string(),
+                    "a.csv, line 1: found 70001 columns, expected at most 65536 columns"
+                );
+            }
+        }
+        let blanks = "1 ".repeat(70_000);
+        assert_eq!(refusal(&blanks).found, "70000 columns");
+    }
+
+    #[test]
+    fn words_with_blanks_between_them_are_no_columns_however_many() {
+        let words = "lorem ".repeat(70_000) + "\n";
+        assert!(refusal(&words).found.starts_with("no table after"));
+        let table = words + "380 1\n390 2\n400 3\n";
+        assert!(read_bytes("a.txt", table.as_bytes()).is_ok());
+    }
+
+    #[test]
+    fn a_long_text_is_looked_at_in_part_and_the_refusal_says_so() {
+        for (line, found) in [
+            ("a1", "no table in 732 KiB after \"a1\""),
+            (" ", "488 KiB of blank lines"),
+            ("0.5", "more than 250000 lines of one number each"),
+        ] {
+            let text = format!("{line}\n").repeat(300_000);
+            assert_eq!(refusal(&text).found, found);
+        }
+    }
+
+    #[test]
+    fn a_table_behind_a_long_header_is_read_whole() {
+        let header = "some words and the number 12\n".repeat(200_000);
+        let rows: String = (0..60_000)
+            .map(|i| format!("{},1\n", 300.0 + 0.01 * f64::from(i)))
+            .collect();
+        let reading = read_bytes("a.csv", (header + &rows).as_bytes()).unwrap();
+        assert_eq!(reading.spectra[0].samples.len(), 60_000);
+    }
+
+    #[test]
+    fn countless_tables_of_a_few_rows_are_refused_by_their_number() {
+        let text = "380 1\n390 2\n400 3\nx\n".repeat(30_000);
+        let said = refusal(&text).to_string();
+        assert!(said.contains("tables of a few rows each"), "{said}");
+    }
+}

@@ -1,0 +1,492 @@
+//! Chooses the dialect of a text table and finds its tables.
+
+use super::block::{BadCell, Block, carries_on, most_left_out, row_gone_wrong_above};
+use super::layout::{self, Layout};
+use super::scan::{TooMuch, scan, scan_behind, scan_start};
+use super::titles::Titles;
+use crate::io::text::dialect::{Delimiter, Dialect};
+use crate::io::text::first_line;
+use crate::io::text::units::{WavelengthUnit, names_wavelength};
+use crate::io::write::csv::{self, Own};
+
+/// How much text decides the dialect, in bytes: many times the longest header.
+const SAMPLE_BYTES: usize = 256 * 1024;
+
+/// How much is looked at when the first sample holds no table, in bytes and in lines. Where that
+/// holds none either, there is none: every dialect goes over all of it.
+const LONG_SAMPLE_BYTES: usize = 16 * 1024 * 1024;
+const LONG_SAMPLE_LINES: usize = 250_000;
+
+/// A block that holds much fewer rows than the longest may be part of a header or footer: it must
+/// say clearly that it holds wavelengths.
+const SHORTEST_SHARE: usize = 8;
+
+/// Fewest rows of such a short block that make a table.
+const FEWEST_SHORT_ROWS: usize = 3;
+
+/// Longest break inside a table, in lines, that is passed over and said.
+const LONGEST_BREAK: usize = 5;
+
+/// A block with its titles and layout.
+#[derive(Clone, Debug)]
+pub(crate) struct Table<'a> {
+    /// The numbers.
+    pub block: Block<'a>,
+    /// What stands above them.
+    pub titles: Titles,
+    /// Where the wavelengths are.
+    pub layout: Layout,
+    /// What was passed over to get it, a sentence each.
+    pub notes: Vec<String>,
+    /// Whether it is far shorter than the longest: it may be none, and others do not hang on it.
+    pub is_short: bool,
+}
+
+/// Why a text holds no table that can be read.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NoTable {
+    /// More numbers than the program keeps.
+    TooMany(TooMuch),
+    /// A word among numbers.
+    Bad(BadCell),
+    /// Numbers from this line on, but no wavelengths among them.
+    NoWavelengths {
+        /// First line of the longest block.
+        line: usize,
+        /// Where a first column that looks like wavelengths steps back: line, number, and the
+        /// number before it.
+        step_back: Option<(usize, f64, f64)>,
+    },
+    /// No two lines of two numbers.
+    NoRows,
+}
+
+/// What a look at the start of a text tells about the whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Look<'a> {
+    /// How its table is written, if it has one.
+    pub dialect: Dialect,
+    /// The whole text.
+    pub text: &'a str,
+    /// The part of it that was looked at and holds no wavelengths; all of it where some were found.
+    pub seen: &'a str,
+}
+
+impl<'a> Look<'a> {
+    /// What is known of a text whose dialect is.
+    pub(crate) fn at_all(text: &'a str, dialect: Dialect) -> Self {
+        Self {
+            dialect,
+            text,
+            seen: text,
+        }
+    }
+
+    /// Whether more stands behind the part that was looked at.
+    pub(crate) fn is_part(&self) -> bool {
+        self.seen.len() < self.text.len()
+    }
+
+    /// All tables of the text. Where a look at its first part saw none, its rest is not gone over.
+    ///
+    /// # Errors
+    /// As [`tables`].
+    pub(crate) fn tables(&self) -> Result<Vec<Table<'a>>, NoTable> {
+        let found = tables(self.seen, self.dialect);
+        if found.is_ok() && self.is_part() {
+            return tables(self.text, self.dialect);
+        }
+        found
+    }
+}
+
+/// The dialect under which a text has most numbers in tables with wavelengths.
+///
+/// Words among the numbers count against a dialect: `380,5 0,3` has two numbers and a word with
+/// commas between cells, and two numbers and no word with decimal commas and blanks.
+///
+/// A delimiter that a person chose is the only one that is tried.
+pub(crate) fn look(text: &str, chosen: Option<Delimiter>) -> Look<'_> {
+    let short = (SAMPLE_BYTES, usize::MAX);
+    let sample = first_lines(text, short);
+    let (found, dialect) = best_of(sample, chosen);
+    if found || sample.len() == text.len() {
+        return Look::at_all(text, dialect);
+    }
+    let sample = start(text);
+    let (found, dialect) = best_of(sample, chosen);
+    Look {
+        dialect,
+        text,
+        seen: if found { text } else { sample },
+    }
+}
+
+/// As much of a text as is looked at for a table, and for what to say where there is none.
+pub(crate) fn start(text: &str) -> &str {
+    first_lines(text, (LONG_SAMPLE_BYTES, LONG_SAMPLE_LINES))
+}
+
+/// Whether a text has a table with wavelengths under any dialect, and the best of them. Where there
+/// are no rows at all, the one under which they are too many says more than any other.
+fn best_of(sample: &str, chosen: Option<Delimiter>) -> (bool, Dialect) {
+    let may_be = |dialect: &Dialect| chosen.is_none_or(|chosen| dialect.delimiter == chosen);
+    let mut dialects = Dialect::ALL.into_iter().filter(may_be).peekable();
+    let first = dialects.peek().copied().unwrap_or(Dialect::ALL[0]);
+    let mut best = ((0, 0), first);
+    let mut too_much = None;
+    for dialect in dialects {
+        match scan_start(sample, dialect).map(|blocks| score(&blocks, dialect)) {
+            Ok(score) if score > best.0 => best = (score, dialect),
+            Ok(_) => {}
+            Err(_) => too_much = too_much.or(Some(dialect)),
+        }
+    }
+    match best {
+        ((0, 0), none) => (false, too_much.unwrap_or(none)),
+        ((with_wavelengths, _), dialect) => (with_wavelengths > 0, dialect),
+    }
+}
+
+/// The first lines of a text, up to the end of the one where so many bytes or lines are reached.
+fn first_lines(text: &str, (bytes, lines): (usize, usize)) -> &str {
+    let mut rest = text;
+    let mut count = 0;
+    while count < lines && text.len() - rest.len() <= bytes {
+        let Some((_, after)) = first_line(rest) else {
+            break;
+        };
+        rest = after;
+        count += 1;
+    }
+    &text[..text.len() - rest.len()]
+}
+
+/// Numbers in tables with wavelengths, then numbers in any table, less the words among them.
+fn score(blocks: &[Block], dialect: Dialect) -> (usize, usize) {
+    let mut score = (0, 0);
+    for block in blocks {
+        // Words among numbers are worse than a column of names beside them.
+        let (mut gained, mut lost) = (0, 0);
+        for column in &block.columns {
+            gained += 4 * column.numbers;
+            lost += column.texts * if column.numbers == 0 { 3 } else { 8 };
+        }
+        let worth: usize = gained.saturating_sub(lost);
+        score.1 += worth;
+        if layout::of(block, &Titles::of(block, dialect), dialect).is_some() {
+            score.0 += worth;
+        }
+    }
+    score
+}
+
+/// All tables of a text in a dialect.
+///
+/// # Errors
+/// [`NoTable`] when there is none, or one is broken by a word.
+pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoTable> {
+    let blocks = scan(text, dialect).map_err(NoTable::TooMany)?;
+    let Some(longest) = blocks.iter().map(Block::rows).max() else {
+        return Err(NoTable::NoRows);
+    };
+    let no_wavelengths =
+        blocks
+            .iter()
+            .find(|block| block.rows() == longest)
+            .map_or(NoTable::NoRows, |block| NoTable::NoWavelengths {
+                line: block.lines[0] as usize,
+                step_back: step_back(block),
+            });
+    let mut tables: Vec<Table> = Vec::new();
+    let (mut left_out, mut above) = (Vec::new(), Vec::new());
+    for (mut block, notes) in joined(blocks, dialect)? {
+        if !above.is_empty() {
+            let own = std::mem::replace(&mut block.header, std::mem::take(&mut above));
+            block.header.extend(own);
+        }
+        if begins_with_titles(&block, dialect) {
+            block.head_first_row();
+        }
+        let titles = Titles::of(&block, dialect);
+        let is_short = block.rows() * SHORTEST_SHARE < longest;
+        let layout = if !is_short {
+            layout::of(&block, &titles, dialect)
+        } else if block.rows() >= FEWEST_SHORT_ROWS {
+            layout::clear(&block, &titles, dialect)
+        } else {
+            None
+        };
+        match layout {
+            Some(layout) => tables.push(Table {
+                block,
+                titles,
+                layout,
+                notes,
+                is_short,
+            }),
+            None => {
+                left_out.push(lines_left_out(&block));
+                // Times or angles over the columns: what stands above them is the next block's
+                // header.
+                if is_short {
+                    above = block.header;
+                }
+            }
+        }
+    }
+    // A few rows beside a long block that is no table are none either.
+    let Some(first) = tables.iter_mut().find(|table| !table.is_short) else {
+        return Err(no_wavelengths);
+    };
+    first.notes.extend(left_out);
+    Ok(tables)
+}
+
+/// Whether the first row holds numbers as titles ("Wavelength, 1, 2, 3") above a column of
+/// wavelengths. Where they look like wavelengths themselves, and there are more of them than rows,
+/// the table lies along its rows.
+fn begins_with_titles(block: &Block, dialect: Dialect) -> bool {
+    let column = block.column(0);
+    if block.rows() < 3 || !column[0].is_nan() {
+        return false;
+    }
+    let cells = block.first_cells(dialect);
+    let first = cells
+        .first()
+        .map_or("", |cell| cell.trim_matches(['"', ' ']));
+    if !first.is_empty() && !names_wavelength(first) {
+        return false;
+    }
+    let is_axis = |numbers: &[f64]| {
+        let (Some(low), Some(high)) = (numbers.first(), numbers.last()) else {
+            return false;
+        };
+        (numbers.is_sorted_by(|a, b| a < b) || numbers.is_sorted_by(|a, b| a > b))
+            && WavelengthUnit::of_range(low.min(*high), low.max(*high)).is_some()
+    };
+    let row = block.row(0);
+    is_axis(&column[1..]) && !(block.width > block.rows() && is_axis(&row[1..]))
+}
+
+/// What is said of a block that is not read.
+pub(crate) fn lines_left_out(block: &Block) -> String {
+    let (first, last) = (block.lines.first(), block.lines.last());
+    let line = |line: Option<&u32>| line.copied().unwrap_or_default();
+    format!("lines {} to {} left out", line(first), line(last))
+}
+
+/// The table of a file that this program wrote.
+///
+/// # Errors
+/// [`NoTable`] when its rows are none, or one is broken by a word.
+pub(crate) fn own_tables<'a>(own: &Own<'a>) -> Result<Vec<Table<'a>>, NoTable> {
+    let found = scan_behind(own.rows, own.lines_before(), csv::DIALECT);
+    let blocks = joined(found.map_err(NoTable::TooMany)?, csv::DIALECT)?;
+    if blocks.is_empty() {
+        return Err(NoTable::NoRows);
+    }
+    let table = |(mut block, notes): (Block<'a>, Vec<String>)| {
+        block.header.clone_from(&own.header);
+        let mut names = own.titles.clone();
+        names.resize(block.width, String::new());
+        Table {
+            titles: Titles {
+                units: vec![String::new(); block.width],
+                names,
+            },
+            layout: Layout::Column(0),
+            block,
+            notes,
+            is_short: false,
+        }
+    };
+    Ok(blocks.into_iter().map(table).collect())
+}
+
+/// The first step against the way that most steps of the first column go, if its numbers lie
+/// where wavelengths lie.
+fn step_back(block: &Block) -> Option<(usize, f64, f64)> {
+    let axis = block.column(0);
+    if !axis.iter().all(|v| (100.0..=20_000.0).contains(v)) {
+        return None;
+    }
+    let up = axis.windows(2).filter(|p| p[1] > p[0]).count();
+    let down = axis.windows(2).filter(|p| p[1] < p[0]).count();
+    let at = axis
+        .windows(2)
+        .position(|p| if up >= down { p[1] < p[0] } else { p[1] > p[0] })?;
+    Some((block.lines[at + 1] as usize, axis[at + 1], axis[at]))
+}
+
+/// A block, what was passed over to get it, and the rows with a word that it was broken by.
+struct Joined<'a> {
+    block: Block<'a>,
+    notes: Vec<String>,
+    bad: Vec<BadCell>,
+}
+
+/// Joins blocks that one table was broken into by a page head or a stray line. Of a table whose
+/// other rows agree a row with a word is left out.
+fn joined(
+    blocks: Vec<Block<'_>>,
+    dialect: Dialect,
+) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
+    let mut out: Vec<Joined> = Vec::new();
+    for block in blocks {
+        let above = row_gone_wrong_above(&block, dialect);
+        let goes_on_with = out.last_mut().filter(|last| goes_on(&last.block, &block));
+        let Some(Joined {
+            block: last,
+            notes,
+            bad,
+        }) = goes_on_with
+        else {
+            out.push(Joined {
+                bad: above.into_iter().collect(),
+                block,
+                notes: Vec::new(),
+            });
+            continue;
+        };
+        let between = last.ended_by.take().or(above);
+        match (between, block.header.as_slice()) {
+            (Some(row), [_]) => bad.push(row),
+            (Some(row), _) => return Err(NoTable::Bad(row)),
+            (None, [(line, _)]) => {
+                notes.push(format!(
+                    "line {line} is no row of the table and was left out"
+                ));
+            }
+            (None, [(first, _), .., (last, _)]) => notes.push(format!(
+                "lines {first} to {last} are no rows of the table and were left out"
+            )),
+            (None, []) => notes.push("the table is interrupted once".to_owned()),
+        }
+        last.append(block);
+    }
+    for Joined {
+        block, notes, bad, ..
+    } in &mut out
+    {
+        // A word in the very last row, with nothing behind it that would tell.
+        bad.extend(block.ended_by.take().filter(|row| row.certain));
+        if bad.len() > most_left_out(block.rows()) {
+            return Err(NoTable::Bad(bad.swap_remove(0)));
+        }
+        notes.extend(bad.iter().map(|row| row.left_out("row")));
+    }
+    let parts = |Joined { block, notes, .. }| (block, notes);
+    Ok(out.into_iter().map(parts).collect())
+}
+
+/// Whether `next` continues `block`: as wide, close behind, and its first column carries on.
+fn goes_on(block: &Block, next: &Block) -> bool {
+    if block.width != next.width || next.header.len() > LONGEST_BREAK {
+        return false;
+    }
+    let end = block.rows() - 1;
+    carries_on(block.first(end - 1), block.first(end), next.first(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn delimiter_and_decimal_mark_are_found_together() {
+        for (row, delimiter, comma) in [
+            ("380.5,0.25", Delimiter::Comma, false),
+            ("380,5;0,25", Delimiter::Semicolon, true),
+            ("380.5; 0.25 ", Delimiter::Semicolon, false),
+            ("380,5\t0,25", Delimiter::Tab, true),
+            ("380,5 0,25 0,26", Delimiter::Space, true),
+            ("380.5  0.25", Delimiter::Space, false),
+            ("380.5,\t0.25", Delimiter::Comma, false),
+            ("\"380,5\",\"0,25\"", Delimiter::Comma, true),
+            ("380,7,464650E+000", Delimiter::Comma, false),
+        ] {
+            let text: String = (0..5)
+                .map(|i| row.replacen("380", &(380 + i).to_string(), 1) + "\n")
+                .collect();
+            let found = look(&text, None).dialect;
+            assert_eq!(
+                (found.delimiter, found.decimal_comma),
+                (delimiter, comma),
+                "{row}"
+            );
+        }
+    }
+
+    #[test]
+    fn numbers_above_a_column_of_wavelengths_are_titles() {
+        let text = "Wavelength,1,2,405\n380,1,2,3\n385,2,3,4\n390,3,4,5\n";
+        let tables = tables(text, look(text, None).dialect).unwrap();
+        assert_eq!(tables[0].block.rows(), 3);
+        assert_eq!(tables[0].titles.names, ["Wavelength", "1", "2", "405"]);
+        let along = "wavelength,380,385,390,395,400\n101,1,2,3,4,5\n102,2,3,4,5,6\n";
+        let tables = super::tables(along, look(along, None).dialect).unwrap();
+        assert!(matches!(tables[0].layout, Layout::Row { .. }));
+    }
+
+    #[test]
+    fn a_page_head_inside_a_table_is_passed_over_and_said() {
+        let text = "380 1\n385 2\n390 3\nPage two\n395 4\n400 5\n";
+        let tables = tables(text, look(text, None).dialect).unwrap();
+        assert_eq!(tables.len(), 1);
+        assert_eq!(tables[0].block.rows(), 5);
+        assert_eq!(
+            tables[0].notes,
+            ["line 4 is no row of the table and was left out"]
+        );
+    }
+
+    #[test]
+    fn a_word_in_any_row_is_an_error_also_in_the_first_and_the_last() {
+        let rows = ["380,1", "381,2", "382,3", "383,4", "384,5"];
+        for at in 0..rows.len() {
+            let mut text = String::from("nm,value\n");
+            for (row, content) in rows.iter().enumerate() {
+                text += if row == at { "38" } else { content };
+                text += if row == at {
+                    content[2..3].as_ref()
+                } else {
+                    ""
+                };
+                text += if row == at { ",1.234.5\n" } else { "\n" };
+            }
+            let found = tables(&text, look(&text, None).dialect);
+            let Err(NoTable::Bad(bad)) = found else {
+                panic!("row {at}: {found:?}");
+            };
+            assert_eq!((bad.line, bad.text.as_str()), (at + 2, "1.234.5"));
+        }
+    }
+
+    #[test]
+    fn the_header_above_a_few_rows_of_numbers_is_the_tables() {
+        let mut text = String::from(
+            "Irradiance, W m-2 nm-1\nsza = 1 2\n 12.0 12.5 13.0\n 1.8 5.7 13.2\nend\n",
+        );
+        for nm in 290..330 {
+            text += &format!("{nm} 0.5 0.25\n");
+        }
+        let tables = tables(&text, look(&text, None).dialect).unwrap();
+        assert!(
+            tables[0]
+                .block
+                .header
+                .iter()
+                .any(|(_, line)| line.starts_with("Irradiance"))
+        );
+    }
+
+    #[test]
+    fn a_word_where_a_number_should_be_is_an_error_with_its_line() {
+        let text = "380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n";
+        let Err(NoTable::Bad(bad)) = tables(text, look(text, None).dialect) else {
+            panic!("an error expected");
+        };
+        assert_eq!((bad.line, bad.column, bad.text.as_str()), (4, 1, "abc"));
+    }
+}

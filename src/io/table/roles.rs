@@ -1,0 +1,508 @@
+//! Which columns of a table are spectra and which are something beside them.
+
+use super::block::Block;
+use super::titles::Titles;
+use crate::io::interpret::kinds::kind_of_title;
+use crate::io::text::units::{WavelengthUnit, names_wavelength};
+use crate::io::text::words::{holds, without_brackets};
+
+/// A column that is no spectrum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct LeftOut {
+    /// Its place, from 0.
+    pub column: usize,
+    /// What it is instead.
+    pub why: Why,
+}
+
+/// What a column is that is no spectrum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Why {
+    /// Words.
+    Words,
+    /// Numbers of the rows.
+    Counter,
+    /// One number in every row.
+    Constant,
+    /// A setting of each point.
+    Setting,
+    /// Wavelengths that nothing stands under.
+    SecondAxis,
+    /// A reading that the values beside it were made of.
+    Raw,
+    /// What repeated measurements differ by.
+    Spread,
+    /// The wavelengths of the columns behind it: these are read.
+    Wavelengths,
+}
+
+impl LeftOut {
+    /// What is said of it.
+    pub(crate) fn words(&self, titles: &Titles) -> String {
+        let why = match self.why {
+            Why::Words => "holds words and was left out",
+            Why::Counter => "counts the rows and was left out",
+            Why::Constant => "is one number throughout and was left out",
+            Why::Setting => {
+                "holds whole numbers below zero throughout, a setting, and was left out"
+            }
+            Why::SecondAxis => "is a second axis and was left out",
+            Why::Raw => "is a raw reading and was left out",
+            Why::Spread => "is a spread and was left out",
+            Why::Wavelengths => "holds the wavelengths of the columns behind it",
+        };
+        format!("{} {why}", shown(titles, self.column))
+    }
+}
+
+/// A column of wavelengths and the columns with values at them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Group {
+    /// The column of wavelengths.
+    pub axis: usize,
+    /// Columns that are spectra.
+    pub values: Vec<usize>,
+}
+
+/// Columns that are spectra, each under its wavelengths, and what else was found, a sentence each.
+///
+/// Tables that stand side by side have several columns of wavelengths: each holds for the columns
+/// behind it up to the next.
+pub(crate) fn groups(
+    block: &Block,
+    titles: &Titles,
+    wavelength: usize,
+) -> (Vec<Group>, Vec<LeftOut>) {
+    let axes = axes(block, titles, wavelength);
+    let (values, mut left_out) = roles(block, titles, wavelength, &axes);
+    let mut of_axis = vec![Vec::new(); axes.len()];
+    for column in values {
+        let before = axes.partition_point(|axis| *axis < column);
+        of_axis[before.saturating_sub(1)].push(column);
+    }
+    let groups: Vec<Group> = axes
+        .into_iter()
+        .zip(of_axis)
+        .filter(|(_, values)| !values.is_empty())
+        .map(|(axis, values)| Group { axis, values })
+        .collect();
+    let others = groups.iter().filter(|group| group.axis != wavelength);
+    left_out.extend(others.map(|group| LeftOut {
+        column: group.axis,
+        why: Why::Wavelengths,
+    }));
+    (groups, left_out)
+}
+
+/// Columns that are spectra under one column of wavelengths, and why others were left out, a
+/// sentence each.
+pub(crate) fn value_columns(
+    block: &Block,
+    titles: &Titles,
+    wavelength: usize,
+) -> (Vec<usize>, Vec<LeftOut>) {
+    roles(block, titles, wavelength, &[wavelength])
+}
+
+/// A column by its place and title, for notes.
+pub(crate) fn shown(titles: &Titles, column: usize) -> String {
+    let title = titles.whole(column);
+    if title.is_empty() {
+        format!("column {}", column + 1)
+    } else {
+        format!("column {} ({title})", column + 1)
+    }
+}
+
+fn roles(
+    block: &Block,
+    titles: &Titles,
+    wavelength: usize,
+    axes: &[usize],
+) -> (Vec<usize>, Vec<LeftOut>) {
+    let (mut values, mut left_out) = (Vec::new(), Vec::new());
+    let mut spreads = Vec::new();
+    let raw_beside = beside_processed(titles, wavelength);
+    for column in (0..block.width).filter(|c| axes.binary_search(c).is_err()) {
+        let stats = &block.columns[column];
+        let title = titles.whole(column);
+        let mut leave_out = |why| left_out.push(LeftOut { column, why });
+        if stats.numbers == 0 {
+            if stats.texts > 0 {
+                leave_out(Why::Words);
+            }
+        } else if column < wavelength && (block.counts_rows(column) || is_counter(&title)) {
+            leave_out(Why::Counter);
+        } else if column < wavelength && title.is_empty() && block.is_constant(column) {
+            leave_out(Why::Constant);
+        } else if title.is_empty() && is_setting(block, column, wavelength) {
+            leave_out(Why::Setting);
+        } else if is_spread(&title) {
+            spreads.push(column);
+        } else if names_axis_beside(&title, titles, wavelength)
+            || holds(&title.to_lowercase(), "raman shift")
+        {
+            leave_out(Why::SecondAxis);
+        } else if raw_beside.binary_search(&column).is_ok() {
+            leave_out(Why::Raw);
+        } else {
+            values.push(column);
+        }
+    }
+    if values.is_empty() {
+        values = spreads;
+    } else {
+        left_out.extend(spreads.into_iter().map(|column| LeftOut {
+            column,
+            why: Why::Spread,
+        }));
+    }
+    // "AxisUnit = nm" above the values is no second axis: there is nothing else that they could be.
+    if values.is_empty() {
+        let second_axis = |column: &usize| {
+            axes.binary_search(column).is_err()
+                && block.columns[*column].numbers > 0
+                && names_wavelength(&titles.whole(*column))
+        };
+        values.extend((0..block.width).find(second_axis));
+        left_out.retain(|column| column.why != Why::SecondAxis);
+    }
+    // The ratio before the readings that it was made of, where all are kept.
+    let made_of = |column: &usize| {
+        let title = titles.whole(*column).to_lowercase();
+        title.contains("(ref") || title.contains("target")
+    };
+    if values.iter().any(made_of) {
+        values.sort_by_key(made_of);
+    }
+    (values, left_out)
+}
+
+/// Whether a column holds a setting of each point, such as the range of an amplifier: whole numbers
+/// below zero throughout, beside measured ones.
+fn is_setting(block: &Block, column: usize, wavelength: usize) -> bool {
+    let numbers = |column: usize| block.column(column).iter().filter(|v| !v.is_nan());
+    let mut others = (0..block.width).filter(|other| *other != column && *other != wavelength);
+    numbers(column).all(|v| *v < 0.0 && v.fract() == 0.0)
+        && others.any(|other| numbers(other).any(|v| *v > 0.0 && v.fract() != 0.0))
+}
+
+/// A column that counts detector elements, by its title.
+fn is_counter(title: &str) -> bool {
+    let title = title.to_lowercase();
+    let word = title.trim_matches(['"', '#', '.', ' ']);
+    matches!(
+        word,
+        "chan" | "channel" | "pixel" | "pixels" | "index" | "no" | "nr" | "number" | "row"
+    )
+}
+
+/// Whether a column's title says that it is another axis. An "x" beside nanometres is a
+/// coordinate of a colour.
+fn names_axis_beside(title: &str, titles: &Titles, wavelength: usize) -> bool {
+    let is_x = |title: &str| title.trim().eq_ignore_ascii_case("x");
+    names_wavelength(title) && (!is_x(title) || is_x(&titles.whole(wavelength)))
+}
+
+/// Whether a title is words and a unit of length behind them ("Em nm"): no quantity for each nm.
+fn ends_in_length(title: &str) -> bool {
+    let title = title.to_lowercase();
+    let ends = [" nm", " (nm)", " [nm]", "_nm"];
+    ends.iter().any(|unit| title.ends_with(unit)) && !title.contains(['/', '^'])
+}
+
+/// Columns of wavelengths from left to right: the one that was found, and others that are titled
+/// so, rise or fall throughout, and have values behind them. A second one of the same points (1/cm
+/// beside nm) is none.
+fn axes(block: &Block, titles: &Titles, wavelength: usize) -> Vec<usize> {
+    let title = titles.whole(wavelength).to_lowercase();
+    let is_axis = |column: &usize| {
+        let runs = || runs_one_way(block.column(*column));
+        let other = titles.whole(*column);
+        // Under the same title it is one even where a wavelength was mistyped or stands twice.
+        *column == wavelength
+            || names_axis_beside(&other, titles, wavelength)
+                && (other.to_lowercase() == title || runs())
+            || ends_in_length(&other) && ends_in_length(&title) && !is_spread(&other) && runs()
+    };
+    let found: Vec<usize> = (0..block.width).filter(is_axis).collect();
+    let has_numbers = |mut columns: std::ops::Range<usize>| {
+        columns.any(|column| block.columns[column].numbers > 0)
+    };
+    let mut kept: Vec<usize> = Vec::new();
+    for (number, column) in found.iter().copied().enumerate() {
+        let end = found.get(number + 1).copied().unwrap_or(block.width);
+        let last = kept.last().copied();
+        let same = last.is_some_and(|last| {
+            !has_numbers(last + 1..column) || are_same_points(block, titles, last, column)
+        });
+        if column == wavelength {
+            // The column that was found stands for those that say the same.
+            kept.pop_if(|_| same);
+            kept.push(column);
+        } else if !same && has_numbers(column + 1..end) {
+            kept.push(column);
+        }
+    }
+    kept
+}
+
+/// Whether numbers rise or fall throughout; gaps do not matter.
+fn runs_one_way(column: &[f64]) -> bool {
+    let numbers = || column.iter().filter(|v| !v.is_nan());
+    let pairs = || numbers().zip(numbers().skip(1));
+    numbers().count() >= 2 && (pairs().all(|(a, b)| a < b) || pairs().all(|(a, b)| a > b))
+}
+
+/// Whether two columns hold the same wavelengths: the same numbers in one unit, or in two units to
+/// the rounding of a table.
+fn are_same_points(block: &Block, titles: &Titles, one: usize, other: usize) -> bool {
+    let unit = |column: usize| {
+        let numbers = || block.column(column).iter().filter(|v| !v.is_nan());
+        let low = numbers().copied().fold(f64::INFINITY, f64::min);
+        let high = numbers().copied().fold(f64::NEG_INFINITY, f64::max);
+        WavelengthUnit::of_title(&titles.whole(column))
+            .or_else(|| WavelengthUnit::of_range(low, high))
+            .unwrap_or(WavelengthUnit::Nanometre)
+    };
+    let (a, b) = (unit(one), unit(other));
+    let rounding = if a == b { 1e-9 } else { 2e-3 };
+    let mut rows = block.column(one).iter().zip(block.column(other));
+    rows.all(|(x, y)| {
+        let (x, y) = (a.to_nm(*x), b.to_nm(*y));
+        x.is_nan() && y.is_nan() || (x - y).abs() <= rounding * x.abs()
+    })
+}
+
+/// A column of standard deviations or uncertainties: its title is such a word or ends with one. A
+/// name may begin with it ("Std D65").
+fn is_spread(title: &str) -> bool {
+    const ENDS: [&str; 10] = [
+        "std", "stdev", "stddev", "std.dev", "std dev", "st.dev", "st dev", "sigma", "error",
+        "variance",
+    ];
+    const STARTS: [&str; 6] = [
+        "standard dev|",
+        "standard deviation|",
+        "std.dev|",
+        "stdev|",
+        "uncertainty|",
+        "uncert.",
+    ];
+    let title = title.to_lowercase();
+    let name = without_brackets(&title).trim_end_matches('.');
+    let ends = |word: &str| name.ends_with(word) && holds(name, &format!("|{word}|"));
+    let starts = |word: &str| name.starts_with(word.trim_end_matches('|')) && holds(name, word);
+    title.contains('±')
+        || ENDS.iter().any(|word| ends(word))
+        || STARTS.iter().any(|word| starts(word))
+        || ends("standard deviation")
+        || ends("uncertainty")
+        || ["sd", "se", "sem", "fwhm", "bandwidth"].contains(&name)
+}
+
+/// Raw readings that stand beside the processed values: dark, reference and sample counts next to
+/// a transmittance, in the same rows as a column called "Processed", or the letters W D R S P that
+/// Ocean Optics writes (no R where nothing was compared, no D where no dark reading was taken).
+fn beside_processed(titles: &Titles, wavelength: usize) -> Vec<usize> {
+    let others: Vec<usize> = (0..titles.names.len())
+        .filter(|c| *c != wavelength)
+        .collect();
+    let letters: Vec<&str> = others.iter().map(|c| titles.names[*c].as_str()).collect();
+    if let [readings @ .., "P"] = letters.as_slice()
+        && !readings.is_empty()
+        && readings.iter().all(|l| ["D", "R", "S"].contains(l))
+    {
+        return others[..readings.len()].to_vec();
+    }
+    let raw = |column: usize| {
+        let title = titles.whole(column).to_lowercase();
+        let word = title.split([' ', '[', '(', '.']).next().unwrap_or("");
+        matches!(
+            word,
+            "dark" | "ref" | "reference" | "sample" | "scope" | "raw" | "norm" | "background"
+        ) && (kind_of_title(&title).is_none() || title.contains("counts"))
+            && !title.contains("subtracted")
+    };
+    let raws: Vec<usize> = others.iter().copied().filter(|c| raw(*c)).collect();
+    let processed = others.iter().any(|c| {
+        let title = titles.whole(*c);
+        !raw(*c) && (kind_of_title(&title).is_some() || is_processed(&title))
+    });
+    if processed {
+        return raws;
+    }
+    // A sample in counts beside what was measured without it.
+    let is_sample = |column: &usize| {
+        let title = titles.whole(*column).to_lowercase();
+        title.starts_with("sample") || title.starts_with("scope")
+    };
+    let (samples, others): (Vec<usize>, Vec<usize>) = raws.into_iter().partition(is_sample);
+    let has_dark = others
+        .iter()
+        .any(|column| titles.whole(*column).to_lowercase().starts_with("dark"));
+    if samples.len() == 1 && has_dark {
+        others
+    } else {
+        Vec::new()
+    }
+}
+
+/// Whether a title says no more than that its column is the result.
+pub(crate) fn is_processed(title: &str) -> bool {
+    title.trim().eq_ignore_ascii_case("processed")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::table::scan::scan;
+    use crate::io::text::dialect::{Delimiter, Dialect};
+
+    fn values(text: &str) -> (Vec<usize>, Vec<String>) {
+        found(text, 0)
+    }
+
+    fn found(text: &str, wavelength: usize) -> (Vec<usize>, Vec<String>) {
+        let dialect = Dialect {
+            delimiter: Delimiter::Semicolon,
+            decimal_comma: false,
+        };
+        let blocks = scan(text, dialect).unwrap();
+        let block = &blocks[0];
+        let titles = Titles::of(block, dialect);
+        let (values, left_out) = value_columns(block, &titles, wavelength);
+        let words = left_out.iter().map(|column| column.words(&titles));
+        (values, words.collect())
+    }
+
+    #[test]
+    fn raw_counts_beside_a_transmittance_are_left_out_and_said() {
+        let text = "Wave;Dark;Ref;Sample;Transmittance\n[nm];[counts];[counts];[counts];[%]\n300;1;9;5;50\n301;1;9;4;40\n";
+        let (columns, notes) = values(text);
+        assert_eq!(columns, [4]);
+        assert_eq!(notes.len(), 3);
+        assert!(notes[0].contains("Dark"));
+    }
+
+    #[test]
+    fn of_counts_the_sample_is_kept_where_a_dark_reading_stands_beside_it() {
+        let text =
+            "Wave;Dark;Reference;Sample\n[nm];[counts];[counts];[counts]\n300;1;9;5\n301;1;9;4\n";
+        let (columns, notes) = values(text);
+        assert_eq!(columns, [3]);
+        assert_eq!(notes.len(), 2);
+        assert_eq!(values("nm;Reference;Sample\n300;9;5\n301;9;4\n").0, [1, 2]);
+    }
+
+    #[test]
+    fn a_reflectance_comes_before_the_radiances_that_it_was_made_of() {
+        let text = "Wvl;Rad. (Ref.);Rad. (Target);Reflect. %\n350;1;9;50\n351;1;9;40\n";
+        assert_eq!(values(text).0, [3, 1, 2]);
+    }
+
+    #[test]
+    fn of_letters_and_of_what_is_processed_only_the_result_is_a_spectrum() {
+        assert_eq!(values("W;D;S;P\n300;1;5;4\n301;1;6;5\n").0, [3]);
+        assert_eq!(values("W;S;P\n300;5;4\n301;6;5\n").0, [2]);
+        assert_eq!(values("W;S\n300;5\n301;6\n").0, [1]);
+        let text = "Wavelength;Processed;Raw;Dark;Reference\n300;0.1;8;1;5\n301;0.2;9;1;5\n";
+        assert_eq!(values(text).0, [1]);
+    }
+
+    #[test]
+    fn a_number_of_a_detector_element_is_no_spectrum_and_a_line_of_units_no_second_axis() {
+        let text = "Chan.#;Wvl;Refl\n0;350;0.5\n7;351;0.4\n";
+        let dialect = Dialect {
+            delimiter: Delimiter::Semicolon,
+            decimal_comma: false,
+        };
+        let blocks = scan(text, dialect).unwrap();
+        let titles = Titles::of(&blocks[0], dialect);
+        assert_eq!(value_columns(&blocks[0], &titles, 1).0, [2]);
+        assert_eq!(values("Unit;nm\n300;1\n301;2\n").0, [1]);
+    }
+
+    #[test]
+    fn whole_numbers_below_zero_beside_measured_ones_are_a_setting() {
+        let (columns, notes) = values("250;0.51;-10\n251;0.52;-10\n252;0.6;-9\n");
+        assert_eq!(columns, [1]);
+        assert!(notes[0].contains("a setting"), "{notes:?}");
+        assert_eq!(values("250;1;-10\n251;2;-9\n252;3;-8\n").0, [1, 2]);
+    }
+
+    #[test]
+    fn one_number_before_every_wavelength_is_no_spectrum() {
+        let (columns, notes) = found("210;290;1\n210;291;2\n210;292;5\n", 1);
+        assert_eq!(columns, [2]);
+        assert!(notes[0].contains("one number throughout"), "{notes:?}");
+    }
+
+    #[test]
+    fn a_spread_is_no_spectrum_but_a_sample_alone_is() {
+        assert_eq!(values("nm;T;Std.Dev.\n300;1;0.1\n301;2;0.1\n").0, [1]);
+        assert_eq!(values("nm;Sample\n300;1\n301;2\n").0, [1]);
+        assert_eq!(values("nm;leaf;FWHM;sd\n300;1;5;2\n301;2;5;1\n").0, [1]);
+    }
+
+    #[test]
+    fn a_name_with_a_word_of_spreads_in_it_is_a_spectrum() {
+        assert_eq!(
+            values("nm;Std A;Std D65;Other\n300;1;2;3\n301;2;3;4\n").0,
+            [1, 2, 3]
+        );
+        assert_eq!(values("nm;std\n300;1\n301;2\n").0, [1]);
+        assert_eq!(values("nm;A;A std\n300;1;0.1\n301;2;0.1\n").0, [1]);
+        assert_eq!(
+            values("nm;A;Uncertainty (k=2)\n300;1;0.1\n301;2;0.1\n").0,
+            [1]
+        );
+    }
+
+    #[test]
+    fn functions_of_the_wavelength_are_no_second_axis() {
+        assert_eq!(values("nm;V(lambda)\n300;1\n301;2\n").0, [1]);
+        assert_eq!(values("nm;S(lambda);D65\n300;1;2\n301;2;3\n").0, [1, 2]);
+        assert_eq!(values("nm;x;y\n300;.1;.2\n301;.2;.3\n").0, [1, 2]);
+        assert_eq!(values("nm;A;cm-1\n300;1;33333\n301;2;33223\n").0, [1]);
+    }
+
+    fn sides(text: &str) -> Vec<(usize, Vec<usize>)> {
+        let dialect = Dialect {
+            delimiter: Delimiter::Semicolon,
+            decimal_comma: false,
+        };
+        let blocks = scan(text, dialect).unwrap();
+        let block = &blocks[0];
+        let (groups, _) = groups(block, &Titles::of(block, dialect), 0);
+        groups.into_iter().map(|g| (g.axis, g.values)).collect()
+    }
+
+    #[test]
+    fn tables_side_by_side_keep_their_own_wavelengths() {
+        assert_eq!(
+            sides("nm;A;Wavelength (nm);B;C\n380;1;1000;2;3\n390;2;1010;3;4\n"),
+            [(0, vec![1]), (2, vec![3, 4])]
+        );
+        assert_eq!(
+            sides("nm;A;;nm;B\n380;1;;1000;2\n390;2;;1010;3\n400;3;;;\n"),
+            [(0, vec![1]), (3, vec![4])]
+        );
+    }
+
+    #[test]
+    fn the_same_points_in_another_unit_are_no_axis_of_their_own() {
+        assert_eq!(
+            sides("nm;A;Wavenumber (cm-1);B\n400;1;25000;2\n500;2;20000;3\n"),
+            [(0, vec![1, 3])]
+        );
+        assert_eq!(
+            sides("nm;Wavenumber (cm-1);A\n400;900;1\n500;800;2\n"),
+            [(0, vec![2])]
+        );
+        assert_eq!(
+            sides("nm;A;nm;B\n400;1;400;2\n500;2;500;3\n"),
+            [(0, vec![1, 3])]
+        );
+    }
+}

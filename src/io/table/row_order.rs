@@ -1,0 +1,258 @@
+//! Rows of a table that do not stand where their wavelengths belong: a few stray ones are left out,
+//! and a table in random order is sorted, both with a word.
+
+use super::block::{Block, FEWEST_THAT_AGREE, most_left_out};
+use crate::io::provenance::shortest;
+use crate::io::text::units::WavelengthUnit;
+
+/// A row that is left out lies at least so many steps away from its neighbours: detectors that
+/// overlap and curves traced by hand step back by less.
+const FAR_STEPS: f64 = 10.0;
+
+/// Fewest rows that can be said to stand in random order.
+const FEWEST_SHUFFLED: usize = 10;
+
+/// The largest step between neighbours, in median steps, of a table that was shuffled.
+const MOST_STEPS: f64 = 5.0;
+
+/// Leaves out the few rows that break the order of wavelengths while all others keep it, and sorts
+/// rows in random order. What was done, a sentence each; `values` are the columns beside.
+pub(crate) fn put_right(block: &mut Block, axis: usize, values: &[usize]) -> Vec<String> {
+    let numbers = block.column(axis);
+    let stray = stray_rows(numbers);
+    if !stray.is_empty() {
+        let said = stray.iter().map(|row| {
+            let first = values.first().map(|column| block.column(*column)[*row]);
+            let value = first.filter(|value| !value.is_nan());
+            let value = value.map_or(String::new(), |v| format!(" (value {})", shortest(v)));
+            format!(
+                "line {}: wavelength {}{value} is out of order: the row was left out",
+                block.lines[*row],
+                shortest(numbers[*row])
+            )
+        });
+        let said = said.collect();
+        let kept: Vec<usize> = (0..block.rows())
+            .filter(|row| stray.binary_search(row).is_err())
+            .collect();
+        block.arrange(&kept);
+        return said;
+    }
+    if !is_shuffled(numbers) {
+        return Vec::new();
+    }
+    let mut order: Vec<usize> = (0..block.rows()).collect();
+    order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
+    block.arrange(&order);
+    vec!["rows in no order of wavelengths: put in rising order".to_owned()]
+}
+
+/// Whether a column without a title is one of wavelengths in random order: numbers in the range of
+/// nanometres, all at one step.
+pub(crate) fn are_shuffled_nanometres(numbers: &[f64]) -> bool {
+    let (low, high) = numbers.iter().fold((f64::INFINITY, 0.0), |(low, high), x| {
+        (x.min(low), x.max(high))
+    });
+    WavelengthUnit::of_range(low, high) == Some(WavelengthUnit::Nanometre)
+        && is_shuffled(numbers)
+        && sorted_steps(numbers).is_some_and(|steps| {
+            let (least, most) = (steps[0], steps[steps.len() - 1]);
+            most - least <= 1e-6 * most
+        })
+}
+
+/// The steps between numbers that were put in order, the least first; `None` where one is missing
+/// or stands twice.
+fn sorted_steps(numbers: &[f64]) -> Option<Vec<f64>> {
+    let mut sorted = numbers.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let mut steps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    // Not a number is not above zero either.
+    (steps.first()? > &0.0 && steps.last()?.is_finite()).then_some(steps)
+}
+
+/// How many steps go up, and down.
+fn steps_up_and_down(numbers: &[f64]) -> (usize, usize) {
+    let steps = numbers.windows(2);
+    steps.fold((0, 0), |(up, down), pair| {
+        (
+            up + usize::from(pair[1] > pair[0]),
+            down + usize::from(pair[1] < pair[0]),
+        )
+    })
+}
+
+/// Whether all numbers differ, run to and fro, and lie evenly enough to be one table.
+fn is_shuffled(numbers: &[f64]) -> bool {
+    let (up, down) = steps_up_and_down(numbers);
+    if numbers.len() < FEWEST_SHUFFLED || 4 * up.min(down) < numbers.len() {
+        return false;
+    }
+    sorted_steps(numbers)
+        .is_some_and(|steps| steps[steps.len() - 1] <= MOST_STEPS * steps[steps.len() / 2])
+}
+
+/// The rows without which wavelengths rise or fall throughout, where they are few, stand alone and
+/// lie far from their neighbours.
+fn stray_rows(numbers: &[f64]) -> Vec<usize> {
+    let rows: Vec<usize> = (0..numbers.len())
+        .filter(|row| numbers[*row] > 0.0)
+        .collect();
+    let (up, down) = steps_up_and_down(numbers);
+    let most = most_left_out(rows.len());
+    if rows.len() < FEWEST_THAT_AGREE || up.min(down) == 0 || up.min(down) > 2 * most {
+        return Vec::new();
+    }
+    let sign = if down > up { -1.0 } else { 1.0 };
+    let rising: Vec<f64> = rows.iter().map(|row| sign * numbers[*row]).collect();
+    let kept = longest_rising(&rising);
+    if kept.len() + most < rows.len() {
+        return Vec::new();
+    }
+    let mut steps: Vec<f64> = kept
+        .windows(2)
+        .map(|pair| rising[pair[1]] - rising[pair[0]])
+        .collect();
+    steps.sort_by(f64::total_cmp);
+    let far = FAR_STEPS * steps[steps.len() / 2];
+    let mut stray = Vec::new();
+    for at in (0..rows.len()).filter(|at| kept.binary_search(at).is_err()) {
+        let behind = kept.partition_point(|kept| *kept < at);
+        let before = behind.checked_sub(1).map(|before| kept[before]);
+        let below = before.map_or(0.0, |before| rising[before] - rising[at]);
+        let above = kept
+            .get(behind)
+            .map_or(0.0, |next| rising[at] - rising[*next]);
+        let stands_alone = before.is_none_or(|before| before + 1 == at)
+            && kept.get(behind).is_none_or(|next| *next == at + 1);
+        if below.max(above) < far || !stands_alone {
+            return Vec::new();
+        }
+        stray.push(rows[at]);
+    }
+    stray
+}
+
+/// Places of a longest sequence that never falls.
+fn longest_rising(numbers: &[f64]) -> Vec<usize> {
+    // For each length the place where the lowest last number of such a sequence stands.
+    let mut ends: Vec<usize> = Vec::new();
+    let mut before: Vec<Option<usize>> = Vec::with_capacity(numbers.len());
+    for (at, number) in numbers.iter().enumerate() {
+        let length = ends.partition_point(|end| numbers[*end] <= *number);
+        before.push(length.checked_sub(1).map(|shorter| ends[shorter]));
+        if length == ends.len() {
+            ends.push(at);
+        } else {
+            ends[length] = at;
+        }
+    }
+    let mut found = Vec::with_capacity(ends.len());
+    let mut next = ends.last().copied();
+    while let Some(at) = next {
+        found.push(at);
+        next = before[at];
+    }
+    found.reverse();
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Reading, read_bytes};
+
+    fn rows() -> Vec<String> {
+        (0..81)
+            .map(|i| format!("{},{}", 380 + 5 * i, 0.5 + 0.01 * f64::from(i)))
+            .collect()
+    }
+
+    fn read(rows: &[String]) -> Reading {
+        read_bytes("a.csv", ("nm,v\n".to_owned() + &rows.join("\n")).as_bytes()).expect("a table")
+    }
+
+    #[test]
+    fn a_stray_row_is_left_out_wherever_it_stands_and_said_with_line_and_value() {
+        let (mut end, mut start, mut middle, mut mistyped) = (rows(), rows(), rows(), rows());
+        end.push("550,100".to_owned());
+        start.insert(0, "550,100".to_owned());
+        middle.insert(40, "400,3".to_owned());
+        mistyped[34] = "5500,0.84".to_owned();
+        for (rows, said, points) in [
+            (end, "line 83: wavelength 550 (value 100)", 81),
+            (start, "line 2: wavelength 550 (value 100)", 81),
+            (middle, "line 42: wavelength 400 (value 3)", 81),
+            (mistyped, "line 36: wavelength 5500 (value 0.84)", 80),
+        ] {
+            let reading = read(&rows);
+            let said = format!("{said} is out of order: the row was left out");
+            assert!(reading.notes.contains(&said), "{said}: {:?}", reading.notes);
+            assert_eq!(reading.spectra.len(), 1);
+            let samples = &reading.spectra[0].samples;
+            assert_eq!(
+                (samples.len(), samples.last_nm()),
+                (points, 780.0),
+                "{said}"
+            );
+        }
+    }
+
+    #[test]
+    fn rows_in_random_order_are_sorted_and_said_with_and_without_titles() {
+        let sorted = rows();
+        // 37 and 81 have no divisor in common: every row once.
+        let shuffled: Vec<String> = (0..81).map(|i| sorted[37 * i % 81].clone()).collect();
+        for titles in ["nm,v\n", ""] {
+            let text = titles.to_owned() + &shuffled.join("\n");
+            let reading = read_bytes("a.csv", text.as_bytes()).expect("a table");
+            let said = "rows in no order of wavelengths: put in rising order".to_owned();
+            assert!(reading.notes.contains(&said), "{:?}", reading.notes);
+            assert_eq!(reading.spectra.len(), 1);
+            assert_eq!(reading.spectra[0].samples, read(&sorted).spectra[0].samples);
+        }
+    }
+
+    #[test]
+    fn detectors_that_overlap_and_ranges_that_are_listed_twice_stay_what_they_are() {
+        let mut overlap = rows();
+        overlap.extend((0..40).map(|i| format!("{},1", 765 + 5 * i)));
+        let reading = read(&overlap);
+        assert_eq!(reading.spectra[0].samples.last_nm(), 960.0);
+        let twice = [rows(), rows()].concat();
+        assert_eq!(read(&twice).spectra.len(), 2);
+    }
+
+    #[test]
+    fn a_row_of_zeros_at_the_end_is_no_point() {
+        let mut rows = rows();
+        rows.push("0,0".to_owned());
+        let reading = read(&rows);
+        assert_eq!(reading.spectra[0].samples.len(), 81);
+        let said = "1 point at a wavelength of 0 dropped".to_owned();
+        assert!(reading.spectra[0].notes.contains(&said));
+    }
+
+    #[test]
+    fn a_word_in_one_of_many_rows_is_left_out_and_said() {
+        for (width, text) in [(1, "500,abc"), (2, "500,abc,7")] {
+            let mut rows = rows();
+            let beside = ",7".repeat(width - 1);
+            rows.iter_mut().for_each(|row| row.push_str(&beside));
+            rows[24] = text.to_owned();
+            let reading = read_bytes("a.csv", rows.join("\n").as_bytes()).expect("a table");
+            let said = |note: &String| note.starts_with("line 25: found \"abc\" in column 2");
+            assert!(reading.notes.iter().any(said), "{:?}", reading.notes);
+            assert_eq!(reading.spectra[0].samples.len(), 80);
+        }
+        let mut several = rows();
+        for row in [10, 20, 30, 40, 50] {
+            several[row] = format!("{},abc", 380 + 5 * row);
+        }
+        let refusal = read_bytes("a.csv", several.join("\n").as_bytes()).expect_err("words");
+        assert!(
+            refusal.to_string().contains("line 11: found \"abc\""),
+            "{refusal}"
+        );
+    }
+}

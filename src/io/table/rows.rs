@@ -1,0 +1,171 @@
+//! Tables with their wavelengths along a row: one spectrum in each further row.
+
+use super::pick::Table;
+use crate::io::interpret::heading::Heading;
+use crate::io::interpret::kinds::{kind_of_title, kind_of_words};
+use crate::io::interpret::raw::{RawSpectrum, Scale};
+use crate::io::interpret::{check_room, interpret};
+use crate::io::text::dialect::Dialect;
+use crate::io::text::number::number;
+use crate::io::text::units::names_wavelength;
+use crate::io::{Input, ReadError, Reading};
+
+/// Wavelengths along a row.
+pub(crate) struct AlongRow<'a> {
+    /// The first column with a wavelength.
+    pub first: usize,
+    /// The wavelengths in the file's unit.
+    pub axis: &'a [f64],
+    /// The first row of values.
+    pub from_row: usize,
+    /// Whether the axis says by itself that it counts nanometres.
+    pub says_nm: bool,
+}
+
+/// Adds the spectra of such a table to a reading.
+///
+/// # Errors
+/// [`ReadError`] for a word among the numbers, or numbers that are no spectrum.
+pub(crate) fn read_rows(
+    input: &Input,
+    dialect: Dialect,
+    table: &Table,
+    along: &AlongRow,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let block = &table.block;
+    let heading = Heading::of(&block.header).shared_by(block.rows());
+    let kind_title = titles_before(table, along.first);
+    let columns = along.first..along.first + along.axis.len();
+    if let Some(bad) = block.bad.iter().find(|bad| columns.contains(&bad.column)) {
+        return Err(bad.refusal(input));
+    }
+    let has_values = |row: &usize| {
+        let values = block.values[columns.clone()].iter().map(|c| c[*row]);
+        values.filter(|v| !v.is_nan()).nth(1).is_some()
+    };
+    let spectra = (along.from_row..block.rows()).filter(has_values).count();
+    check_room(input, reading.spectra.len() + spectra)?;
+    let scale = Scale::new(along.axis);
+    let corner = corner(table, dialect, along);
+    let mut cells = Vec::new();
+    for (row, content) in block.row_texts().enumerate().skip(along.from_row) {
+        dialect.split(content.trim_matches(' '), &mut cells);
+        let before = cells.iter().take(along.first).copied();
+        let words: Vec<&str> = before.filter(|cell| !cell.is_empty()).collect();
+        let words = words.as_slice();
+        let name = name_of(words)
+            .unwrap_or_else(|| format!("{}, row {}", input.stem(), row + 1 - along.from_row));
+        let name = match name.parse::<f64>() {
+            Ok(_) => format!("{}, row {name}", input.stem()),
+            Err(_) => name,
+        };
+        let values: Vec<f64> = block.values[columns.clone()]
+            .iter()
+            .map(|c| c[row])
+            .collect();
+        if values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
+            reading.notes.push(format!(
+                "line {} holds no values and was left out",
+                block.lines[row]
+            ));
+            continue;
+        }
+        let raw = RawSpectrum::written(name, &scale, &kind_title, values, &heading);
+        let raw = RawSpectrum {
+            title: kind_word(words)
+                .map(str::to_owned)
+                .or_else(|| percent_label(words))
+                .unwrap_or_else(|| corner.clone()),
+            lines: std::slice::from_ref(&block.lines[row]),
+            ..raw.saying_nm(along.says_nm)
+        };
+        interpret(raw.with_comma(dialect.decimal_comma), input, reading)?;
+    }
+    reading
+        .notes
+        .push("wavelengths in a row, one spectrum in each further row".to_owned());
+    Ok(())
+}
+
+/// A row's name: its words, and its numbers only where there are none. Meters write results such
+/// as lux and chromaticity before the values.
+fn name_of(words: &[&str]) -> Option<String> {
+    let is_word = |cell: &&&str| number(cell.trim_matches('"'), false).is_none();
+    let named: Vec<&str> = words.iter().filter(is_word).copied().collect();
+    match (named.is_empty(), words.is_empty()) {
+        (false, _) => Some(named.join(" ")),
+        (true, false) => Some(words.join(" ")),
+        (true, true) => None,
+    }
+}
+
+/// A cell before the values that says nothing but what kind of value follows: "Transmittance".
+fn kind_word<'a>(words: &[&'a str]) -> Option<&'a str> {
+    words
+        .iter()
+        .copied()
+        .find(|cell| !cell.trim().contains(' ') && cell.len() > 2 && kind_of_words(cell).is_some())
+}
+
+/// A row's words where they say with a per cent sign what is measured: "Refl %".
+fn percent_label(words: &[&str]) -> Option<String> {
+    let label = words.join(" ");
+    (label.contains('%') && kind_of_title(&label).is_some()).then_some(label)
+}
+
+/// The word in the corner of the table, where it says what is measured and not that wavelengths
+/// follow; empty otherwise.
+fn corner(table: &Table, dialect: Dialect, along: &AlongRow) -> String {
+    let corner = if along.from_row > 0 {
+        let cells = table.block.first_cells(dialect);
+        let before = cells.iter().take(along.first);
+        let before: Vec<&str> = before.map(|cell| cell.trim_matches('"')).collect();
+        before.join(" ").trim().to_owned()
+    } else {
+        titles_before(table, along.first)
+    };
+    let tells = corner.len() > 1 && kind_of_title(&corner).is_some() && !names_wavelength(&corner);
+    if tells { corner } else { String::new() }
+}
+
+/// What stands before the wavelengths in their row ("wavelength (nm)").
+fn titles_before(table: &Table, first: usize) -> String {
+    (0..first)
+        .map(|c| table.titles.whole(c))
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::read_bytes;
+    use crate::spectrum::Kind;
+
+    #[test]
+    fn the_corner_of_a_table_along_rows_tells_what_is_measured() {
+        let text =
+            "Reflectance,400,410,420,430,440\nleaf,0.1,0.2,0.3,0.4,0.5\nsoil,0.2,0.2,0.3,0.3,0.3\n";
+        let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
+        assert!(spectra.iter().all(|s| s.kind == Kind::Reflectance));
+        let text = "wavelength,400,410,420,430,440\nRefl %,10,20,30,40,50\n";
+        let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
+        assert_eq!(
+            (spectra[0].kind, spectra[0].scale),
+            (Kind::Reflectance, 0.01)
+        );
+    }
+
+    #[test]
+    fn a_row_is_named_by_its_words_and_its_kind_by_a_cell_of_its_own() {
+        let text = "id,mode,lux,400,410,420,430,440\n1,Reflectance,3.5,10,20,30,40,50\n2,Transmittance,4.5,1,2,3,4,5\n";
+        let spectra = read_bytes("leaf.csv", text.as_bytes()).unwrap().spectra;
+        assert_eq!(spectra[0].name, "Reflectance");
+        let kinds: Vec<Kind> = spectra.iter().map(|s| s.kind).collect();
+        assert_eq!(kinds, [Kind::Reflectance, Kind::Transmittance]);
+        assert_eq!(spectra[0].scale, 0.01);
+        let numbered = "id,400,410,420,430,440\n7,1,2,3,4,5\n";
+        let spectra = read_bytes("a.csv", numbered.as_bytes()).unwrap().spectra;
+        assert_eq!(spectra[0].name, "a, row 7");
+    }
+}

@@ -1,0 +1,226 @@
+//! Rows of several samples below one another, told apart by a column of words or of whole numbers:
+//! `leaf, 400, 0.1`.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use super::block::Block;
+use crate::io::text::dialect::Dialect;
+
+/// Fewest rows of a sample that a number tells from others: values may be whole numbers too.
+const FEWEST_ROWS: usize = 5;
+
+/// A sample and its rows, which stand together.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Sample {
+    /// What the column calls it.
+    pub name: String,
+    /// Its rows.
+    pub rows: Range<usize>,
+}
+
+/// Puts the rows of each sample together, in the order in which samples first appear: tables go
+/// from sample to sample, or from wavelength to wavelength. Gives the column and the samples; `None`
+/// where the wavelengths run through once, or no column makes them run through in each sample. Of
+/// the columns taken for `values` one at least stays what it is.
+pub(crate) fn together(
+    block: &mut Block,
+    dialect: Dialect,
+    axis: usize,
+    values: &[usize],
+) -> Option<(usize, Vec<Sample>)> {
+    let wavelengths = block.column(axis);
+    if runs_through(wavelengths.iter().copied()) {
+        return None;
+    }
+    let worded = |column: &usize| {
+        let stats = &block.columns[*column];
+        stats.numbers == 0 && stats.texts == block.rows()
+    };
+    let mut columns: Vec<usize> = (0..block.width).filter(worded).collect();
+    let words = columns.len();
+    let counted = |column: &usize| {
+        let leaves_some = values.iter().any(|of_values| of_values != column);
+        *column != axis && leaves_some && is_counted(block.column(*column))
+    };
+    columns.extend((0..block.width.min(MOST_COUNTED)).filter(counted));
+    let cells = cells_of(block, dialect, &columns);
+    let told = columns.iter().zip(&cells).enumerate();
+    let (column, found) = told.into_iter().find_map(|(at, (column, cells))| {
+        let fewest = if at < words { 2 } else { FEWEST_ROWS };
+        let found = ByWord::of(cells, fewest)?;
+        let is_told = found.names.len() > 1
+            && found.rows().all(|rows| {
+                rows.len() >= fewest && runs_through(rows.iter().map(|row| wavelengths[*row]))
+            });
+        is_told.then_some((*column, found))
+    })?;
+    let names = found.names.iter();
+    let samples = names
+        .zip(found.starts.windows(2))
+        .map(|(name, ends)| Sample {
+            name: name.trim_matches(['"', '\'']).trim().to_owned(),
+            rows: ends[0]..ends[1],
+        })
+        .collect();
+    let order = found.order;
+    if !order.is_sorted() {
+        block.arrange(&order);
+    }
+    Some((column, samples))
+}
+
+/// Columns that are looked at for numbers of samples: they stand in front.
+const MOST_COUNTED: usize = 20;
+
+/// Whether a column may number samples.
+fn is_counted(values: &[f64]) -> bool {
+    let first = values.first();
+    first.is_some_and(|first| values.iter().any(|v| v != first))
+        && values.iter().all(|v| v.fract() == 0.0)
+}
+
+/// Whether wavelengths, two at least, rise throughout, or fall.
+fn runs_through(mut wavelengths: impl Iterator<Item = f64>) -> bool {
+    let (Some(first), Some(second)) = (wavelengths.next(), wavelengths.next()) else {
+        return false;
+    };
+    let rises = second > first;
+    let mut before = second;
+    second != first
+        && wavelengths.all(|nm| {
+            let goes_on = if rises { nm > before } else { nm < before };
+            before = nm;
+            goes_on
+        })
+}
+
+/// The cells of some columns in each row, a list a column.
+fn cells_of<'a>(block: &Block<'a>, dialect: Dialect, columns: &[usize]) -> Vec<Vec<&'a str>> {
+    if columns.is_empty() {
+        return Vec::new();
+    }
+    let mut found = vec![Vec::with_capacity(block.rows()); columns.len()];
+    let mut cells = Vec::new();
+    for content in block.row_texts() {
+        dialect.split(content.trim_matches(' '), &mut cells);
+        for (column, found) in columns.iter().zip(&mut found) {
+            found.push(cells.get(*column).map_or("", |cell| cell.trim()));
+        }
+    }
+    found
+}
+
+/// Rows by their word, in the order in which words first appear.
+struct ByWord<'a> {
+    names: Vec<&'a str>,
+    /// All rows, those of one word together.
+    order: Vec<usize>,
+    /// Where in `order` the rows of each word begin, and its length.
+    starts: Vec<usize>,
+}
+
+impl<'a> ByWord<'a> {
+    /// `None` where there are too many words for each to have `fewest` rows.
+    fn of(words: &[&'a str], fewest: usize) -> Option<Self> {
+        let mut places: HashMap<&str, usize> = HashMap::new();
+        let (mut names, mut counts) = (Vec::new(), Vec::new());
+        let mut place_of_row = Vec::with_capacity(words.len());
+        for word in words {
+            let place = *places.entry(word).or_insert(names.len());
+            if place == names.len() {
+                if (names.len() + 1) * fewest > words.len() {
+                    return None;
+                }
+                names.push(*word);
+                counts.push(0);
+            }
+            counts[place] += 1;
+            place_of_row.push(place);
+        }
+        drop(places);
+        let mut starts = vec![0];
+        for count in counts {
+            starts.push(starts[starts.len() - 1] + count);
+        }
+        let mut next = starts.clone();
+        let mut order = vec![0; words.len()];
+        for (row, place) in place_of_row.into_iter().enumerate() {
+            order[next[place]] = row;
+            next[place] += 1;
+        }
+        Some(Self {
+            names,
+            order,
+            starts,
+        })
+    }
+
+    /// The rows of each word.
+    fn rows(&self) -> impl Iterator<Item = &[usize]> {
+        self.starts
+            .windows(2)
+            .map(|ends| &self.order[ends[0]..ends[1]])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::io::{Reading, read_bytes};
+
+    fn read(text: &str) -> Reading {
+        read_bytes("long.csv", text.as_bytes()).expect("a table")
+    }
+
+    fn names(reading: &Reading) -> Vec<&str> {
+        reading.spectra.iter().map(|s| s.name.as_str()).collect()
+    }
+
+    #[test]
+    fn a_column_of_words_names_the_spectra_below_one_another() {
+        let one = read(
+            "sample,wavelength,reflectance\nleaf,400,0.1\nleaf,410,0.2\nleaf,420,0.3\nsoil,400,0.4\n\
+             soil,410,0.5\nsoil,420,0.6\n",
+        );
+        assert_eq!(names(&one), ["leaf", "soil"]);
+        assert_eq!(one.spectra[1].samples.values(), [0.4, 0.5, 0.6]);
+        assert!(
+            one.notes
+                .iter()
+                .any(|n| n == "column 1 (sample) tells the spectra apart"),
+            "{:?}",
+            one.notes
+        );
+    }
+
+    #[test]
+    fn samples_that_alternate_are_told_apart_and_never_averaged() {
+        let two = read(
+            "wavelength;R;T;leaf\n400;10;1;\"oak\"\n400;20;2;\"elm\"\n410;30;3;\"oak\"\n410;40;4;\"elm\"\n\
+             420;50;5;\"oak\"\n420;60;6;\"elm\"\n",
+        );
+        assert_eq!(names(&two), ["oak R", "oak T", "elm R", "elm T"]);
+        assert_eq!(two.spectra[2].samples.values(), [0.2, 0.4, 0.6]);
+    }
+
+    #[test]
+    fn whole_numbers_tell_samples_apart_and_are_no_spectrum() {
+        let mut text = "plot,wavelength,reflectance\n".to_owned();
+        for nm in (400..460).step_by(10) {
+            for plot in [7, 8] {
+                text += &format!("{plot},{nm},0.{plot}{nm}\n");
+            }
+        }
+        let two = read(&text);
+        assert_eq!(names(&two), ["plot 7", "plot 8"]);
+        assert_eq!(two.spectra[1].samples.len(), 6);
+        assert_eq!(two.spectra[1].samples.values()[0], 0.84);
+    }
+
+    #[test]
+    fn words_beside_wavelengths_that_run_through_once_divide_nothing() {
+        let one = read("region,nm,power\nUV,380,1\nUV,390,2\nVIS,400,3\nVIS,410,4\n");
+        assert_eq!(one.spectra.len(), 1);
+        assert_eq!(one.spectra[0].samples.len(), 4);
+    }
+}

@@ -1,0 +1,501 @@
+//! Goes once over a text and finds its blocks of numbers, whatever stands around them.
+//!
+//! A row is a line of at least two numbers (or gaps) with no more words than numbers. A block is
+//! a run of rows; blank lines and comments do not end it. Lines that are no rows, and runs of a
+//! single row, are the header of the block that follows. One number is kept a cell, so time and
+//! memory grow with the text's length only. Once a block has shown its width, rows that are nothing
+//! but plain numbers take a short way ([`plain_row`](super::plain_row)); lines without a figure or a
+//! delimiter are no rows at a glance; every other line is looked at cell by cell.
+
+use super::block::{Block, SETTLED, row_gone_wrong};
+use super::plain_row::PlainRow;
+use crate::io::budget;
+use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
+use crate::io::text::first_line;
+use crate::io::text::number::{self, Cell};
+
+/// Most cells of numbers that one file may hold; 64 million take 512 MiB of memory.
+pub const MOST_CELLS: usize = 64_000_000;
+
+/// Longest line that may be a row, in bytes: as many columns as may be, of 256 characters each.
+const LONGEST_ROW: usize = 256 * MOST_COLUMNS;
+
+/// Most header lines kept before a block: the first hundred and the last hundred are enough.
+const HEADER_LINES: usize = 200;
+
+/// Rows after which a block is long enough to make room for all that may follow. For each of many
+/// short ones it would be room for the whole file.
+const LONG: usize = 1024;
+
+/// More than the program keeps, found at a line of the file (from 1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TooMuch {
+    /// More cells than [`MOST_CELLS`].
+    Cells { line: usize },
+    /// More columns than [`MOST_COLUMNS`].
+    Columns { line: usize, found: usize },
+    /// More blocks of a few rows than fit into the memory that the text may take.
+    Blocks { line: usize, found: usize },
+}
+
+/// All blocks of at least two rows in a text, in its order.
+///
+/// # Errors
+/// [`TooMuch`] when the text holds more numbers than the program keeps.
+pub(crate) fn scan(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
+    scan_behind(text, 0, dialect)
+}
+
+/// As [`scan`], for what stands in a file behind a number of lines.
+///
+/// # Errors
+/// As [`scan`].
+pub(crate) fn scan_behind(
+    text: &str,
+    lines: usize,
+    dialect: Dialect,
+) -> Result<Vec<Block<'_>>, TooMuch> {
+    let mut scanner = Scanner::new(text, lines, dialect);
+    scanner.run()?;
+    Ok(scanner.blocks)
+}
+
+/// The first blocks of a text: as many as a scan takes.
+///
+/// # Errors
+/// [`TooMuch`] of another kind than too many blocks.
+pub(crate) fn scan_start(text: &str, dialect: Dialect) -> Result<Vec<Block<'_>>, TooMuch> {
+    let mut scanner = Scanner::new(text, 0, dialect);
+    match scanner.run() {
+        Ok(()) | Err(TooMuch::Blocks { .. }) => Ok(scanner.blocks),
+        Err(too_much) => Err(too_much),
+    }
+}
+
+/// A scan on its way through a text.
+struct Scanner<'a> {
+    dialect: Dialect,
+    /// What was not looked at yet.
+    rest: &'a str,
+    /// Lines that were.
+    line: usize,
+    blocks: Vec<Block<'a>>,
+    /// Lines since the last block.
+    header: Vec<(usize, &'a str)>,
+    /// The block that rows are added to.
+    open: Option<Block<'a>>,
+    /// The cells of a line and what they hold.
+    cells: Vec<&'a str>,
+    kinds: Vec<Cell>,
+    /// Cells in all blocks.
+    held: usize,
+    /// Memory that the blocks take beside them, and may take.
+    beside: usize,
+    most_beside: usize,
+}
+
+impl<'a> Scanner<'a> {
+    fn new(text: &'a str, lines: usize, dialect: Dialect) -> Self {
+        Self {
+            dialect,
+            rest: text,
+            line: lines,
+            blocks: Vec::new(),
+            header: Vec::new(),
+            open: None,
+            cells: Vec::new(),
+            kinds: Vec::new(),
+            held: 0,
+            beside: 0,
+            // The spectra that become of them take the other half.
+            most_beside: budget::of(text.len()) / 2,
+        }
+    }
+
+    fn run(&mut self) -> Result<(), TooMuch> {
+        let mut plain = PlainRow::new(self.dialect);
+        loop {
+            self.plain_rows(&mut plain)?;
+            self.skip_line_ends();
+            let from = self.rest;
+            let Some((raw, after)) = first_line(from) else {
+                return self.close();
+            };
+            self.rest = after;
+            self.line += 1;
+            self.look_at(raw, from)?;
+        }
+    }
+
+    /// Passes over empty lines: there may be any number of them.
+    fn skip_line_ends(&mut self) {
+        let bytes = self.rest.as_bytes();
+        let mut at = 0;
+        while let Some(b'\n' | b'\r') = bytes.get(at) {
+            at += usize::from(bytes[at..].starts_with(b"\r\n"));
+            at += 1;
+            self.line += 1;
+        }
+        self.rest = &self.rest[at..];
+    }
+
+    /// Takes the rows that go on with the open block and are nothing but plain numbers.
+    fn plain_rows(&mut self, plain: &mut PlainRow) -> Result<(), TooMuch> {
+        let Some(open) = &mut self.open else {
+            return Ok(());
+        };
+        if open.rows() < SETTLED {
+            return Ok(());
+        }
+        while let Some((row, past)) = plain.read(self.rest, open.width) {
+            self.line += 1;
+            if self.held + open.width > MOST_CELLS {
+                return Err(TooMuch::Cells { line: self.line });
+            }
+            if open.rows() == LONG {
+                // Lines are about as long as this one: no array grows twice.
+                let rows = self.rest.len() / past + 1;
+                open.reserve(rows.min(MOST_CELLS / open.width));
+            }
+            self.held += open.width;
+            open.push_plain(self.line, row);
+            self.rest = &self.rest[past..];
+        }
+        open.count();
+        Ok(())
+    }
+
+    /// Takes a line of any kind, with which `from` starts.
+    fn look_at(&mut self, raw: &'a str, from: &'a str) -> Result<(), TooMuch> {
+        let content = raw[..raw.floor_char_boundary(LONGEST_ROW)].trim_ascii();
+        if content.is_empty() {
+            return Ok(());
+        }
+        if let Some(comment) = comment(content) {
+            push_header(&mut self.header, self.line, comment);
+            return Ok(());
+        }
+        let is_row = self.is_row(raw)?;
+        let used = used(&self.cells);
+        if let Some(open) = &mut self.open {
+            if is_row && open.takes(used, self.cells.len()) {
+                self.held += open.width;
+                open.push(self.line, &self.cells, &self.kinds);
+            } else {
+                open.ended_by = row_gone_wrong(open, self.line, &self.cells, &self.kinds);
+                self.close()?;
+            }
+        }
+        if self.open.is_none() {
+            if is_row {
+                trim(&mut self.header);
+                let header = std::mem::take(&mut self.header);
+                let mut open = Block::new(header, self.cells.len(), (self.line, from));
+                self.held += open.width;
+                open.push(self.line, &self.cells, &self.kinds);
+                self.open = Some(open);
+            } else {
+                push_header(&mut self.header, self.line, content);
+            }
+        }
+        if self.held > MOST_CELLS {
+            return Err(TooMuch::Cells { line: self.line });
+        }
+        Ok(())
+    }
+
+    /// Takes a line apart, unless it is plain at a glance that it is no row; whether it is one.
+    fn is_row(&mut self, raw: &'a str) -> Result<bool, TooMuch> {
+        self.cells.clear();
+        self.kinds.clear();
+        // A row has a figure. Titles without any are cells, too, where there are too many of them.
+        let has_figure = || raw.bytes().any(|byte| byte.is_ascii_digit());
+        let is_short = raw.len() <= MOST_COLUMNS;
+        if raw.len() > LONGEST_ROW
+            || !self.dialect.parts(content_with_tabs(raw))
+            || is_short && !has_figure()
+        {
+            return Ok(false);
+        }
+        let mut is_row = self.take_apart(raw);
+        if self.kinds.contains(&Cell::Text)
+            && let Some(before) = before_comment(raw)
+        {
+            let is_whole = self.take_apart(before) && !self.kinds.contains(&Cell::Text);
+            is_row = is_whole || self.take_apart(raw);
+        }
+        // Words with blanks between them are no columns.
+        let are_cells = is_row || self.dialect.delimiter != Delimiter::Space;
+        if self.cells.len() > MOST_COLUMNS && are_cells {
+            return Err(TooMuch::Columns {
+                line: self.line,
+                found: self.dialect.count(content_with_tabs(raw)),
+            });
+        }
+        Ok(is_row)
+    }
+
+    /// The cells of a line and what they hold; whether it looks like a row.
+    fn take_apart(&mut self, line: &'a str) -> bool {
+        self.dialect.split(content_with_tabs(line), &mut self.cells);
+        let decimal_comma = self.dialect.decimal_comma;
+        let kinds = self.cells.iter();
+        self.kinds.clear();
+        self.kinds
+            .extend(kinds.map(|cell| number::parse(cell, decimal_comma)));
+        looks_like_row(&self.kinds)
+    }
+
+    /// Ends the open block. A single row is a header line ("Index,13,14,15"): it goes back to where
+    /// it stood.
+    fn close(&mut self) -> Result<(), TooMuch> {
+        let Some(mut block) = self.open.take() else {
+            return Ok(());
+        };
+        if block.rows() >= 2 {
+            block.shrink();
+            self.beside += block.bytes_beside();
+            self.blocks.push(block);
+            if self.beside > self.most_beside {
+                return Err(TooMuch::Blocks {
+                    line: self.line,
+                    found: self.blocks.len(),
+                });
+            }
+            return Ok(());
+        }
+        self.held -= block.width;
+        let after = std::mem::replace(&mut self.header, block.header);
+        push_header(&mut self.header, block.lines[0] as usize, block.first_row);
+        self.header.extend(after);
+        // Else it would grow with every single row.
+        trim(&mut self.header);
+        Ok(())
+    }
+}
+
+/// Blanks at the ends go, TABs stay: an empty first or last cell counts.
+fn content_with_tabs(raw: &str) -> &str {
+    raw.trim_matches(' ')
+}
+
+/// The words of a comment line, or `None` when the line is none. A semicolon, and a per cent
+/// sign, may also begin a row whose first cell is empty.
+fn comment(content: &str) -> Option<&str> {
+    let body = ["#", "//", "%", ";"]
+        .iter()
+        .find_map(|mark| content.strip_prefix(mark))?;
+    let starts_row =
+        content.starts_with(';') && body.trim_start().starts_with(|c: char| c.is_ascii_digit());
+    (!starts_row).then(|| body.trim_start_matches(['#', '/', '%', ';']).trim_ascii())
+}
+
+/// A line without the comment behind it: `380,1 # at noon`. A mark with a word close behind it may
+/// be a cell: `#1`, `#VALUE!`.
+fn before_comment(line: &str) -> Option<&str> {
+    let at = [" # ", "\t# ", " //", "\t//"]
+        .iter()
+        .filter_map(|mark| line.find(mark))
+        .min()?;
+    Some(line[..at].trim_end_matches([',', ';', ' ']))
+}
+
+fn looks_like_row(kinds: &[Cell]) -> bool {
+    let (mut numbers, mut gaps, mut texts) = (0, 0, 0);
+    let mut first_gap_or_empty = 0;
+    for kind in kinds {
+        match kind {
+            Cell::Number(_) | Cell::Percent(_) | Cell::Nanometres(_) | Cell::WithUnit(_) => {
+                numbers += 1;
+            }
+            Cell::Gap => gaps += 1,
+            Cell::Empty => first_gap_or_empty += 1,
+            Cell::Text => texts += 1,
+        }
+    }
+    // A wavelength with nothing but empty cells behind it is a row with every value missing.
+    let lone = numbers == 1
+        && texts == 0
+        && first_gap_or_empty > 0
+        && kinds.len() > 1
+        && matches!(kinds[0], Cell::Number(_));
+    texts <= numbers && (numbers + gaps >= 2 && numbers >= 1 || lone)
+}
+
+fn push_header<'a>(header: &mut Vec<(usize, &'a str)>, line: usize, content: &'a str) {
+    header.push((line, content));
+    // Now and then: every line that is lost costs all that stay.
+    if header.len() >= 2 * HEADER_LINES {
+        trim(header);
+    }
+}
+
+/// Keeps the first and the last lines of a long header.
+fn trim(header: &mut Vec<(usize, &str)>) {
+    if header.len() > HEADER_LINES {
+        header.drain(HEADER_LINES / 2..header.len() - HEADER_LINES / 2);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::table::block::BadCell;
+
+    const COMMA: Dialect = Dialect {
+        delimiter: Delimiter::Comma,
+        decimal_comma: false,
+    };
+
+    fn blocks(text: &str) -> Vec<Block<'_>> {
+        scan(text, COMMA).unwrap_or_default()
+    }
+
+    #[test]
+    fn words_around_a_block_are_its_header() {
+        let found = blocks("Lamp A\n# note\nIndex,13,14\nnm,a,b\n380,1,2\n\n385,3,4\n");
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].values, [[380.0, 385.0], [1.0, 3.0], [2.0, 4.0]]);
+        assert_eq!(found[0].lines, [5, 7]);
+        assert_eq!(
+            found[0].header,
+            [
+                (1, "Lamp A"),
+                (2, "note"),
+                (3, "Index,13,14"),
+                (4, "nm,a,b")
+            ]
+        );
+    }
+
+    #[test]
+    fn words_between_blocks_divide_them() {
+        let found = blocks("380,1\n385,2\nSecond\n380,3\n385,4\n");
+        assert_eq!(found.len(), 2);
+        assert_eq!(found[1].header, [(3, "Second")]);
+    }
+
+    #[test]
+    fn a_comment_behind_a_row_is_no_cell_of_it() {
+        let found = blocks("380,1,2 # first\n385,2,3\n390,3,4 // c\n395,leaf #1,5\n400,5,6\n");
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].values[2], [2.0, 3.0, 4.0, 5.0, 6.0]);
+        let bad: Vec<&str> = found[0].bad.iter().map(|bad| &*bad.text).collect();
+        assert_eq!(bad, ["leaf #1"]);
+    }
+
+    #[test]
+    fn a_cell_that_begins_with_the_mark_of_a_comment_stays_with_those_behind_it() {
+        let found = blocks("380,0.1,2 #VALUE! ,3\n385,0.2, #VALUE!,4\n390,0.3,3,5\n395,0.4,4,6\n");
+        let last = found.last().expect("a table");
+        assert_eq!((last.columns.len(), last.values[3].last()), (4, Some(&6.0)));
+        let found = blocks("380,0.1,1\n385,0.2, #REF!,4\n390,0.3,3\n");
+        assert!(found.iter().all(|block| block.columns.len() >= 3));
+        let samples = "380,0.1, #1\n380,0.5, #2\n385,0.1, #1\n385,0.6, #2\n390,0.2, #1\n";
+        let found = blocks(samples);
+        assert_eq!((found.len(), found[0].columns.len()), (1, 3));
+    }
+
+    #[test]
+    fn a_gap_is_kept_as_a_gap_and_a_word_is_remembered() {
+        let found = blocks("380,1,NaN\n385,,2\n390,3,4\n395,abc,5\n400,6,\n");
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].rows(), 5);
+        assert_eq!(found[0].columns[1].numbers, 3);
+        assert_eq!(
+            found[0].bad,
+            [BadCell {
+                line: 4,
+                column: 1,
+                text: "abc".to_owned(),
+                certain: true,
+            }]
+        );
+    }
+
+    #[test]
+    fn a_remark_that_only_some_rows_have_does_not_break_the_table() {
+        let found = blocks("380,1,\n381,2,peak\n382,3,\n383,4,\n");
+        assert_eq!((found.len(), found[0].rows()), (1, 4));
+        let found = blocks("0,380,0.1,0.2\n1,390,0.2,0.3\n2,400,0.3,\n3,410,0.4,0.5\n");
+        assert_eq!((found.len(), found[0].rows()), (1, 4));
+    }
+
+    #[test]
+    fn plain_rows_and_others_stand_in_one_block_in_their_order() {
+        let found =
+            blocks("380,1\n385,2\n390,3\n395,4\n400,NaN\n\n405, 6 \r\n410,\"7\"\n# c\n415,8");
+        assert_eq!(found.len(), 1);
+        let values = &found[0].values;
+        assert_eq!(
+            values[0],
+            [380.0, 385.0, 390.0, 395.0, 400.0, 405.0, 410.0, 415.0]
+        );
+        assert_eq!(values[1][..4], [1.0, 2.0, 3.0, 4.0]);
+        assert!(values[1][4].is_nan());
+        assert_eq!(values[1][5..], [6.0, 7.0, 8.0]);
+        assert_eq!(found[0].lines, [1, 2, 3, 4, 5, 7, 8, 10]);
+        assert_eq!(
+            (found[0].columns[0].numbers, found[0].columns[1].numbers),
+            (8, 7)
+        );
+    }
+
+    #[test]
+    fn a_million_columns_are_too_many() {
+        let row = "1,".repeat(1_000_000);
+        let text = format!("{row}\n{row}\n");
+        let found = scan(&text, COMMA).map(|blocks| blocks.len());
+        let too_many = TooMuch::Columns {
+            line: 1,
+            found: 1_000_001,
+        };
+        assert_eq!(found, Err(too_many));
+        // Titles are cells as numbers are; words of a text are not.
+        let titles = "a,".repeat(MOST_COLUMNS);
+        assert!(matches!(scan(&titles, COMMA), Err(TooMuch::Columns { .. })));
+        let words = titles.replace(',', " ") + "\n380 1\n385 2\n";
+        let blanks = Dialect {
+            delimiter: Delimiter::Space,
+            ..COMMA
+        };
+        assert_eq!(scan(&words, blanks).map(|blocks| blocks.len()), Ok(1));
+    }
+
+    #[test]
+    fn a_block_keeps_no_room_for_rows_that_did_not_come() {
+        let row = "380,1\n";
+        let short = format!("{}x\n", row.repeat(5)).repeat(100);
+        let text = short + &row.repeat(3 * LONG) + &"words\n".repeat(100_000);
+        let found = blocks(&text);
+        assert_eq!(found.len(), 101);
+        for block in found {
+            let room = block.values[0].capacity().max(block.lines.capacity());
+            assert!(room <= 2 * block.rows(), "{room} for {}", block.rows());
+        }
+    }
+
+    #[test]
+    fn the_lines_of_a_block_are_found_again() {
+        let found = blocks("nm,a\n380,1\n# c\n\n385,2\nx\n390 ,3\n395,4");
+        let texts: Vec<Vec<&str>> = found.iter().map(|b| b.row_texts().collect()).collect();
+        assert_eq!(texts, [["380,1", "385,2"], ["390 ,3", "395,4"]]);
+    }
+
+    #[test]
+    fn single_rows_among_comments_do_not_lengthen_the_header() {
+        let text: String = (0..20)
+            .map(|i| "1,2\n1,2,3\n".repeat(i % 2) + &"# c\n".repeat(150))
+            .collect();
+        let text = text + "380,1\n385,2\n";
+        let found = blocks(&text);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].header.len(), HEADER_LINES);
+    }
+
+    #[test]
+    fn a_row_gone_wrong_is_remembered_where_it_ends_a_block() {
+        let found = blocks("380,1\n385,2\n390,3\n395,abc\n400,5\n405,6\n");
+        assert_eq!(found[0].ended_by.as_ref().map(|b| b.line), Some(4));
+    }
+}

@@ -1,0 +1,245 @@
+//! Titles of a table's columns, found in the lines above it.
+
+use super::block::Block;
+use crate::io::interpret::meaning::looks_like_unit;
+use crate::io::text::dialect::{Delimiter, Dialect, used};
+use crate::io::text::units::names_wavelength;
+
+/// Longest cell that can be a title; longer ones are sentences.
+const LONGEST_TITLE: usize = 80;
+
+/// What stands above each column; empty strings where nothing does.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Titles {
+    /// One title a column.
+    pub names: Vec<String>,
+    /// One unit a column, from a line of units in brackets below the titles.
+    pub units: Vec<String>,
+}
+
+impl Titles {
+    /// Title and unit of a column in one text, for the words that it holds.
+    pub(crate) fn whole(&self, column: usize) -> String {
+        let name = self.names.get(column).map_or("", String::as_str);
+        let unit = self.units.get(column).map_or("", String::as_str);
+        format!("{name} {unit}").trim().to_owned()
+    }
+
+    /// Finds the titles of a block.
+    ///
+    /// The line next above the block is one if it has a cell for each column; further lines count
+    /// only above a line of units or of empty cells, or when they name the wavelength column.
+    pub(crate) fn of(block: &Block, dialect: Dialect) -> Self {
+        let width = block.width;
+        let mut found = Self {
+            names: vec![String::new(); width],
+            units: vec![String::new(); width],
+        };
+        let mut next_above = true;
+        // Rows that begin with a name or a count are titled from the second column on.
+        let row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
+        for (_, line) in block.header.iter().rev().take(12) {
+            let Some(cells) = cells_for(line, dialect, width, row_names) else {
+                next_above = false;
+                continue;
+            };
+            let filled = cells.iter().filter(|c| !c.is_empty()).count();
+            if is_setting(&cells) {
+                next_above = false;
+            } else if is_unit_line(&cells) {
+                found.units = cells;
+            } else if filled < 2 && width > 2 {
+                // A row of empty cells ("Name,,,,"): look above it.
+            } else if (next_above || names_wavelength(&cells[0])) && !is_key_and_value(&cells) {
+                found.names = with_label(cells);
+                break;
+            } else {
+                next_above = false;
+            }
+        }
+        found
+    }
+}
+
+/// A line's cells, one for each column, or `None` when it cannot be a line of titles.
+fn cells_for(line: &str, dialect: Dialect, width: usize, row_names: bool) -> Option<Vec<String>> {
+    let mut cells = Vec::new();
+    dialect.split(line, &mut cells);
+    let filled = used(&cells);
+    if dialect.delimiter == Delimiter::Space && filled != width && filled + 1 != width {
+        // Titles of several words each, set apart by TABs or by two blanks and more.
+        cells.clear();
+        let apart = if line.contains('\t') { "\t" } else { "  " };
+        cells.extend(line.split(apart).map(str::trim).filter(|c| !c.is_empty()));
+    }
+    let filled = used(&cells);
+    let bracketed = cells
+        .first()
+        .is_some_and(|c| c.starts_with('[') && names_wavelength(c));
+    let whole = cells.len() >= width && filled <= width.max(1);
+    // Tables written with row names have no title above the first column.
+    let one_less = filled + 1 == width && filled >= 2;
+    if !(whole && filled > 0 || one_less || bracketed && filled <= width)
+        || cells.iter().any(|c| c.chars().count() > LONGEST_TITLE)
+    {
+        return None;
+    }
+    let mut titles: Vec<String> = Vec::with_capacity(width);
+    if one_less && cells.len() < width && row_names {
+        titles.push(String::new());
+    }
+    titles.extend(
+        cells
+            .iter()
+            .take(filled)
+            .map(|c| c.trim_matches('"').trim().to_owned()),
+    );
+    titles.resize(width, String::new());
+    Some(titles)
+}
+
+/// A line of nothing but units: all in brackets, or plain ones behind the wavelengths' own.
+fn is_unit_line(cells: &[String]) -> bool {
+    is_plain_unit_line(cells) || is_bracketed_unit_line(cells)
+}
+
+/// "nm, W/m^2/nm, %".
+fn is_plain_unit_line(cells: &[String]) -> bool {
+    let of_values = cells.get(1..).unwrap_or(&[]);
+    let is_unit = |cell: &String| cell.is_empty() || looks_like_unit(cell);
+    ["nm", "um", "µm", "μm", "cm-1", "1/cm"].contains(&cells[0].trim())
+        && of_values.iter().any(|cell| !cell.is_empty())
+        && of_values.iter().all(is_unit)
+}
+
+fn is_bracketed_unit_line(cells: &[String]) -> bool {
+    let mut filled = cells.iter().filter(|c| !c.is_empty()).peekable();
+    filled.peek().is_some()
+        && filled.all(|c| {
+            c.starts_with('[') && c.ends_with(']') || c.starts_with('(') && c.ends_with(')')
+        })
+}
+
+/// A line such as "Time: 130msec" or "#AxisUnit[1]= nm": its first cell ends with the mark of a key.
+fn is_setting(cells: &[String]) -> bool {
+    let first = cells[0].trim_matches(['"', ' ']);
+    first.ends_with([':', '=']) && !names_wavelength(first)
+}
+
+/// A line such as "Integration time, 92.0" above two columns, or "Remarks: none".
+fn is_key_and_value(cells: &[String]) -> bool {
+    let is_key = cells[0].ends_with(':') && !names_wavelength(&cells[0]);
+    is_key || cells.len() == 2 && !cells[1].contains(char::is_alphabetic)
+}
+
+/// Titles that are bare numbers take the first column's word: "Index 13".
+fn with_label(mut cells: Vec<String>) -> Vec<String> {
+    let label = cells[0].clone();
+    let numbers = cells.iter().filter(|c| c.parse::<f64>().is_ok()).count();
+    let is_axis = names_wavelength(&label) && numbers > 1;
+    if label.is_empty() || names_wavelength(&label) || label.parse::<f64>().is_ok() {
+        for cell in cells
+            .iter_mut()
+            .filter(|c| !c.contains(char::is_alphabetic))
+            // Above wavelengths a number is what somebody calls a column.
+            .filter(|c| !is_axis || c.parse::<f64>().is_err())
+        {
+            cell.clear();
+        }
+        return cells;
+    }
+    for cell in &mut cells[1..] {
+        if cell.parse::<f64>().is_ok() {
+            *cell = format!("{label} {cell}");
+        } else if !cell.contains(char::is_alphabetic) {
+            cell.clear();
+        }
+    }
+    cells
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::table::scan::scan;
+
+    fn titles(text: &str, delimiter: Delimiter) -> Titles {
+        let dialect = Dialect {
+            delimiter,
+            decimal_comma: false,
+        };
+        let blocks = scan(text, dialect).unwrap();
+        Titles::of(&blocks[0], dialect)
+    }
+
+    #[test]
+    fn titles_and_a_line_of_units_below_them_are_found() {
+        let found = titles(
+            "Wave ;Dark ;Transmittance\n[nm] ;[counts] ;[%]\n\n300;3;1.5\n301;2;2.5\n",
+            Delimiter::Semicolon,
+        );
+        assert_eq!(found.names, ["Wave", "Dark", "Transmittance"]);
+        assert_eq!(found.units, ["[nm]", "[counts]", "[%]"]);
+    }
+
+    #[test]
+    fn a_line_of_plain_units_stands_below_the_titles() {
+        let found = titles(
+            "Wavelength;Irradiance;R\nnm;W/m^2/nm;%\n300;3;1.5\n301;2;2.5\n",
+            Delimiter::Semicolon,
+        );
+        assert_eq!(found.names, ["Wavelength", "Irradiance", "R"]);
+        assert_eq!(found.units, ["nm", "W/m^2/nm", "%"]);
+        let alone = titles("nm;W/m2\n300;3\n301;2\n", Delimiter::Semicolon);
+        assert_eq!(alone.whole(1), "W/m2");
+    }
+
+    #[test]
+    fn numbered_columns_take_the_word_before_them() {
+        let found = titles(
+            "Irradiance [uW],\nIndex,13,14,\nName,,,\n[nm],\n327.1,3.7,3.8\n329,3.5,3.6\n",
+            Delimiter::Comma,
+        );
+        assert_eq!(found.names, ["Index", "Index 13", "Index 14"]);
+    }
+
+    #[test]
+    fn key_and_value_lines_are_no_titles() {
+        let found = titles(
+            "Units\tW\nLine0\tsome note\n[Start Data]\n250.0\t7e-11\t-10\n251.0\t1e-10\t-10\n",
+            Delimiter::Tab,
+        );
+        assert!(found.names.iter().all(String::is_empty));
+    }
+
+    #[test]
+    fn a_setting_above_two_columns_is_no_title() {
+        for line in ["I-Time,92.0", "SSI1,---", "Remarks:, none"] {
+            let found = titles(&format!("{line}\n380nm,1\n381nm,2\n"), Delimiter::Comma);
+            assert!(found.names.iter().all(String::is_empty), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn keys_with_their_mark_are_no_titles() {
+        for line in ["\"Time: 130msec\"", "#AxisUnit[1]= nm", "Serial: X1"] {
+            let found = titles(&format!("{line}\n380 1\n381 2\n"), Delimiter::Space);
+            assert!(found.names.iter().all(String::is_empty), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_table_with_row_names_has_one_title_less() {
+        let found = titles("nm lamp\n1 380 0.5\n2 385 0.6\n", Delimiter::Space);
+        assert_eq!(found.names, ["", "nm", "lamp"]);
+    }
+
+    #[test]
+    fn titles_of_several_words_are_set_apart_by_wide_gaps() {
+        let found = titles(
+            "Wave length   Value of it\n380 0.5\n385 0.6\n",
+            Delimiter::Space,
+        );
+        assert_eq!(found.names, ["Wave length", "Value of it"]);
+    }
+}

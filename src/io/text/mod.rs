@@ -1,0 +1,209 @@
+//! Bytes to text: which encoding, which line ends, what had to be dropped.
+
+pub(super) mod dialect;
+pub(super) mod number;
+pub(super) mod units;
+pub(super) mod words;
+
+use std::borrow::Cow;
+
+use encoding_rs::{Encoding, WINDOWS_1252};
+
+/// Most bytes of one text file that the program opens: 512 MiB.
+pub const MOST_BYTES: u64 = 512 * 1024 * 1024;
+
+/// Most bytes of a text that only one instrument's or program's format tells how to read, 64 MiB:
+/// far more than any of them writes.
+pub const MOST_BYTES_OF_A_FORMAT: usize = 64 * 1024 * 1024;
+
+/// How much of a file decides whether it is text.
+const PROBE_BYTES: usize = 64 * 1024;
+
+/// Lines of a text with their numbers in the file.
+pub(super) type NumberedLines<'a> = [(usize, &'a str)];
+
+/// A file's text.
+#[derive(Clone, Debug)]
+pub struct Text<'a> {
+    /// The decoded text, without byte order mark and without NUL characters.
+    pub text: Cow<'a, str>,
+    /// What it was decoded from: "UTF-8", "UTF-16LE", "windows-1252", ...
+    pub encoding: &'static str,
+    /// How many NUL characters some instrument left in the text and were dropped.
+    pub nuls_dropped: usize,
+}
+
+impl Text<'_> {
+    /// What is odd about the text, a sentence each; nothing for plain UTF-8.
+    pub fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if self.encoding != "UTF-8" {
+            notes.push(format!("text read as {}", self.encoding));
+        }
+        match self.nuls_dropped {
+            0 => {}
+            1 => notes.push("1 NUL byte dropped from the text".to_owned()),
+            n => notes.push(format!("{n} NUL bytes dropped from the text")),
+        }
+        notes
+    }
+}
+
+/// Whether bytes are numbers or an image rather than text.
+///
+/// Text holds no control characters beyond TAB and line ends, instruments leave a few in headers;
+/// bytes of floating-point numbers hold some ten per cent. NUL bytes alone do not decide: they
+/// pad headers, and UTF-16 is half NUL.
+pub fn is_binary(bytes: &[u8]) -> bool {
+    if Encoding::for_bom(bytes).is_some() {
+        return false;
+    }
+    let probe = &bytes[..bytes.len().min(PROBE_BYTES)];
+    let nuls = probe.iter().filter(|b| **b == 0).count();
+    let controls = probe
+        .iter()
+        .filter(|b| matches!(**b, 1..=8 | 11 | 14..=25 | 27..=31 | 127))
+        .count();
+    controls * 50 > probe.len() || nuls * 5 > probe.len() * 3
+}
+
+/// Decodes a text file: a byte order mark decides, then valid UTF-8, else Windows-1252 (which
+/// holds Latin-1).
+pub fn decode(bytes: &[u8]) -> Text<'_> {
+    let (text, encoding) = match Encoding::for_bom(bytes) {
+        Some((encoding, mark)) => (
+            encoding.decode_without_bom_handling(&bytes[mark..]).0,
+            encoding.name(),
+        ),
+        None => match std::str::from_utf8(bytes) {
+            Ok(text) => (Cow::Borrowed(text), "UTF-8"),
+            Err(_) => (
+                WINDOWS_1252.decode_without_bom_handling(bytes).0,
+                WINDOWS_1252.name(),
+            ),
+        },
+    };
+    let nuls_dropped = memchr::memchr_iter(0, text.as_bytes()).count();
+    let text = if nuls_dropped == 0 {
+        text
+    } else {
+        Cow::Owned(text.chars().filter(|c| *c != '\0').collect())
+    };
+    Text {
+        text,
+        encoding,
+        nuls_dropped,
+    }
+}
+
+/// A line's number as it is kept with every point, in half the memory.
+pub(super) fn kept_line(line: usize) -> u32 {
+    u32::try_from(line).unwrap_or(u32::MAX)
+}
+
+/// Lines with their numbers from 1, whatever ends them: LF, CR LF or CR alone.
+pub fn lines(text: &str) -> Lines<'_> {
+    Lines {
+        rest: text,
+        number: 0,
+    }
+}
+
+/// Iterator of [`lines`].
+#[derive(Clone, Debug)]
+pub struct Lines<'a> {
+    rest: &'a str,
+    number: usize,
+}
+
+impl<'a> Lines<'a> {
+    /// The text that is left.
+    pub fn rest(&self) -> &'a str {
+        self.rest
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = (usize, &'a str);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (line, rest) = first_line(self.rest)?;
+        self.rest = rest;
+        self.number += 1;
+        Some((self.number, line))
+    }
+}
+
+/// The first line without its end, and the text behind it; `None` at the end of the text.
+pub(super) fn first_line(text: &str) -> Option<(&str, &str)> {
+    // Most short lines are empty ones.
+    let Some(end) = (match text.bytes().next()? {
+        b'\n' | b'\r' => Some(0),
+        _ => memchr::memchr2(b'\n', b'\r', text.as_bytes()),
+    }) else {
+        return Some((text, ""));
+    };
+    let past = end
+        + if text[end..].starts_with("\r\n") {
+            2
+        } else {
+            1
+        };
+    Some((&text[..end], &text[past..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_end_counts_as_one() {
+        let found: Vec<_> = lines("a\nb\r\nc\rd\n\ne").collect();
+        assert_eq!(
+            found,
+            [(1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, ""), (6, "e")]
+        );
+        assert_eq!(lines("").count(), 0);
+        assert_eq!(lines("a\n").count(), 1);
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_obeyed_and_removed() {
+        assert_eq!(decode(b"\xef\xbb\xbf380").text, "380");
+        let little: Vec<u8> = "\u{feff}38µ"
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect();
+        let read = decode(&little);
+        assert_eq!((read.text.as_ref(), read.encoding), ("38µ", "UTF-16LE"));
+        let big: Vec<u8> = "\u{feff}38µ"
+            .encode_utf16()
+            .flat_map(u16::to_be_bytes)
+            .collect();
+        assert_eq!(decode(&big).text, "38µ");
+    }
+
+    #[test]
+    fn latin_1_headers_are_read_and_said() {
+        let read = decode(b"N\xfamero [\xb5W]\n1 2");
+        assert_eq!(read.text, "Número [µW]\n1 2");
+        assert_eq!(read.notes(), ["text read as windows-1252"]);
+    }
+
+    #[test]
+    fn nul_bytes_are_dropped_and_said() {
+        let read = decode(b"head\0\0er\n380 1");
+        assert_eq!(read.text, "header\n380 1");
+        assert_eq!(read.notes(), ["2 NUL bytes dropped from the text"]);
+    }
+
+    #[test]
+    fn numbers_as_bytes_are_not_text() {
+        let floats: Vec<u8> = (0..500)
+            .flat_map(|i| (0.1f64 + f64::from(i).sin()).to_le_bytes())
+            .collect();
+        assert!(is_binary(&floats));
+        assert!(!is_binary(b"wavelength;value\r\n380;0,5\r\n"));
+        assert!(!is_binary(b""));
+    }
+}

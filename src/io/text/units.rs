@@ -1,0 +1,411 @@
+//! Units of the wavelength axis: told by a header, else guessed from the range.
+
+use serde::{Deserialize, Serialize};
+
+use super::words::{holds, holds_any, without_brackets};
+
+/// What a file counts its wavelength axis in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum WavelengthUnit {
+    /// Nanometres.
+    Nanometre,
+    /// Micrometres (microns).
+    Micrometre,
+    /// Ångström, a tenth of a nanometre.
+    Angstrom,
+    /// Wave numbers, one over centimetres.
+    PerCentimetre,
+    /// Photon energy, electronvolts.
+    Electronvolt,
+    /// Picometres.
+    Picometre,
+    /// Photon energy, thousandths of an electronvolt.
+    Millielectronvolt,
+    /// Frequency, 1e12 Hz.
+    Terahertz,
+    /// Frequency, 1e9 Hz.
+    Gigahertz,
+    /// Metres, as programs write that count in SI throughout.
+    Metre,
+}
+
+/// Planck's constant times the speed of light in eV nm: 6.62607015e-34 x 299792458 /
+/// 1.602176634e-19 x 1e9, all three exact in the SI of 2019.
+const EV_NM: f64 = 6.626_070_15e-34 * 299_792_458.0 / 1.602_176_634e-19 * 1e9;
+
+/// Speed of light in THz nm, exact in the SI.
+const THZ_NM: f64 = 299_792.458;
+
+impl WavelengthUnit {
+    /// Every unit, the likeliest first.
+    pub const ALL: [Self; 10] = [
+        Self::Nanometre,
+        Self::Micrometre,
+        Self::Angstrom,
+        Self::PerCentimetre,
+        Self::Electronvolt,
+        Self::Picometre,
+        Self::Millielectronvolt,
+        Self::Terahertz,
+        Self::Gigahertz,
+        Self::Metre,
+    ];
+
+    /// The unit's sign: `nm`, `um`, `Å`, `1/cm`, `eV`, `pm`, `meV`, `THz`, `GHz`,
+    /// `m`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Nanometre => "nm",
+            Self::Micrometre => "um",
+            Self::Angstrom => "Å",
+            Self::PerCentimetre => "1/cm",
+            Self::Electronvolt => "eV",
+            Self::Picometre => "pm",
+            Self::Millielectronvolt => "meV",
+            Self::Terahertz => "THz",
+            Self::Gigahertz => "GHz",
+            Self::Metre => "m",
+        }
+    }
+
+    /// Wavelength in nm of a number in this unit.
+    pub fn to_nm(self, x: f64) -> f64 {
+        match self {
+            Self::Nanometre => x,
+            Self::Micrometre => x * 1000.0,
+            Self::Angstrom => x / 10.0,
+            Self::PerCentimetre => 1e7 / x,
+            Self::Electronvolt => EV_NM / x,
+            Self::Picometre => x / 1000.0,
+            Self::Millielectronvolt => 1000.0 * EV_NM / x,
+            Self::Terahertz => THZ_NM / x,
+            Self::Gigahertz => 1000.0 * THZ_NM / x,
+            Self::Metre => x * 1e9,
+        }
+    }
+
+    /// The number in this unit of a wavelength in nm: what a file said before it was converted.
+    pub fn of_nm(self, nm: f64) -> f64 {
+        match self {
+            Self::Nanometre => nm,
+            Self::Micrometre => nm / 1000.0,
+            Self::Angstrom => nm * 10.0,
+            Self::PerCentimetre => 1e7 / nm,
+            Self::Electronvolt => EV_NM / nm,
+            Self::Picometre => nm * 1000.0,
+            Self::Millielectronvolt => 1000.0 * EV_NM / nm,
+            Self::Terahertz => THZ_NM / nm,
+            Self::Gigahertz => 1000.0 * THZ_NM / nm,
+            Self::Metre => nm / 1e9,
+        }
+    }
+
+    /// Whether the unit is one of length, not of something that falls as wavelengths rise.
+    pub fn is_length(self) -> bool {
+        match self {
+            Self::Nanometre | Self::Micrometre | Self::Angstrom | Self::Picometre | Self::Metre => {
+                true
+            }
+            Self::PerCentimetre
+            | Self::Electronvolt
+            | Self::Millielectronvolt
+            | Self::Terahertz
+            | Self::Gigahertz => false,
+        }
+    }
+
+    /// The unit that a title of the wavelength column names (`Wavelength (nm)`, `[um]`, `Å`), by
+    /// whole words: an `å` in "våglängd" is none.
+    pub fn of_title(title: &str) -> Option<Self> {
+        let title = title.to_lowercase();
+        UNIT_WORDS
+            .iter()
+            .find(|(_, words)| holds_any(&title, words))
+            .map(|(unit, _)| *unit)
+    }
+
+    /// The unit that a range of positive numbers suggests; `None` where no unit fits.
+    ///
+    /// 0.2-3 is micrometres and 200-3000 nanometres; libraries of minerals go on to 50 um and
+    /// filters to 20 um, so the upper bounds are wider. All above 3000 is wave numbers.
+    pub fn of_range(min: f64, max: f64) -> Option<Self> {
+        if min >= 100.0 && (min <= 3000.0 && max <= 20_000.0) {
+            Some(Self::Nanometre)
+        } else if min > 3000.0 && max <= 100_000.0 {
+            Some(Self::PerCentimetre)
+        } else if min >= 0.1 && max <= 50.0 {
+            Some(Self::Micrometre)
+        } else {
+            None
+        }
+    }
+}
+
+/// Wavelengths in metres that are plausible: 100 nm to 50 um.
+const METRES: std::ops::RangeInclusive<f64> = 1e-7..=5e-5;
+
+/// Whether a range of numbers looks like wavelengths in metres. Hardly any other column of a table
+/// does, but values of a faint light may: it counts for less than what [`WavelengthUnit::of_range`]
+/// finds.
+pub(crate) fn looks_like_metres(min: f64, max: f64) -> bool {
+    METRES.contains(&min) && METRES.contains(&max)
+}
+
+/// Words that name a unit, lower case, the surest first. A lone "pm" may be the time of day, so it
+/// must stand where units stand.
+const UNIT_WORDS: [(WavelengthUnit, &[&str]); 10] = [
+    (
+        WavelengthUnit::PerCentimetre,
+        &[
+            "wavenumber",
+            "wave number",
+            "cm-1",
+            "cm^-1",
+            "cm⁻¹",
+            "|1/cm|",
+            "kayser",
+        ],
+    ),
+    (WavelengthUnit::Nanometre, &["nanomet", "|nm|"]),
+    (
+        WavelengthUnit::Micrometre,
+        &["micromet", "|micron|", "|microns|", "|µm|", "|μm|", "|um|"],
+    ),
+    (
+        WavelengthUnit::Angstrom,
+        &[
+            "|angstrom|",
+            "|angstroms|",
+            "|angstroem|",
+            "|ångstrom|",
+            "|ångström|",
+            "|ångströms|",
+            "|å|",
+            "(a)",
+            "[a]",
+            "(aa)",
+            "[aa]",
+            "wavelength_a|",
+            "wavelength_aa|",
+            "lambda_a|",
+        ],
+    ),
+    (WavelengthUnit::Millielectronvolt, &["|mev|"]),
+    (WavelengthUnit::Electronvolt, &["|ev|", "electronvolt"]),
+    (
+        WavelengthUnit::Picometre,
+        &["picomet", "(pm)", "[pm]", "/ pm|", "/pm|", "_pm|"],
+    ),
+    (WavelengthUnit::Terahertz, &["|thz|", "terahertz"]),
+    (WavelengthUnit::Gigahertz, &["|ghz|", "gigahertz"]),
+    (
+        WavelengthUnit::Metre,
+        &["(m)", "[m]", "/ m|", "|metres|", "|meters|"],
+    ),
+];
+
+/// Whether a title speaks of wavelengths, which no energies or wave numbers are.
+pub(crate) fn is_of_lengths(title: &str) -> bool {
+    const STARTS: [&str; 8] = [
+        "wavelen",
+        "wvl",
+        "lambda",
+        "λ",
+        "wellenl",
+        "longueur",
+        "longitud",
+        "lunghezza",
+    ];
+    let title = title.trim_matches(['"', '#', '[', '(', ' ']).to_lowercase();
+    STARTS.iter().any(|word| title.starts_with(word))
+}
+
+/// Whether a column's title says that it is the wavelength axis: by its first word or its last, but
+/// not by what stands in brackets behind another (`S(lambda)`).
+pub(crate) fn names_wavelength(title: &str) -> bool {
+    let title = title
+        .trim()
+        .trim_matches(['"', '#', '[', ']', '(', ')'])
+        .to_lowercase();
+    if matches!(
+        title.trim(),
+        "x" | "wl"
+            | "nm"
+            | "um"
+            | "µm"
+            | "w.length"
+            | "λ"
+            | "lam"
+            | "cm-1"
+            | "wn"
+            | "ev"
+            | "mev"
+            | "thz"
+            | "ghz"
+    ) {
+        return true;
+    }
+    const STARTS: [&str; 11] = [
+        "wave",
+        "w.length",
+        "wvl",
+        "lambda",
+        "longitud",
+        "longueur",
+        "wellen",
+        "lunghezza",
+        "λ",
+        "wl_",
+        "wl ",
+    ];
+    const ENDS: [&str; 3] = ["wvl", "wavelength", "wavenumber"];
+    // Energies and frequencies are axes where they are counted in a unit of theirs only: "Energy"
+    // alone is mostly what a lamp emits.
+    const OTHERS: [&str; 3] = ["frequency", "energy", "photon energy"];
+    let name = without_brackets(&title);
+    STARTS.iter().any(|word| title.starts_with(word))
+        || ENDS
+            .iter()
+            .any(|word| name.ends_with(word) && holds(name, &format!("|{word}|")))
+        || OTHERS.iter().any(|word| title.starts_with(word))
+            && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
+}
+
+/// What a title of a wavelength axis counts in, where that is nothing known here: the word in
+/// brackets or behind a stroke (`Frequency (PHz)`), or a quantity without its unit.
+pub(crate) fn unknown_unit(title: &str) -> Option<String> {
+    if WavelengthUnit::of_title(title).is_some() {
+        return None;
+    }
+    const QUANTITIES: [&str; 3] = ["frequency", "energy", "photon energy"];
+    // Where a wavelength was measured, and what else is no unit.
+    const HARMLESS: [&str; 7] = ["air", "vacuum", "vac", "vac.", "x", "lambda", "λ"];
+    let title = title.trim();
+    let name = without_brackets(title).to_lowercase();
+    if QUANTITIES.contains(&name.as_str()) && name.len() == title.len() {
+        return Some(format!("a {name}"));
+    }
+    let is_axis = names_wavelength(&name) || QUANTITIES.iter().any(|word| name.starts_with(word));
+    let unit = match title.find(['(', '[']) {
+        Some(open) => title[open + 1..].split([')', ']']).next(),
+        None => title.split_once(" / ").map(|(_, unit)| unit),
+    };
+    let is_harmless = |unit: &str| HARMLESS.contains(&unit.to_lowercase().as_str());
+    unit.map(str::trim)
+        .filter(|unit| is_axis && unit.chars().any(char::is_alphabetic))
+        .filter(|unit| unit.chars().count() <= 12 && !is_harmless(unit))
+        .map(str::to_owned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_name_their_unit() {
+        use WavelengthUnit::*;
+        for (title, unit) in [
+            ("Wavelength (nm)", Some(Nanometre)),
+            ("[nm]", Some(Nanometre)),
+            ("wavelength_nm", Some(Nanometre)),
+            ("Wavelength(micron)", Some(Micrometre)),
+            ("X Units: Wavelength (micrometers)", Some(Micrometre)),
+            ("λ [µm]", Some(Micrometre)),
+            ("Lambda / Å", Some(Angstrom)),
+            ("Wavenumber", Some(PerCentimetre)),
+            ("Energy (eV)", Some(Electronvolt)),
+            ("wavelength", None),
+            ("[W/m2/nmx]", None),
+            ("Våglängd", None),
+            ("lambda (Micronix spectrometer)", None),
+            ("Wavelength (microns)", Some(Micrometre)),
+            ("Våglängd (Å)", Some(Angstrom)),
+            ("Frequency (THz)", Some(Terahertz)),
+            ("f [GHz]", Some(Gigahertz)),
+            ("Energy (meV)", Some(Millielectronvolt)),
+            ("Wavelength (pm)", Some(Picometre)),
+            ("Wavelength scan, 5:14 pm", None),
+        ] {
+            assert_eq!(WavelengthUnit::of_title(title), unit, "{title}");
+        }
+    }
+
+    #[test]
+    fn ranges_suggest_a_unit() {
+        use WavelengthUnit::*;
+        assert_eq!(WavelengthUnit::of_range(0.35, 2.5), Some(Micrometre));
+        assert_eq!(WavelengthUnit::of_range(380.0, 780.0), Some(Nanometre));
+        assert_eq!(
+            WavelengthUnit::of_range(4000.0, 25_000.0),
+            Some(PerCentimetre)
+        );
+        assert_eq!(WavelengthUnit::of_range(0.0, 400.0), None);
+    }
+
+    #[test]
+    fn every_unit_goes_there_and_back() {
+        for unit in WavelengthUnit::ALL {
+            let nm = unit.to_nm(unit.of_nm(546.1));
+            assert!((nm - 546.1).abs() < 1e-9, "{}", unit.word());
+        }
+        assert!((WavelengthUnit::Electronvolt.to_nm(2.0) - 619.92).abs() < 0.01);
+        assert!((WavelengthUnit::Millielectronvolt.to_nm(2000.0) - 619.92).abs() < 0.01);
+        assert_eq!(WavelengthUnit::Terahertz.to_nm(500.0), 599.584_916);
+        assert!((WavelengthUnit::Gigahertz.to_nm(500_000.0) - 599.584_916).abs() < 1e-9);
+        assert_eq!(WavelengthUnit::Picometre.to_nm(380_000.0), 380.0);
+    }
+
+    #[test]
+    fn a_unit_that_is_not_known_is_noticed() {
+        for title in [
+            "Frequency (PHz)",
+            "Frequency",
+            "Wavelength [furlong]",
+            "Energy / keV",
+        ] {
+            assert!(unknown_unit(title).is_some(), "{title}");
+        }
+        for title in [
+            "Wavelength (nm)",
+            "Wavelength (air)",
+            "wavelength",
+            "",
+            "Sample (id)",
+        ] {
+            assert_eq!(unknown_unit(title), None, "{title}");
+        }
+    }
+
+    #[test]
+    fn the_wavelength_column_is_known_by_its_title() {
+        for title in [
+            "wl",
+            "w.length",
+            "Wave",
+            "[nm]",
+            "Wvl",
+            "LOWER WVL",
+            "\"Wavelength\"",
+            "nm",
+            "Vacuum wavelength (nm)",
+            "Frequency (THz)",
+            "w.length.2",
+        ] {
+            assert!(names_wavelength(title), "{title}");
+        }
+        for title in [
+            "R(adaxial)",
+            "white",
+            "Transmittance(%)",
+            "watt",
+            "E(lambda) [W/m2]",
+            "V(lambda)",
+            "S(lambda)",
+            "R(wavelength)",
+            "Energy",
+        ] {
+            assert!(!names_wavelength(title), "{title}");
+        }
+    }
+}

@@ -1,0 +1,326 @@
+//! Writing Argyll `.sp`: CGATS text of one set, as `spec2cie`, `illumread` and `specplot` take it.
+//!
+//! The format knows even steps of 1 nm and more only, and its labels are whole nm: an irregular or
+//! finer grid is resampled so that its area is kept, and [`losses`] says so. Values are the spectrum's own, to the
+//! bit (`SPECTRAL_NORM` is 1). What Argyll has no keyword for (kind, unit, scale, source, settings)
+//! stands in keywords of our own, which its tools pass over.
+
+use std::fmt::Write;
+
+use crate::spectrum::{Kind, NamedSpectrum, Outside};
+
+use crate::io::provenance::{ORIGINATOR, Provenance, one_line, shortest};
+
+/// Most bands that Argyll's own tools read.
+const ARGYLL_BANDS: usize = 601;
+
+/// How far a wavelength may lie from an even grid to count as on it, nm.
+const EVEN_NM: f64 = 1e-3;
+
+/// Steps that an uneven grid is resampled to, nm: the first that Argyll's bands suffice for.
+const STEPS_NM: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
+
+/// Wavelengths that a label can tell, nm: smaller and larger numbers in one mean something else.
+pub(crate) const LABELS_NM: std::ops::RangeInclusive<f64> = 100.0..=100_000.0;
+
+/// The grid that is written.
+struct Grid {
+    first_nm: f64,
+    last_nm: f64,
+    bands: usize,
+    /// Largest distance of a sample from it, nm; `None` when values are resampled.
+    moved_nm: Option<f64>,
+}
+
+impl Grid {
+    fn nm(&self, band: usize) -> f64 {
+        let step = (self.last_nm - self.first_nm) / (self.bands - 1) as f64;
+        self.first_nm + step * band as f64
+    }
+}
+
+/// The grid for a spectrum.
+fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
+    let samples = &spectrum.samples;
+    let (first, last, bands) = (samples.first_nm(), samples.last_nm(), samples.len());
+    let (least, most) = (*LABELS_NM.start(), *LABELS_NM.end());
+    if first < least {
+        return Err(format!(
+            "found wavelengths from {} nm, expected at least {least} nm in Argyll .sp",
+            shortest(first)
+        ));
+    }
+    if last > most {
+        return Err(format!(
+            "found wavelengths up to {} nm, expected at most {most} nm in Argyll .sp",
+            shortest(last)
+        ));
+    }
+    let mut even = Grid {
+        first_nm: first,
+        last_nm: last,
+        bands,
+        moved_nm: Some(0.0),
+    };
+    let moved = samples.nm().iter().enumerate();
+    let moved = moved
+        .map(|(band, nm)| (nm - even.nm(band)).abs())
+        .fold(0.0, f64::max);
+    // Whole nm tell steps of 1 nm and more apart.
+    let fine = last - first < (bands - 1) as f64 * (1.0 - 1e-9);
+    if moved <= EVEN_NM && !fine && bands >= 3 {
+        even.moved_nm = Some(moved);
+        return Ok(even);
+    }
+    // The first and last nm of a light are filled in part; a reflectance has no part of a value.
+    let (from, to) = match spectrum.kind.outside() {
+        Outside::Zero => (first.floor(), last.ceil()),
+        Outside::Hold => (first.ceil(), last.floor()),
+    };
+    let step = STEPS_NM
+        .into_iter()
+        .find(|step| (to - from) / step < ARGYLL_BANDS as f64)
+        .unwrap_or(STEPS_NM[STEPS_NM.len() - 1]);
+    let steps = (to - from) / step;
+    let steps = match spectrum.kind.outside() {
+        Outside::Zero => steps.ceil(),
+        Outside::Hold => steps.floor(),
+    };
+    let bands = steps.max(0.0) as usize + 1;
+    if bands < 3 {
+        return Err(format!(
+            "found a spectrum of {} to {} nm, expected at least 3 whole nm in Argyll .sp",
+            shortest(first),
+            shortest(last)
+        ));
+    }
+    Ok(Grid {
+        first_nm: from,
+        last_nm: from + step * (bands - 1) as f64,
+        bands,
+        moved_nm: None,
+    })
+}
+
+/// What the format does not keep of a spectrum, a sentence each.
+pub(crate) fn losses(spectrum: &NamedSpectrum) -> Vec<String> {
+    let Ok(grid) = grid(spectrum) else {
+        return Vec::new();
+    };
+    let mut said = Vec::new();
+    match grid.moved_nm {
+        None => said.push(format!(
+            "Argyll .sp holds even steps of 1 nm and more: resampled to {} values, {} to {} nm \
+             every {} nm; the area under the curve is kept.",
+            grid.bands,
+            grid.first_nm,
+            grid.last_nm,
+            grid.nm(1) - grid.first_nm
+        )),
+        Some(moved) if moved > 1e-9 => said.push(format!(
+            "Argyll .sp holds even steps: wavelengths moved by up to {moved:.1e} nm."
+        )),
+        Some(_) => {}
+    }
+    if grid.bands > ARGYLL_BANDS {
+        said.push(format!(
+            "It has {} values; Argyll's own tools read at most {ARGYLL_BANDS}.",
+            grid.bands
+        ));
+    }
+    said
+}
+
+/// What Argyll calls a measurement of that kind; `None` for what it does not know.
+fn measurement(spectrum: &NamedSpectrum) -> Option<&'static str> {
+    let unit = &spectrum.unit;
+    let falls_on = unit.contains("m-2") && !unit.contains("sr-1");
+    match spectrum.kind {
+        Kind::Light if falls_on => Some("AMBIENT"),
+        Kind::Light => Some("EMISSION"),
+        Kind::Reflectance => Some("REFLECTIVE"),
+        Kind::Transmittance => Some("TRANSMISSIVE"),
+        Kind::Weighting => Some("SENSITIVITY"),
+        Kind::Absorbance | Kind::Lines | Kind::Other => None,
+    }
+}
+
+/// A spectrum as Argyll `.sp`.
+///
+/// # Errors
+/// One line for a spectrum too short, or of wavelengths that the format cannot tell.
+pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result<String, String> {
+    let samples = &spectrum.samples;
+    let grid = grid(spectrum)?;
+    let values: Vec<f64> = match grid.moved_nm {
+        Some(_) => samples.values().to_vec(),
+        None => {
+            let step = grid.nm(1) - grid.nm(0);
+            samples.on_grid(grid.first_nm, step, grid.bands, spectrum.kind.outside())
+        }
+    };
+    let mut out = format!(
+        "SPECT\n\nDESCRIPTOR {}\nORIGINATOR {}\n",
+        quoted(&spectrum.name),
+        quoted(if provenance.program.is_empty() {
+            ORIGINATOR
+        } else {
+            &provenance.program
+        })
+    );
+    // Writing to a String cannot fail.
+    let mut keyword = |key: &str, value: &str| {
+        let _ = writeln!(out, "KEYWORD \"{key}\"\n{key} {}", quoted(value));
+    };
+    if let Some(word) = measurement(spectrum) {
+        keyword("MEAS_TYPE", word);
+    }
+    for (key, value) in provenance.of(spectrum) {
+        match key {
+            "kind" => keyword("KIND", &value),
+            "unit" => keyword("UNIT", &value),
+            "source" => keyword("SOURCE", &value),
+            "scale" => keyword("SCALE", &value),
+            "settings" => keyword("SETTINGS", &value),
+            "notes" => keyword("NOTES", &value),
+            _ => {}
+        }
+    }
+    for loss in losses(spectrum) {
+        keyword("NOTE", &loss);
+    }
+    keyword("SPECTRAL_BANDS", &grid.bands.to_string());
+    keyword("SPECTRAL_START_NM", &shortest(grid.first_nm));
+    keyword("SPECTRAL_END_NM", &shortest(grid.last_nm));
+    keyword("SPECTRAL_NORM", "1.000000");
+    // As Argyll rounds when it looks for a column.
+    let labels: Vec<String> = (0..grid.bands)
+        .map(|band| format!("SPEC_{:03}", (grid.nm(band) + 0.5).floor()))
+        .collect();
+    for label in &labels {
+        let _ = writeln!(out, "KEYWORD \"{label}\"");
+    }
+    let values: Vec<String> = values.iter().map(|v| shortest(*v)).collect();
+    let _ = write!(
+        out,
+        "NUMBER_OF_FIELDS {}\nBEGIN_DATA_FORMAT\n{}\nEND_DATA_FORMAT\n\nNUMBER_OF_SETS 1\n\
+         BEGIN_DATA\n{}\nEND_DATA\n",
+        grid.bands,
+        labels.join(" "),
+        values.join(" ")
+    );
+    Ok(out)
+}
+
+/// A text between double quotes; those inside become single ones.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", one_line(text).replace('"', "'"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_bytes;
+    use crate::io::write::tests::awkward_spectrum;
+    use crate::spectrum::Sampled;
+
+    fn on(nm: Vec<f64>) -> NamedSpectrum {
+        let values = (0..nm.len()).map(|i| 0.1 * i as f64 - 0.3).collect();
+        NamedSpectrum {
+            name: "Lampe \"1\"".to_owned(),
+            samples: Sampled::new(nm, values).unwrap(),
+            ..awkward_spectrum(Kind::Light)
+        }
+    }
+
+    fn back(spectrum: &NamedSpectrum) -> NamedSpectrum {
+        let text = write(spectrum, &Provenance::default()).unwrap();
+        read_bytes("x.sp", text.as_bytes())
+            .unwrap()
+            .spectra
+            .remove(0)
+    }
+
+    #[test]
+    fn even_grids_keep_every_value() {
+        for (first, step) in [
+            (380.0, 5.0),
+            (380.0, 10.0 / 3.0),
+            (355.5, 1.0),
+            (100.0, 1.5),
+        ] {
+            let nm: Vec<f64> = (0..20).map(|i| first + step * f64::from(i)).collect();
+            let spectrum = on(nm);
+            let read = back(&spectrum);
+            assert_eq!(read.samples.values(), spectrum.samples.values());
+            assert_eq!((read.name.as_str(), read.kind), ("Lampe '1'", Kind::Light));
+            assert_eq!((read.unit.as_str(), read.scale), ("W m-2 nm-1", 1.0));
+            assert_eq!(read.source, "Own measurement");
+            for (a, b) in read.samples.nm().iter().zip(spectrum.samples.nm()) {
+                assert!((a - b).abs() < 1e-9, "{a} {b}");
+            }
+            assert_eq!(losses(&spectrum), Vec::<String>::new());
+        }
+    }
+
+    #[test]
+    fn uneven_and_fine_grids_are_resampled_and_said() {
+        let uneven = on(vec![380.0, 381.0, 385.0, 400.0]);
+        assert!(losses(&uneven)[0].contains("resampled to 21 values"));
+        let read = back(&uneven);
+        assert_eq!(read.samples.len(), 21);
+        assert_eq!(read.samples.values()[5], uneven.samples.values()[2]);
+        let fine = on((0..101).map(|i| 400.0 + 0.25 * f64::from(i)).collect());
+        assert_eq!(back(&fine).samples.len(), 26);
+        let wide = on(vec![350.0, 351.0, 2500.0]);
+        assert!(
+            losses(&wide)[0].contains("every 5 nm"),
+            "{:?}",
+            losses(&wide)
+        );
+    }
+
+    #[test]
+    fn resampling_keeps_the_power_and_every_line() {
+        // Lines a tenth of a nm wide, on and off whole nm, on a table that begins between two.
+        let lines = [404.656, 435.833, 546.074, 600.0, 700.5];
+        let bell = |x: f64| (-4.0 * std::f64::consts::LN_2 * (x / 0.1).powi(2)).exp();
+        let nm: Vec<f64> = (0..8000).map(|i| 380.3 + 0.05 * f64::from(i)).collect();
+        let values = nm
+            .iter()
+            .map(|nm| 0.02 + 100.0 * lines.iter().map(|at| bell(nm - at)).sum::<f64>())
+            .collect();
+        let fine = NamedSpectrum {
+            samples: Sampled::new(nm, values).unwrap(),
+            ..awkward_spectrum(Kind::Light)
+        };
+        let read = back(&fine);
+        let power = |s: &NamedSpectrum, from, to| s.samples.power_between(from, to);
+        let whole = (power(&fine, 0.0, 1e4), power(&read, 0.0, 1e4));
+        assert!((whole.1 / whole.0 - 1.0).abs() < 1e-12, "{whole:?}");
+        for at in lines {
+            // Wide enough for the two nm that a line is shared out to; the ground is the same.
+            let (from, to) = (at.round() - 3.0, at.round() + 3.0);
+            let line = (power(&fine, from, to), power(&read, from, to));
+            assert!((line.1 / line.0 - 1.0).abs() < 1e-3, "{at}: {line:?}");
+        }
+        assert!(losses(&fine)[0].contains("the area under the curve is kept"));
+    }
+
+    #[test]
+    fn what_the_format_cannot_hold_is_refused() {
+        let refusal = |nm| write(&on(nm), &Provenance::default()).unwrap_err();
+        assert!(refusal(vec![400.2, 400.4, 400.9]).contains("at least 3 whole nm"));
+        assert!(refusal(vec![50.0, 60.0, 70.0]).contains("at least 100 nm"));
+        assert_eq!(
+            refusal(vec![3.8e8, 5.8e8, 7.8e8]),
+            "found wavelengths up to 780000000 nm, expected at most 100000 nm in Argyll .sp"
+        );
+    }
+
+    #[test]
+    fn the_longest_wavelengths_that_are_written_are_read_back() {
+        let longest = on((0..9).map(|i| 92_000.0 + 1000.0 * f64::from(i)).collect());
+        assert_eq!(back(&longest).samples, longest.samples);
+    }
+}

@@ -1,0 +1,237 @@
+//! Saving a file in one step: write beside, bring to disk, rename over.
+//!
+//! Whoever looks sees the old file or the new one, also after a crash or a full disk.
+
+use std::fs;
+use std::io::{Error, ErrorKind, Seek, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use crate::io::error::WriteError;
+use crate::io::input::name_of;
+
+/// How the name of a file begins that is not complete yet.
+pub const UNFINISHED: &str = ".saving-";
+
+/// Saves bytes as a file, replacing an old one in a single step.
+///
+/// A link is followed, and the permissions of a file that is replaced are kept. A pipe or device
+/// is written into and stays what it is.
+///
+/// # Errors
+/// [`WriteError`] in words: no such folder, read-only folder, disk full, ...
+pub fn save_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    save_by(path, |file| {
+        file.write_all(bytes).map_err(|error| refused(path, &error))
+    })
+}
+
+/// Saves what is written bit by bit, as [`save_atomically`] does. Where the writing fails nothing
+/// is left behind, and what was there stays.
+///
+/// # Errors
+/// Those of `write`, and [`WriteError`] in words.
+pub fn save_by<T, E: From<WriteError>>(
+    path: &Path,
+    write: impl FnOnce(&mut fs::File) -> Result<T, E>,
+) -> Result<T, E> {
+    let refused = |error: Error| E::from(refused(path, &error));
+    let place = Place::of(path).map_err(refused)?;
+    let mut file = place.beside().map_err(refused)?;
+    let written = write(file.as_file_mut())?;
+    place.keep(file).map_err(refused)?;
+    Ok(written)
+}
+
+fn refused(path: &Path, error: &Error) -> WriteError {
+    WriteError::new(&name_of(path), words(path, error))
+}
+
+/// Where a file goes.
+struct Place {
+    target: PathBuf,
+    /// Permissions of the file that is replaced.
+    old: Option<fs::Permissions>,
+    /// A pipe or device: it takes what comes, and a file renamed over it would end it.
+    is_taker: bool,
+}
+
+impl Place {
+    fn of(path: &Path) -> Result<Self, Error> {
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if target.is_dir() {
+            return Err(Error::from(ErrorKind::IsADirectory));
+        }
+        let about = fs::metadata(&target).ok();
+        let is_taker = about.as_ref().is_some_and(|about| !about.is_file());
+        let old = about.filter(|_| !is_taker).map(|about| about.permissions());
+        if old.as_ref().is_some_and(fs::Permissions::readonly) {
+            return Err(Error::new(
+                ErrorKind::PermissionDenied,
+                "the file is read-only",
+            ));
+        }
+        Ok(Self {
+            target,
+            old,
+            is_taker,
+        })
+    }
+
+    /// A file that nobody takes for a complete one.
+    fn beside(&self) -> Result<NamedTempFile, Error> {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(UNFINISHED);
+        #[cfg(unix)]
+        let everyone = {
+            use std::os::unix::fs::PermissionsExt;
+            // As any new file: the user's mask takes away what it should.
+            fs::Permissions::from_mode(0o666)
+        };
+        #[cfg(unix)]
+        builder.permissions(everyone);
+        match self.is_taker {
+            true => builder.tempfile(),
+            false => builder.tempfile_in(folder_of(&self.target)),
+        }
+    }
+
+    /// Puts a complete file into its place.
+    fn keep(self, mut file: NamedTempFile) -> Result<(), Error> {
+        if self.is_taker {
+            let mut taker = fs::OpenOptions::new().write(true).open(&self.target)?;
+            file.rewind()?;
+            std::io::copy(file.as_file_mut(), &mut taker)?;
+            return taker.flush();
+        }
+        if let Some(permissions) = self.old {
+            file.as_file().set_permissions(permissions)?;
+        }
+        file.as_file().sync_all()?;
+        file.persist(&self.target)
+            .map_err(|refused| refused.error)?;
+        sync_folder(&folder_of(&self.target));
+        Ok(())
+    }
+}
+
+fn folder_of(target: &Path) -> PathBuf {
+    match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// Brings the rename itself to disk. The file is complete either way, so a system that cannot
+/// sync a folder is no error.
+#[cfg(unix)]
+fn sync_folder(folder: &Path) {
+    if let Ok(folder) = fs::File::open(folder) {
+        let _ = folder.sync_all();
+    }
+}
+
+#[cfg(not(unix))]
+fn sync_folder(_: &Path) {}
+
+fn words(path: &Path, error: &Error) -> String {
+    let folder = folder_of(path);
+    let folder = folder.display();
+    match error.kind() {
+        ErrorKind::NotFound => format!("found no folder {folder}, expected one that exists"),
+        ErrorKind::NotADirectory => format!("found a file at {folder}, expected a folder"),
+        ErrorKind::IsADirectory => "found a folder of this name, expected a file name".to_owned(),
+        ErrorKind::PermissionDenied => {
+            format!("found {folder} or the file read-only, expected permission to write there")
+        }
+        ErrorKind::ReadOnlyFilesystem => {
+            format!("found a read-only disk at {folder}, expected one to write to")
+        }
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            format!(
+                "found the disk full at {folder}, expected room for the file; nothing was changed"
+            )
+        }
+        ErrorKind::InvalidFilename => {
+            "found a file name this disk does not take, expected a shorter or plainer one"
+                .to_owned()
+        }
+        _ => format!("could not be saved in {folder}: {error}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_whole_and_nothing_is_left_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        save_atomically(&path, b"old").unwrap();
+        save_atomically(&path, b"new").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_missing_folder_and_a_folder_of_that_name_are_refused_in_words() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = save_atomically(&folder.path().join("none").join("a.txt"), b"").unwrap_err();
+        assert!(
+            missing.to_string().starts_with("a.txt: found no folder"),
+            "{missing}"
+        );
+        let taken = save_atomically(folder.path(), b"").unwrap_err().to_string();
+        assert!(taken.contains("found a folder of this name"), "{taken}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permissions_of_a_replaced_file_stay_and_new_files_are_ordinary() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+        let path = folder.path().join("a.txt");
+        save_atomically(&path, b"1").unwrap();
+        assert_eq!(mode(&path) & 0o600, 0o600);
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+        save_atomically(&path, b"2").unwrap();
+        assert_eq!(mode(&path), 0o640);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_written_into_and_stays_a_pipe() {
+        use std::os::unix::fs::FileTypeExt;
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe.csv");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.is_ok_and(|status| status.success()));
+        let end = pipe.clone();
+        let reader = std::thread::spawn(move || fs::read(end).unwrap());
+        save_atomically(&pipe, b"380,1").unwrap();
+        assert_eq!(reader.join().unwrap(), b"380,1");
+        assert!(fs::metadata(&pipe).unwrap().file_type().is_fifo());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_device_is_told_in_words() {
+        let full = save_atomically(Path::new("/dev/full"), b"380,1").unwrap_err();
+        assert!(full.to_string().contains("found the disk full"), "{full}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("a.txt"), folder.path().join("l.txt"));
+        save_atomically(&file, b"1").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        save_atomically(&link, b"2").unwrap();
+        assert_eq!(fs::read(&file).unwrap(), b"2");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    }
+}

@@ -1,0 +1,235 @@
+//! Writing spectra: which formats there are.
+
+pub(super) mod argyll;
+pub(super) mod atomic;
+pub(super) mod colour_png;
+pub(super) mod csv;
+pub(super) mod json;
+pub(super) mod spd;
+pub(super) mod spdx;
+pub(super) mod spectral_exr;
+
+use std::path::Path;
+
+use crate::spectrum::NamedSpectrum;
+
+use crate::io::error::WriteError;
+use crate::io::input::name_of;
+use crate::io::provenance::{Columns, Provenance, one_line};
+use atomic::save_atomically;
+
+/// Extensions that [`write_as`] knows, with the format's name for file dialogues.
+pub const WRITABLE: [(&str, &str); 5] = [
+    ("csv", "CSV"),
+    ("json", "spectrum JSON"),
+    ("sp", "Argyll .sp"),
+    ("spd", "pbrt .spd"),
+    ("spdx", "IES TM-27 .spdx"),
+];
+
+/// A spectrum in the format of an extension. `columns` is what CSV holds; other formats hold the
+/// measured samples.
+///
+/// # Errors
+/// The extensions that can be written, when this one cannot.
+pub fn encode(
+    extension: &str,
+    spectrum: &NamedSpectrum,
+    columns: &Columns,
+    provenance: &Provenance,
+) -> Result<String, String> {
+    match extension.to_lowercase().as_str() {
+        "csv" => Ok(csv::write(spectrum, columns, provenance)),
+        "json" => Ok(json::write(spectrum, provenance)),
+        "sp" => argyll::write(spectrum, provenance),
+        "spd" => Ok(spd::write(spectrum, provenance)),
+        "spdx" => Ok(spdx::write(spectrum, provenance)),
+        other => {
+            let known: Vec<String> = WRITABLE.iter().map(|(e, _)| format!(".{e}")).collect();
+            let found = if other.is_empty() {
+                "no extension".to_owned()
+            } else {
+                format!("extension .{}", one_line(other))
+            };
+            Err(format!(
+                "found {found}, expected one of {}",
+                known.join(", ")
+            ))
+        }
+    }
+}
+
+/// What the format of an extension does not keep of a spectrum's samples, a sentence each.
+pub fn losses(extension: &str, spectrum: &NamedSpectrum) -> Vec<String> {
+    match extension.to_lowercase().as_str() {
+        "sp" => argyll::losses(spectrum),
+        "spdx" => spdx::losses(spectrum),
+        _ => Vec::new(),
+    }
+}
+
+/// Writes a spectrum in the format of the path's extension, in one step: the file is either the
+/// old one or the new one, never half of it.
+///
+/// # Errors
+/// [`WriteError`] for an extension that cannot be written or a place that cannot be written to.
+pub fn write_as(
+    path: &Path,
+    spectrum: &NamedSpectrum,
+    columns: &Columns,
+    provenance: &Provenance,
+) -> Result<(), WriteError> {
+    let extension = path
+        .extension()
+        .map(|e| e.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let text = encode(&extension, spectrum, columns, provenance)
+        .map_err(|why| WriteError::new(&name_of(path), why))?;
+    save_atomically(path, text.as_bytes())
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::io::read_path;
+    use crate::spectrum::{Kind, Sampled};
+
+    /// A spectrum with numbers and a name that are hard to write.
+    pub(crate) fn awkward_spectrum(kind: Kind) -> NamedSpectrum {
+        let nm = vec![360.0, 380.1, 404.656, 1e3 / 3.0 + 100.0, 780.0, 2500.25];
+        let values = vec![0.1 + 0.2, -0.0, 5e-324, 1.0 / 3.0, -1e-300, 1.25];
+        NamedSpectrum {
+            name: "Lampe <b> & \"no. 1\", käse; µ".to_owned(),
+            kind,
+            unit: if kind.is_factor() {
+                "fraction"
+            } else {
+                "W m-2 nm-1"
+            }
+            .to_owned(),
+            scale: 1.0,
+            samples: Sampled::new(nm, values).unwrap(),
+            notes: Vec::new(),
+            source: "Own measurement".to_owned(),
+        }
+    }
+
+    fn bits(values: &[f64]) -> Vec<u64> {
+        values.iter().map(|v| v.to_bits()).collect()
+    }
+
+    #[test]
+    fn every_writer_is_read_back_to_the_same_bits() {
+        let provenance = Provenance {
+            program: "spectral-explorer 0.0.0".to_owned(),
+            source: String::new(),
+            scale_words: "as measured".to_owned(),
+            settings: "cosine, N = 7\n".to_owned(),
+        };
+        let folder = tempfile::tempdir().unwrap();
+        for (extension, _) in WRITABLE {
+            for kind in Kind::ALL {
+                let spectrum = awkward_spectrum(kind);
+                let columns = Columns::measured(&spectrum);
+                let path = folder.path().join(format!("x.{extension}"));
+                write_as(&path, &spectrum, &columns, &provenance).unwrap();
+                if *extension == *"sp" {
+                    // Even steps only; tests/files/writers.rs has those.
+                    continue;
+                }
+                let reading = read_path(&path).unwrap();
+                let back = &reading.spectra[0];
+                assert_eq!(
+                    bits(back.samples.nm()),
+                    bits(spectrum.samples.nm()),
+                    "{extension}"
+                );
+                assert_eq!(
+                    bits(back.samples.values()),
+                    bits(spectrum.samples.values()),
+                    "{extension}"
+                );
+                assert_eq!(back.scale, 1.0);
+                if kind.is_factor() || kind == Kind::Light {
+                    assert_eq!(
+                        (back.kind, &back.unit),
+                        (kind, &spectrum.unit),
+                        "{extension}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn how_a_spectrum_was_read_goes_out_and_comes_back_and_does_not_grow() {
+        let folder = tempfile::tempdir().unwrap();
+        let provenance = Provenance {
+            program: "Spectral Explorer 0.0.0".to_owned(),
+            ..Provenance::default()
+        };
+        let notes = [
+            "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1, decimal comma",
+            "divided by NORM 100; unit: odd",
+            "2 missing values dropped",
+        ];
+        for (extension, _) in WRITABLE {
+            let mut spectrum = awkward_spectrum(Kind::Light);
+            spectrum.samples = Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap();
+            spectrum.notes = notes.map(str::to_owned).to_vec();
+            let path = folder.path().join(format!("x.{extension}"));
+            let mut texts = Vec::new();
+            for _ in 0..3 {
+                write_as(&path, &spectrum, &Columns::measured(&spectrum), &provenance).unwrap();
+                texts.push(std::fs::read_to_string(&path).unwrap());
+                spectrum = read_path(&path).unwrap().spectra.remove(0);
+                for note in notes {
+                    assert!(
+                        spectrum.notes.iter().any(|n| n == note),
+                        "{extension}: {note} not in {:?}",
+                        spectrum.notes
+                    );
+                }
+            }
+            assert_eq!(texts[1].len(), texts[2].len(), "{extension}: {}", texts[2]);
+        }
+    }
+
+    #[test]
+    fn what_was_read_back_says_once_how_it_was_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let provenance = Provenance {
+            program: "Spectral Explorer 0.0.0".to_owned(),
+            ..Provenance::default()
+        };
+        let mut spectrum = awkward_spectrum(Kind::Light);
+        spectrum.samples = Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap();
+        let line = "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1";
+        spectrum.notes = vec![line.to_owned(), "2 missing values dropped".to_owned()];
+        for (extension, _) in WRITABLE {
+            let path = folder.path().join(format!("x.{extension}"));
+            let columns = Columns::measured(&spectrum);
+            write_as(&path, &spectrum, &columns, &provenance).unwrap();
+            let back = read_path(&path).unwrap().spectra.remove(0).notes;
+            let told = |what: &str| back.iter().filter(|note| **note == *what).count();
+            assert_eq!(told(line), 1, "{extension}: {back:?}");
+            assert_eq!(told(&spectrum.notes[1]), 1, "{extension}: {back:?}");
+        }
+    }
+
+    #[test]
+    fn an_extension_that_cannot_be_written_lists_those_that_can() {
+        let spectrum = awkward_spectrum(Kind::Light);
+        let columns = Columns::measured(&spectrum);
+        let error = write_as(
+            Path::new("a.xyz"),
+            &spectrum,
+            &columns,
+            &Provenance::default(),
+        );
+        assert_eq!(
+            error.unwrap_err().to_string(),
+            "a.xyz: found extension .xyz, expected one of .csv, .json, .sp, .spd, .spdx"
+        );
+    }
+}
