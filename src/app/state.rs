@@ -3,6 +3,7 @@
 mod deriving;
 mod messages;
 mod own;
+mod steps;
 
 use std::{
     sync::Arc,
@@ -20,7 +21,6 @@ use super::{
     spike_hand::{self, SpikeAct},
     spike_names::{Told, names_in},
     tables::Tables,
-    undo_words::difference,
 };
 use crate::spectrum::{Kind, SpikeEdits};
 
@@ -182,28 +182,6 @@ impl App {
         self.revision
     }
 
-    /// Whether there is something to undo.
-    pub fn can_undo(&self) -> bool {
-        self.history.before().is_some()
-    }
-
-    /// Whether there is something to do again.
-    pub fn can_redo(&self) -> bool {
-        self.history.after().is_some()
-    }
-
-    /// What undo would take back, in words.
-    pub fn undo_words(&self) -> Option<String> {
-        let before = self.history.before()?;
-        Some(difference(before, &self.document))
-    }
-
-    /// What would be done again, in words.
-    pub fn redo_words(&self) -> Option<String> {
-        let after = self.history.after()?;
-        Some(difference(&self.document, after))
-    }
-
     /// The entry of that key, shipped or the user's own.
     pub fn entry(&self, key: &str) -> Option<Arc<Entry>> {
         self.document
@@ -343,25 +321,6 @@ impl App {
     /// The unit of the values on screen.
     pub fn unit(&self) -> &str {
         &self.unit
-    }
-
-    fn step(
-        &mut self,
-        step: impl Fn(&mut History, &Document) -> Option<Document>,
-        words: Option<String>,
-        otherwise: &str,
-    ) {
-        match step(&mut self.history, &self.document) {
-            Some(document) => {
-                self.document = document;
-                self.gesture = None;
-                self.recompute();
-                if let Some(words) = words {
-                    self.say_for_now(Tone::Info, words);
-                }
-            }
-            None => self.say(Tone::Info, otherwise),
-        }
     }
 
     /// A composite is shown as it is until its lines, its range or its series are changed.
