@@ -22,14 +22,12 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{DMatrix, DVector};
 use spectral_explorer::{
     app::{
-        App, Command,
+        App, Command, Library,
         design::{
+            Desk, DeskSurfaces, beside,
             colour::{ColourSheet, FromColour},
-            desk::Desk,
             mix::{Mix, MixChannel},
-            surfaces::{DeskSurfaces, beside},
         },
-        library::Library,
     },
     color::{Adaptation, Observer, Srgb, Xyz},
     design::{

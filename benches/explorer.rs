@@ -23,11 +23,7 @@ use criterion::{Bencher, Criterion, Throughput, criterion_group, criterion_main}
 use eframe::egui;
 use spectral_explorer::{
     app::{
-        App, Command, Settings,
-        derived::Derived,
-        document::FIRST_LIGHT,
-        state::derive,
-        tables::{CURVE_ORDER, Tables},
+        App, CURVE_ORDER, Command, FIRST_LIGHT, Settings, Tables, derive, derived::Derived,
         workspace::Preferences,
     },
     color::{

@@ -14,8 +14,7 @@ use std::{
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spectral_explorer::{
     app::{
-        library::Library,
-        memo::ByAddress,
+        ByAddress, Library,
         picture::{BandWeights, Exposed, MOST_SIDE, RasterAsk, Source, exposed},
     },
     color::Observer,

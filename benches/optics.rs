@@ -24,7 +24,7 @@ use std::{
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use spectral_explorer::{
-    app::library::Library,
+    app::Library,
     color::Observer,
     optics::{
         Absorption, Bench, BenchSettings, Brilliant, Ending, Film, FilmSettings, Light, Scene, Sky,

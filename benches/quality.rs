@@ -17,10 +17,9 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use spectral_explorer::{
     app::{
-        App, Command, Settings,
+        App, Command, QualityShown, Settings,
         chart::Theme,
         charts::quality::{DiagramShows, diagram},
-        quality::QualityShown,
     },
     color::{
         Cct, Observer,

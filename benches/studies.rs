@@ -18,11 +18,9 @@ use std::hint::black_box;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spectral_explorer::{
     app::{
-        App, Command, Settings,
+        App, CURVE_ORDER, Command, Settings, derive,
         pages::RACE_BUDGETS,
-        state::derive,
         studies::{AuctionAsk, Field, RaceAsk, SweepAsk},
-        tables::CURVE_ORDER,
     },
     spectrum::numbers_of_order,
     study::{

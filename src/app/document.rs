@@ -148,13 +148,13 @@ pub struct Document {
 }
 
 /// The best reading of Table 4's weights: contributions to the mean over the paper's 300 nm.
-pub const PAPER_WEIGHT_FACTOR: f64 = 300.0;
+pub(super) const PAPER_WEIGHT_FACTOR: f64 = 300.0;
 
 /// Factors that may be asked for, nm.
 pub const WEIGHT_FACTORS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
 
 /// Most of the user's own surfaces behind the patches.
-pub const MOST_OWN_PATCHES: usize = 12;
+pub(super) const MOST_OWN_PATCHES: usize = 12;
 
 /// Most spectra laid over the subject: more curves hide one another and make every frame slow.
 pub const MOST_OVERLAYS: usize = 100;

@@ -134,12 +134,12 @@ const SAMPLED_NOTE: &str =
 
 /// A composite as a 1 nm table over its own range, each spike split linearly over its two
 /// neighbouring nm; `None` for a composite with numbers that are not finite.
-pub fn sampled_from_composite(composite: &Composite) -> Option<Sampled> {
+pub(super) fn sampled_from_composite(composite: &Composite) -> Option<Sampled> {
     sampled_from_lines(composite, &[])
 }
 
 /// [`sampled_from_composite`] of lines with their widths in nm; 0, or none given, is an ideal spike.
-pub fn sampled_from_lines(composite: &Composite, widths_nm: &[f64]) -> Option<Sampled> {
+pub(super) fn sampled_from_lines(composite: &Composite, widths_nm: &[f64]) -> Option<Sampled> {
     let band = composite.band();
     let lines = composite
         .spikes

@@ -106,7 +106,7 @@ pub fn lamps_asked(document: &Document, words: WordsMemory, numbers: usize) -> O
 }
 
 /// What known lamps are off by, measured as a sweep measures its models.
-pub fn lamps_verdict(about: &About, found: &EncodedLight) -> Verdict {
+pub(super) fn lamps_verdict(about: &About, found: &EncodedLight) -> Verdict {
     let subject = about.subject();
     let Some(unit) = height(&subject.values) else {
         return Verdict::default();

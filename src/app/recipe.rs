@@ -68,7 +68,7 @@ pub enum Recipe {
 }
 
 /// What the entry of a key is called.
-pub type NameOf<'a> = &'a dyn Fn(&str) -> String;
+pub(super) type NameOf<'a> = &'a dyn Fn(&str) -> String;
 
 /// A filter before a light.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

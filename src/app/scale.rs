@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-pub use crate::color::quality::LUMENS_PER_WATT;
+pub(super) use crate::color::quality::LUMENS_PER_WATT;
 use crate::{
     color::Observer,
     spectrum::{Kind, NamedSpectrum},

@@ -41,7 +41,7 @@ pub enum SpikeAct {
 }
 
 /// The hand edits after an act; unchanged when the act names a spike that is not there.
-pub fn after(act: SpikeAct, edits: &SpikeEdits, parts: &Decomposed) -> SpikeEdits {
+pub(super) fn after(act: SpikeAct, edits: &SpikeEdits, parts: &Decomposed) -> SpikeEdits {
     let mut edits = edits.clone();
     match act {
         SpikeAct::Set {

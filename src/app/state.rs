@@ -24,7 +24,8 @@ use super::{
 };
 use crate::spectrum::{Kind, SpikeEdits};
 
-pub use deriving::{derive, derived_of};
+pub use deriving::derive;
+pub(super) use deriving::derived_of;
 pub use messages::{Message, Tone};
 
 use deriving::{TablesFor, make_tables, tables_for};

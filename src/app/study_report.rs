@@ -12,7 +12,7 @@ use super::{
     cells::{line, number, words},
     export,
     state::App,
-    studies::{AuctionAsk, SweepAsk, about::About},
+    studies::{About, AuctionAsk, SweepAsk},
 };
 use crate::{
     io::{Provenance, many::numbers, one_line},

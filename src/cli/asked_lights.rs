@@ -21,9 +21,8 @@ use super::{
 };
 use crate::{
     app::{
-        Document, Entry,
+        Document, Entry, Opened,
         open::{Came, Found, Loaded, Loader, named},
-        opened::Opened,
         workspace::Restored,
     },
     io::{Choices, many::many, name_of, shown, stream::is_stream},

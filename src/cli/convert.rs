@@ -15,9 +15,7 @@ use super::{
 };
 use crate::{
     app::{
-        entry::composite_from_preset,
-        export,
-        library::Library,
+        Library, composite_from_preset, export,
         open::{Loaded, Wanted},
         ticks::short,
     },

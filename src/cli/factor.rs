@@ -17,7 +17,7 @@ use std::{ffi::OsStr, path::Path};
 use super::refusal::Refusal;
 use crate::{
     app::{
-        library::Library,
+        Library,
         products::{BOUNCES, Link, THICKNESSES},
         ticks::short,
     },

@@ -13,11 +13,9 @@ use super::{
 };
 use crate::{
     app::lessons::{
-        Lesson,
-        format::Fault,
+        Fault, Lesson,
         handout::{Form, handout},
-        proof::play,
-        shelf,
+        play, shelf,
     },
     io::{many::many, save_atomically, shown},
 };

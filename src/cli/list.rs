@@ -7,12 +7,9 @@ use serde_json::{Value, json};
 use super::{arguments::List, print, refusal::Refusal};
 use crate::{
     app::{
-        Entry,
+        Entry, Families, Library,
         about::About,
-        entry::bundled_entries,
-        families::Families,
-        library::Library,
-        made::is_made,
+        bundled_entries, is_made,
         search::{Folded, Index},
     },
     preset::Preset,

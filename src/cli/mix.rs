@@ -4,7 +4,7 @@ use std::{fmt::Write as _, io::Write, path::Path};
 
 use super::{arguments::Mix, inputs::Inputs, print, refusal::Refusal, subject::named_light};
 use crate::{
-    app::library::Library,
+    app::Library,
     color::xyz::{FIRST_NM, LAST_NM},
     design::{
         SampleTables,

@@ -58,7 +58,7 @@ use std::{
 use clap::Parser;
 
 use crate::{
-    app::{App, chart::Theme, library::Library, licences, workspace::Preferences},
+    app::{App, Library, chart::Theme, licences, workspace::Preferences},
     io::shown,
 };
 use arguments::{Arguments, Command};

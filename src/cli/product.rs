@@ -13,15 +13,14 @@ use super::{
 };
 use crate::{
     app::{
-        App, Entry,
-        library::Library,
+        App, Entry, Library,
         open::Wanted,
         product_report::{self, Told},
         products::{
             Link, ModelledLight,
             same_surface::{SameSurfaceSheet, check_json, check_text},
         },
-        studies::about::reflectances,
+        studies::reflectances,
         ticks::short,
     },
     io::{quoted, shown},

@@ -18,10 +18,8 @@ use super::{
 };
 use crate::{
     app::{
-        App, Entry,
+        App, ByAddress, Entry, Library,
         charts::race::Ways,
-        library::Library,
-        memo::ByAddress,
         open::Loaded,
         race_report,
         studies::{Class, Field, RaceAsk},

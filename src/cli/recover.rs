@@ -12,9 +12,8 @@ use super::{
 };
 use crate::{
     app::{
-        Entry,
+        Entry, Library,
         design::colour::{MERCURY_NM, UNDER},
-        library::Library,
     },
     color::{Adaptation, Lab, Srgb, Xyz},
     design::recover::{

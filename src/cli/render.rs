@@ -13,11 +13,10 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command,
+        App, Command, Opened,
         chart::Theme,
         lessons::shelf,
         open::Loaded,
-        opened::Opened,
         pages::{AskedLesson, Page, PageMemory},
         picture::{ImageMemory, reload},
         workspace::Preferences,

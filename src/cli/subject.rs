@@ -10,11 +10,8 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command, Document, Entry,
-        document::Subject,
-        library::Library,
+        App, Command, Document, Entry, Library, Opened, Subject,
         open::{self, Loaded, Wanted},
-        opened::Opened,
         workspace::Restored,
     },
     io::shown,

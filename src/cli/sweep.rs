@@ -6,7 +6,7 @@ use super::{
     arguments::Sweep, inputs::Inputs, options::ModelOptions, print, refusal::Refusal, subject,
 };
 use crate::{
-    app::{App, studies::SweepAsk, study_report, tables::CURVE_ORDER},
+    app::{App, CURVE_ORDER, studies::SweepAsk, study_report},
     study::Progress,
 };
 

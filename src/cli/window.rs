@@ -9,10 +9,8 @@ use std::{
 use super::refusal::Refusal;
 use crate::{
     app::{
-        App, Command, Entry,
-        library::Library,
+        App, Command, Entry, Library, Tone,
         open::{FileRow, Loaded, batch::read_all, names_a_file},
-        state::Tone,
     },
     io::{quoted, stream::is_standard_input},
 };

@@ -11,9 +11,9 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 
 use crate::{
     app::{
+        ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM,
         chart::Theme,
         pages::{Page, SPENDABLE},
-        settings::{ORDERS, THRESHOLDS_PERCENT, WIDTHS_NM},
     },
     color::Observer,
     io::{Delimiter, MOST_COLUMNS, WavelengthUnit, quoted},

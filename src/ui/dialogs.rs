@@ -7,7 +7,7 @@ use egui::{Context, Ui};
 
 use super::keys::SHORTCUTS;
 use crate::app::{
-    library::Library,
+    Library,
     licences::{self, Licence},
 };
 

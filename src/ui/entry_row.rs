@@ -7,7 +7,7 @@ use egui::{Align2, Color32, FontId, Id, Rect, Shape, Stroke, Ui, Vec2, pos2};
 
 use super::{swatch, theme::swatch_ground};
 use crate::{
-    app::{Entry, about::About, library::Library},
+    app::{Entry, Library, about::About},
     color::{
         Adaptation, Observer, Swatch, Xyz,
         xyz::{xyz_from_light, xyz_from_reflectance},

@@ -9,9 +9,8 @@ use super::{
     trial_view::TrialView,
 };
 use crate::app::{
-    App,
-    lessons::{Run, run::Shown},
-    memo::Memo,
+    App, Memo,
+    lessons::{Run, Shown},
     pages::PageMemory,
     studies::Studies,
 };

@@ -6,11 +6,9 @@ use egui::Ui;
 use super::theme::section;
 use crate::{
     app::{
-        App,
-        entry::Entry,
+        App, ByAddress, Entry, Memo,
         figures::of_quantity,
         makers::{Beside, NOT_YET, beside, to_csv},
-        memo::{ByAddress, Memo},
         spectral_unit::{Counted, SpectralUnit},
         ticks::short,
     },

@@ -11,11 +11,7 @@ use self::spikes::spike_rows;
 pub(super) use super::kit::named;
 use super::theme::section;
 use crate::{
-    app::{
-        App, Command, Scale, Settings, Subject,
-        document::WEIGHT_FACTORS,
-        settings::{ORDERS, range_words},
-    },
+    app::{App, Command, ORDERS, Scale, Settings, Subject, WEIGHT_FACTORS, range_words},
     color::Observer,
     io::quoted,
     spectrum::{Band, Basis, LONGEST_NM, MOST_STEPS, SHORTEST_NM, Sampling},

@@ -8,7 +8,7 @@ use super::{
     swatch,
     theme::Theme,
 };
-use crate::app::{App, Command, answers::Seen, derived::PatchComparison, library::Library};
+use crate::app::{App, Command, Library, answers::Seen, derived::PatchComparison};
 
 /// Most patches in one row: the ColorChecker makes two rows.
 const PER_ROW: usize = 12;

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{DragValue, Ui};
 
 use super::theme::Theme;
-use crate::app::{App, spike_hand::SpikeAct, ticks};
+use crate::app::{App, SpikeAct, ticks};
 
 /// Draws the table; an act is pushed for the window to carry out.
 pub(super) fn table(ui: &mut Ui, app: &App, theme: Theme, acts: &mut Vec<SpikeAct>) {

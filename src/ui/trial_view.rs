@@ -11,9 +11,8 @@ use super::{
     theme::{Theme, Wake},
 };
 use crate::app::{
-    App, Entry,
-    lessons::{Lesson, trial::TrialAsk},
-    memo::ByAddress,
+    App, ByAddress, Entry,
+    lessons::{Lesson, TrialAsk},
     studies::Studies,
 };
 

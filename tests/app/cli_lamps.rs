@@ -4,7 +4,7 @@ use std::{fs, path::Path};
 
 use serde_json::Value;
 use spectral_explorer::{
-    app::library::Library,
+    app::Library,
     io::read_path,
     spectrum::{Band, Outside},
 };

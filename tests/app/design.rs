@@ -5,18 +5,16 @@ use std::io::Write as _;
 
 use spectral_explorer::{
     app::{
-        App, Command,
-        command::MadeFor,
+        App, Command, Gel, Given, MadeFor, Recipe,
         derived::PatchComparison,
         design::{
+            Desk,
             colour::FromColour,
-            desk::Desk,
             front::on_desk,
             mix::{Mix, MixChannel},
             wish::{MixWish, Solved},
         },
         open::{Loaded, load_bytes},
-        recipe::{Gel, Given, Recipe},
         workspace,
     },
     design::{

@@ -4,10 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::root::root;
 use spectral_explorer::{
-    app::{
-        App, Command, Entry, Settings, entry::bundled_entries, families::Families,
-        spike_hand::SpikeAct,
-    },
+    app::{App, Command, Entry, Families, Settings, SpikeAct, bundled_entries},
     spectrum::{Band, Kind},
 };
 

@@ -5,12 +5,8 @@ use std::sync::Arc;
 
 use spectral_explorer::{
     app::{
-        App, Command, Entry, Settings,
-        command::MadeFor,
-        document::FIRST_LIGHT,
+        App, Command, Entry, FIRST_LIGHT, MadeFor, Recipe, Settings, Times, Tone,
         open::{Loaded, load_path},
-        recipe::{Recipe, Times},
-        state::Tone,
         workspace,
     },
     spectrum::{Band, Kind, NamedSpectrum, Rect, Sampled},

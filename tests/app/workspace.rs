@@ -8,10 +8,8 @@ use crate::plain::plain;
 use serde_json::{Value, json};
 use spectral_explorer::{
     app::{
-        App, Command,
-        document::MOST_OVERLAYS,
+        App, Command, MOST_OVERLAYS, Tone,
         open::{Loaded, load_bytes},
-        state::Tone,
         workspace::{self, Restored, StoredImage},
     },
     io::Choices,

@@ -4,34 +4,26 @@ use std::{path::PathBuf, sync::Arc};
 
 use spectral_explorer::{
     app::{
-        App, Command, Document, Entry, Scale, Settings, View,
+        App, Command, Detector, Document, Entry, FIRST_LIGHT, Gel, Given, Height, Scale, Settings,
+        SpikeAct, View,
         charts::quality::DiagramShows,
         design::{
+            DeskSurfaces, Telling,
             colour::FromColour,
             mix::{Mix, MixChannel, Snapshot},
-            surfaces::DeskSurfaces,
-            telling::Telling,
             wish::MixWish,
         },
         dispersion::{
             Beside, DispersionMemory, GemColour, GemMemory, LightPart, PrismMemory, RainbowMemory,
             Substance,
         },
-        document::FIRST_LIGHT,
-        document::Height,
         pages::{FieldChoice, ManyMemory, Page, PageMemory, WaysShown, WordsMemory},
         picture::{ImageMemory, Show, Spread},
         products::{
-            Link, Products, ProductsMemory,
-            memory::{
-                AbsorptionMemory, BouncesMemory, ChainMemory, NarrowMemory, ResamplingMemory,
-                SameSurfaceMemory, TwoLightsMemory,
-            },
+            AbsorptionMemory, BouncesMemory, ChainMemory, Link, NarrowMemory, Products,
+            ProductsMemory, ResamplingMemory, SameSurfaceMemory, TwoLightsMemory,
         },
-        recipe::{Gel, Given},
         relit::{Look, RelitMemory},
-        settings::Detector,
-        spike_hand::SpikeAct,
         workspace::Preferences,
     },
     color::Observer,

@@ -1,7 +1,7 @@
 //! The shipped lights by their nature, and the blackbodies that belong to the smooth ones.
 
 use spectral_explorer::{
-    app::library::Library,
+    app::Library,
     color::blackbody,
     preset::Shelf,
     spectrum::{Kind, NamedSpectrum, Sampled},

@@ -1,7 +1,7 @@
 //! Shipped spectra by name, for the tests of the numbers.
 
 use spectral_explorer::{
-    app::library::Library,
+    app::Library,
     spectrum::{Band, NamedSpectrum},
 };
 

@@ -6,9 +6,7 @@
 use std::sync::Arc;
 
 use spectral_explorer::app::{
-    App, Document, Entry, Settings, View,
-    document::{Height, first_light},
-    entry::bundled_entries,
+    App, Document, Entry, Height, Settings, View, bundled_entries, first_light,
 };
 
 /// The lamp.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use spectral_explorer::{
-    app::library::Library,
+    app::Library,
     color::{
         Adaptation, Lab, Observer, Xyz, delta_e_of_xyz, lab_from_xyz, srgb::linear_from_encoded,
         xyz_from_reflectance,

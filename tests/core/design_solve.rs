@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proptest::prelude::*;
 use serde_json::Value;
 use spectral_explorer::{
-    app::library::Library,
+    app::Library,
     color::uv_1976_from_xyz,
     design::{
         SampleTables,

@@ -13,9 +13,7 @@ use crate::{
 use approx::assert_abs_diff_eq;
 use proptest::prelude::*;
 use spectral_explorer::{
-    app::{
-        App, Command, Entry, Settings, library::Library, settings::Detector, spike_hand::SpikeAct,
-    },
+    app::{App, Command, Detector, Entry, Library, Settings, SpikeAct},
     color::blackbody,
     preset::Shelf,
     spectrum::{

@@ -4,7 +4,7 @@
 use std::{f64::consts::LN_2, sync::Arc};
 
 use spectral_explorer::{
-    app::{App, Document, Entry, library::Library, makers, picture::BandWeights, scale::Scale},
+    app::{App, Document, Entry, Library, Scale, makers, picture::BandWeights},
     color::{Observer, Xyz, cct_from_xyz, xyz_from_light, xyz_from_reflectance},
     io::{MakersResult, Quantity},
     spectrum::{

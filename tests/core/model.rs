@@ -11,8 +11,8 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use serde::Deserialize;
 use spectral_explorer::{
     app::{
-        App, Command, Derived, Entry, Settings, derived::OF_CURVE, entry::composite_from_preset,
-        library::Library, tables::CURVE_ORDER,
+        App, CURVE_ORDER, Command, Derived, Entry, Library, Settings, composite_from_preset,
+        derived::OF_CURVE,
     },
     color::{
         Observer, Xyz,

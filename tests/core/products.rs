@@ -13,7 +13,7 @@ use crate::{
 };
 use approx::assert_relative_eq;
 use spectral_explorer::{
-    app::{Command, Settings, library::Library},
+    app::{Command, Library, Settings},
     color::{Observer, Xyz, delta_e_2000, lab_from_xyz, xyz_from_integral},
     preset::Shelf,
     spectrum::{

@@ -7,7 +7,7 @@ use crate::{
     lights,
 };
 use spectral_explorer::{
-    app::library::Library,
+    app::Library,
     color::Observer,
     lamps::{Spike as WideSpike, add_spikes},
     preset::Shelf,

@@ -4,12 +4,10 @@ use std::sync::{Arc, LazyLock};
 
 use spectral_explorer::{
     app::{
-        Document, Entry,
+        ByAddress, Document, Entry, Library,
         chart::{Marks, Theme},
         charts::race::{CELLS_AT, error_chart, table_chart},
         figures::SMALLEST,
-        library::Library,
-        memo::ByAddress,
         pages::RACE_BUDGETS,
         studies::{Field, RaceAsk},
     },

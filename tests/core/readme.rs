@@ -6,7 +6,7 @@ use crate::{
     docs::{document, quoted, rows},
     root::root,
 };
-use spectral_explorer::app::{library::Library, pages::Place};
+use spectral_explorer::app::{Library, pages::Place};
 
 /// Most lines of a front door.
 const MOST_LINES: usize = 200;

@@ -7,9 +7,8 @@ use crate::plain::plain;
 use proptest::prelude::*;
 use spectral_explorer::{
     app::{
-        App, Command, Entry, Settings,
+        App, Command, Entry, Library, Settings,
         derived::OF_CURVE,
-        library::Library,
         studies::{AuctionAsk, SweepAsk, take},
     },
     color::{Observer, patches::PatchSet},

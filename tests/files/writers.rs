@@ -6,10 +6,9 @@
 use crate::root::root;
 use spectral_explorer::{
     app::{
-        App, Command,
+        App, Command, Scale,
         chart::Theme,
         export::{Export, composite_file},
-        scale::Scale,
     },
     io::{
         Columns, Provenance, WRITABLE, composite_json, composite_line, encode, losses,

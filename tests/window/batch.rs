@@ -16,9 +16,8 @@ use egui::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
-        Command,
+        Command, Tone,
         open::{Came, Loader, Outcome, batch::read_all},
-        state::Tone,
         workspace::Preferences,
     },
     spectrum::{Kind, NamedSpectrum, Sampled},

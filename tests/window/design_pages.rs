@@ -9,10 +9,9 @@ use egui::Role;
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        App,
-        design::{desk::Desk, telling::Telling},
+        App, Given,
+        design::{Desk, Telling},
         pages::{Page, PageMemory},
-        recipe::Given,
         workspace::Preferences,
     },
     ui::Window,

@@ -19,11 +19,9 @@ use egui_kittest::{
 use serde_json::{Value, json};
 use spectral_explorer::{
     app::{
-        App, Command, Document, Scale, Settings, Subject,
+        App, Command, Detector, Document, Message, Scale, Settings, Subject,
         pages::{FieldChoice, Page},
         picture::{Show, Spread},
-        settings::Detector,
-        state::Message,
         workspace::{self, Preferences, Restored},
     },
     color::Observer,

@@ -16,15 +16,12 @@ use egui::{Key, Pos2, Role, vec2};
 use egui_kittest::kittest::Queryable as _;
 use spectral_explorer::{
     app::{
-        Command,
-        library::Library,
-        memo::ByAddress,
+        ByAddress, Command, Library, Tone,
         open::{self, Loaded},
         pages::Page,
         picture::{
             self, BandWeights, ImageMemory, MOST_SIDE, RasterAsk, Show, Source, exposed, step_of,
         },
-        state::Tone,
         workspace::{self, Preferences, StoredImage},
     },
     color::{Observer, xyz_from_light, xyz_from_reflectance},

@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use spectral_explorer::{
     app::{
         App,
-        lessons::{Lesson, point::Aim, shelf},
+        lessons::{Aim, Lesson, shelf},
         pages::{AskedLesson, Page},
         workspace::Preferences,
     },

@@ -297,7 +297,7 @@ fn bounces_are_told_in_total_and_as_added() {
     assert!(bounced.sentence(true).contains("through all 16 bounces"));
 }
 
-fn narrow_memory(ui: &Ui) -> spectral_explorer::app::products::memory::NarrowMemory {
+fn narrow_memory(ui: &Ui) -> spectral_explorer::app::products::NarrowMemory {
     ui.state().0.preferences.pages.products.narrow.clone()
 }
 

@@ -11,14 +11,12 @@ use egui_kittest::kittest::Queryable as _;
 use serde_json::Value;
 use spectral_explorer::{
     app::{
-        App, Command, Settings,
+        App, ByAddress, Command, MadeFor, Settings,
         chart::{Chart, Theme},
         charts::products::{
             same_surface::same_surface_chart,
             two_lights::{made_chart, two_lights_chart},
         },
-        command::MadeFor,
-        memo::ByAddress,
         open::resolve,
         pages::Page,
         products::{

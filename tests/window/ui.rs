@@ -18,13 +18,11 @@ use egui_kittest::{
 use egui_plot::{PlotPoint, PlotTransform};
 use spectral_explorer::{
     app::{
-        App, Command, Scale, Settings, Subject, View,
+        App, Command, Height, Scale, Settings, Subject, Tone, View,
         answers::Seen,
         chart, charts,
         derived::OF_CURVE,
-        document::Height,
         export::Export,
-        state::Tone,
         workspace::{self, Preferences},
     },
     io::read_bytes,
@@ -1407,7 +1405,7 @@ fn a_spike_set_in_the_dark_is_listed_without_nan() {
     dark.apply(Command::Adopt(vec![darkness()]));
     let mut ui = at_rest(window(dark, no_files()));
     ui.state_mut().side = Side::Figures;
-    let act = spectral_explorer::app::spike_hand::SpikeAct::Add {
+    let act = spectral_explorer::app::SpikeAct::Add {
         at_nm: 500.0,
         weight: 1.0,
     };

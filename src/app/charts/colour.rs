@@ -4,7 +4,7 @@ use crate::{
     app::{
         chart::{Chart, Dash, Inks, Marks, Palette, Panel, Series, Theme},
         charts::products::chain::strip,
-        design::{colour::ColourSheet, colour_words::method_name},
+        design::{colour::ColourSheet, method_name},
     },
     color::srgb_from_wavelength,
     design::recover::{BAND, LineLight, Method, Recovered, node_nm},

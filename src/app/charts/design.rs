@@ -8,7 +8,7 @@ use crate::{
             quality::{DiagramShows, diagram},
         },
         design::{
-            desk::Desk,
+            Desk,
             front::{figure_name, lines_words},
             mix::MixChannel,
         },

@@ -195,7 +195,7 @@ impl Strip {
 }
 
 /// "3000 K and white ...: Ra 92, ..." of the figures of a light.
-pub fn words(figures: &MixFigures, r9: Option<f64>) -> String {
+pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
     let per_watt = format!("{:.0} lm/W", figures.ler);
     let melanopic = format!("melanopic DER {:.2}", figures.melanopic_der);
     let Some(cct) = figures.cct else {

@@ -16,14 +16,19 @@
 //! ```
 
 pub mod colour;
-pub mod colour_words;
-pub mod desk;
+mod colour_words;
+mod desk;
 pub mod front;
 pub(super) mod light;
 pub mod mix;
 pub mod named_lines;
 pub mod photo;
 pub(super) mod recovered;
-pub mod surfaces;
-pub mod telling;
+mod surfaces;
+mod telling;
 pub mod wish;
+
+pub use colour_words::method_name;
+pub use desk::{Desk, Strip};
+pub use surfaces::{Beside, DeskSurfaces, beside};
+pub use telling::Telling;

@@ -6,9 +6,9 @@ use serde_json::{Map, Value};
 use super::{condition::Condition, parsed::parsed, point::Point, stage::Stage};
 
 /// The word that marks a file of a lesson.
-pub const FORMAT: &str = "spectral-explorer-lesson";
+pub(super) const FORMAT: &str = "spectral-explorer-lesson";
 /// The version read.
-pub const VERSION: u64 = 1;
+pub(super) const VERSION: u64 = 1;
 
 /// Whom a lesson is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

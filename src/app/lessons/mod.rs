@@ -19,18 +19,21 @@
 
 mod condition;
 pub mod figures;
-pub mod format;
+mod format;
 pub mod handout;
 mod making;
 mod names;
 mod parsed;
-pub mod point;
-pub mod proof;
-pub mod run;
+mod point;
+mod proof;
+mod run;
 pub mod shelf;
 mod stage;
-pub mod trial;
+mod trial;
 mod words;
 
-pub use format::{Lesson, Step};
-pub use run::Run;
+pub use format::{Fault, Lesson, Step};
+pub use point::Aim;
+pub use proof::play;
+pub use run::{Run, Shown};
+pub use trial::{Trial, TrialAsk};

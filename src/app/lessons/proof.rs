@@ -16,7 +16,7 @@ use crate::app::{
 };
 
 /// Most words that a step says.
-pub const MOST_WORDS: usize = 60;
+pub(super) const MOST_WORDS: usize = 60;
 
 /// A step as it was played: its words with their figures.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +62,7 @@ pub fn play<T>(
 ///
 /// # Errors
 /// [`Fault`] where it is no lesson that can be played at all.
-pub fn walk<T>(
+pub(super) fn walk<T>(
     lesson: &Lesson,
     mut app: App,
     mut see: impl FnMut(&App, &PageMemory) -> T,

@@ -21,8 +21,8 @@ mod scene;
 mod sodium;
 mod table;
 
-pub use identify::{Identified, spike_under};
-pub use peaks::Peak;
+pub(super) use identify::Identified;
+pub use identify::spike_under;
 
 use super::library::Library;
 

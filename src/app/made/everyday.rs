@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// Id of the set, which patches can be taken from.
-pub const EVERYDAY_SET: &str = "everyday_surfaces";
+pub(crate) const EVERYDAY_SET: &str = "everyday_surfaces";
 
 /// The file.
 #[derive(Deserialize)]

@@ -11,7 +11,7 @@ pub(super) const FILTERS: &str = "ideal_filters";
 
 /// What an ideal filter lets through.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum IdealFilter {
+pub(super) enum IdealFilter {
     /// All above an edge, nm.
     LongPass(f64),
     /// All below an edge, nm.
@@ -48,7 +48,7 @@ const LISTED: [IdealFilter; 16] = [
 
 impl IdealFilter {
     /// What it is called: "Ideal band-pass 546 nm, 10 nm wide".
-    pub fn name(self) -> String {
+    pub(super) fn name(self) -> String {
         match self {
             Self::LongPass(edge) => format!("Ideal long-pass {edge} nm"),
             Self::ShortPass(edge) => format!("Ideal short-pass {edge} nm"),
@@ -61,7 +61,7 @@ impl IdealFilter {
 
     /// The filter that a name asks for: its own one, or "long-pass 550", "band-pass 546/10";
     /// `None` for other words and for edges that no table holds.
-    pub fn from_name(name: &str) -> Option<Self> {
+    pub(super) fn from_name(name: &str) -> Option<Self> {
         let lower = name.trim().to_lowercase();
         let rest = lower.strip_prefix("ideal").unwrap_or(&lower).trim_start();
         let (word, rest) = rest.split_at(rest.find(|c: char| c.is_ascii_digit())?);
@@ -83,7 +83,7 @@ impl IdealFilter {
 
     /// The share of light that it lets through at a wavelength, 0-1: an edge is one nm wide, so
     /// that what passes, summed over whole nm, has the edge's place to the last digit.
-    pub fn share_at(self, at_nm: f64) -> f64 {
+    pub(super) fn share_at(self, at_nm: f64) -> f64 {
         let above = |edge: f64| (at_nm - edge + 0.5).clamp(0.0, 1.0);
         match self {
             Self::LongPass(edge) => above(edge),

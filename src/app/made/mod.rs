@@ -10,8 +10,7 @@ mod filters;
 mod thermal;
 mod tubes;
 
-pub use everyday::EVERYDAY_SET;
-pub use filters::IdealFilter;
+pub(super) use everyday::EVERYDAY_SET;
 
 use crate::preset::{Body, Group, Preset, Terms};
 use crate::spectrum::{Kind, NamedSpectrum, Sampled};
@@ -25,7 +24,7 @@ const MADE: [&str; 4] = [
 ];
 
 /// The groups that are made, from the groups of the shipped files.
-pub fn groups(files: &[Group]) -> Vec<Group> {
+pub(super) fn groups(files: &[Group]) -> Vec<Group> {
     let mut groups = tubes::groups(files);
     groups.push(thermal::group());
     groups.push(filters::group());
@@ -35,7 +34,7 @@ pub fn groups(files: &[Group]) -> Vec<Group> {
 
 /// What is made when it is asked for by a name that says how: an ideal filter at any place, a
 /// black body of any temperature.
-pub fn on_demand(name: &str) -> Option<Preset> {
+pub(super) fn on_demand(name: &str) -> Option<Preset> {
     let name = name.trim();
     let plain = name.split_once('/').map_or(name, |(group, rest)| {
         if MADE.contains(&group.to_lowercase().as_str()) {

@@ -6,7 +6,7 @@ use super::Page;
 use crate::{
     app::{
         charts::quality::DiagramShows,
-        design::{colour::FromColour, mix::Snapshot, surfaces::DeskSurfaces, wish::MixWish},
+        design::{DeskSurfaces, colour::FromColour, mix::Snapshot, wish::MixWish},
         dispersion::DispersionMemory,
         picture::ImageMemory,
         products::ProductsMemory,

@@ -123,7 +123,7 @@ impl Default for NarrowMemory {
 }
 
 /// Centres of the band-pass, nm.
-pub const CENTRES_NM: std::ops::RangeInclusive<f64> = 200.0..=20_000.0;
+pub(super) const CENTRES_NM: std::ops::RangeInclusive<f64> = 200.0..=20_000.0;
 /// Full widths of the band-pass at half its maximum, nm.
 pub const PASS_WIDTHS_NM: std::ops::RangeInclusive<f64> = 2.0..=100.0;
 

@@ -2,7 +2,7 @@
 
 mod known_lines;
 mod link_words;
-pub mod memory;
+mod memory;
 mod modelled_light;
 pub mod same_surface;
 pub mod two_lights;
@@ -13,7 +13,10 @@ use super::{entry::Entry, library::Library, recipe::Times};
 use crate::spectrum::{Band, bounces, glass};
 
 pub use known_lines::KnownLines;
-pub use memory::ProductsMemory;
+pub use memory::{
+    AbsorptionMemory, BouncesMemory, ChainMemory, NarrowMemory, PASS_WIDTHS_NM, ProductsMemory,
+    ROOM_PERCENT, ResamplingMemory, SameSurfaceMemory, TwoLightsMemory,
+};
 pub use modelled_light::ModelledLight;
 
 /// Most factors in one chain.

@@ -15,7 +15,7 @@ use crate::{
         recipe::{Recipe, Times},
         report::settings_json,
         state::App,
-        studies::{RankAsk, surfaces::Ranked},
+        studies::{RankAsk, Ranked},
         ticks::short,
     },
     spectrum::{Band, Composite},

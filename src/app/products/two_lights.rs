@@ -10,7 +10,7 @@ use crate::{
         document::{Document, Subject},
         entry::Entry,
         state::{App, derive},
-        studies::{about::reflectances, surfaces::Pairs},
+        studies::{Pairs, reflectances},
         ticks::short,
     },
     color::{Adaptation, Observer, Swatch, delta_e_2000},

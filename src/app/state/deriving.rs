@@ -7,7 +7,7 @@ use crate::{
         derived::{Derived, Question},
         document::Document,
         entry::Entry,
-        studies::about::Patches,
+        studies::Patches,
         tables::{CURVE_ORDER, Tables, Viewing},
     },
     color::{Observer, Xyz, xyz::xyz_from_nm_values},
@@ -51,7 +51,7 @@ pub(super) fn make_tables(wanted: &TablesFor) -> Tables {
 }
 
 /// What a document shows, with tables made for it.
-pub fn derived_of(document: &Document) -> (Derived, Tables) {
+pub(crate) fn derived_of(document: &Document) -> (Derived, Tables) {
     let tables = make_tables(&tables_for(document));
     (derive(document, &tables), tables)
 }

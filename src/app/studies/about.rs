@@ -102,7 +102,7 @@ pub fn reflectances(group: &str, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
 }
 
 /// Measures with a shipped group as the patches.
-pub fn measures(group: &str, band: Band, observer: Observer) -> Arc<Measures> {
+pub(super) fn measures(group: &str, band: Band, observer: Observer) -> Arc<Measures> {
     let patches = Patches {
         set: group.to_owned(),
         own: Vec::new(),

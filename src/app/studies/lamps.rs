@@ -21,7 +21,7 @@ type Maker = (Band, Observer, SpikeSettings);
 ///
 /// # Errors
 /// [`EncodingError::Unseen`] when the range misses the visible.
-pub fn encoder(maker: Maker) -> Result<Arc<Encoder>, EncodingError> {
+pub(super) fn encoder(maker: Maker) -> Result<Arc<Encoder>, EncodingError> {
     static LAST: Mutex<Option<(Maker, Arc<Encoder>)>> = Mutex::new(None);
     // Whoever panicked left the last encoder whole.
     let mut last = LAST.lock().unwrap_or_else(|e| e.into_inner());

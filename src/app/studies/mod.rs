@@ -1,22 +1,22 @@
 //! Long computations about the document: sweep, auction and race, each a job with progress,
 //! cancel, and a result that stays while the next is computed.
 
-pub mod about;
+mod about;
 mod field;
 mod job;
-pub mod lamps;
+mod lamps;
 pub mod paper;
 mod relit;
-pub mod surfaces;
+mod surfaces;
 pub mod take;
 
-pub use about::About;
 use about::measures;
+pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Stage, Wake, Work};
-pub use lamps::{EncodeAsk, EncodedLight};
+pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
 pub use relit::{RelitJobs, RelitShown};
-pub use surfaces::{PairsAsk, RankAsk, Surfaces};
+pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, Surfaces, shipped_reflectances};
 pub use take::take;
 
 use std::path::PathBuf;
@@ -26,7 +26,7 @@ use super::{
     design::photo::Photo,
     dispersion::{GemFilm, GemPass, NoiseAsk},
     document::Document,
-    lessons::trial::{Trial, TrialAsk},
+    lessons::{Trial, TrialAsk},
     memo::ByAddress,
     pages::FieldChoice,
     picture::{Raster, RasterAsk, RegionAsk, RegionSpectrum},

@@ -39,7 +39,7 @@ pub struct Surface {
 }
 
 /// The factors of a group, or every shipped reflectance, on a band's grid.
-pub fn surfaces(group: Option<&str>, band: Band) -> Vec<Surface> {
+pub(super) fn surfaces(group: Option<&str>, band: Band) -> Vec<Surface> {
     let library = Library::bundled();
     let groups: Vec<&Group> = match group {
         Some(id) => library.group(id).into_iter().collect(),

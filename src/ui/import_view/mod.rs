@@ -19,12 +19,10 @@ use super::{
     theme::{Theme, waker},
 };
 use crate::app::{
-    App,
+    App, ByAddress, Memo, Opened,
     chart::{self, Chart},
     charts::import::curves,
     import::{About, Again, Flip, Import, Question},
-    memo::{ByAddress, Memo},
-    opened::Opened,
 };
 use crate::spectrum::SpectralImage;
 

@@ -6,7 +6,7 @@ use eframe::egui::Ui;
 
 use super::LibraryView;
 use crate::{
-    app::{App, Command, Entry, recipe::Recipe},
+    app::{App, Command, Entry, Recipe},
     spectrum::Kind,
 };
 

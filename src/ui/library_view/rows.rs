@@ -4,8 +4,7 @@ use std::{collections::HashMap, sync::Arc};
 
 use crate::{
     app::{
-        App, Entry,
-        families::Families,
+        App, Entry, Families,
         search::{Folded, Index, fold},
         workspace::Preferences,
     },

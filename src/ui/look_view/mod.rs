@@ -17,12 +17,10 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command,
+        App, Command, SpikeAct, Tone,
         answers::{best_of, knobs_of},
-        known_lamps::{lamps_asked, lamps_better},
+        lamps_asked, lamps_better,
         pages::{Page, PageMemory},
-        spike_hand::SpikeAct,
-        state::Tone,
         studies::{About, EncodeAsk, Stage, Studies, SweepAsk},
     },
     io::many::numbers,

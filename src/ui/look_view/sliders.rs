@@ -5,11 +5,9 @@ use egui::{DragValue, RichText, Ui, vec2};
 
 use crate::{
     app::{
-        App, Command, Settings,
+        App, Command, Detector, Memo, Settings,
         answers::{self, LINE_THRESHOLDS},
-        memo::Memo,
         pages::SPENDABLE,
-        settings::Detector,
     },
     ui::{
         kit::{Stops, named},
@@ -220,7 +218,7 @@ fn smoothness(ui: &mut Ui, app: &App, settings: &mut Settings, width: f32, theme
         let typed = ui.add_sized(
             vec2(BOX, 24.0) * theme.scale,
             DragValue::new(&mut settings.order)
-                .range(crate::app::settings::ORDERS)
+                .range(crate::app::ORDERS)
                 .speed(0.1),
         );
         named(&typed, egui::Role::SpinButton, names::ORDER_TYPED);

@@ -4,7 +4,7 @@ use eframe::egui;
 use egui::{Align, Button, Label, Layout, Rect, RichText, Ui};
 
 use crate::{
-    app::{App, Command, View, chart::Inks, charts::spectrum::overlay_factor, document::Height},
+    app::{App, Command, Height, View, chart::Inks, charts::spectrum::overlay_factor},
     ui::theme::{Theme, ink},
 };
 

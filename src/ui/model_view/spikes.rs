@@ -4,11 +4,7 @@ use eframe::egui;
 use egui::{Slider, SliderClamping, Ui};
 
 use super::{named, names};
-use crate::app::{
-    Settings,
-    settings::{Detector, GRADIENTS_PERCENT, THRESHOLDS_PERCENT, WIDTHS_NM},
-    ticks,
-};
+use crate::app::{Detector, GRADIENTS_PERCENT, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, ticks};
 
 /// The sliders' own reach; more can be typed.
 const SLIDER_THRESHOLDS: std::ops::RangeInclusive<f64> = 0.1..=5.0;

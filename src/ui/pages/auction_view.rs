@@ -8,7 +8,7 @@ use egui::{DragValue, Ui, vec2};
 use super::{PageContext, progress, tradeoff_view::choose};
 use crate::{
     app::{
-        App, Command, chart,
+        App, ByAddress, Command, Memo, chart,
         charts::{
             auction::{
                 AuctionChart, NAMES, ended_words, error_words, gain_words, goal_within, names,
@@ -16,7 +16,6 @@ use crate::{
             },
             tradeoff::{self, all_figures, lack},
         },
-        memo::{ByAddress, Memo},
         pages::SPENDABLE,
         studies::{About, AuctionAsk, Stage, take},
     },
@@ -239,12 +238,7 @@ fn columns() -> Vec<Column> {
     ]
 }
 
-fn row(
-    auction: &Auction,
-    index: usize,
-    goal: Goal,
-    names: &[crate::app::line_names::LineName],
-) -> Row {
+fn row(auction: &Auction, index: usize, goal: Goal, names: &[crate::app::LineName]) -> Row {
     let step = &auction.steps[index];
     let before = index.checked_sub(1).map(|i| auction.steps[i].error);
     let bought = if step.bought.is_empty() {

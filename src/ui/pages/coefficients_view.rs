@@ -8,14 +8,12 @@ use egui::{Align, Layout, Slider, Ui, Vec2, vec2};
 use super::PageContext;
 use crate::{
     app::{
-        Command, Settings,
+        CURVE_ORDER, Command, Memo, Settings,
         chart::{self, Chart},
         charts::coefficients::{CoefficientCharts, Sight},
-        memo::Memo,
         studies::paper::{
             CHANNELS, colours_summed, figure, harmonics_of, off_percent, percent, three,
         },
-        tables::CURVE_ORDER,
     },
     io::many::numbers,
     spectrum::{Basis, numbers_of_order},

@@ -6,12 +6,11 @@ use egui::{Label, RichText, Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
+        ByAddress, Memo, WordsShown,
         chart::{self, Chart},
         charts::known_lamps::words_chart,
-        known_lamps::WordsShown,
-        memo::{ByAddress, Memo},
         pages::WordsMemory,
-        studies::{EncodeAsk, EncodedLight, lamps::most_numbers},
+        studies::{EncodeAsk, EncodedLight, most_numbers},
     },
     lamps::NUMBERS,
     ui::kit::{Column, Row, Table, headline, named, scrolled, two_columns},

@@ -11,7 +11,7 @@ use egui::{Align, Label, Layout, RichText, Sense, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
-        lessons::{Lesson, format::Fault, shelf},
+        lessons::{Fault, Lesson, shelf},
         pages::AskedLesson,
     },
     ui::{

@@ -6,13 +6,11 @@ use egui::{DragValue, Ui, vec2};
 use super::{PageContext, progress, race_view::field_choice};
 use crate::{
     app::{
-        Command,
+        ByAddress, Command, Memo, Settings,
         chart::{self, Chart},
         charts::many::{ManyRow, Wanted, chart, csv, rows, sentence},
         figures::three_digits,
-        memo::{ByAddress, Memo},
         pages::{FieldChoice, LIMITS, ManyMemory, SHARES_PERCENT},
-        settings::Settings,
         studies::{ManyAsk, Stage},
     },
     study::{ManyLights, Measure},

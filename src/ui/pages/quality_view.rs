@@ -6,15 +6,14 @@ use egui::{Align, Layout, Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
-        App,
+        App, ByOrder, Memo, QualityShown,
         chart::{self, Chart},
         charts::quality::{
             DiagramShows, OfBins, against_order, bin_bars, diagram, fidelity_bars, sample_bars,
             vector_graphic,
         },
-        memo::Memo,
-        quality::{ByOrder, QualityShown, settled_words},
         quality_report::Row,
+        settled_words,
     },
     study::{Progress, quality::Chosen},
     ui::kit::{Column, Row as TableRow, Table, headline, scrolled},

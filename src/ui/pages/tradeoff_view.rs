@@ -8,7 +8,7 @@ use egui::{Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
-        App, Command,
+        App, ByAddress, Command, Memo,
         chart::{self, Chart},
         charts::{
             threshold::{mark_threshold, take_cell, threshold_chart},
@@ -16,7 +16,6 @@ use crate::{
                 self, Tradeoff, all_figures, lack, limits, measure_within, needs, take, way_name,
             },
         },
-        memo::{ByAddress, Memo},
         pages::WaysShown,
         studies::{About, Stage, SweepAsk},
     },

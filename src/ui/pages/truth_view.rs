@@ -6,10 +6,10 @@ use egui::{Grid, RichText, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
+        Memo,
         chart::{self, Chart},
         charts::truth::{neglected_chart, samples_chart, table_2_chart},
         headlines,
-        memo::Memo,
         studies::paper::{Claims, Row, Verdict, delta_e, figure, percent, truth_csv, truth_table},
         ticks::short,
     },

@@ -8,7 +8,7 @@ use super::{
     Wishes,
 };
 use crate::{
-    app::{App, spike_hand::SpikeAct},
+    app::{App, SpikeAct},
     spectrum::Spike,
 };
 

@@ -10,10 +10,9 @@ use super::{
 };
 use crate::{
     app::{
-        App, Command,
+        App, Command, SpikeAct,
         chart::{Chart, Marks},
         charts::spectrum::{SPIKES, spectrum_chart},
-        spike_hand::SpikeAct,
     },
     io::many::{many, numbers},
 };

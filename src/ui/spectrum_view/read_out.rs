@@ -8,7 +8,7 @@ use super::super::{
     theme::{Theme, grey},
 };
 use crate::{
-    app::{App, answers::spike_words, line_names::spike_under, ticks},
+    app::{App, answers::spike_words, spike_under, ticks},
     color::{Srgb, srgb_from_wavelength_over},
 };
 

@@ -17,12 +17,11 @@ use super::{
     filing::Saving,
 };
 use crate::app::{
-    Command, Settings, chart,
+    Command, Settings, Tone, chart,
     charts::order::curve_chart,
-    command_line_words::command_lines,
+    command_lines,
     export::Export,
     pages::{Page, Place},
-    state::Tone,
     workspace::ZOOMS,
 };
 

@@ -7,12 +7,9 @@ use super::{
     Window,
 };
 use crate::app::{
-    Command,
-    already_open::{Known, known},
+    Command, Known, Opened, Tone, known,
     open::{Came, FileRow, Finished, OpenBefore, Summary},
-    opened::Opened,
     pages::Page,
-    state::Tone,
 };
 
 impl Window {

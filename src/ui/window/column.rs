@@ -12,7 +12,7 @@ use super::{
     Window,
     panels::{COLUMN, Shape, in_its_size, plain},
 };
-use crate::app::{App, Command, answers, spike_hand::SpikeAct, state::Tone};
+use crate::app::{App, Command, SpikeAct, Tone, answers};
 
 /// Width of the edge that the column folds to.
 const EDGE: f32 = 24.0;

@@ -19,11 +19,11 @@ use super::{
 };
 use crate::{
     app::{
-        Command,
-        already_open::{Known, known},
+        Command, Known, Tone,
         charts::spectrum::spectrum_chart,
         dispersion::GemFile,
         export::{self, Export},
+        known,
         lessons::{
             Lesson,
             handout::{Form, handout},
@@ -32,7 +32,6 @@ use crate::{
         pages::Page,
         relit::PictureWish,
         sheet,
-        state::Tone,
     },
     io::{name_of, save_atomically},
 };

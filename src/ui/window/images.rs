@@ -5,9 +5,7 @@ use std::sync::Arc;
 use eframe::egui::Context;
 
 use super::{super::theme::waker, Window};
-use crate::app::{
-    Command, pages::Page, picture::reload::News, state::Tone, workspace::StoredImage,
-};
+use crate::app::{Command, Tone, pages::Page, picture::reload::News, workspace::StoredImage};
 
 impl Window {
     /// Images that are to be read again, as a workspace or project names them.

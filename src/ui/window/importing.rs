@@ -11,10 +11,8 @@ use super::{
     Window,
 };
 use crate::app::{
-    Command,
+    Command, Opened, Tone,
     import::{Again, Flip, Import},
-    opened::Opened,
-    state::Tone,
 };
 
 impl Window {

@@ -15,9 +15,9 @@ use super::{
     panels::{Shape, in_its_size, plain},
 };
 use crate::app::{
-    lessons::{Lesson, Run, point::Aim, shelf},
+    Tone,
+    lessons::{Aim, Lesson, Run, shelf},
     pages::{Page, Place},
-    state::Tone,
 };
 
 /// Width of the column, and what it is of the window: while presenting, and at most.

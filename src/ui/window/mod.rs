@@ -36,11 +36,10 @@ use super::{
     verdict_view::Side,
 };
 use crate::app::{
-    App, Command, chart,
+    App, Command, Tone, chart,
     lessons::Run,
     open::Loader,
     picture::reload::ReloadJob,
-    state::Tone,
     studies::Studies,
     workspace::{Preferences, Restored, StoredImage},
 };

@@ -7,7 +7,7 @@ use super::{
     super::{batch_view, kit::named, theme::Theme},
     WATCH_EVERY, Window,
 };
-use crate::app::{lessons::Lesson, pages::AskedLesson, state::Tone};
+use crate::app::{Tone, lessons::Lesson, pages::AskedLesson};
 
 /// Width from which on a window is large, points.
 const LARGE: f32 = 1800.0;

@@ -5,15 +5,11 @@ use std::sync::Arc;
 use super::{curve, over};
 use crate::{
     app::{
-        chart::Inks,
-        chart::{Chart, Dash, Series, Theme},
+        chart::{Chart, Dash, Inks, Series, Theme},
         charts::spectrum::provenance,
         products::two_lights::{Made, NoMetamer, TwoLightsSheet, swatches},
         state::App,
-        studies::{
-            PairsAsk,
-            surfaces::{Pairs, Surface},
-        },
+        studies::{Pairs, PairsAsk, Surface},
         ticks::short,
     },
     color::{Adaptation, Swatch},

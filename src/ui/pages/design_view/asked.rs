@@ -6,11 +6,11 @@ use egui::{DragValue, TextEdit, Ui};
 
 use crate::{
     app::{
+        Given,
         design::{
+            Telling,
             colour::{ColourSheet, UNDER, of_hex},
-            telling::Telling,
         },
-        recipe::Given,
     },
     color::Xyz,
     ui::{

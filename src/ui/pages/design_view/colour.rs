@@ -8,13 +8,12 @@ use egui::{DragValue, RichText, Ui, vec2};
 use super::{DesignView, asked::asked, headline};
 use crate::{
     app::{
-        Command,
+        Command, MadeFor,
         chart::Chart,
         charts::colour::colour_chart,
-        command::MadeFor,
         design::{
             colour::{ColourSheet, Under},
-            colour_words::method_name,
+            method_name,
         },
     },
     color::Swatch,

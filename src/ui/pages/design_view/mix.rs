@@ -6,16 +6,13 @@ use egui::{Ui, vec2};
 use super::{DesignView, Fader, change, headline, strips};
 use crate::{
     app::{
-        Command, Entry,
+        Command, Entry, Gel, MadeFor,
         charts::design::{held_at, mixed_spectrum},
-        command::MadeFor,
         design::{
-            desk::Desk,
+            Beside, Desk, DeskSurfaces, beside,
             mix::{FULL, GROUPS, MOST_CHANNELS, MOST_GELS, MixChannel, Snapshot},
             named_lines::{NamedLine, snapped},
-            surfaces::{Beside, DeskSurfaces, beside},
         },
-        recipe::Gel,
     },
     design::mixture::Source,
     spectrum::Kind,

@@ -15,18 +15,16 @@ use egui::{DragValue, Slider, Ui, vec2};
 use super::PageContext;
 use crate::{
     app::{
-        App, Command,
+        App, Command, Memo,
         chart::{self, Chart},
         charts::design::{ground, on_diagram},
         design::{
+            Beside, Desk, DeskSurfaces,
             colour::FromColour,
-            desk::Desk,
             mix::Mix,
             named_lines::{NamedLine, named_lines},
-            surfaces::{Beside, DeskSurfaces},
             wish::{MixWish, Solved},
         },
-        memo::Memo,
     },
     ui::{
         kit::{self, named},

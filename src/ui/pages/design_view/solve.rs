@@ -9,7 +9,7 @@ use crate::{
         Command,
         charts::design::front_chart,
         design::{
-            desk::Desk,
+            Desk,
             front::{answer, front_ask, on_desk, sentence},
             wish::{DUV, KELVIN, MixWish, Solved},
         },

@@ -6,7 +6,7 @@ use egui::{DragValue, Ui, vec2};
 use super::{Fader, change};
 use crate::{
     app::design::{
-        desk::{Desk, Strip},
+        Desk, Strip,
         mix::{FULL, GROUPS, MixChannel},
         named_lines::NamedLine,
     },

@@ -8,11 +8,11 @@ use egui::{CollapsingHeader, Slider, Ui};
 use super::{colour, names};
 use crate::{
     app::{
+        ByAddress,
         dispersion::{
             CutSlider, GemFile, GemFilm, GemForm, GemLook, LightPart, RAYS_SHOWN, SIZES_SHOWN,
             places,
         },
-        memo::ByAddress,
     },
     optics::{Brilliant, FilmSettings, Light, film_bytes},
     ui::{

@@ -15,11 +15,11 @@ use egui::{
 use super::{PageContext, prism_view::notes, progress};
 use crate::{
     app::{
+        ByAddress, Memo,
         dispersion::{
             GemFilm, GemLook, GemMemory, GemPass, GemScene, GemShown, NoiseAsk, document_light,
             facts_of, modelled, next_pass, places, sentence,
         },
-        memo::{ByAddress, Memo},
         studies::Stage,
     },
     optics::{Light, Noise},

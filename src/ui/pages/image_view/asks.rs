@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{PageContext, Shown};
 use crate::app::{
-    memo::ByAddress,
+    ByAddress,
     picture::{MOST_SIDE, Raster, RasterAsk, RegionAsk, RegionSpectrum, Source},
     studies::Stage,
 };

@@ -6,9 +6,7 @@ use egui::Ui;
 use super::{Shown, canvas::Canvas, names, shows_bands};
 use crate::{
     app::{
-        Command,
-        document::View,
-        opened::ImageEntry,
+        Command, ImageEntry, View,
         pages::Page,
         picture::{STOPS, Show, Spread},
         ticks::short,

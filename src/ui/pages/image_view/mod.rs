@@ -14,17 +14,13 @@ use egui::{ColorImage, TextureHandle, TextureOptions, Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
-        Command, Entry,
+        ByAddress, Command, Entry, ImageEntry, MadeFor, Memo, Recipe,
         chart::{self, Chart},
         charts::image::region_chart,
-        command::MadeFor,
         headlines,
-        memo::{ByAddress, Memo},
-        opened::ImageEntry,
         picture::{
             BandWeights, Exposed, Raster, RegionSpectrum, Show, Spread, exposed, named, shown,
         },
-        recipe::Recipe,
         studies::Stage,
     },
     color::Observer,

@@ -19,8 +19,8 @@ use egui::{Align, Color32, Layout, RichText, Slider, Ui, Vec2, vec2};
 use super::PageContext;
 use crate::{
     app::{
+        Memo,
         dispersion::{IMPACTS, PrismMemory, PrismShown, RainbowMemory, RainbowShown, STOPS, sky},
-        memo::Memo,
     },
     optics::Sky,
     ui::kit::{Choice, Column, Row, Table, copy_button, headline, scrolled},

@@ -6,7 +6,7 @@ use egui::{Slider, SliderClamping, Ui};
 
 use super::slider;
 use crate::{
-    app::{Command, answers::LINE_THRESHOLDS, settings::Detector, ticks},
+    app::{Command, Detector, answers::LINE_THRESHOLDS, ticks},
     ui::pages::PageContext,
 };
 

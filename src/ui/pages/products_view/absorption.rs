@@ -7,11 +7,9 @@ use egui::{DragValue, Label, RichText, Ui, vec2};
 
 use crate::{
     app::{
-        App, Command, Entry, Settings, chart,
+        App, Command, Detector, Entry, Memo, Settings, THRESHOLDS_PERCENT, WIDTHS_NM, chart,
         charts::products::absorption::{AbsorptionSheet, DipRow, looks},
         headlines,
-        memo::Memo,
-        settings::{Detector, THRESHOLDS_PERCENT, WIDTHS_NM},
         ticks::short,
     },
     spectrum::{Band, SAME_PLACE_NM},

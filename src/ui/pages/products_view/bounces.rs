@@ -6,13 +6,13 @@ use egui::{Ui, vec2};
 use super::{surface_chooser, take_way};
 use crate::{
     app::{
+        ByAddress, Memo,
         chart::{self, Chart},
         charts::products::{
             bounces::{Bounced, TOLD, UNSEEN, errors},
             resampling::{way_meaning, way_name},
         },
-        memo::{ByAddress, Memo},
-        products::{ModelledLight, memory::BouncesMemory},
+        products::{BouncesMemory, ModelledLight},
         studies::{Stage, paper::delta_e},
     },
     study::Progress,

@@ -12,7 +12,7 @@ use eframe::egui::Ui;
 
 use super::PageContext;
 use crate::{
-    app::{Command, products::Products, studies::surfaces::shipped_reflectances},
+    app::{Command, products::Products, studies::shipped_reflectances},
     spectrum::Sampling,
     ui::{
         kit::{Choice, Chooser, factors},

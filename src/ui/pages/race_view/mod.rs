@@ -13,9 +13,9 @@ use egui::{Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
+        ByAddress, Memo,
         chart::{self, Chart, Marks},
         charts::race::{Larger, RaceTable, Winners, error_chart, looks, table_chart},
-        memo::{ByAddress, Memo},
         pages::{FieldChoice, RACE_BUDGETS},
         studies::{RaceAsk, Stage},
     },

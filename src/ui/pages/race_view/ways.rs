@@ -8,8 +8,8 @@ use egui::Ui;
 use super::{scaled, solid_bars};
 use crate::{
     app::{
+        ByAddress, Memo,
         charts::race::{CELLS_AT, Ways, WaysRow, about, name},
-        memo::{ByAddress, Memo},
         studies::RaceAsk,
     },
     study::Race,

@@ -5,9 +5,7 @@ use egui::{Button, RichText, TextWrapMode, Ui, containers::menu::MenuButton};
 
 use crate::{
     app::{
-        App, Command,
-        document::View,
-        memo::ByAddress,
+        App, ByAddress, Command, View,
         picture::shown,
         relit::{BOUNDS, Fit, Form, Look, LookAsk, Looked, PictureWish, fewer},
         studies::RelitShown,

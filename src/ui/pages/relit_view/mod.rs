@@ -12,8 +12,8 @@ use egui::{ColorImage, RichText, TextureHandle, TextureOptions, Ui, vec2};
 use super::{PageContext, progress};
 use crate::{
     app::{
+        ByAddress, Memo,
         chart::{self, Chart, Rgb},
-        memo::{ByAddress, Memo},
         relit::{
             Fit, Look, Looked, PictureWish, Rows, Turned, difference_colours, headline, peer_rows,
             speed_line, trust_line,

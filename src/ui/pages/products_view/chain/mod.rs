@@ -9,11 +9,10 @@ use egui::{Align, Layout, Ui, vec2};
 use super::change;
 use crate::{
     app::{
-        Command,
+        Command, Memo,
         chart::{self, Chart},
         charts::products::chain::{ChainSheet, Place},
         headlines,
-        memo::Memo,
         product_report::{spikes_csv, stages_csv},
         products::{KnownLines, Link, MOST_LINKS},
         ticks::short,

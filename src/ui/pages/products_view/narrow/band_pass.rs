@@ -7,7 +7,7 @@ use super::names;
 use crate::{
     app::{
         chart::Chart,
-        products::memory::{NarrowMemory, PASS_WIDTHS_NM},
+        products::{NarrowMemory, PASS_WIDTHS_NM},
     },
     spectrum::Band,
     ui::{

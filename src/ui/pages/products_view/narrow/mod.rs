@@ -9,12 +9,11 @@ use egui::{DragValue, RichText, Sense, Slider, Ui, Vec2, vec2};
 
 use crate::{
     app::{
-        App, Entry,
+        App, Entry, Memo,
         chart::{self, Chart},
         charts::products::narrow::{Behind, Figures, Filter, FilterRow, WAY_MEANINGS, WAYS},
         headlines,
-        memo::Memo,
-        products::memory::{NarrowMemory, PASS_WIDTHS_NM},
+        products::{NarrowMemory, PASS_WIDTHS_NM},
         studies::paper::{delta_e, figure, percent},
     },
     color::Swatch,

@@ -10,10 +10,10 @@ use egui::{Rect, RichText, Ui, vec2};
 use super::{surface_chooser, take_way};
 use crate::{
     app::{
+        Memo,
         chart::{self, Chart},
         charts::products::resampling::{Bench, time_of, way_meaning, way_name},
         headlines,
-        memo::Memo,
         studies::{
             Stage, TimingAsk,
             paper::{delta_e, figure},

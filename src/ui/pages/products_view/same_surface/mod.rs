@@ -10,15 +10,12 @@ use egui::{Button, RichText, TextStyle, Ui, vec2};
 use super::change;
 use crate::{
     app::{
-        Command,
+        ByAddress, Command, Entry, MadeFor, Memo,
         chart::{self, Chart},
         charts::products::same_surface::same_surface_chart,
-        command::MadeFor,
-        entry::Entry,
         headlines,
-        memo::{ByAddress, Memo},
         products::same_surface::{SameSurfaceSheet, example},
-        studies::{RankAsk, surfaces::Ranked},
+        studies::{RankAsk, Ranked},
         ticks::short,
     },
     io::many::numbers,

@@ -11,9 +11,9 @@ use super::{
 };
 use crate::{
     app::{
-        memo::{ByAddress, Memo},
+        ByAddress, Memo,
         products::same_surface::{SameSurfaceSheet, ranking_csv},
-        studies::{Stage, surfaces::Ranked},
+        studies::{Ranked, Stage},
     },
     study::products::Sameness,
     ui::{

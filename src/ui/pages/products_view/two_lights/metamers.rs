@@ -6,15 +6,13 @@ use egui::{Button, RichText, Slider, Ui, vec2};
 use super::{super::among, names};
 use crate::{
     app::{
-        Command,
+        Command, MadeFor, Recipe,
         charts::products::two_lights::{Found, MadeShown},
-        command::MadeFor,
         products::{
-            memory::ROOM_PERCENT,
+            ROOM_PERCENT,
             two_lights::{NoMetamer, TwoLightsSheet, pairs_csv},
         },
-        recipe::Recipe,
-        studies::{Stage, surfaces::Pairs},
+        studies::{Pairs, Stage},
     },
     study::products::{MATCH_DELTA_E, MetamericPair},
     ui::{

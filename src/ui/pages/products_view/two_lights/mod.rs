@@ -9,13 +9,12 @@ use egui::{RichText, Ui, vec2};
 use super::change;
 use crate::{
     app::{
-        Command, View,
+        ByAddress, Command, Memo, View,
         chart::{self, Chart},
         charts::products::two_lights::{Found, MadeShown, two_lights_chart},
         headlines,
-        memo::{ByAddress, Memo},
         products::two_lights::{NoMetamer, TwoLightsSheet, swatches},
-        studies::{PairsAsk, surfaces::Pairs},
+        studies::{Pairs, PairsAsk},
     },
     color::{Adaptation, Swatch},
     study::products::TwoLights,
