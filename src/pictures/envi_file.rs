@@ -7,7 +7,7 @@ use std::sync::Mutex;
 
 use crate::io::Meant;
 use crate::io::OfOne;
-use crate::io::envi::{all_bytes, header::Header, meaning, pair};
+use crate::io::envi::{self, Header, all_bytes};
 use crate::spectrum::cube::{Interleave, Number, is_missing};
 
 use super::{Bands, KeptBands, PictureError, Pixels};
@@ -38,17 +38,17 @@ impl EnviFile {
     /// [`PictureError`] when there is no such pair, or it is no cube.
     pub fn open(path: &Path, all: bool) -> Result<Self, PictureError> {
         let trouble = |error: crate::io::ReadError| PictureError::Trouble(error.to_string());
-        let header_path = if pair::starts_as_header(path) {
+        let header_path = if envi::starts_as_header(path) {
             path.to_owned()
         } else {
-            pair::header_of(path).ok_or_else(|| {
+            envi::header_of(path).ok_or_else(|| {
                 PictureError::broken("data by themselves", "an ENVI header beside them")
             })?
         };
-        let header = pair::read_header(&header_path).map_err(trouble)?;
+        let header = envi::read_header(&header_path).map_err(trouble)?;
         let need = all_bytes(&header)
             .ok_or_else(|| PictureError::broken("a size beyond counting", "a cube"))?;
-        let data = pair::place_of_data(&header_path, need).ok_or_else(|| {
+        let data = envi::place_of_data(&header_path, need).ok_or_else(|| {
             PictureError::broken("an ENVI header by itself", "its data beside it")
         })?;
         let file = File::open(&data)?;
@@ -59,7 +59,7 @@ impl EnviFile {
                 format!("a cube of {need} bytes"),
             ));
         }
-        let channels = meaning::channels(&header, header.bands, None).map_err(trouble)?;
+        let channels = envi::channels(&header, header.bands, None).map_err(trouble)?;
         let missing = header.number("data ignore value").map_err(trouble)?;
         let mut opened = Self {
             file: Mutex::new(file),
@@ -80,10 +80,10 @@ impl EnviFile {
             .file_name()
             .map(|n| n.to_string_lossy().into_owned())
             .unwrap_or_default();
-        let (known, _) = meaning::values(&opened.header, &name, &sample).map_err(trouble)?;
+        let (known, _) = envi::values(&opened.header, &name, &sample).map_err(trouble)?;
         let meant = Meant::of(known, OfOne::default(), || sample);
         let kept = KeptBands::of_file(&nm, &gone, all);
-        let width = meaning::bandwidth_nm(&opened.header, &nm, &stored);
+        let width = envi::bandwidth_nm(&opened.header, &nm, &stored);
         opened.bands = kept.bands(meant.kind.value)?.with_bandwidth(width);
         opened.of = kept
             .of

@@ -301,10 +301,11 @@ pub(crate) fn reading_of<'k>(
         let results = found.results(Some(index), column, room_for(reading.results.len()));
         let mut spectrum = of(column, values, &results);
         spectrum.lines = &found.lines[points.clone()];
-        if found.decimal_comma {
-            spectrum.how.push("decimal comma".to_owned());
-        }
-        interpret(spectrum, input, &mut reading)?;
+        interpret(
+            spectrum.with_comma(found.decimal_comma),
+            input,
+            &mut reading,
+        )?;
         reading.results.extend(results);
     }
     if reading.spectra.is_empty() {

@@ -9,7 +9,6 @@
 //! ```
 
 use super::{Confidence, Format};
-use crate::io::interpret::interpret;
 use crate::io::interpret::raw::RawSpectrum;
 use crate::io::table::alternating;
 use crate::io::text::lines;
@@ -58,15 +57,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     spectrum
         .notes
         .push("W m-2 nm-1 is the instrument's unit; the file states none".to_owned());
-    if pairs.decimal_comma {
-        spectrum.how.push("decimal comma".to_owned());
-    }
-    let mut reading = Reading::default();
-    interpret(spectrum, input, &mut reading)?;
-    reading
-        .notes
-        .push("one number a line: wavelength and value by turns".to_owned());
-    Ok(reading)
+    alternating::alone(spectrum.with_comma(pairs.decimal_comma), input)
 }
 
 #[cfg(test)]

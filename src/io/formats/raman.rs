@@ -410,10 +410,7 @@ fn add(
         let chosen = format!("Raman shifts from {} nm", laser.value);
         spectrum.notes.push(taken_as(&chosen, &laser.reason));
         spectrum.axis = RawAxis::Nm(&nm, Some(AxisDecision::Laser(laser.clone())));
-        if dialect.decimal_comma {
-            spectrum.how.push("decimal comma".to_owned());
-        }
-        interpret(spectrum, input, reading)?;
+        interpret(spectrum.with_comma(dialect.decimal_comma), input, reading)?;
     }
     Ok(())
 }

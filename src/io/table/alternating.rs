@@ -126,13 +126,21 @@ pub(crate) fn find(text: &str) -> Option<Pairs<'_>> {
 /// # Errors
 /// [`ReadError`] when they are none.
 pub(crate) fn read(input: &Input, pairs: &Pairs) -> Result<Reading, ReadError> {
-    let mut reading = Reading::default();
     let (scale, heading) = (Scale::new(&pairs.axis), Heading::of(&pairs.header));
     let raw = RawSpectrum {
         lines: &pairs.lines,
         ..RawSpectrum::written(input.stem(), &scale, "", pairs.values.clone(), &heading)
     };
-    interpret(raw.with_comma(pairs.decimal_comma), input, &mut reading)?;
+    alone(raw.with_comma(pairs.decimal_comma), input)
+}
+
+/// The reading of a file whose one spectrum is such pairs.
+///
+/// # Errors
+/// [`ReadError`] when they are none.
+pub(crate) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadError> {
+    let mut reading = Reading::default();
+    interpret(raw, input, &mut reading)?;
     reading
         .notes
         .push("one number a line: wavelength and value by turns".to_owned());

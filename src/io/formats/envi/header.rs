@@ -112,7 +112,7 @@ impl Header {
 
 /// The items between commas; one that begins with a quote goes on to the quote before a comma, so
 /// that names may have commas of their own.
-pub fn split(text: &str) -> Vec<&str> {
+pub(super) fn split(text: &str) -> Vec<&str> {
     let mut items = Vec::new();
     let mut rest = text;
     loop {
@@ -162,7 +162,7 @@ fn closed(text: &str, quote: char) -> Option<(&str, Option<&str>)> {
 ///
 /// # Errors
 /// [`ReadError`] with the line at fault.
-pub fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
+pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let fields = fields(file, text)?;
     let mut header = Header {
         file: file.to_owned(),

@@ -15,7 +15,7 @@ use crate::io::{Choices, ReadError, Reading};
 ///
 /// # Errors
 /// [`ReadError`] when the data are too short, or the header gives no wavelengths.
-pub fn read(
+pub(super) fn read(
     header: &Header,
     data: Vec<u8>,
     data_name: &str,

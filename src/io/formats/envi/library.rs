@@ -22,7 +22,7 @@ const LOOKED_AT: usize = 20_000;
 ///
 /// # Errors
 /// [`ReadError`] when the data are too short, or the header gives no wavelengths.
-pub fn read(
+pub(super) fn read(
     header: &Header,
     data: &[u8],
     data_name: &str,
@@ -151,7 +151,7 @@ fn guesses_in_words(reading: &Reading) -> Vec<String> {
 }
 
 /// The refusal of data that end too early.
-pub fn short(header: &Header, found: usize, data_name: &str) -> ReadError {
+pub(super) fn short(header: &Header, found: usize, data_name: &str) -> ReadError {
     ReadError::new(
         data_name,
         format!("{found} bytes"),

@@ -15,11 +15,11 @@
 //!
 //! Limits: 512 MiB of data; [`needs`] tells size and memory from the header alone.
 
-pub mod header;
-pub mod image;
-pub mod library;
-pub mod meaning;
-pub mod pair;
+mod header;
+mod image;
+mod library;
+mod meaning;
+mod pair;
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,10 @@ use crate::spectrum::cube::{Number, bytes_of};
 
 use super::{Confidence, Format};
 use crate::io::{Input, ReadError, Reading, text};
-use header::Header;
+
+pub use header::Header;
+pub use meaning::{bandwidth_nm, channels, values};
+pub use pair::{header_of, place_of_data, read_header, starts_as_header};
 
 /// ENVI header or data.
 pub const FORMAT: Format = Format {

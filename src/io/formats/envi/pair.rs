@@ -19,7 +19,7 @@ const DATA_ENDINGS: [&str; 15] = [
 const MOST_HEADER_BYTES: u64 = 64 << 20;
 
 /// A data file.
-pub struct Data {
+pub(super) struct Data {
     /// Its name, for messages.
     pub name: String,
     /// Its content.
@@ -65,7 +65,7 @@ pub fn read_header(path: &Path) -> Result<Header, ReadError> {
 ///
 /// # Errors
 /// [`ReadError`] when there is none, or it cannot be read.
-pub fn data_of(path: &Path, header: &Header, need: usize) -> Result<Data, ReadError> {
+pub(super) fn data_of(path: &Path, header: &Header, need: usize) -> Result<Data, ReadError> {
     let chosen = place_of_data(path, need).ok_or_else(|| {
         ReadError::new(
             &header.file,
