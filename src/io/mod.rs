@@ -2,7 +2,8 @@
 //!
 //! [`read_path`] and [`read_bytes`] look at the content, not at the extension: every entry of
 //! [`FORMATS`] says how sure it is that a file is its own, the surest reads it, and of equally
-//! sure ones the earlier in the list. A further format is one more file and one more entry.
+//! sure ones the earlier in the list. A further format is one more file and one more entry, its seeds in
+//! tests/hostile, its miniatures in tests/files and its row in docs/formats.md.
 //!
 //! ```text
 //! bytes -> text (encoding) -> sniff -> the format's reader -> Reading

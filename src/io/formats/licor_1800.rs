@@ -13,9 +13,10 @@ use crate::spectrum::Kind;
 
 use super::{Confidence, Format};
 use crate::io::error::quoted;
+use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
-use crate::io::interpret::meaning::PHOTONS;
-use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::interpret::raw::RawSpectrum;
+use crate::io::interpret::value_unit::PHOTONS;
 use crate::io::reading::decision::Decision;
 use crate::io::reading::makers_results::{MakersResult, Quantity};
 use crate::io::reading::remark::PHOTON_NOTE;

@@ -5,8 +5,9 @@ use crate::spectrum::cube::Cube;
 use crate::spectrum::{Kind, SpectralImage};
 
 use crate::io::choices::{Counted, OfOne};
+use crate::io::interpret::decide_kind;
+use crate::io::interpret::factor_scale::{by_size, decide_scale, or_large};
 use crate::io::interpret::raw::Known;
-use crate::io::interpret::{decide_kind, decide_scale, meaning, or_large};
 use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
 use crate::io::reading::facts::Facts;
 use crate::io::reading::provenance;
@@ -58,7 +59,7 @@ impl Meant {
         let (kind, against_choice) = decide_kind(own, chosen.kind);
         let (counted, scale) = decide_scale((kind.value, was), &scale, chosen.counted, || {
             let values = sample();
-            or_large(meaning::by_size(&values), may_be_large, &values)
+            or_large(by_size(&values), may_be_large, &values)
         });
         let unit = if kind.value.is_factor() {
             "fraction".to_owned()

@@ -16,8 +16,9 @@ use crate::spectrum::Kind;
 
 use super::{Confidence, Format};
 use crate::io::error::quoted;
+use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
-use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::interpret::raw::RawSpectrum;
 use crate::io::reading::decision::Decision;
 use crate::io::text::{kept_line, lines, number};
 use crate::io::{Input, ReadError, Reading};

@@ -15,8 +15,8 @@ use std::ops::RangeInclusive;
 
 use super::keyed_lines::{KeyedLines, is_point, reading_of};
 use super::{Confidence, Format};
-use crate::io::interpret::meaning::PHOTONS;
 use crate::io::interpret::raw::RawSpectrum;
+use crate::io::interpret::value_unit::PHOTONS;
 use crate::io::reading::makers_results::{MakersResult, Quantity};
 use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::lines;

@@ -16,8 +16,9 @@ use crate::spectrum::Kind;
 use super::foreign_json::spectrum::{numbers, word};
 use super::{Confidence, Format};
 use crate::io::decode::json::any_json;
+use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
-use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::interpret::raw::RawSpectrum;
 use crate::io::reading::decision::Decision;
 use crate::io::{Input, ReadError, Reading};
 

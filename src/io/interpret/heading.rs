@@ -1,7 +1,7 @@
 //! What the lines above a table say about its spectra, worked out once for all of them: a table
 //! may have thousands of columns under hundreds of lines.
 
-use super::{axis, kinds, meaning};
+use super::{axis, factor_scale, kinds, value_unit};
 use crate::io::provenance::ORIGINATOR;
 use crate::io::text::NumberedLines;
 use crate::io::text::units::WavelengthUnit;
@@ -40,8 +40,8 @@ impl<'a> Heading<'a> {
             notes: None,
             axis_units: axis::units_of_header(lines),
             kind: kinds::FromHeader::of(lines),
-            percent: meaning::percent_of_header(lines),
-            unit: meaning::unit_of_header(lines),
+            percent: factor_scale::percent_of_header(lines),
+            unit: value_unit::unit_of_header(lines),
         }
     }
 

@@ -1,4 +1,5 @@
-//! From what a reader found to a spectrum: axis, kind and scale are decided here and nowhere else,
+//! From what a reader found to a spectrum: axis ([`axis`]), kind ([`kinds`]) and scale
+//! ([`factor_scale`]) are decided in this folder and nowhere else,
 //! a person's decisions first. What is decided is kept as [`Decisions`] until the whole file was
 //! read; then spectra that must agree are brought together ([`agree`]) and everything is put in
 //! words ([`describe`]).
@@ -7,12 +8,12 @@ pub(super) mod agree;
 pub(super) mod axis;
 pub(super) mod curve;
 pub(super) mod describe;
+pub(super) mod factor_scale;
 pub(super) mod heading;
 pub(super) mod kinds;
-pub(super) mod meaning;
 pub(super) mod raw;
+pub(super) mod value_unit;
 
-use crate::io::choices::Counted;
 use crate::io::provenance::notes_of_a_line;
 use crate::io::reading::decision::{AxisDecision, Decision, Decisions};
 use crate::io::reading::facts::Facts;
@@ -22,8 +23,9 @@ use crate::io::{Input, ReadError, Reading, budget};
 use crate::spectrum::{Kind, NamedSpectrum};
 use axis::Axis;
 use curve::{Cleaned, Trouble};
+use factor_scale::{decide_scale, or_large};
 use heading::Heading;
-use raw::{Known, KnownScale, RawAxis, RawSpectrum};
+use raw::{Known, RawAxis, RawSpectrum};
 
 /// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
 /// tens of thousands of spectra of a few values each would take far more than their size.
@@ -108,7 +110,7 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     let counted = input.choices.counted_of(index);
     let (counted, scale) = decide_scale((kind.value, own_kind), &known.scale, counted, || {
         let values = samples.values();
-        let size = meaning::counted(&title, heading.percent, raw.percent_signs, values);
+        let size = factor_scale::counted(&title, heading.percent, raw.percent_signs, values);
         or_large(size, known.may_be_large, values)
     });
     if is_written || counted.as_ref().is_some_and(Decision::is_guess) {
@@ -120,7 +122,7 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
     };
     let unit_of_values = unit_of_values(kind.value, known, &title, heading);
     let is_written_light = is_written && kind.value == Kind::Light;
-    if is_written_light && meaning::counts_photons(&unit_of_values) {
+    if is_written_light && value_unit::counts_photons(&unit_of_values) {
         remarks.push(Remark::Photons);
     }
     if is_written_light && !unit.is_length() {
@@ -208,59 +210,6 @@ pub(super) fn decide_kind(
     (Decision::chosen(kind), against)
 }
 
-/// What the values of a factor are counted in, and the factor to fractions; for other values the
-/// factor to their unit. `size` decides by titles and by the size of the values.
-pub(super) fn decide_scale(
-    (kind, own): (Kind, Kind),
-    known: &KnownScale,
-    chosen: Option<Counted>,
-    size: impl FnOnce() -> Decision<Counted>,
-) -> (Option<Decision<Counted>>, f64) {
-    if !kind.is_factor() {
-        let scale = match known {
-            KnownScale::Stated(scale) => *scale,
-            _ => 1.0,
-        };
-        return (None, scale);
-    }
-    let is_own = own.is_factor();
-    let decision = match (chosen.filter(|counted| counted.scale().is_some()), known) {
-        (Some(counted), _) => Decision::chosen(counted),
-        (None, KnownScale::Stated(scale)) if is_own || *scale != 1.0 => {
-            let counted = Decision::of_format(Counted::of_scale(*scale));
-            return (Some(counted), *scale);
-        }
-        (None, KnownScale::Told(counted)) => counted.clone(),
-        (None, KnownScale::Fractions) if is_own => match size() {
-            fraction if fraction.value == Counted::Fraction => {
-                Decision::of_format(Counted::Fraction)
-            }
-            other => other,
-        },
-        (None, _) => size(),
-    };
-    let scale = decision.value.scale().unwrap_or(1.0);
-    (Some(decision), scale)
-}
-
-/// What the size of values tells, where they may be whole numbers to 10,000.
-pub(super) fn or_large(
-    size: Decision<Counted>,
-    may_be_large: bool,
-    values: &[f64],
-) -> Decision<Counted> {
-    let is_large = may_be_large
-        && size.value != Counted::SixteenBits
-        && meaning::largest(values) > meaning::MOST_PERCENT;
-    match is_large {
-        true => Decision {
-            value: Counted::TenThousandths,
-            ..size
-        },
-        false => size,
-    }
-}
-
 /// Factors count as fractions, absorbances as themselves, all else as title, header or format say.
 fn unit_of_values(kind: Kind, known: Known, title: &str, heading: &Heading) -> String {
     if kind.is_factor() {
@@ -272,7 +221,7 @@ fn unit_of_values(kind: Kind, known: Known, title: &str, heading: &Heading) -> S
     // What a factor is counted in says nothing of what is taken for something else.
     let unit = known.unit.filter(|unit| unit != "fraction");
     unit.unwrap_or_else(|| {
-        let of_title = meaning::unit_of_title(title).map(str::to_owned);
+        let of_title = value_unit::unit_of_title(title).map(str::to_owned);
         of_title.unwrap_or_else(|| heading.unit.clone())
     })
 }

@@ -3,8 +3,8 @@
 use std::cell::{OnceCell, RefCell};
 
 use super::curve::{self, Cleaned, Trouble};
+use super::factor_scale::KnownScale;
 use super::heading::Heading;
-use crate::io::choices::Counted;
 use crate::io::reading::decision::{AxisDecision, Decision};
 use crate::io::text::units::WavelengthUnit;
 use crate::spectrum::{Kind, Sampled};
@@ -63,20 +63,6 @@ pub struct Known {
     pub scale: KnownScale,
     /// Whether factors may be stored as whole numbers to 10,000.
     pub may_be_large: bool,
-}
-
-/// What a format knows of the factor from the file's numbers to the unit.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum KnownScale {
-    /// Nothing: of a factor titles or the size of the values must tell.
-    #[default]
-    Open,
-    /// This factor.
-    Stated(f64),
-    /// Factors are fractions, unless their size says that somebody wrote per cent.
-    Fractions,
-    /// What the reader decided for all spectra of the file.
-    Told(Decision<Counted>),
 }
 
 impl<'a> RawSpectrum<'a> {

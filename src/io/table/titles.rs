@@ -1,7 +1,7 @@
 //! Titles of a table's columns, found in the lines above it.
 
 use super::block::Block;
-use crate::io::interpret::meaning::looks_like_unit;
+use crate::io::interpret::value_unit::looks_like_unit;
 use crate::io::text::dialect::{Delimiter, Dialect, used};
 use crate::io::text::units::names_wavelength;
 

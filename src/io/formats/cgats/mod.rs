@@ -28,8 +28,9 @@ mod tables;
 use crate::spectrum::Kind;
 
 use super::{Confidence, Format};
+use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
-use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::interpret::raw::RawSpectrum;
 use crate::io::{Input, ReadError, Reading};
 use bands::{Bands, bands, grid};
 use quantity::quantity;

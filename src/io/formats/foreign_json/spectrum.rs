@@ -5,8 +5,9 @@ use serde_json::Value;
 use crate::spectrum::Kind;
 
 use crate::io::error::{kept, quoted};
+use crate::io::interpret::factor_scale::KnownScale;
 use crate::io::interpret::interpret;
-use crate::io::interpret::raw::{KnownScale, RawSpectrum};
+use crate::io::interpret::raw::RawSpectrum;
 use crate::io::reading::decision::Decision;
 use crate::io::{Input, ReadError, Reading};
 

@@ -1,31 +1,69 @@
-//! How values are counted: per cent or fraction, and the unit.
-
-use crate::spectrum::Kind;
+//! What the values of a reflectance or transmittance are counted in: fractions, per cent, or whole
+//! numbers. A person's word goes before what the format says, that before titles and header, and
+//! these before the size of the values.
 
 use super::kinds::{kind_of_words, states_values};
 use crate::io::Counted;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
+use crate::spectrum::Kind;
+
+/// What a format knows of the factor from the file's numbers to the unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum KnownScale {
+    /// Nothing: of a factor titles or the size of the values must tell.
+    #[default]
+    Open,
+    /// This factor.
+    Stated(f64),
+    /// Factors are fractions, unless their size says that somebody wrote per cent.
+    Fractions,
+    /// What the reader decided for all spectra of the file.
+    Told(Decision<Counted>),
+}
+
+/// What the values of a factor are counted in, and the factor to fractions; for other values the
+/// factor to their unit. `size` decides by titles and by the size of the values.
+pub(crate) fn decide_scale(
+    (kind, own): (Kind, Kind),
+    known: &KnownScale,
+    chosen: Option<Counted>,
+    size: impl FnOnce() -> Decision<Counted>,
+) -> (Option<Decision<Counted>>, f64) {
+    if !kind.is_factor() {
+        let scale = match known {
+            KnownScale::Stated(scale) => *scale,
+            _ => 1.0,
+        };
+        return (None, scale);
+    }
+    let is_own = own.is_factor();
+    let decision = match (chosen.filter(|counted| counted.scale().is_some()), known) {
+        (Some(counted), _) => Decision::chosen(counted),
+        (None, KnownScale::Stated(scale)) if is_own || *scale != 1.0 => {
+            let counted = Decision::of_format(Counted::of_scale(*scale));
+            return (Some(counted), *scale);
+        }
+        (None, KnownScale::Told(counted)) => counted.clone(),
+        (None, KnownScale::Fractions) if is_own => match size() {
+            fraction if fraction.value == Counted::Fraction => {
+                Decision::of_format(Counted::Fraction)
+            }
+            other => other,
+        },
+        (None, _) => size(),
+    };
+    let scale = decision.value.scale().unwrap_or(1.0);
+    (Some(decision), scale)
+}
 
 /// Largest values that are per cent; of larger ones 10 000 is all of the light.
 pub(crate) const MOST_PERCENT: f64 = 160.0;
 
-/// Photons in the unit that plant scientists use.
-pub(crate) const PHOTONS: &str = "µmol m-2 s-1 nm-1";
-
-/// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
-pub(crate) fn counts_photons(unit: &str) -> bool {
-    let lower = unit.to_lowercase();
-    lower.contains("mol")
-        || lower.contains("photon")
-        || lower.starts_with("ue")
-        || lower.starts_with("µe")
-        || lower.starts_with("μe")
-}
-
 /// Largest values that only fractions, and only per cent, have: nothing reflects less than 1 %
 /// everywhere or more than all of the light by much.
 const PLAIN_FRACTION: std::ops::RangeInclusive<f64> = 0.1..=1.2;
+
 const PLAIN_PERCENT: std::ops::RangeInclusive<f64> = 10.0..=120.0;
 
 /// Largest values that are neither: remote sensing stores ten thousandths.
@@ -134,89 +172,6 @@ fn is_about_factors(line: &str) -> bool {
     bare || states_values(line) && (line.starts_with('y') || names_factor())
 }
 
-/// The unit of values that a title gives: text in brackets, or a unit at its end.
-pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
-    bracketed(title).or_else(|| bare(title))
-}
-
-/// The unit of values that header lines give: in brackets, or behind "unit:".
-pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
-    for (_, line) in header.iter().rev() {
-        // What this program's own files say, whatever it is.
-        if let Some(own) = line.strip_prefix("unit: ") {
-            return own.trim().to_owned();
-        }
-        let lower = line.trim().to_lowercase();
-        let states = lower.starts_with("unit") || lower.starts_with("y unit");
-        if states && let Some(after) = line.split([':', '=', '\t', ',']).nth(1) {
-            let after = without_brackets(after.trim().trim_matches('"'));
-            if looks_like_unit(after) {
-                return after.to_owned();
-            }
-        }
-        if let Some(unit) =
-            bracketed(line).filter(|u| u.contains('/') && kind_of_words(u).is_some())
-        {
-            return unit.to_owned();
-        }
-        if lower.contains("w/m^2/nm") || lower.contains("(w m-2 nm-1)") {
-            return "W m-2 nm-1".to_owned();
-        }
-    }
-    String::new()
-}
-
-/// A unit without the brackets around the whole of it.
-fn without_brackets(unit: &str) -> &str {
-    let unit = unit.trim();
-    [('(', ')'), ('[', ']')]
-        .into_iter()
-        .find_map(|(open, close)| unit.strip_prefix(open)?.strip_suffix(close))
-        .unwrap_or(unit)
-        .trim()
-}
-
-/// The first unit in brackets; brackets inside it and a divisor in brackets belong to it, as in
-/// "E(lambda) [W/(m²·nm)]".
-fn bracketed(text: &str) -> Option<&str> {
-    text.match_indices(['[', '('])
-        .filter(|(open, _)| !text[..*open].ends_with('/'))
-        .find_map(|(open, mark)| {
-            let (open_mark, close_mark) = if mark == "[" { ('[', ']') } else { ('(', ')') };
-            let mut depth = 0;
-            let close = text[open..].find(|c| {
-                depth += i32::from(c == open_mark) - i32::from(c == close_mark);
-                depth == 0 && c == close_mark
-            });
-            // Titles close brackets of one form with the other now and then.
-            let close = close.or_else(|| text[open..].find([']', ')']))? + open;
-            let inside = text[open + 1..close].trim();
-            looks_like_unit(inside).then_some(inside)
-        })
-}
-
-/// A unit of light without brackets at the end of a title: "Global W*m-2*nm-1", "W/m2".
-fn bare(title: &str) -> Option<&str> {
-    let starts = ["mW", "uW", "µW", "μW", "W"];
-    let words = std::iter::once(0).chain(title.match_indices(' ').map(|(at, _)| at + 1));
-    words.map(|at| title[at..].trim()).find(|rest| {
-        let quantity = starts.iter().find_map(|start| rest.strip_prefix(start));
-        quantity.is_some_and(|divisor| {
-            divisor.trim_start().starts_with(['/', '*', '·', 'm', 'c'])
-                && looks_like_unit(rest)
-                && !rest.contains(['%', '='])
-        })
-    })
-}
-
-/// Whether a text is a unit of values and nothing else.
-pub(crate) fn looks_like_unit(text: &str) -> bool {
-    const WORDS: [&str; 6] = ["counts", "1.0", "fraction", "a.u.", "relative", "W"];
-    !text.is_empty()
-        && text.len() <= 40
-        && (text.contains(['/', '%', '²', '^']) || text.contains("-1") || WORDS.contains(&text))
-}
-
 /// The size that hardly a value exceeds.
 pub(crate) fn largest(values: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = values
@@ -226,6 +181,23 @@ pub(crate) fn largest(values: &[f64]) -> f64 {
         .collect();
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0)
+}
+
+/// What the size of values tells, where they may be whole numbers to 10,000.
+pub(crate) fn or_large(
+    size: Decision<Counted>,
+    may_be_large: bool,
+    values: &[f64],
+) -> Decision<Counted> {
+    let is_large =
+        may_be_large && size.value != Counted::SixteenBits && largest(values) > MOST_PERCENT;
+    match is_large {
+        true => Decision {
+            value: Counted::TenThousandths,
+            ..size
+        },
+        false => size,
+    }
 }
 
 #[cfg(test)]
@@ -278,30 +250,5 @@ mod tests {
             assert_eq!(percent_of_header(&[(1, line)]), Some(true), "{line}");
         }
         assert_eq!(percent_of_header(&[(1, "unit: fraction")]), Some(false));
-    }
-
-    #[test]
-    fn units_stand_in_brackets_or_behind_the_word_or_alone() {
-        assert_eq!(unit_of_title("Irradiance [µW/cm2/nm]"), Some("µW/cm2/nm"));
-        assert_eq!(unit_of_title("mW/m2/nm"), Some("mW/m2/nm"));
-        assert_eq!(unit_of_title("W m-2 nm-1"), Some("W m-2 nm-1"));
-        assert_eq!(unit_of_title("TL01"), None);
-        assert_eq!(unit_of_title("LED 1/2"), None);
-        assert_eq!(unit_of_title("W"), None);
-        assert_eq!(unit_of_header(&[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
-        assert_eq!(unit_of_header(&[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
-        assert_eq!(unit_of_header(&[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
-        for title in [
-            "E(lambda) [W/(m²·nm)]",
-            "Strahlung in W/(m²·nm)",
-            "Global tilt  W*m-2*nm-1",
-            "W/m2",
-        ] {
-            let unit = unit_of_title(title).unwrap_or("");
-            assert!(
-                unit.starts_with("W/m2") || unit.starts_with("W/(m²") || unit.starts_with("W*m")
-            );
-        }
-        assert_eq!(unit_of_title("W 10/12"), None);
     }
 }

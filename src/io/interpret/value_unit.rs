@@ -1,0 +1,130 @@
+//! The unit of values, as titles and header lines give it.
+
+use super::kinds::kind_of_words;
+use crate::io::text::NumberedLines;
+
+/// Photons in the unit that plant scientists use.
+pub(crate) const PHOTONS: &str = "µmol m-2 s-1 nm-1";
+
+/// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
+pub(crate) fn counts_photons(unit: &str) -> bool {
+    let lower = unit.to_lowercase();
+    lower.contains("mol")
+        || lower.contains("photon")
+        || lower.starts_with("ue")
+        || lower.starts_with("µe")
+        || lower.starts_with("μe")
+}
+
+/// The unit of values that a title gives: text in brackets, or a unit at its end.
+pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
+    bracketed(title).or_else(|| bare(title))
+}
+
+/// The unit of values that header lines give: in brackets, or behind "unit:".
+pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
+    for (_, line) in header.iter().rev() {
+        // What this program's own files say, whatever it is.
+        if let Some(own) = line.strip_prefix("unit: ") {
+            return own.trim().to_owned();
+        }
+        let lower = line.trim().to_lowercase();
+        let states = lower.starts_with("unit") || lower.starts_with("y unit");
+        if states && let Some(after) = line.split([':', '=', '\t', ',']).nth(1) {
+            let after = without_brackets(after.trim().trim_matches('"'));
+            if looks_like_unit(after) {
+                return after.to_owned();
+            }
+        }
+        if let Some(unit) =
+            bracketed(line).filter(|u| u.contains('/') && kind_of_words(u).is_some())
+        {
+            return unit.to_owned();
+        }
+        if lower.contains("w/m^2/nm") || lower.contains("(w m-2 nm-1)") {
+            return "W m-2 nm-1".to_owned();
+        }
+    }
+    String::new()
+}
+
+/// A unit without the brackets around the whole of it.
+fn without_brackets(unit: &str) -> &str {
+    let unit = unit.trim();
+    [('(', ')'), ('[', ']')]
+        .into_iter()
+        .find_map(|(open, close)| unit.strip_prefix(open)?.strip_suffix(close))
+        .unwrap_or(unit)
+        .trim()
+}
+
+/// The first unit in brackets; brackets inside it and a divisor in brackets belong to it, as in
+/// "E(lambda) [W/(m²·nm)]".
+fn bracketed(text: &str) -> Option<&str> {
+    text.match_indices(['[', '('])
+        .filter(|(open, _)| !text[..*open].ends_with('/'))
+        .find_map(|(open, mark)| {
+            let (open_mark, close_mark) = if mark == "[" { ('[', ']') } else { ('(', ')') };
+            let mut depth = 0;
+            let close = text[open..].find(|c| {
+                depth += i32::from(c == open_mark) - i32::from(c == close_mark);
+                depth == 0 && c == close_mark
+            });
+            // Titles close brackets of one form with the other now and then.
+            let close = close.or_else(|| text[open..].find([']', ')']))? + open;
+            let inside = text[open + 1..close].trim();
+            looks_like_unit(inside).then_some(inside)
+        })
+}
+
+/// A unit of light without brackets at the end of a title: "Global W*m-2*nm-1", "W/m2".
+fn bare(title: &str) -> Option<&str> {
+    let starts = ["mW", "uW", "µW", "μW", "W"];
+    let words = std::iter::once(0).chain(title.match_indices(' ').map(|(at, _)| at + 1));
+    words.map(|at| title[at..].trim()).find(|rest| {
+        let quantity = starts.iter().find_map(|start| rest.strip_prefix(start));
+        quantity.is_some_and(|divisor| {
+            divisor.trim_start().starts_with(['/', '*', '·', 'm', 'c'])
+                && looks_like_unit(rest)
+                && !rest.contains(['%', '='])
+        })
+    })
+}
+
+/// Whether a text is a unit of values and nothing else.
+pub(crate) fn looks_like_unit(text: &str) -> bool {
+    const WORDS: [&str; 6] = ["counts", "1.0", "fraction", "a.u.", "relative", "W"];
+    !text.is_empty()
+        && text.len() <= 40
+        && (text.contains(['/', '%', '²', '^']) || text.contains("-1") || WORDS.contains(&text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_stand_in_brackets_or_behind_the_word_or_alone() {
+        assert_eq!(unit_of_title("Irradiance [µW/cm2/nm]"), Some("µW/cm2/nm"));
+        assert_eq!(unit_of_title("mW/m2/nm"), Some("mW/m2/nm"));
+        assert_eq!(unit_of_title("W m-2 nm-1"), Some("W m-2 nm-1"));
+        assert_eq!(unit_of_title("TL01"), None);
+        assert_eq!(unit_of_title("LED 1/2"), None);
+        assert_eq!(unit_of_title("W"), None);
+        assert_eq!(unit_of_header(&[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
+        assert_eq!(unit_of_header(&[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
+        assert_eq!(unit_of_header(&[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
+        for title in [
+            "E(lambda) [W/(m²·nm)]",
+            "Strahlung in W/(m²·nm)",
+            "Global tilt  W*m-2*nm-1",
+            "W/m2",
+        ] {
+            let unit = unit_of_title(title).unwrap_or("");
+            assert!(
+                unit.starts_with("W/m2") || unit.starts_with("W/(m²") || unit.starts_with("W*m")
+            );
+        }
+        assert_eq!(unit_of_title("W 10/12"), None);
+    }
+}
