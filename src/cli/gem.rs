@@ -17,7 +17,7 @@ use super::{
 use crate::{
     app::ticks::short,
     color::{Adaptation, Observer},
-    io::{save_atomically, shown},
+    io::{many::many, save_atomically, shown},
     optics::{
         Absorption, Brilliant, Film, FilmSettings, GemReport, Light, Material, Picture, Scene,
         Studio, View, film_bytes, gem_json, png, spectral_exr,
@@ -246,10 +246,10 @@ fn words(report: &GemReport) -> String {
         None => "noise: not known with one ray a pixel".to_owned(),
     };
     format!(
-        "{} under {light}, {size} x {size} px, {} rays a pixel, {:.1} faces a ray\n\
+        "{} under {light}, {size} x {size} px, {} a pixel, {:.1} faces a ray\n\
          {noise}\n{:.2} s, {:.2} million rays a second\n",
         report.film.studio().material().name,
-        report.rays,
+        many(report.rays as usize, "ray", "rays"),
         traced.segments_per_ray(),
         report.seconds,
         traced.rays as f64 / report.seconds.max(1e-9) / 1e6,
