@@ -45,7 +45,7 @@ const ORDER: usize = 7;
 /// The lamps that spikes are looked for in: triphosphor, plain fluorescent and bare discharge.
 const LAMPS: [&str; 3] = [
     FIRST_LIGHT,
-    "cie_fluorescent_1nm/FL2",
+    "cie_fluorescent_1nm/FL11",
     "lamps_nist_traditional/Mercury",
 ];
 
