@@ -482,14 +482,18 @@ fn no_files_of_a_room_need_each_other_in_a_circle() {
     }
 }
 
-#[test]
-fn the_search_for_circles_finds_one() {
-    let source = |place: &[&str], code: &str| Source {
+/// A file that is made up.
+fn source(place: &[&str], code: &str) -> Source {
+    Source {
         place: place.iter().map(|part| (*part).to_owned()).collect(),
         code: String::new(),
         untested: code_of(&without_tests(code)),
         lines: 0,
-    };
+    }
+}
+
+#[test]
+fn the_search_for_circles_finds_one() {
     let files = [
         source(&["color", "mod.rs"], "mod a; mod b; pub use a::{A, B};"),
         source(&["color", "a.rs"], "use super::{b::{C as D, E}, Hub};"),
@@ -581,12 +585,6 @@ fn the_folders_of_io_point_one_way() {
 
 #[test]
 fn the_search_for_ways_back_up_in_io_finds_them() {
-    let source = |place: &[&str], code: &str| Source {
-        place: place.iter().map(|part| (*part).to_owned()).collect(),
-        code: String::new(),
-        untested: code_of(&without_tests(code)),
-        lines: 0,
-    };
     let files = [
         source(&["io", "mod.rs"], "mod table; pub use table::Grid;"),
         source(&["io", "error.rs"], "use super::table::scan::scan;"),

@@ -28,11 +28,7 @@ pub(crate) const FORMAT: Format = Format {
 };
 
 fn sniff(input: &Input) -> Confidence {
-    if input.head().starts_with('{') && input.head().contains(FORMAT_WORD) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    super::own_json(input, FORMAT_WORD)
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {

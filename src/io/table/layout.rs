@@ -314,33 +314,30 @@ mod tests {
         assert_eq!(layout(text), Some(Layout::Column(1)));
     }
 
+    /// First column, wavelengths and first row of spectra in rows.
+    fn rows(text: &str) -> (usize, Vec<f64>, usize) {
+        match layout(text) {
+            Some(Layout::Row {
+                first,
+                axis,
+                from_row,
+                ..
+            }) => (first, axis, from_row),
+            _ => panic!("spectra in rows expected"),
+        }
+    }
+
     #[test]
     fn wavelengths_in_the_first_row_make_spectra_in_rows() {
         let text = "wavelength,380,385,390,395,400\n1,.1,.2,.3,.2,.1\n2,.2,.3,.4,.3,.2\n";
-        let Some(Layout::Row {
-            first,
-            axis,
-            from_row,
-            ..
-        }) = layout(text)
-        else {
-            panic!("spectra in rows expected");
-        };
+        let (first, axis, from_row) = rows(text);
         assert_eq!((first, axis[4], from_row), (1, 400.0, 1));
     }
 
     #[test]
     fn wavelengths_in_labels_make_spectra_in_rows() {
         let text = "name,R_400,R_410,R_420,R_430,R_440\nred,1,2,3,4,5\nblue,2,3,4,5,6\n";
-        let Some(Layout::Row {
-            first,
-            axis,
-            from_row,
-            ..
-        }) = layout(text)
-        else {
-            panic!("spectra in rows expected");
-        };
+        let (first, axis, from_row) = rows(text);
         assert_eq!((first, axis[0], from_row), (1, 400.0, 0));
     }
 
