@@ -14,6 +14,8 @@
 //! JASCO           DATA TYPE,RAMAN SPECTRUM / XUNITS,1/CM
 //! ```
 
+mod laser;
+
 use super::{Confidence, Format, columns};
 use crate::io::interpret::interpret;
 use crate::io::interpret::raw::{RawAxis, RawSpectrum};
@@ -36,9 +38,6 @@ pub(crate) const FORMAT: Format = Format {
     sniff,
     read,
 };
-
-/// Lasers that Raman spectrometers have, nm: from deep ultraviolet to infrared.
-const LASERS_NM: std::ops::RangeInclusive<f64> = 220.0..=1100.0;
 
 /// Most lines of a header that are looked at.
 const HEADER_LINES: usize = 60;
@@ -78,7 +77,8 @@ fn names_shifts(head: &str) -> bool {
 /// laser.
 fn counts_shifts(head: &str) -> bool {
     let unit = headers(head).find(|line| line.to_lowercase().contains("axisunit[1]"));
-    unit.is_some_and(is_per_cm) && laser_of_header(head).is_some() || has_range_of_shifts(head)
+    unit.is_some_and(is_per_cm) && laser::of_header(headers(head)).is_some()
+        || has_range_of_shifts(head)
 }
 
 /// Whether a text holds the unit of a shift.
@@ -149,94 +149,6 @@ fn wire_titles(head: &str) -> Option<Vec<String>> {
     (has("#wave") && has("#intensity")).then_some(titles)
 }
 
-/// The laser in a file's name: `iR785`, `__Raman__532__`.
-fn laser_of_name(name: &str) -> Option<f64> {
-    let horiba = name.match_indices("iR");
-    let rruff = name.match_indices("__Raman__");
-    horiba.chain(rruff).find_map(|(at, word)| {
-        let before = name[..at].chars().next_back();
-        let before = before.filter(|_| word == "iR");
-        let digits: String = name[at + word.len()..]
-            .chars()
-            .take_while(char::is_ascii_digit)
-            .collect();
-        let apart = before.is_none_or(|c| !c.is_alphanumeric());
-        digits
-            .parse()
-            .ok()
-            .filter(|nm| apart && digits.len() >= 3 && LASERS_NM.contains(nm))
-    })
-}
-
-/// The laser in a header line: `Laser wavelength: 785 nm`, `#Laser=785nm_edge`.
-fn laser_of_header(text: &str) -> Option<f64> {
-    let named: Vec<Laser> = headers(text).flat_map(lasers_of_line).collect();
-    let by_unit = named.iter().find(|laser| laser.says_nm);
-    by_unit.or(named.first()).map(|laser| laser.nm)
-}
-
-/// A number behind the word "laser".
-struct Laser {
-    nm: f64,
-    /// Whether it is said to be a wavelength.
-    says_nm: bool,
-}
-
-/// The numbers of a header line that may be a laser's wavelength: not its power or its share.
-fn lasers_of_line(line: &str) -> Vec<Laser> {
-    let lower = line.to_lowercase();
-    let word = [
-        "laser",
-        "excitation",
-        "raman wavelength",
-        "raman_wavelength",
-    ];
-    let Some(at) = word.iter().find_map(|word| lower.find(word)) else {
-        return Vec::new();
-    };
-    // RRUFF's crystals lie somehow to the beam: "Laser parallel to c* (0 0 1)".
-    if lower.contains("orientation") || lower.contains("parallel") {
-        return Vec::new();
-    }
-    let is_number = |c: char| c.is_ascii_digit() || c == '.';
-    let names_wavelength = lower.contains("wavelength") || lower.contains("lambda");
-    let names_other = ["power", "attenuation", "exposure"]
-        .iter()
-        .any(|word| lower.contains(word));
-    let mut lasers = Vec::new();
-    let mut rest = &lower[at..];
-    while let Some(from) = rest.find(is_number) {
-        rest = &rest[from..];
-        let end = rest.find(|c| !is_number(c)).unwrap_or(rest.len());
-        let (number, behind) = rest.split_at(end);
-        let unit = behind.trim_start();
-        let counts_other = ["mw", "w", "%", "µw", "s", "ms"]
-            .iter()
-            .any(|other| word_of(unit) == *other);
-        let says_nm = word_of(unit).starts_with("nm");
-        if let Ok(nm) = number.parse::<f64>()
-            && LASERS_NM.contains(&nm)
-            && nm != 1000.0
-            && (says_nm || !counts_other && !names_other)
-        {
-            lasers.push(Laser {
-                nm,
-                says_nm: says_nm || names_wavelength,
-            });
-        }
-        rest = behind;
-    }
-    lasers
-}
-
-/// The letters (or per cent sign) that a text begins with.
-fn word_of(text: &str) -> &str {
-    let end = text
-        .find(|c: char| !(c.is_alphabetic() || c == '%'))
-        .unwrap_or(text.len());
-    &text[..end]
-}
-
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     if head.is_empty() || head.starts_with(['{', '<']) {
@@ -255,7 +167,7 @@ fn sniff(input: &Input) -> Confidence {
     } else if names_shifts(head)
         || counts_shifts(head)
         || says_raman(head)
-        || laser_of_name(&input.name).is_some() && !names_nm(head)
+        || laser::of_name(&input.name).is_some() && !names_nm(head)
     {
         Confidence::Likely
     } else {
@@ -337,12 +249,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "the spectrum of one point: #Wave and #Intensity",
         ));
     }
-    let by_hand = input.choices.laser_nm.map(Decision::chosen);
-    let by_header = || laser_of_header(text).map(|nm| Decision::stated(nm, "the header"));
-    // `iR785` in a name is the laser of a Raman spectrometer and nothing else.
-    let of_name = |nm| Decision::guessed(nm, true, "the file's name");
-    let by_name = || laser_of_name(&input.name).map(of_name);
-    let Some(laser) = by_hand.or_else(by_header).or_else(by_name) else {
+    let Some(laser) = laser::decided(input, headers(text)) else {
         return Err(input.error(
             "Raman shifts (1/cm) from a laser that is not named",
             NEEDS_LASER,
@@ -419,21 +326,6 @@ fn add(
 mod tests {
     use crate::io::text::units::WavelengthUnit;
     use crate::io::{Choices, read_bytes, read_bytes_as};
-
-    #[test]
-    fn the_lasers_power_is_not_its_wavelength() {
-        let rows = "100.5\t10\n200.5\t20\n300.5\t30\n400.5\t40\n";
-        for header in [
-            "Laser power: 300 mW\nLaser wavelength: 785 nm\n",
-            "Laser: 300 mW, 785 nm\n",
-            "Laser power 300\nLaser 785\n",
-        ] {
-            let text = format!("{header}Raman shift (cm-1)\tIntensity\n{rows}");
-            let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
-            let first = reading.spectra[0].samples.first_nm();
-            assert!((790.0..800.0).contains(&first), "{header}: {first}");
-        }
-    }
 
     #[test]
     fn shifts_from_a_known_laser_become_wavelengths() {
