@@ -519,7 +519,7 @@ const ROOMS_OF_IO: [(&str, &[&str]); 8] = [
     ("decode", &["", "text"]),
     ("reading", &["", "text"]),
     ("interpret", &["reading", "", "text"]),
-    ("table", &["interpret", "reading", "write", "", "text"]),
+    ("table", &["interpret", "reading", "", "text"]),
     (
         "formats",
         &[

@@ -289,6 +289,11 @@ pub(crate) fn all() -> Vec<Seeds> {
             rows(20000.0, 500.0, 5, " ", "\n")
         ),
     ];
+    let own_csv = format!(
+        "# name: a lamp\n# kind: light\n# unit: W m-2 nm-1\n# written by: Spectral Explorer 1.0.0\n\
+         wavelength_nm,measured,\"FL11, 0.5\"\n{}",
+        rows(380.0, 5.0, 12, ",", ",0.25\n")
+    );
     let refs: Vec<&str> = columns.iter().map(String::as_str).collect();
     vec![
         seeds(
@@ -660,6 +665,20 @@ pub(crate) fn all() -> Vec<Seeds> {
             "raman",
             texts(&[&raman]),
             &["Laser wavelength: ", "Raman shift", "785", "cm-1", "1e308"],
+        ),
+        seeds(
+            "Spectral Explorer CSV",
+            "own_csv",
+            texts(&[&own_csv, &own_csv.replace("FL11", "[nm], \"std\"")]),
+            &[
+                "# kind: reflectance",
+                "# unit: %",
+                "# name: ",
+                "# notes: ",
+                "wavelength_nm",
+                "measured",
+                "1e308",
+            ],
         ),
         seeds(
             "plain columns",

@@ -314,6 +314,7 @@ fn table_questions(table: &TableFound, choices: &Choices) -> Vec<Question> {
                         Delimiter::Semicolon => "semicolon ;",
                         Delimiter::Comma => "comma ,",
                         Delimiter::Space => "blanks",
+                        Delimiter::Cell => "edges of cells",
                     }
                     .to_owned()
                 },

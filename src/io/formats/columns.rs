@@ -1,25 +1,12 @@
 //! Plain columns: CSV, TSV and whatever else writes wavelengths and values as text.
 //!
-//! Nothing about the table is taken from the extension. [`pick`] finds delimiter and
-//! decimal mark, [`block`](crate::io::table::block) the blocks of numbers,
-//! [`titles`](crate::io::table::titles) and [`layout`](crate::io::table::layout) where the wavelengths are,
-//! [`meaning`](crate::io::interpret::meaning) what the values stand for,
-//! [`curve`](crate::io::interpret::curve) puts them in order. Each decision is a note, each guess a
-//! [`Guess`](crate::io::Guess).
+//! Nothing about the table is taken from the extension. [`table::read`](crate::io::table::read)
+//! finds out how its cells are set apart, where its wavelengths are and which columns are spectra.
 
 use super::{Confidence, Format};
-use crate::io::interpret::check_room;
-use crate::io::reading::TableFound;
-use crate::io::table::block::{BadCell, most_left_out};
-use crate::io::table::columns::{File, read_groups};
-use crate::io::table::layout::Layout;
-use crate::io::table::pick::{self, Look, NoTable, Table};
-use crate::io::table::roles::{self, Group};
-use crate::io::table::rows::{AlongRow, read_rows};
-use crate::io::table::{alternating, no_table};
-use crate::io::text::dialect::{Delimiter, Dialect, used};
-use crate::io::write::csv::{self, Own};
-use crate::io::{Choices, Guess, Guessed, Input, ReadError, Reading};
+use crate::io::table::read::read_tables;
+use crate::io::text::dialect::Dialect;
+use crate::io::{Input, ReadError, Reading};
 
 /// Plain columns of numbers.
 pub(crate) const FORMAT: Format = Format {
@@ -31,259 +18,17 @@ pub(crate) const FORMAT: Format = Format {
 
 fn sniff(input: &Input) -> Confidence {
     match input.text() {
-        Some(text) if csv::is_own(&text.text) => Confidence::Own,
         Some(_) => Confidence::Possible,
         None => Confidence::No,
     }
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
-    let mut reading = read_cells(input)?;
+    let text = &*input.needs_long_text()?.text;
+    let mut reading = read_tables(input, text, input.choices.dialect)?;
     let dialect = reading.table.as_ref().map(|table| table.dialect);
     reading.notes.extend(dialect.map(Dialect::words));
     Ok(reading)
-}
-
-/// Reads columns; how their cells are set apart is not told.
-///
-/// # Errors
-/// [`ReadError`] when there is no table.
-pub(crate) fn read_cells(input: &Input) -> Result<Reading, ReadError> {
-    let text = &*input.needs_long_text()?.text;
-    let Choices {
-        dialect, delimiter, ..
-    } = input.choices;
-    let own = Own::of(text).filter(|_| dialect.is_none() && delimiter.is_none());
-    let look = match (&own, dialect) {
-        (Some(_), _) => Look::at_all(text, csv::DIALECT),
-        (None, Some(dialect)) => Look::at_all(text, dialect),
-        (None, None) => pick::look(text, delimiter),
-    };
-    let dialect = look.dialect;
-    let found = match &own {
-        Some(own) => pick::own_tables(own),
-        None => look.tables(),
-    };
-    let mut tables = match found {
-        Ok(tables) => tables,
-        // A table with a word in it is a table: read in another way it would be nonsense.
-        Err(bad @ NoTable::Bad(_)) => return Err(no_table::refusal(input, text, bad)),
-        Err(why) => {
-            if let Some(pairs) = alternating::find(text) {
-                return alternating::read(input, &pairs);
-            }
-            return Err(no_table::refusal(input, text, why));
-        }
-    };
-    let file = File {
-        input,
-        dialect,
-        own: own.as_ref(),
-    };
-    check_room(input, tables.len())?;
-    let left_out = without_false_tables(&file, &mut tables);
-    let mut reading = Reading {
-        notes: left_out,
-        table: tables.iter().find(|t| !t.is_short).map(|table| TableFound {
-            dialect,
-            axis_column: match table.layout {
-                Layout::Column(column) => Some(column),
-                Layout::Row { .. } => None,
-            },
-            width: table.block.width,
-            first_line: table.block.lines[0] as usize,
-            values: Vec::new(),
-        }),
-        ..Reading::default()
-    };
-    let several = tables.len() > 1;
-    if let Some(column) = input.choices.axis_column {
-        for table in tables.iter_mut().filter(|table| !table.is_short) {
-            if column >= table.block.width {
-                return Err(input.error(
-                    format!("a table of {} columns", table.block.width),
-                    format!("wavelengths in column {}, as chosen", column + 1),
-                ));
-            }
-            table.layout = Layout::Column(column);
-        }
-        if let Some(found) = &mut reading.table {
-            found.axis_column = Some(column);
-        }
-    }
-    for (number, table) in tables.iter_mut().enumerate() {
-        let part = if several {
-            format!(", table {}", number + 1)
-        } else {
-            String::new()
-        };
-        read_table(&file, table, &part, &mut reading)?;
-    }
-    // Columns and rows that are nearly empty were left out; here that was all of them.
-    if reading.spectra.is_empty() {
-        return Err(too_sparse(input, &tables));
-    }
-    Ok(reading)
-}
-
-/// Leaves out short tables that turn out to be none, and says so.
-fn without_false_tables(file: &File, tables: &mut Vec<Table>) -> Vec<String> {
-    let mut left_out = Vec::new();
-    tables.retain(|table| {
-        let read = || read_table(file, &mut table.clone(), "", &mut Reading::default());
-        let Some(why) = table.is_short.then(read).and_then(Result::err) else {
-            return true;
-        };
-        let lines = pick::lines_left_out(&table.block);
-        left_out.push(format!("{lines}: found {}", why.found));
-        false
-    });
-    left_out
-}
-
-/// The refusal for tables whose every column or row has next to no values.
-fn too_sparse(input: &Input, tables: &[Table]) -> ReadError {
-    let of = match tables.first().map(|table| &table.layout) {
-        Some(Layout::Row { .. }) => "row",
-        _ => "column",
-    };
-    let refusal = input.error(
-        format!("fewer than two values in every {of}"),
-        "at least two values of a spectrum",
-    );
-    match tables.first().and_then(|table| table.block.lines.first()) {
-        Some(line) => refusal.at_line(*line as usize),
-        None => refusal,
-    }
-}
-
-fn read_table(
-    file: &File,
-    table: &mut Table,
-    part: &str,
-    reading: &mut Reading,
-) -> Result<(), ReadError> {
-    reading.notes.extend(table.notes.iter().cloned());
-    let first = reading.spectra.len();
-    let doubt = titles_short_of_cells(table, file.dialect);
-    match &table.layout {
-        Layout::Column(wavelength) => {
-            let wavelength = *wavelength;
-            let (groups, left_out) = match file.own {
-                Some(_) => (vec![all_beside(wavelength, table.block.width)], Vec::new()),
-                None => roles::groups(&table.block, &table.titles, wavelength),
-            };
-            reading
-                .notes
-                .extend(check(file, table, wavelength, &groups)?);
-            if let Some(found) = &mut reading.table
-                && found.values.is_empty()
-                && !table.is_short
-            {
-                let values = groups.iter().flat_map(|group| &group.values);
-                found.values = values.copied().collect();
-            }
-            read_groups(file, table, &groups, part, left_out, reading)?;
-        }
-        Layout::Row {
-            first,
-            axis,
-            from_row,
-            says_nm,
-        } => {
-            let row = AlongRow {
-                first: *first,
-                axis,
-                from_row: *from_row,
-                says_nm: *says_nm,
-            };
-            read_rows(file.input, file.dialect, table, &row, reading)?;
-        }
-    }
-    if let Some(because) = doubt
-        && first < reading.spectra.len()
-    {
-        reading.guesses.push(Guess {
-            spectrum: first,
-            what: Guessed::Columns,
-            chosen: file.dialect.words(),
-            because,
-            plain: false,
-        });
-    }
-    Ok(())
-}
-
-/// Every column but the wavelengths.
-fn all_beside(axis: usize, width: usize) -> Group {
-    Group {
-        axis,
-        values: (0..width).filter(|column| *column != axis).collect(),
-    }
-}
-
-/// Refuses words among the numbers that count, and tables without any. Where a column is all numbers
-/// but for a word or two, these are gaps, and said.
-fn check(
-    file: &File,
-    table: &Table,
-    wavelength: usize,
-    groups: &[Group],
-) -> Result<Vec<String>, ReadError> {
-    let block = &table.block;
-    let mut counts = vec![false; block.width];
-    counts[wavelength] = true;
-    for group in groups {
-        counts[group.axis] = true;
-        group
-            .values
-            .iter()
-            .for_each(|column| counts[*column] = true);
-    }
-    let most = most_left_out(block.rows());
-    let bad = block.bad.iter().filter(|bad| counts[bad.column]);
-    let (few, many): (Vec<&BadCell>, Vec<&BadCell>) =
-        bad.partition(|bad| block.columns[bad.column].texts <= most);
-    if let Some(bad) = many.into_iter().min_by_key(|bad| bad.line) {
-        return Err(bad.refusal(file.input));
-    }
-    if groups.iter().all(|group| group.values.is_empty()) {
-        return Err(file
-            .input
-            .error(
-                "wavelengths and no values (empty cells, words such as NaN and numbers of 1e30 \
-                 and beyond count as missing)",
-                no_table::A_TABLE,
-            )
-            .at_line(block.lines[0] as usize));
-    }
-    Ok(few.into_iter().map(|bad| bad.left_out("cell")).collect())
-}
-
-/// What speaks against the cells of a table with commas between them: fewer titles than numbers in
-/// each row. Decimal commas without quotes look so.
-fn titles_short_of_cells(table: &Table, dialect: Dialect) -> Option<String> {
-    let block = &table.block;
-    let (line, titles) = block.header.last()?;
-    let mut cells = Vec::new();
-    dialect.split(titles, &mut cells);
-    let count = used(&cells);
-    let is_title = |cell: &&str| cell.contains(char::is_alphabetic);
-    let has_row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
-    (dialect.delimiter == Delimiter::Comma
-        && !dialect.decimal_comma
-        && !has_row_names
-        && (2..block.width).contains(&count)
-        && cells[..count].iter().all(is_title)
-        && block.columns[count..]
-            .iter()
-            .all(|column| column.numbers > 0))
-    .then(|| {
-        format!(
-            "line {line} has {count} titles and the rows {} cells; commas may mark decimals",
-            block.width
-        )
-    })
 }
 
 #[cfg(test)]

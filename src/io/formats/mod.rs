@@ -13,6 +13,7 @@ pub(super) mod keyed_lines;
 pub(super) mod licor_1800;
 pub(super) mod licor_li180;
 pub(super) mod macam;
+pub(super) mod own_csv;
 pub(super) mod perkin_elmer;
 pub(super) mod procspec;
 pub(super) mod raman;
@@ -100,5 +101,6 @@ pub const FORMATS: &[Format] = &[
     wasatch::FORMAT,
     spotread::FORMAT,
     raman::FORMAT,
+    own_csv::FORMAT,
     columns::FORMAT,
 ];

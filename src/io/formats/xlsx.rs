@@ -1,7 +1,7 @@
 //! Excel workbooks `.xlsx`: each sheet a table of plain columns.
 //!
-//! A sheet's cells become tab-separated text, a row a line, and go the way of every table
-//! ([`columns`]); so lines in messages are rows of the sheet. Columns without numbers (pictures'
+//! A sheet's cells go the way of every table, a row a line, with nothing to find out about how they
+//! are set apart ([`Dialect::SHEET`]); so lines in messages are rows of the sheet. Columns without numbers (pictures'
 //! captions, disclaimers beside the table) are left out and their texts noted. Everything in the
 //! archive is unpacked once to count it before the workbook is opened; cells are read one by one,
 //! so that a lone cell far down costs nothing.
@@ -12,9 +12,11 @@ use std::io::Cursor;
 
 use calamine::{DataRef, Reader, Xlsx};
 
-use super::{Confidence, Format, columns};
+use super::{Confidence, Format};
 use crate::io::decode::archive::{Archive, seems_to_hold};
 use crate::io::decode::guarded::guarded;
+use crate::io::table::read::read_tables;
+use crate::io::text::dialect::Dialect;
 use crate::io::text::number;
 use crate::io::{Choices, Guess, Input, ReadError, Reading, budget};
 
@@ -133,14 +135,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         if text.trim().is_empty() {
             continue;
         }
-        // Cells are cells: what a person decides about a sheet is what its numbers mean.
+        // What a person decides about a sheet is what its numbers mean.
         let choices = Choices {
-            dialect: None,
             axis_column: None,
             ..input.choices.from(reading.spectra.len())
         };
         let as_text = Input::new(&input.name, text.as_bytes()).deciding(&choices);
-        match columns::read_cells(&as_text) {
+        match read_tables(&as_text, &text, Some(Dialect::SHEET)) {
             Ok(one) => {
                 let first = reading.spectra.len();
                 for mut spectrum in one.spectra {
@@ -219,7 +220,7 @@ fn flat(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The columns with numbers as tab-separated text, and notes of what stands beside them.
+/// The columns with numbers, a row a line with a TAB at the edge of each cell, and notes of what stands beside them.
 fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadError> {
     let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
     for ((_, column), cell) in sheet {
@@ -348,6 +349,20 @@ mod tests {
             .join("; ");
         assert!(notes.contains("decimal comma: 2 cells"), "{notes}");
         assert!(!notes.contains("TAB"), "{notes}");
+    }
+
+    #[test]
+    fn marks_that_part_a_texts_cells_are_words_in_a_sheet() {
+        let rows = rows()
+            .replace("% Transmission", "5\" lens; 1/2 // A, [1, 2, 3, 4, 5]")
+            .replace("<v>80</v>", "<v>8</v>")
+            .replace("Item 7", "; no, comment");
+        let reading = read_bytes("a.xlsx", &workbook(&rows)).expect("a spectrum");
+        let spectrum = &reading.spectra[0];
+        assert_eq!(spectrum.samples.values(), [2.5, 8.0]);
+        let tells = |n: &String| n == "beside the table: ; no, comment";
+        assert!(spectrum.notes.iter().any(tells), "{:?}", spectrum.notes);
+        assert_eq!(spectrum.name, "5\" lens; 1/2 // A, [1, 2, 3, 4, 5]");
     }
 
     #[test]

@@ -8,13 +8,12 @@ use super::block::Block;
 use super::pick::Table;
 use super::roles::{self, Group, LeftOut};
 use super::titles::Titles;
-use super::{layout, row_order, samples};
+use super::{layout, no_table, row_order, samples};
 use crate::io::interpret::heading::Heading;
 use crate::io::interpret::raw::{RawSpectrum, Scale};
 use crate::io::interpret::{check_room, interpret, kinds};
 use crate::io::text::dialect::Dialect;
 use crate::io::text::units::names_wavelength;
-use crate::io::write::csv::Own;
 use crate::io::{Input, ReadError, Reading};
 
 /// A file of tables that is being read.
@@ -23,8 +22,6 @@ pub(crate) struct File<'a, 'i> {
     pub input: &'a Input<'i>,
     /// How its cells are set apart.
     pub dialect: Dialect,
-    /// Its parts where this program wrote it.
-    pub own: Option<&'a Own<'a>>,
 }
 
 /// Rows under one column of wavelengths.
@@ -57,16 +54,12 @@ pub(crate) fn read_groups(
     mut left_out: Vec<LeftOut>,
     reading: &mut Reading,
 ) -> Result<(), ReadError> {
-    let heading = match file.own {
-        Some(own) => Heading::own(&own.header),
-        None => Heading::of(&table.block.header),
-    };
     let all: Vec<usize> = groups
         .iter()
         .flat_map(|g| g.values.iter().copied())
         .collect();
     let columns = all.len();
-    let heading = heading.shared_by(columns);
+    let heading = Heading::of(&table.block.header).shared_by(columns);
     let above = names_above(&table.block, file.dialect, &table.titles, &all);
     let is_rgb = are_rgb(&table.titles, &all);
     let mut told_apart = Vec::new();
@@ -194,22 +187,16 @@ fn read_columns(
         };
         // A column that is empty in this part of the table is no spectrum; others still are.
         if values.len() > 1 && of_column.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
-            reading.notes.push(format!(
-                "column {} holds no values and was left out",
-                column + 1
-            ));
+            reading.notes.push(no_table::empty_column(*column));
             continue;
         }
-        let name = match file.own {
-            Some(own) => own.name(*column).unwrap_or(stem).to_owned(),
-            None => match (rows.sample, name.is_empty()) {
-                (Some(sample), true) => format!("{sample}{}", rows.part),
-                (Some(sample), false) => format!("{sample} {name}{}", rows.part),
-                (None, _) => name_with_part(stem, &name, &rows.part),
-            },
+        let name = match (rows.sample, name.is_empty()) {
+            (Some(sample), true) => format!("{sample}{}", rows.part),
+            (Some(sample), false) => format!("{sample} {name}{}", rows.part),
+            (None, _) => name_with_part(stem, &name, &rows.part),
         };
         let title = match &block.columns[*column].unit {
-            _ if rows.is_rgb || file.own.is_some() => String::new(),
+            _ if rows.is_rgb => String::new(),
             Some(unit) => format!("{} [{unit}]", titles.whole(*column)),
             None => titles.whole(*column),
         };

@@ -7,6 +7,7 @@ pub(super) mod layout;
 pub(super) mod no_table;
 pub(super) mod pick;
 pub(super) mod plain_row;
+pub(super) mod read;
 pub(super) mod roles;
 pub(super) mod row_order;
 pub(super) mod rows;

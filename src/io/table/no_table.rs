@@ -90,6 +90,31 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
     input.error(found, A_TABLE).at_line(line)
 }
 
+/// The refusal of tables whose every column or row (`of`) has next to no values.
+pub(crate) fn too_sparse(input: &Input, of: &str, line: Option<usize>) -> ReadError {
+    let refusal = input.error(
+        format!("fewer than two values in every {of}"),
+        "at least two values of a spectrum",
+    );
+    match line {
+        Some(line) => refusal.at_line(line),
+        None => refusal,
+    }
+}
+
+/// The refusal of a column of wavelengths, from 0, that a table of `width` does not have.
+pub(crate) fn no_such_column(input: &Input, width: usize, column: usize) -> ReadError {
+    input.error(
+        format!("a table of {width} columns"),
+        format!("wavelengths in column {}, as chosen", column + 1),
+    )
+}
+
+/// What is said of a column without values.
+pub(crate) fn empty_column(column: usize) -> String {
+    format!("column {} holds no values and was left out", column + 1)
+}
+
 #[cfg(test)]
 mod tests {
     use crate::io::{ReadError, read_bytes};

@@ -7,7 +7,6 @@ use super::titles::Titles;
 use crate::io::text::dialect::{Delimiter, Dialect};
 use crate::io::text::first_line;
 use crate::io::text::units::{WavelengthUnit, names_wavelength};
-use crate::io::write::csv::{self, Own};
 
 /// How much text decides the dialect, in bytes: many times the longest header.
 const SAMPLE_BYTES: usize = 256 * 1024;
@@ -276,32 +275,22 @@ pub(crate) fn lines_left_out(block: &Block) -> String {
     format!("lines {} to {} left out", line(first), line(last))
 }
 
-/// The table of a file that this program wrote.
+/// The blocks of a text that is known to be one table behind a number of lines of its file, and
+/// what was passed over in each.
 ///
 /// # Errors
 /// [`NoTable`] when its rows are none, or one is broken by a word.
-pub(crate) fn own_tables<'a>(own: &Own<'a>) -> Result<Vec<Table<'a>>, NoTable> {
-    let found = scan_behind(own.rows, own.lines_before(), csv::DIALECT);
-    let blocks = joined(found.map_err(NoTable::TooMany)?, csv::DIALECT)?;
-    if blocks.is_empty() {
-        return Err(NoTable::NoRows);
+pub(crate) fn blocks_behind(
+    text: &str,
+    lines: usize,
+    dialect: Dialect,
+) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
+    let found = scan_behind(text, lines, dialect).map_err(NoTable::TooMany)?;
+    let blocks = joined(found, dialect)?;
+    match blocks.is_empty() {
+        true => Err(NoTable::NoRows),
+        false => Ok(blocks),
     }
-    let table = |(mut block, notes): (Block<'a>, Vec<String>)| {
-        block.header.clone_from(&own.header);
-        let mut names = own.titles.clone();
-        names.resize(block.width, String::new());
-        Table {
-            titles: Titles {
-                units: vec![String::new(); block.width],
-                names,
-            },
-            layout: Layout::Column(0),
-            block,
-            notes,
-            is_short: false,
-        }
-    };
-    Ok(blocks.into_iter().map(table).collect())
 }
 
 /// The first step against the way that most steps of the first column go, if its numbers lie

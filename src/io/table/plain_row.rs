@@ -4,7 +4,7 @@
 //! [`block`](super::block), which looks at a line cell by cell; both ways give the same numbers to
 //! the last bit.
 
-use crate::io::text::dialect::{Delimiter, Dialect};
+use crate::io::text::dialect::Dialect;
 use crate::io::text::number;
 
 /// Powers of ten that a double holds exactly: a whole number below 2^53 times or over one of them
@@ -27,7 +27,8 @@ const MOST_FIGURES: usize = 19;
 /// works on several cells at a time.
 #[derive(Debug)]
 pub(crate) struct PlainRow {
-    delimiter: Delimiter,
+    /// What stands between two cells; `None` for blanks and TABs in any number.
+    separator: Option<u8>,
     mark: u8,
     row: Vec<f64>,
     /// How each column's last cell was written.
@@ -54,7 +55,7 @@ impl PlainRow {
     /// A reader for a dialect.
     pub(crate) fn new(dialect: Dialect) -> Self {
         Self {
-            delimiter: dialect.delimiter,
+            separator: dialect.mark(),
             mark: if dialect.decimal_comma { b',' } else { b'.' },
             row: Vec::new(),
             shapes: Vec::new(),
@@ -67,12 +68,7 @@ impl PlainRow {
         let bytes = text.as_bytes();
         self.row.resize(width, 0.0);
         self.shapes.resize(width, Shape::default());
-        let separator = match self.delimiter {
-            Delimiter::Space => None,
-            Delimiter::Tab => Some(b'\t'),
-            Delimiter::Semicolon => Some(b';'),
-            Delimiter::Comma => Some(b','),
-        };
+        let separator = self.separator;
         let mut at = match separator {
             Some(_) => blanks(bytes, 0),
             None => blanks_and_tabs(bytes, 0),
@@ -371,6 +367,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::io::text::dialect::Delimiter;
     use crate::io::text::number::{Cell, parse};
 
     fn dialect(delimiter: Delimiter, decimal_comma: bool) -> Dialect {

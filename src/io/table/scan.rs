@@ -171,7 +171,7 @@ impl<'a> Scanner<'a> {
         if content.is_empty() {
             return Ok(());
         }
-        if let Some(comment) = comment(content) {
+        if let Some(comment) = comment(content, self.dialect.delimiter) {
             push_header(&mut self.header, self.line, comment);
             return Ok(());
         }
@@ -219,6 +219,7 @@ impl<'a> Scanner<'a> {
         }
         let mut is_row = self.take_apart(raw);
         if self.kinds.contains(&Cell::Text)
+            && self.dialect.delimiter != Delimiter::Cell
             && let Some(before) = before_comment(raw)
         {
             let is_whole = self.take_apart(before) && !self.kinds.contains(&Cell::Text);
@@ -280,11 +281,13 @@ fn content_with_tabs(raw: &str) -> &str {
 }
 
 /// The words of a comment line, or `None` when the line is none. A semicolon, and a per cent
-/// sign, may also begin a row whose first cell is empty.
-fn comment(content: &str) -> Option<&str> {
-    let body = ["#", "//", "%", ";"]
-        .iter()
-        .find_map(|mark| content.strip_prefix(mark))?;
+/// sign, may also begin a row whose first cell is empty, and a cell of a sheet.
+fn comment(content: &str, delimiter: Delimiter) -> Option<&str> {
+    let marks = match delimiter {
+        Delimiter::Cell => &["#", "//"][..],
+        _ => &["#", "//", "%", ";"],
+    };
+    let body = marks.iter().find_map(|mark| content.strip_prefix(mark))?;
     let starts_row =
         content.starts_with(';') && body.trim_start().starts_with(|c: char| c.is_ascii_digit());
     (!starts_row).then(|| body.trim_start_matches(['#', '/', '%', ';']).trim_ascii())

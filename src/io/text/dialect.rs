@@ -16,10 +16,12 @@ pub enum Delimiter {
     Comma,
     /// Any run of blanks and TABs.
     Space,
+    /// The edge of a sheet's cell: a TAB, and no other mark has a meaning.
+    Cell,
 }
 
 impl Delimiter {
-    /// Every one of them.
+    /// Every one that a text may be written with.
     pub const ALL: [Self; 4] = [Self::Tab, Self::Semicolon, Self::Comma, Self::Space];
 
     /// In a word: `tab`, `semicolon`, `comma`, `space`.
@@ -29,6 +31,7 @@ impl Delimiter {
             Self::Semicolon => "semicolon",
             Self::Comma => "comma",
             Self::Space => "space",
+            Self::Cell => "cell",
         }
     }
 }
@@ -56,6 +59,9 @@ impl Dialect {
         Self::new(Delimiter::Comma, true),
     ];
 
+    /// How the rows of a workbook's sheet are handed over.
+    pub(crate) const SHEET: Self = Self::new(Delimiter::Cell, false);
+
     const fn new(delimiter: Delimiter, decimal_comma: bool) -> Self {
         Self {
             delimiter,
@@ -70,6 +76,7 @@ impl Dialect {
             Delimiter::Semicolon => "cells separated by semicolon",
             Delimiter::Comma => "cells separated by comma",
             Delimiter::Space => "cells separated by blanks",
+            Delimiter::Cell => "cells of a sheet",
         };
         let decimals = if self.decimal_comma {
             ", decimal comma"
@@ -85,6 +92,10 @@ impl Dialect {
     pub fn split<'a>(self, line: &'a str, cells: &mut Vec<&'a str>) {
         const MOST_CELLS: usize = MOST_COLUMNS + 1;
         cells.clear();
+        if self.delimiter == Delimiter::Cell {
+            cells.extend(line.split('\t').map(str::trim_ascii).take(MOST_CELLS));
+            return;
+        }
         let line = match list_behind_key(line) {
             Some((key, list)) => {
                 cells.push(key);
@@ -151,15 +162,15 @@ impl Dialect {
         let mut in_quotes = false;
         let marks = line.bytes().filter(|byte| {
             in_quotes ^= *byte == b'"';
-            *byte == mark && !in_quotes
+            *byte == mark && (!in_quotes || self.delimiter == Delimiter::Cell)
         });
         1 + marks.count()
     }
 
     /// What stands between two cells; `None` for blanks and TABs in any number.
-    fn mark(self) -> Option<u8> {
+    pub(crate) fn mark(self) -> Option<u8> {
         match self.delimiter {
-            Delimiter::Tab => Some(b'\t'),
+            Delimiter::Tab | Delimiter::Cell => Some(b'\t'),
             Delimiter::Semicolon => Some(b';'),
             Delimiter::Comma => Some(b','),
             Delimiter::Space => None,

@@ -1,88 +1,15 @@
 //! Writing CSV: comment lines that say what it is, a line of titles, one row a wavelength.
 //!
-//! The plain columns reader takes it back: kind, unit and name stand in the comments under the
-//! words that it looks for.
+//! [`own_csv`](crate::io::formats::own_csv) takes it back.
 
 use std::fmt::Write;
 
 use crate::spectrum::NamedSpectrum;
 
-use crate::io::provenance::{Columns, MEASURED, Provenance, one_line, shortest};
-use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS};
-use crate::io::text::first_line;
+use crate::io::provenance::{Columns, Provenance, one_line, shortest};
 
 /// Title of the column of wavelengths.
-const FIRST_TITLE: &str = "wavelength_nm";
-
-/// More comments than [`write`] writes.
-const MOST_COMMENTS: usize = 50;
-
-/// What stands between the cells of our own files.
-pub(crate) const DIALECT: Dialect = Dialect {
-    delimiter: Delimiter::Comma,
-    decimal_comma: false,
-};
-
-/// Whether a text starts as [`write`] starts it: comments with keys, then the titles.
-pub(crate) fn is_own(text: &str) -> bool {
-    Own::of(text).is_some()
-}
-
-/// A text that [`write`] wrote, taken apart. Names of spectra may look like anything (numbers,
-/// units, spreads), so nothing in them is looked at.
-#[derive(Clone, Debug)]
-pub(crate) struct Own<'a> {
-    /// The comments with their lines, marks removed.
-    pub header: Vec<(usize, &'a str)>,
-    /// The title of each column.
-    pub titles: Vec<String>,
-    /// The rows.
-    pub rows: &'a str,
-}
-
-impl<'a> Own<'a> {
-    /// Takes a text apart; `None` where it does not start as an own file.
-    pub(crate) fn of(text: &'a str) -> Option<Self> {
-        let mut rest = text;
-        let mut header = Vec::new();
-        loop {
-            let (line, after) = first_line(rest)?;
-            rest = after;
-            if let Some(comment) = line.strip_prefix("# ") {
-                if header.len() == MOST_COMMENTS {
-                    return None;
-                }
-                header.push((header.len() + 1, comment));
-                continue;
-            }
-            let others = line.strip_prefix(FIRST_TITLE)?;
-            if header.is_empty() || !others.starts_with(',') {
-                return None;
-            }
-            let mut cells = Vec::new();
-            DIALECT.split(line, &mut cells);
-            if cells.len() > MOST_COLUMNS {
-                return None;
-            }
-            return Some(Self {
-                header,
-                titles: cells.into_iter().map(str::to_owned).collect(),
-                rows: rest,
-            });
-        }
-    }
-
-    /// Lines in front of the rows.
-    pub(crate) fn lines_before(&self) -> usize {
-        self.header.len() + 1
-    }
-
-    /// What a column's spectrum is called; the header's name for what was measured.
-    pub(crate) fn name(&self, column: usize) -> Option<&str> {
-        let title = self.titles.get(column)?.as_str();
-        (title != MEASURED || self.titles.len() > 2).then_some(title)
-    }
-}
+pub(crate) const FIRST_TITLE: &str = "wavelength_nm";
 
 /// A spectrum and what was computed from it as CSV.
 pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenance) -> String {
@@ -123,7 +50,7 @@ fn cell(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::provenance::Column;
+    use crate::io::provenance::{Column, MEASURED};
     use crate::io::read_bytes;
     use crate::io::write::tests::awkward_spectrum;
     use crate::spectrum::Kind;

@@ -1,0 +1,160 @@
+//! CSV as this program writes it: comments with keys, a line of titles, one row a wavelength.
+//!
+//! Names of spectra may look like anything (numbers, units, spreads), so nothing in the titles is
+//! looked at: every column behind the wavelengths is a spectrum, and the keys say what it holds.
+
+use super::{Confidence, Format, columns};
+use crate::io::interpret::heading::Heading;
+use crate::io::interpret::raw::{RawSpectrum, Scale};
+use crate::io::interpret::{check_room, interpret};
+use crate::io::provenance::MEASURED;
+use crate::io::reading::TableFound;
+use crate::io::table::block::Block;
+use crate::io::table::read::without_words;
+use crate::io::table::{no_table, pick, row_order};
+use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS};
+use crate::io::text::first_line;
+use crate::io::write::csv::FIRST_TITLE;
+use crate::io::{Input, ReadError, Reading};
+
+/// CSV of this program.
+pub(crate) const FORMAT: Format = Format {
+    name: "Spectral Explorer CSV",
+    extensions: &["csv"],
+    sniff,
+    read,
+};
+
+/// More comments than the program writes.
+const MOST_COMMENTS: usize = 50;
+
+/// What stands between its cells.
+const DIALECT: Dialect = Dialect {
+    delimiter: Delimiter::Comma,
+    decimal_comma: false,
+};
+
+fn sniff(input: &Input) -> Confidence {
+    match input.text().and_then(|text| Own::of(&text.text)) {
+        Some(_) => Confidence::Own,
+        None => Confidence::No,
+    }
+}
+
+/// A text that this program wrote, taken apart.
+struct Own<'a> {
+    /// The comments with their lines, marks removed.
+    header: Vec<(usize, &'a str)>,
+    /// The title of each column.
+    titles: Vec<&'a str>,
+    /// The rows.
+    rows: &'a str,
+}
+
+impl<'a> Own<'a> {
+    /// Takes a text apart; `None` where it does not start as an own file.
+    fn of(text: &'a str) -> Option<Self> {
+        let mut rest = text;
+        let mut header = Vec::new();
+        loop {
+            let (line, after) = first_line(rest)?;
+            rest = after;
+            if let Some(comment) = line.strip_prefix("# ") {
+                if header.len() == MOST_COMMENTS {
+                    return None;
+                }
+                header.push((header.len() + 1, comment));
+                continue;
+            }
+            let others = line.strip_prefix(FIRST_TITLE)?;
+            if header.is_empty() || !others.starts_with(',') {
+                return None;
+            }
+            let mut titles = Vec::new();
+            DIALECT.split(line, &mut titles);
+            return (titles.len() <= MOST_COLUMNS).then_some(Self {
+                header,
+                titles,
+                rows: rest,
+            });
+        }
+    }
+
+    /// What a column's spectrum is called; the header's name for what was measured.
+    fn name(&self, column: usize) -> Option<&'a str> {
+        let title = *self.titles.get(column)?;
+        (title != MEASURED || self.titles.len() > 2).then_some(title)
+    }
+}
+
+fn read(input: &Input) -> Result<Reading, ReadError> {
+    let text = &*input.needs_long_text()?.text;
+    let choices = &input.choices;
+    let is_chosen = choices.dialect.is_some() || choices.delimiter.is_some();
+    let Some(own) = Own::of(text).filter(|_| !is_chosen) else {
+        // Who says how the cells are set apart wants the table as it stands.
+        return (columns::FORMAT.read)(input);
+    };
+    let lines_before = own.header.len() + 1;
+    let blocks = pick::blocks_behind(own.rows, lines_before, DIALECT)
+        .map_err(|why| no_table::refusal(input, text, why))?;
+    check_room(input, blocks.len())?;
+    let mut reading = Reading::default();
+    for (block, notes) in blocks {
+        reading.notes.extend(notes);
+        read_block(input, &own, block, &mut reading)?;
+    }
+    if reading.spectra.is_empty() {
+        return Err(no_table::too_sparse(
+            input,
+            "column",
+            Some(lines_before + 1),
+        ));
+    }
+    reading.notes.push(DIALECT.words());
+    Ok(reading)
+}
+
+/// Adds a spectrum for each column beside the wavelengths.
+fn read_block(
+    input: &Input,
+    own: &Own,
+    mut block: Block,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    let axis_column = input.choices.axis_column.unwrap_or(0);
+    if axis_column >= block.width {
+        return Err(no_table::no_such_column(input, block.width, axis_column));
+    }
+    let columns: Vec<usize> = (0..block.width).filter(|c| *c != axis_column).collect();
+    let said = without_words(input, &block, |_| true, true)?;
+    reading.notes.extend(said);
+    let said = row_order::put_right(&mut block, axis_column, &columns);
+    reading.notes.extend(said);
+    reading.table.get_or_insert_with(|| TableFound {
+        dialect: DIALECT,
+        axis_column: Some(axis_column),
+        width: block.width,
+        first_line: block.lines[0] as usize,
+        values: columns.clone(),
+    });
+    let heading = Heading::own(&own.header).shared_by(columns.len());
+    let axis = std::mem::take(&mut block.values[axis_column]);
+    let scale = Scale::new(&axis);
+    check_room(input, reading.spectra.len() + columns.len())?;
+    for column in &columns {
+        let values = std::mem::take(&mut block.values[*column]);
+        if columns.len() > 1 && values.iter().filter(|v| !v.is_nan()).nth(1).is_none() {
+            reading.notes.push(no_table::empty_column(*column));
+            continue;
+        }
+        let name = own.name(*column).or(heading.name).unwrap_or(input.stem());
+        let raw = RawSpectrum {
+            lines: &block.lines,
+            percent_signs: block.columns[*column].percents > 0,
+            ..RawSpectrum::written(name, &scale, FIRST_TITLE, values, &heading)
+        };
+        interpret(raw, input, reading)?;
+    }
+    Ok(())
+}

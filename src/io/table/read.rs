@@ -1,0 +1,226 @@
+//! From a text to the spectra of its tables.
+//!
+//! [`pick`] finds delimiter and decimal mark, [`block`](super::block) the blocks of numbers,
+//! [`titles`](super::titles) and [`layout`](super::layout) where the wavelengths are,
+//! [`roles`] which columns are spectra, and [`interpret`](crate::io::interpret::interpret()) what
+//! the values stand for. Each decision is a note, each guess a [`Guess`].
+
+use super::block::{BadCell, Block, most_left_out};
+use super::columns::{File, read_groups};
+use super::layout::Layout;
+use super::pick::{self, Look, NoTable, Table};
+use super::roles;
+use super::rows::{AlongRow, read_rows};
+use super::{alternating, no_table};
+use crate::io::interpret::check_room;
+use crate::io::reading::TableFound;
+use crate::io::text::dialect::{Delimiter, Dialect, used};
+use crate::io::{Guess, Guessed, Input, ReadError, Reading};
+
+/// The spectra of all tables of a text; how their cells are set apart is found where it is not
+/// known, and not told.
+///
+/// # Errors
+/// [`ReadError`] when there is no table.
+pub(crate) fn read_tables(
+    input: &Input,
+    text: &str,
+    known: Option<Dialect>,
+) -> Result<Reading, ReadError> {
+    let look = match known {
+        Some(dialect) => Look::at_all(text, dialect),
+        None => pick::look(text, input.choices.delimiter),
+    };
+    let dialect = look.dialect;
+    let mut tables = match look.tables() {
+        Ok(tables) => tables,
+        // A table with a word in it is a table: read in another way it would be nonsense.
+        Err(bad @ NoTable::Bad(_)) => return Err(no_table::refusal(input, text, bad)),
+        Err(why) => {
+            if let Some(pairs) = alternating::find(text) {
+                return alternating::read(input, &pairs);
+            }
+            return Err(no_table::refusal(input, text, why));
+        }
+    };
+    let file = File { input, dialect };
+    check_room(input, tables.len())?;
+    let left_out = without_false_tables(&file, &mut tables);
+    let mut reading = Reading {
+        notes: left_out,
+        table: tables.iter().find(|t| !t.is_short).map(|table| TableFound {
+            dialect,
+            axis_column: match table.layout {
+                Layout::Column(column) => Some(column),
+                Layout::Row { .. } => None,
+            },
+            width: table.block.width,
+            first_line: table.block.lines[0] as usize,
+            values: Vec::new(),
+        }),
+        ..Reading::default()
+    };
+    let several = tables.len() > 1;
+    if let Some(column) = input.choices.axis_column {
+        for table in tables.iter_mut().filter(|table| !table.is_short) {
+            if column >= table.block.width {
+                return Err(no_table::no_such_column(input, table.block.width, column));
+            }
+            table.layout = Layout::Column(column);
+        }
+        if let Some(found) = &mut reading.table {
+            found.axis_column = Some(column);
+        }
+    }
+    for (number, table) in tables.iter_mut().enumerate() {
+        let part = if several {
+            format!(", table {}", number + 1)
+        } else {
+            String::new()
+        };
+        read_table(&file, table, &part, &mut reading)?;
+    }
+    // Columns and rows that are nearly empty were left out; here that was all of them.
+    if reading.spectra.is_empty() {
+        let of = match tables.first().map(|table| &table.layout) {
+            Some(Layout::Row { .. }) => "row",
+            _ => "column",
+        };
+        let first = tables.first().and_then(|table| table.block.lines.first());
+        return Err(no_table::too_sparse(
+            input,
+            of,
+            first.map(|line| *line as usize),
+        ));
+    }
+    Ok(reading)
+}
+
+/// Leaves out short tables that turn out to be none, and says so.
+fn without_false_tables(file: &File, tables: &mut Vec<Table>) -> Vec<String> {
+    let mut left_out = Vec::new();
+    tables.retain(|table| {
+        let read = || read_table(file, &mut table.clone(), "", &mut Reading::default());
+        let Some(why) = table.is_short.then(read).and_then(Result::err) else {
+            return true;
+        };
+        let lines = pick::lines_left_out(&table.block);
+        left_out.push(format!("{lines}: found {}", why.found));
+        false
+    });
+    left_out
+}
+
+fn read_table(
+    file: &File,
+    table: &mut Table,
+    part: &str,
+    reading: &mut Reading,
+) -> Result<(), ReadError> {
+    reading.notes.extend(table.notes.iter().cloned());
+    let first = reading.spectra.len();
+    let doubt = titles_short_of_cells(table, file.dialect);
+    match &table.layout {
+        Layout::Column(wavelength) => {
+            let wavelength = *wavelength;
+            let (groups, left_out) = roles::groups(&table.block, &table.titles, wavelength);
+            let columns = groups.iter().flat_map(|group| &group.values);
+            let axes = groups.iter().map(|group| group.axis);
+            let used: Vec<usize> = columns.copied().chain(axes).chain([wavelength]).collect();
+            let has_values = groups.iter().any(|group| !group.values.is_empty());
+            let is_used = |column| used.contains(&column);
+            let said = without_words(file.input, &table.block, is_used, has_values)?;
+            reading.notes.extend(said);
+            if let Some(found) = &mut reading.table
+                && found.values.is_empty()
+                && !table.is_short
+            {
+                let values = groups.iter().flat_map(|group| &group.values);
+                found.values = values.copied().collect();
+            }
+            read_groups(file, table, &groups, part, left_out, reading)?;
+        }
+        Layout::Row {
+            first,
+            axis,
+            from_row,
+            says_nm,
+        } => {
+            let row = AlongRow {
+                first: *first,
+                axis,
+                from_row: *from_row,
+                says_nm: *says_nm,
+            };
+            read_rows(file.input, file.dialect, table, &row, reading)?;
+        }
+    }
+    if let Some(because) = doubt
+        && first < reading.spectra.len()
+    {
+        reading.guesses.push(Guess {
+            spectrum: first,
+            what: Guessed::Columns,
+            chosen: file.dialect.words(),
+            because,
+            plain: false,
+        });
+    }
+    Ok(())
+}
+
+/// Refuses words among the numbers of the columns that count, and a table without values. Where a
+/// column is all numbers but for a word or two, these are gaps, and said.
+///
+/// # Errors
+/// [`ReadError`] with the line at fault.
+pub(crate) fn without_words(
+    input: &Input,
+    block: &Block,
+    counts: impl Fn(usize) -> bool,
+    has_values: bool,
+) -> Result<Vec<String>, ReadError> {
+    let most = most_left_out(block.rows());
+    let bad = block.bad.iter().filter(|bad| counts(bad.column));
+    let (few, many): (Vec<&BadCell>, Vec<&BadCell>) =
+        bad.partition(|bad| block.columns[bad.column].texts <= most);
+    if let Some(bad) = many.into_iter().min_by_key(|bad| bad.line) {
+        return Err(bad.refusal(input));
+    }
+    if !has_values {
+        return Err(input
+            .error(
+                "wavelengths and no values (empty cells, words such as NaN and numbers of 1e30 \
+                 and beyond count as missing)",
+                no_table::A_TABLE,
+            )
+            .at_line(block.lines[0] as usize));
+    }
+    Ok(few.into_iter().map(|bad| bad.left_out("cell")).collect())
+}
+
+/// What speaks against the cells of a table with commas between them: fewer titles than numbers in
+/// each row. Decimal commas without quotes look so.
+fn titles_short_of_cells(table: &Table, dialect: Dialect) -> Option<String> {
+    let block = &table.block;
+    let (line, titles) = block.header.last()?;
+    let mut cells = Vec::new();
+    dialect.split(titles, &mut cells);
+    let count = used(&cells);
+    let is_title = |cell: &&str| cell.contains(char::is_alphabetic);
+    let has_row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
+    (dialect.delimiter == Delimiter::Comma
+        && !dialect.decimal_comma
+        && !has_row_names
+        && (2..block.width).contains(&count)
+        && cells[..count].iter().all(is_title)
+        && block.columns[count..]
+            .iter()
+            .all(|column| column.numbers > 0))
+    .then(|| {
+        format!(
+            "line {line} has {count} titles and the rows {} cells; commas may mark decimals",
+            block.width
+        )
+    })
+}
