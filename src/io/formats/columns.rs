@@ -264,4 +264,74 @@ mod tests {
         let reading = read_bytes("a.txt", text.as_bytes()).expect("a table");
         assert_eq!(names(&reading), ["Dry grass"]);
     }
+
+    /// The rows 380 to 475 in steps of 5 nm, some of them as they are given.
+    fn rows_but(other: &[(usize, &str)]) -> String {
+        let row = |nm: usize| match other.iter().find(|(at, _)| *at == nm) {
+            Some((_, row)) => format!("{row}\n"),
+            None => format!("{nm},1{}\n", nm % 7),
+        };
+        "nm,W\n".to_owned() + &(380..480).step_by(5).map(row).collect::<String>()
+    }
+
+    #[test]
+    fn a_cell_too_many_makes_no_decimal_of_the_one_before() {
+        let reading = read(&rows_but(&[(410, "410,13,3"), (420, "420,16,3")]));
+        let spectrum = &reading.spectra[0].samples;
+        assert_eq!(spectrum.len(), 18);
+        assert!(!spectrum.nm().contains(&410.0) && spectrum.nm().contains(&415.0));
+        for line in [8, 10] {
+            let said = format!("line {line} is no row of the table and was left out");
+            assert!(reading.notes.contains(&said), "{:?}", reading.notes);
+        }
+    }
+
+    #[test]
+    fn a_wavelength_alone_in_its_line_is_a_row_without_a_value() {
+        let alone: Vec<(usize, String)> = (400..480)
+            .step_by(10)
+            .map(|nm| (nm, nm.to_string()))
+            .collect();
+        let alone: Vec<(usize, &str)> = alone.iter().map(|(nm, row)| (*nm, &**row)).collect();
+        let spectrum = &read(&rows_but(&alone)).spectra[0];
+        assert_eq!(spectrum.samples.len(), 12);
+        assert!(
+            spectrum
+                .notes
+                .iter()
+                .any(|n| n.contains("8 missing values")),
+            "{spectrum:?}"
+        );
+    }
+
+    #[test]
+    fn rows_behind_the_last_break_are_read_and_what_is_none_is_said() {
+        let reading = read("nm,W\n380,1\n390,2\n400,3,9\n410,4\n420,5,6,7\nend of data\n");
+        assert_eq!(reading.spectra[0].samples.nm(), [380.0, 390.0, 410.0]);
+        for line in [4, 6] {
+            let said = format!("line {line} is no row of the table and was left out");
+            assert!(reading.notes.contains(&said), "{:?}", reading.notes);
+        }
+    }
+
+    #[test]
+    fn a_row_between_two_with_words_is_kept() {
+        let reading = read(&rows_but(&[
+            (410, "410,1,2,3"),
+            (415, "415,7"),
+            (420, "420,a,3"),
+        ]));
+        assert!(reading.spectra[0].samples.nm().contains(&415.0));
+        let text = rows_but(&[])
+            + &(480..1480)
+                .step_by(5)
+                .map(|nm| match nm {
+                    500 | 510 => format!("{nm},x\n"),
+                    _ => format!("{nm},2\n"),
+                })
+                .collect::<String>();
+        let reading = read(&text);
+        assert!(reading.spectra[0].samples.nm().contains(&505.0));
+        assert!(!reading.spectra[0].samples.nm().contains(&510.0));
+    }
 }

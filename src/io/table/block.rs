@@ -9,6 +9,9 @@ use crate::io::{Input, ReadError};
 /// Rows after which a block has shown its width.
 pub(crate) const SETTLED: usize = 3;
 
+/// Longest break inside a table, in lines, that is passed over and said.
+pub(crate) const LONGEST_BREAK: usize = 5;
+
 /// Fewest rows of a table that agree so clearly that one which does not is left out.
 pub(crate) const FEWEST_THAT_AGREE: usize = 20;
 
@@ -65,6 +68,17 @@ impl BadCell {
     }
 }
 
+/// Lines at a break of a block that are no rows of it.
+#[derive(Debug, Default)]
+pub(crate) struct LeftLines {
+    /// Their places among the lines.
+    pub all: Vec<usize>,
+    /// Of these the lines of numbers that carry the block on.
+    pub numbers: Vec<usize>,
+    /// The rows with a word.
+    pub words: Vec<BadCell>,
+}
+
 /// A run of rows and the lines before it.
 #[derive(Clone, Debug)]
 pub(crate) struct Block<'a> {
@@ -82,6 +96,8 @@ pub(crate) struct Block<'a> {
     pub bad: Vec<BadCell>,
     /// The line that ended the block, if it looked like a row gone wrong.
     pub ended_by: Option<BadCell>,
+    /// The first lines behind the last block of a text.
+    pub behind: Vec<(usize, &'a str)>,
     /// Text of the first row, which returns to the header when the block stays a single row.
     pub first_row: &'a str,
     /// The text from the first row on, and that row's line.
@@ -102,6 +118,7 @@ impl<'a> Block<'a> {
             columns: vec![Column::default(); width],
             bad: Vec::new(),
             ended_by: None,
+            behind: Vec::new(),
             first_row: first_line(from.1).map_or("", |(row, _)| row.trim_ascii()),
             from,
             uncounted: 0,
@@ -197,6 +214,37 @@ impl<'a> Block<'a> {
         used == self.width || used < self.width && (all == self.width || self.rows() >= SETTLED)
     }
 
+    /// Whether a number carries on the first column.
+    pub(crate) fn goes_on_with(&self, nm: f64) -> bool {
+        let end = self.rows() - 1;
+        end > 0 && carries_on(self.first(end - 1), self.first(end), nm)
+    }
+
+    /// Takes lines that broke the block as far as they are rows of it after all; what is to be said
+    /// of the others.
+    pub(crate) fn take_lines(&mut self, lines: &[(usize, &'a str)], dialect: Dialect) -> LeftLines {
+        let mut left = LeftLines::default();
+        let mut cells = Vec::new();
+        for (at, (line, content)) in lines.iter().enumerate() {
+            dialect.split(content, &mut cells);
+            let kinds = cells.iter();
+            let kinds: Vec<Cell> = kinds
+                .map(|cell| number::parse(cell, dialect.decimal_comma))
+                .collect();
+            let goes_on = matches!(kinds[..], [Cell::Number(nm), ..] if self.goes_on_with(nm));
+            let are_numbers = goes_on && !kinds.contains(&Cell::Text);
+            if are_numbers && used(&cells) <= self.width {
+                self.push(*line, &cells, &kinds);
+                continue;
+            }
+            left.all.push(at);
+            left.numbers.extend(are_numbers.then_some(at));
+            left.words
+                .extend(row_gone_wrong(self, *line, &cells, &kinds));
+        }
+        left
+    }
+
     /// Makes room for `rows` more.
     pub(crate) fn reserve(&mut self, rows: usize) {
         self.lines.reserve(rows);
@@ -220,6 +268,7 @@ impl<'a> Block<'a> {
         }
         self.bad.extend(more.bad);
         self.ended_by = more.ended_by;
+        self.behind = more.behind;
     }
 
     /// Gives back the room for rows that did not come.
@@ -313,8 +362,7 @@ pub(crate) fn row_gone_wrong(
         .position(|(kind, column)| matches!(kind, Cell::Text) && column.numbers > 0)?;
     let certain = match kinds[0] {
         Cell::Number(first) | Cell::Nanometres(first) => {
-            let end = block.rows() - 1;
-            if !carries_on(block.first(end - 1), block.first(end), first) {
+            if !block.goes_on_with(first) {
                 return None;
             }
             true

@@ -1,6 +1,8 @@
 //! Chooses the dialect of a text table and finds its tables.
 
-use super::block::{BadCell, Block, carries_on, most_left_out, row_gone_wrong_above};
+use super::block::{
+    BadCell, Block, LONGEST_BREAK, carries_on, most_left_out, row_gone_wrong_above,
+};
 use super::layout::{self, Layout};
 use super::scan::{TooMuch, scan, scan_behind, scan_start};
 use super::titles::Titles;
@@ -22,9 +24,6 @@ const SHORTEST_SHARE: usize = 8;
 
 /// Fewest rows of such a short block that make a table.
 const FEWEST_SHORT_ROWS: usize = 3;
-
-/// Longest break inside a table, in lines, that is passed over and said.
-const LONGEST_BREAK: usize = 5;
 
 /// A block with its titles and layout.
 #[derive(Clone, Debug)]
@@ -322,7 +321,7 @@ fn joined(
     dialect: Dialect,
 ) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
     let mut out: Vec<Joined> = Vec::new();
-    for block in blocks {
+    for mut block in blocks {
         let above = row_gone_wrong_above(&block, dialect);
         let goes_on_with = out.last_mut().filter(|last| goes_on(&last.block, &block));
         let Some(Joined {
@@ -339,18 +338,16 @@ fn joined(
             continue;
         };
         let between = last.ended_by.take().or(above);
-        match (between, block.header.as_slice()) {
-            (Some(row), [_]) => bad.push(row),
-            (Some(row), _) => return Err(NoTable::Bad(row)),
-            (None, [(line, _)]) => {
-                notes.push(format!(
-                    "line {line} is no row of the table and was left out"
-                ));
+        let lines = std::mem::take(&mut block.header);
+        let left = last.take_lines(&lines, dialect);
+        match between {
+            Some(row) if lines.len() == 1 => bad.push(row),
+            Some(row) if left.words.is_empty() || left.all.len() > left.words.len() => {
+                return Err(NoTable::Bad(row));
             }
-            (None, [(first, _), .., (last, _)]) => notes.push(format!(
-                "lines {first} to {last} are no rows of the table and were left out"
-            )),
-            (None, []) => notes.push("the table is interrupted once".to_owned()),
+            Some(_) => bad.extend(left.words),
+            None if lines.is_empty() => notes.push("the table is interrupted once".to_owned()),
+            None => notes.extend(no_rows(&lines, &left.all)),
         }
         last.append(block);
     }
@@ -358,6 +355,9 @@ fn joined(
         block, notes, bad, ..
     } in &mut out
     {
+        let behind = std::mem::take(&mut block.behind);
+        let left = block.take_lines(&behind, dialect);
+        notes.extend(no_rows(&behind, &left.numbers));
         // A word in the very last row, with nothing behind it that would tell.
         bad.extend(block.ended_by.take().filter(|row| row.certain));
         if bad.len() > most_left_out(block.rows()) {
@@ -367,6 +367,20 @@ fn joined(
     }
     let parts = |Joined { block, notes, .. }| (block, notes);
     Ok(out.into_iter().map(parts).collect())
+}
+
+/// What is said of those lines at these places that are no rows: a sentence for each run of them.
+fn no_rows(lines: &[(usize, &str)], places: &[usize]) -> Vec<String> {
+    let runs = places.chunk_by(|a, b| a + 1 == *b);
+    runs.map(|run| match (lines[run[0]].0, lines[run[run.len() - 1]].0) {
+        (first, last) if first == last => {
+            format!("line {first} is no row of the table and was left out")
+        }
+        (first, last) => {
+            format!("lines {first} to {last} are no rows of the table and were left out")
+        }
+    })
+    .collect()
 }
 
 /// Whether `next` continues `block`: as wide, close behind, and its first column carries on.

@@ -69,6 +69,10 @@ impl PlainRow {
         self.row.resize(width, 0.0);
         self.shapes.resize(width, Shape::default());
         let separator = self.separator;
+        // Where one mark does both, cells are quoted, and not plain.
+        if separator == Some(self.mark) {
+            return None;
+        }
         let mut at = match separator {
             Some(_) => blanks(bytes, 0),
             None => blanks_and_tabs(bytes, 0),

@@ -7,7 +7,7 @@
 //! but plain numbers take a short way ([`plain_row`](super::plain_row)); lines without a figure or a
 //! delimiter are no rows at a glance; every other line is looked at cell by cell.
 
-use super::block::{Block, SETTLED, row_gone_wrong};
+use super::block::{Block, LONGEST_BREAK, SETTLED, row_gone_wrong};
 use super::plain_row::PlainRow;
 use crate::io::budget;
 use crate::io::text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
@@ -119,7 +119,12 @@ impl<'a> Scanner<'a> {
             self.skip_line_ends();
             let from = self.rest;
             let Some((raw, after)) = first_line(from) else {
-                return self.close();
+                self.close()?;
+                if let Some(last) = self.blocks.last_mut() {
+                    self.header.truncate(LONGEST_BREAK);
+                    last.behind = std::mem::take(&mut self.header);
+                }
+                return Ok(());
             };
             self.rest = after;
             self.line += 1;
@@ -175,7 +180,7 @@ impl<'a> Scanner<'a> {
             push_header(&mut self.header, self.line, comment);
             return Ok(());
         }
-        let is_row = self.is_row(raw)?;
+        let is_row = self.is_row(raw)? || self.is_wavelength_alone(content);
         let used = used(&self.cells);
         if let Some(open) = &mut self.open {
             if is_row && open.takes(used, self.cells.len()) {
@@ -234,6 +239,22 @@ impl<'a> Scanner<'a> {
             });
         }
         Ok(is_row)
+    }
+
+    /// Whether a line is a number alone that carries on the first column of a table: a row with
+    /// every value missing. Its cell is kept.
+    fn is_wavelength_alone(&mut self, content: &'a str) -> bool {
+        let settled = self.open.as_ref().filter(|open| open.rows() >= SETTLED);
+        let kind = number::parse(content, self.dialect.decimal_comma);
+        let (Some(open), true, Cell::Number(nm)) = (settled, self.cells.is_empty(), kind) else {
+            return false;
+        };
+        if !open.goes_on_with(nm) {
+            return false;
+        }
+        self.cells.push(content);
+        self.kinds.push(kind);
+        true
     }
 
     /// The cells of a line and what they hold; whether it looks like a row.
