@@ -50,8 +50,8 @@ impl WordsShown {
         let words: Vec<String> = encoded.words.iter().map(|w| format!("{w:08x}")).collect();
         Self {
             sentence: format!(
-                "{name} in {numbers} numbers: {}. Colours under it are {} ΔE00 off, its spectrum \
-                 {} %.",
+                "{name} in {numbers} numbers: {}. Colours under it are {} ΔE00 off, its spectrum, \
+                 blurred by 10 nm, {} %.",
                 makeup.in_words(),
                 short(errors.patches),
                 short(100.0 * errors.blurred)
@@ -69,9 +69,10 @@ impl WordsShown {
                     meaning: "Mean behind filters 10 nm wide, each brightened to a middle grey.",
                 },
                 WordsFigure {
-                    title: "the spectrum itself",
+                    title: "spectrum, blurred by 10 nm",
                     value: format!("{} %", short(100.0 * errors.blurred)),
-                    meaning: "Root mean square behind a blur of 10 nm, of the measured one's.",
+                    meaning: "Root mean square of what is left behind a blur of 10 nm, as a share of the measured \
+                              spectrum's: narrower lines count by their power, not by their shape.",
                 },
                 WordsFigure {
                     title: "its own colour",

@@ -22,7 +22,19 @@ pub(super) fn words(app: &App, page: Page) -> (String, String) {
         .iter()
         .filter_map(|spike| derived.parts.share(spike.weight))
         .sum();
+    let settings = &app.document().settings;
+    if spikes.is_empty() && derived.measured.iter().all(|value| *value <= 0.0) {
+        let [from, to] = [derived.band.min_nm(), derived.band.max_nm()];
+        let notice = format!("Nothing above zero lies between {from} and {to} nm.");
+        return (
+            notice,
+            "Set another range, or open another spectrum.".to_owned(),
+        );
+    }
     let notice = match spikes.len() {
+        0 if !settings.spikes => {
+            "Lines are not taken out now: the series has to carry them.".to_owned()
+        }
         0 => "No lines stand out: the spectrum is smooth.".to_owned(),
         count => format!(
             "{} {} {:.0} % of the power.",
@@ -80,7 +92,33 @@ pub(super) fn lesson(app: &App, page: Page) -> Option<&'static Lesson> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::pages::Place;
+    use crate::app::{Command, pages::Place};
+    use crate::spectrum::Band;
+
+    #[test]
+    fn lines_that_are_not_taken_out_are_not_said_to_be_absent() {
+        let mut app = App::new();
+        let settings = Settings {
+            spikes: false,
+            ..app.document().settings
+        };
+        app.apply(Command::Edit(settings));
+        let (notice, _) = words(&app, Page::Spectrum);
+        assert!(notice.starts_with("Lines are not taken out"), "{notice}");
+    }
+
+    #[test]
+    fn a_range_without_light_asks_no_question_about_its_colours() {
+        let mut app = App::new();
+        let settings = Settings {
+            band: Band::new(1800.0, 1900.0).unwrap(),
+            ..app.document().settings
+        };
+        app.apply(Command::Edit(settings));
+        let (notice, question) = words(&app, Page::Spectrum);
+        assert_eq!(notice, "Nothing above zero lies between 1800 and 1900 nm.");
+        assert!(question.starts_with("Set another range"), "{question}");
+    }
 
     #[test]
     fn every_page_but_those_of_learn_has_a_lesson_and_every_lesson_but_the_first_a_page() {

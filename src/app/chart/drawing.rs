@@ -139,12 +139,27 @@ impl<'a> Drawing<'a> {
             width: right - left,
             height,
         };
-        drawing.main = at(top, panels * (1.0 - share));
+        drawing.main = drawing.evened(at(top, panels * (1.0 - share)));
         let bottom = drawing.main.bottom() + strip;
         drawing.lower = (share > 0.0).then(|| at(bottom + between, panels * share));
         drawing.foot = drawing.lower.map_or(bottom, Field::bottom);
         drawing.size[1] = height.max(drawing.foot + below);
         drawing
+    }
+
+    /// The panel, narrower or lower where steps are to be as long on both axes.
+    fn evened(&self, panel: Field) -> Field {
+        if !self.chart.even {
+            return panel;
+        }
+        let span = |[from, to]: [f64; 2]| (to - from).abs();
+        let [across, up] = [self.chart.x_limits(), self.chart.y_limits()].map(span);
+        let step = (panel.width / across).min(panel.height / up);
+        Field {
+            width: step * across,
+            height: step * up,
+            ..panel
+        }
     }
 
     /// Where panels begin and end from left to right; sets how labels stand below them.

@@ -64,6 +64,8 @@ pub struct Chart {
     pub y_range: Option<[f64; 2]>,
     /// How values become heights.
     pub y_scale: Scale,
+    /// Whether a step is as long on both linear axes: a circle stays one.
+    pub even: bool,
     /// Written after each number of the vertical axis.
     pub y_unit: String,
     /// Drawn in this order, the last on top.
@@ -94,6 +96,7 @@ impl Default for Chart {
             x_names: Vec::new(),
             y_range: None,
             y_scale: Scale::Linear,
+            even: false,
             y_unit: String::new(),
             series: Vec::new(),
             colours: Vec::new(),

@@ -90,7 +90,8 @@ pub fn order_chart(app: &App, measure: Measure, theme: Theme) -> Option<Chart> {
             is_coloured: false,
         };
         let mut zone = Series::new("cannot be seen", inks.residual, marks);
-        zone.is_tagged = true;
+        // A chart that begins above the limit has no room for its name.
+        zone.is_tagged = y_range[0] < NOTICEABLE;
         series.push(zone);
         series.push(thin(x_range.map(|x| [x, NOTICEABLE])));
     }

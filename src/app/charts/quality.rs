@@ -286,6 +286,7 @@ pub fn vector_graphic(fidelity: &Fidelity, theme: Theme) -> Chart {
         y_label: "b′".to_owned(),
         x_range: [-1.5, 1.5],
         y_range: Some([-1.5, 1.5]),
+        even: true,
         series,
         theme,
         ..Chart::default()
@@ -387,7 +388,7 @@ pub fn fidelity_bars(fidelity: &Fidelity, theme: Theme) -> Chart {
     let points: Vec<[f64; 2]> = values.map(|(i, rf)| [i as f64 + 1.0, *rf]).collect();
     let lowest = fidelity.samples.iter().copied().fold(100.0, f64::min);
     Chart {
-        title: format!("Fidelity of each of 99 surfaces: {lowest:.0} at worst"),
+        title: format!("99 surfaces: Rf {lowest:.0} at worst"),
         x_label: "Sample CES".to_owned(),
         y_label: "Rf".to_owned(),
         x_range: [0.0, 100.0],

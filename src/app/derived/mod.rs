@@ -194,6 +194,15 @@ impl Derived {
         values
     }
 
+    /// The width that a spike at a place is drawn with in every chart, nm: that of the line which it
+    /// stands for; what a surface left of it is as wide.
+    pub fn stem_width_at(&self, at_nm: f64) -> f64 {
+        let spikes = &self.model.spikes;
+        let same = |spike: &&Spike| (spike.at_nm - at_nm).abs() < 1e-6;
+        let index = spikes.iter().position(|spike| same(&spike));
+        self.parts.stem_width_nm(index.unwrap_or(spikes.len()))
+    }
+
     /// The model with each spike as a Gaussian of its line's own width, less what was measured.
     pub fn widened_residual(&self) -> Vec<f64> {
         let mut values: Vec<f64> = self

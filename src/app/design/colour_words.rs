@@ -113,13 +113,13 @@ impl ColourSheet {
                 let power: f64 = found.background.iter().sum();
                 let lines: f64 = found.lines.iter().map(|line| line.weight).sum();
                 let share = 100.0 * lines / (lines + power);
-                let off = match &found.nearest {
-                    Some(_) => " \u{25b2} only near it",
-                    None => "",
+                let told = match &found.nearest {
+                    Some(_) => "\u{25b2} only near it".to_owned(),
+                    None => format!("{share:.0} % in the lines"),
                 };
                 [
                     method_name(Method::Lines).to_owned(),
-                    format!("{share:.0} % in the lines{off}"),
+                    told,
                     format!("{:.2}", found.round_trip_delta_e),
                     format!("{:.0}", found.condition_number),
                 ]

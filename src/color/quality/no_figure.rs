@@ -130,7 +130,7 @@ impl fmt::Display for NoFigure {
             ),
             Self::OutOfRange { what } => write!(f, "out of the formula's range: {what}"),
             Self::NoUnit => f.write_str(
-                "expected values in W per nm (and per m2 or sr), found a unit that does not say so",
+                "needs values in W per nm (and per m2 or sr), and the unit here does not say that they are",
             ),
             Self::LineWithoutHeight { heaviest_nm } => write!(
                 f,

@@ -145,7 +145,7 @@ impl QualityView {
             }
             charts
         });
-        grid(ui, context, charts, "rendition", true);
+        grid(ui, context, charts, "rendition");
     }
 
     /// What a few numbers do to the figures.
@@ -162,13 +162,12 @@ impl QualityView {
         };
         headline(ui, context.theme, settled_words(&found));
         let charts = Chosen::ALL.map(|chosen| against_order(&found, chosen, theme));
-        grid(ui, context, &charts, "quality against order", false);
+        grid(ui, context, &charts, "quality against order");
     }
 }
 
-/// Charts side by side, two in a row or three where there is room; in the first of those that are
-/// `square` equal steps are equal lengths.
-fn grid(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str, square: bool) {
+/// Charts side by side, two in a row or three where there is room.
+fn grid(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str) {
     let scale = context.theme.scale;
     let room = ui.available_size();
     let gap = ui.spacing().item_spacing;
@@ -187,13 +186,8 @@ fn grid(ui: &mut Ui, context: &mut PageContext<'_>, charts: &[Chart], id: &str, 
             ui.horizontal_top(|ui| {
                 for (column, chart) in some.iter().enumerate() {
                     ui.allocate_ui_with_layout(field, Layout::top_down(Align::Min), |ui| {
-                        let mut size = field;
-                        if square && row + column == 0 {
-                            // What stands above and below a panel is about what stands beside it.
-                            size.x = size.x.min(0.95 * size.y);
-                        }
                         ui.set_min_width(field.x);
-                        context.chart(ui, chart, (id, row, column), size);
+                        context.chart(ui, chart, (id, row, column), field);
                     });
                 }
             });

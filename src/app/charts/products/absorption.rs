@@ -169,10 +169,10 @@ pub fn absorption_chart(app: &App, dips: &[DipRow], theme: Theme) -> Chart {
         Series::line("measured", inks.measured, curve(&derived.measured)),
         Series::line("smooth part", inks.smooth, curve(&derived.smooth)),
     ];
-    let width = document.settings.max_width_nm;
     let stem = |spike: &Spike| {
         let base = factor * band.interpolate(&derived.smooth, spike.at_nm);
-        (base, base + factor * spike.stem_height(width))
+        let width_nm = derived.stem_width_at(spike.at_nm);
+        (base, base + factor * spike.stem_height(width_nm))
     };
     let mut stems = |name: &str, ink: Rgb, all: Vec<(Spike, String, String)>| {
         if all.is_empty() {

@@ -114,8 +114,8 @@ impl ChainSheet {
         ] {
             if !spikes.is_empty() {
                 let base = |nm| factor * band.interpolate(smooth, nm);
-                let width_nm = document.settings.max_width_nm;
-                let (stems, notes) = self.stems(&spikes, base, [factor, width_nm]);
+                let height = |s: &Spike| factor * s.stem_height(derived.stem_width_at(s.at_nm));
+                let (stems, notes) = self.stems(&spikes, base, height, factor);
                 series.push(Series::new(name, ink, stems).with_notes(notes));
             }
         }
@@ -135,12 +135,13 @@ impl ChainSheet {
         }
     }
 
-    /// Stems with what is told of each; `width_nm` is the full width that a spike is drawn with.
+    /// Stems of a height over a base, with what is told of each.
     fn stems(
         &self,
         spikes: &[Spike],
         base: impl Fn(f64) -> f64,
-        [factor, width_nm]: [f64; 2],
+        height: impl Fn(&Spike) -> f64,
+        factor: f64,
     ) -> (Marks, Vec<String>) {
         let label = |s: &Spike| match self.told.known.safe(s.at_nm) {
             Some(name) => name.to_owned(),
@@ -156,7 +157,7 @@ impl ChainSheet {
         let points = spikes
             .iter()
             .zip(&base)
-            .map(|(s, b)| [s.at_nm, b + factor * s.stem_height(width_nm)])
+            .map(|(s, b)| [s.at_nm, b + height(s)])
             .collect();
         let marks = Marks::Stems {
             points,

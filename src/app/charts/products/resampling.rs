@@ -75,7 +75,8 @@ pub struct Bench {
     pub spikes: SpikeCosts,
     /// What the time of a product depends on.
     pub sizes: Sizes,
-    width_nm: f64,
+    /// The width that each of the light's spikes is drawn with, nm.
+    widths_nm: Vec<f64>,
 }
 
 impl Bench {
@@ -98,7 +99,9 @@ impl Bench {
                 numbers: smooth.coefficients.len(),
                 spikes: product.model.spikes.len(),
             },
-            width_nm: product.width_nm,
+            widths_nm: (0..product.model.spikes.len())
+                .map(|i| lit.derived.parts.stem_width_nm(i))
+                .collect(),
         }
     }
 
@@ -178,13 +181,13 @@ impl Bench {
                     .interpolate(&self.resampled.series_product, s.at_nm)
             })
             .collect();
-        let tops = spikes.iter().zip(&base);
+        let tops = spikes.iter().zip(&base).zip(&self.widths_nm);
         Some(Series::new(
             "spikes × factor",
             inks.overlays[1],
             Marks::Stems {
                 points: tops
-                    .map(|(s, b)| [s.at_nm, b + s.stem_height(self.width_nm)])
+                    .map(|((s, b), width)| [s.at_nm, b + s.stem_height(*width)])
                     .collect(),
                 base,
                 labels: Vec::new(),

@@ -191,7 +191,7 @@ fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine
             ui.label("±")
                 .on_hover_text("Half of its full width at half its height.");
             let mut half = 0.5 * *fwhm_nm;
-            value(ui, &mut half, 0.1, "", "Half width");
+            value(ui, &mut half, 0.1, " nm", "Half width");
             *fwhm_nm = 2.0 * half;
         }
         Source::Blackbody { kelvin } => {

@@ -27,16 +27,18 @@ pub(super) fn show(ui: &mut Ui, drawing: &DropDrawing, size: Vec2, theme: Theme)
     let scale = 0.5 * size.min_elem() / SEEN;
     let middle = area.center();
     painter.circle_filled(middle, scale, Color32::from_rgb(34, 40, 46));
-    let draw = |ray: &DropRay, wide: f32| {
+    // Rays of the smooth part lie on one another: their colours add up to the light's.
+    let draw = |ray: &DropRay, wide: f32, adds: bool| {
         let at = |[x, y]: [f64; 2]| middle + scale * vec2(x as f32, -y as f32);
         let way: Vec<_> = ray.way.iter().map(|place| at(*place)).collect();
         let [r, g, b] = ray.rgb;
         let ink = Color32::from_rgb(r, g, b).gamma_multiply(ray.strength as f32);
+        let ink = if adds { ink.additive() } else { ink };
         painter.add(Shape::line(way, Stroke::new(wide * theme.scale, ink)));
     };
-    drawing.fan.iter().for_each(|ray| draw(ray, 0.8));
-    drawing.smooth.iter().for_each(|ray| draw(ray, 1.0));
-    drawing.lines.iter().for_each(|ray| draw(ray, 1.6));
+    drawing.fan.iter().for_each(|ray| draw(ray, 0.8, false));
+    drawing.smooth.iter().for_each(|ray| draw(ray, 1.0, true));
+    drawing.lines.iter().for_each(|ray| draw(ray, 1.6, false));
     painter.circle_stroke(middle, scale, (1.2 * theme.scale, grey(150)));
     let hand = middle + scale * vec2(-SEEN + 0.12, -drawing.impact as f32);
     grip(

@@ -106,9 +106,9 @@ impl BouncesView {
 /// Errors behind a few counts of bounces.
 fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added: bool) {
     let title = if added {
-        "ΔE00 added by forming the products, behind K bounces"
+        "ΔE00 added by forming the products, behind K bounces, both brightened to half the light's Y"
     } else {
-        "ΔE00 behind K bounces"
+        "ΔE00 behind K bounces, both sides brightened to half the light's Y"
     };
     let app = context.app;
     let copied = "Copies total and added errors behind every number of bounces as a table.";

@@ -34,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, context: &PageContext<'_>, bench: &Bench) {
     }
     ui.weak(
         "Costs are against the factor as measured: where the series is far off, a wrong reading \
-         may come out nearer by chance. The page Truth compares with the series.",
+         may come out nearer by chance. The page \"The paper checked\" compares with the series.",
     );
     let mut rows: Vec<Row> = costs
         .each
