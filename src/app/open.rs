@@ -1,6 +1,7 @@
 //! From a path, a dropped file or a word on the command line to spectra.
 
 pub mod batch;
+mod came;
 mod few_numbers;
 pub mod folders;
 pub mod named;
@@ -11,7 +12,8 @@ use std::{
     sync::Arc,
 };
 
-pub use batch::{Came, FileRead, Finished, Loader, Progress};
+pub use batch::{Finished, Loader, Progress};
+pub use came::{Came, FileRead};
 pub use named::{Found, Wanted, names_a_file, resolve};
 pub use summary::{FileRow, OpenBefore, Outcome, Summary};
 

@@ -6,10 +6,7 @@
 
 use super::spectral_unit::{Counted, SpectralUnit};
 pub(super) use crate::color::quality::JOULE_NM_PER_MICROMOLE;
-use crate::{
-    io::PHOTON_NOTE,
-    spectrum::{Kind, NamedSpectrum},
-};
+use crate::spectrum::{Kind, NamedSpectrum};
 
 /// Whether a spectrum is a light whose values count photons per nm.
 pub(super) fn counts_photons(spectrum: &NamedSpectrum) -> bool {
@@ -35,7 +32,6 @@ pub(super) fn to_power(spectrum: &mut NamedSpectrum) {
         return;
     };
     spectrum.samples = samples;
-    spectrum.notes.retain(|note| note != PHOTON_NOTE);
     spectrum.notes.push(format!(
         "photons turned into power: each value in {} times {} / wavelength in nm",
         spectrum.unit,
@@ -61,7 +57,7 @@ mod tests {
             unit: unit.to_owned(),
             scale: 1.0,
             samples: Sampled::even(400.0, 200.0, vec![1.0, 2.0]).expect("two points"),
-            notes: vec![PHOTON_NOTE.to_owned()],
+            notes: Vec::new(),
             source: String::new(),
         }
     }

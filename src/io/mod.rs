@@ -48,7 +48,6 @@ pub use interpret::describe::MOST_UNDERSTOOD;
 pub use provenance::{Column, Columns, Provenance, one_line, shortest};
 pub use reading::decision::{AxisDecision, Decision, Decisions, Origin};
 pub use reading::makers_results::{MakersResult, Quantity};
-pub use reading::remark::PHOTON_NOTE;
 pub use reading::{CompositeFile, Guess, Guessed, Reading, TableFound};
 pub use table::scan::MOST_CELLS;
 pub use text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};

@@ -28,7 +28,7 @@ fn page_of(field: FieldChoice) -> Ui {
 #[test]
 fn the_order_that_is_enough_for_a_set_of_lights_is_told_and_taken() {
     let mut ui = page_of(FieldChoice::Smooth);
-    assert_written(&ui, "is enough for 95 % of");
+    assert_written(&ui, "is enough for at least 95 % of");
     let all = words(&ui).join("\n");
     let (_, rest) = all.split_once(", order ").expect("an order");
     let order: usize = rest

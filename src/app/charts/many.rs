@@ -67,7 +67,10 @@ impl Wanted {
 pub fn sentence(many: &ManyLights, wanted: Wanted) -> String {
     let total = many.lights.len();
     let percent = short(100.0 * wanted.share);
-    let lights = format!("{percent} % of {}", many::many(total, "light", "lights"));
+    let lights = format!(
+        "at least {percent} % of {}",
+        many::many(total, "light", "lights")
+    );
     let ways = [wanted.with_spikes(true), wanted.with_spikes(false)];
     let words = |(order, count): (usize, usize)| {
         format!(

@@ -16,6 +16,7 @@ use std::{
 
 use super::{
     Loaded,
+    came::{Came, FileRead},
     folders::{self, Listed},
     load_path,
     summary::{FileRow, Summary},
@@ -34,26 +35,6 @@ const CANCELLED: &str = "cancelled before its turn";
 
 /// Called on another thread when there is something to fetch.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
-
-/// What came of one file.
-#[derive(Debug)]
-pub enum Came {
-    /// It was looked at.
-    Loaded(Loaded),
-    /// It was not, and why.
-    NotRead(String),
-}
-
-/// One file of a batch.
-#[derive(Debug)]
-pub struct FileRead {
-    /// Its path below what was opened, or its name.
-    pub label: String,
-    /// Where it is; `None` when it came without a path.
-    pub path: Option<PathBuf>,
-    /// What came of it.
-    pub came: Came,
-}
 
 /// A batch that has come to its end, or was cancelled.
 #[derive(Debug)]

@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use super::{Loaded, batch::Came, batch::FileRead};
+use super::{
+    Loaded,
+    came::{Came, FileRead},
+};
 use crate::{
     app::{
         cells::{line, words},

@@ -8,8 +8,8 @@ use crate::io::text::units::WavelengthUnit;
 use crate::spectrum::Kind;
 
 /// What is said of a spectrum that counts photons.
-pub const PHOTON_NOTE: &str =
-    "the values count photons, not energy: as a light they weigh long wavelengths too heavily";
+pub(crate) const PHOTON_NOTE: &str = "the file counts photons, not energy: unless they are turned into power, its values weigh long \
+     wavelengths too heavily";
 
 /// One thing to say about a spectrum.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,8 +4,9 @@ use super::alternating;
 use super::pick::{self, NoTable};
 use super::scan::TooMuch;
 use crate::io::error::quoted;
-use crate::io::text::dialect::MOST_COLUMNS;
+use crate::io::text::dialect::{Dialect, MOST_COLUMNS};
 use crate::io::text::lines;
+use crate::io::text::number::number;
 use crate::io::{Input, ReadError, budget};
 
 /// What a refusal asks for.
@@ -20,8 +21,15 @@ pub(crate) fn refusal(input: &Input, text: &str, why: NoTable) -> ReadError {
         NoTable::TooMany(too_much) => too_many(input, too_much),
         NoTable::Bad(bad) => bad.refusal(input),
         NoTable::NoWavelengths {
+            below: Some((line, found)),
+            ..
+        } => input
+            .error(format!("{found} in column 1"), "wavelengths above zero")
+            .at_line(line),
+        NoTable::NoWavelengths {
             line,
             step_back: None,
+            ..
         } => input
             .error(
                 "numbers with no wavelengths among them",
@@ -76,6 +84,14 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
         let expected = format!("rows of at most {MOST_COLUMNS} columns");
         return input.error(found, expected).at_line(line);
     }
+    let mut rows = lines(start).filter(|(_, line)| is_row(line));
+    if let Some((line, _)) = rows.next() {
+        let found = match rows.next() {
+            Some(_) => "rows of numbers, no two below one another with as many",
+            None => "one row of numbers",
+        };
+        return input.error(found, "two rows at least").at_line(line);
+    }
     let Some((line, first)) = lines(start).find(|(_, line)| !line.trim().is_empty()) else {
         let found = match is_part {
             true => format!("{size} of blank lines"),
@@ -88,6 +104,19 @@ fn no_rows(input: &Input, text: &str) -> ReadError {
         false => format!("no table after {}", quoted(first)),
     };
     input.error(found, A_TABLE).at_line(line)
+}
+
+/// Whether a line is numbers and nothing else, two at least, however they are set apart.
+fn is_row(line: &str) -> bool {
+    let mut cells = Vec::new();
+    let begins = |c: char| c.is_ascii_digit() || ['+', '-', '.'].contains(&c);
+    line.len() <= LONG_LINE
+        && line.trim_start().starts_with(begins)
+        && Dialect::ALL.into_iter().any(|dialect| {
+            dialect.split(line, &mut cells);
+            let is_number = |cell: &&str| number(cell, dialect.decimal_comma).is_some();
+            cells.len() > 1 && cells.iter().all(is_number)
+        })
 }
 
 /// The refusal of tables whose every column or row (`of`) has next to no values.
@@ -163,6 +192,22 @@ mod tests {
             let text = format!("{line}\n").repeat(300_000);
             assert_eq!(refusal(&text).found, found);
         }
+    }
+
+    #[test]
+    fn a_row_alone_and_wavelengths_below_zero_are_refused_as_that() {
+        let expected = "found one row of numbers, expected two rows at least";
+        for text in ["500,1\n", "nm W\n500 1\nend\n"] {
+            let said = refusal(text).to_string();
+            assert!(said.ends_with(expected), "{said}");
+        }
+        let two = refusal("500,1\n505,1,2\n").found;
+        assert!(two.starts_with("rows of numbers"), "{two}");
+        let rows: String = (0..20).map(|i| format!("{},1.5\n", 5 * i - 5)).collect();
+        assert_eq!(
+            refusal(&rows).to_string(),
+            "a.csv, line 1: found -5 in column 1, expected wavelengths above zero"
+        );
     }
 
     #[test]

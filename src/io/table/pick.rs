@@ -54,6 +54,8 @@ pub(crate) enum NoTable {
         /// Where a first column that looks like wavelengths steps back: line, number, and the
         /// number before it.
         step_back: Option<(usize, f64, f64)>,
+        /// Where one that runs through is not above zero: line and number.
+        below: Option<(usize, f64)>,
     },
     /// No two lines of two numbers.
     NoRows,
@@ -195,6 +197,7 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
             .map_or(NoTable::NoRows, |block| NoTable::NoWavelengths {
                 line: block.lines[0] as usize,
                 step_back: step_back(block),
+                below: not_above_zero(block),
             });
     let mut tables: Vec<Table> = Vec::new();
     let (mut left_out, mut above) = (Vec::new(), Vec::new());
@@ -290,6 +293,14 @@ pub(crate) fn blocks_behind(
         true => Err(NoTable::NoRows),
         false => Ok(blocks),
     }
+}
+
+/// The first number of a first column that rises or falls throughout which is no wavelength.
+fn not_above_zero(block: &Block) -> Option<(usize, f64)> {
+    let axis = block.column(0);
+    let runs = axis.is_sorted_by(|a, b| a < b) || axis.is_sorted_by(|a, b| a > b);
+    let at = axis.iter().position(|x| runs && *x <= 0.0)?;
+    (!block.counts_rows(0)).then_some((block.lines[at] as usize, axis[at]))
 }
 
 /// The first step against the way that most steps of the first column go, if its numbers lie

@@ -26,6 +26,11 @@ use crate::app::{
 };
 
 impl Window {
+    /// The window's picture as it would be drawn at a size, without a display.
+    pub fn picture(&self, size: [u32; 2]) -> Vec<u8> {
+        picture::window_png(&self.app, &self.preferences, size)
+    }
+
     pub(super) fn keys(&mut self, context: &Context) {
         if self.dialog.is_some() {
             return;

@@ -29,7 +29,6 @@ use super::{
     makers_view::MakersView,
     pages::Pages,
     palette_view::PaletteView,
-    picture,
     saver::Saver,
     theme::{self, Theme},
     top_view::Drawer,
@@ -177,11 +176,6 @@ impl Window {
     /// Whether files are being read or a dialog is open.
     pub fn is_busy(&self) -> bool {
         self.loader.is_busy() || self.waiting.is_some() || !self.images.waiting().is_empty()
-    }
-
-    /// The window's picture as it would be drawn at a size, without a display.
-    pub fn picture(&self, size: [u32; 2]) -> Vec<u8> {
-        picture::window_png(&self.app, &self.preferences, size)
     }
 
     /// The theme of files that are written now.

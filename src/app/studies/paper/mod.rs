@@ -5,13 +5,13 @@
 //! at; for a reflectance the factor is the subject, and the light is taken apart with the same
 //! knobs.
 
+mod row;
 mod rows;
 mod table;
 
+pub use row::{Row, Verdict, delta_e, figure, off_percent, percent, three};
 pub use rows::count;
-pub use table::{
-    Row, Verdict, delta_e, figure, off_percent, percent, three, truth_csv, truth_table,
-};
+pub use table::{truth_csv, truth_table};
 
 use crate::{
     app::{state::App, tables::Viewing},

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{
     Claims,
-    table::{ROUNDING, Row, Verdict, delta_e, figure, off_percent, percent, range, three},
+    row::{ROUNDING, Row, Verdict, delta_e, figure, off_percent, percent, range, three},
 };
 use crate::{
     app::ticks::short,

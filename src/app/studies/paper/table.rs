@@ -1,85 +1,20 @@
-//! The claims as a table: what the paper says, what is measured here, what became of it.
+//! The claims as a table, and as CSV.
 
 use std::fmt::Write as _;
 
 use super::{
     Claims,
+    row::Row,
     rows::{eq_7_row, eq_17_row, five_percent_row, resampling_row, samples_row, table_2_row},
 };
 use crate::{
     app::{
         cells::{line, words},
         export::provenance,
-        figures::three_digits,
         state::App,
-        ticks::short,
     },
     io::one_line,
-    spectrum::Band,
 };
-
-/// What became of a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It is so here.
-    Holds,
-    /// It is so here under a condition that the paper does not name.
-    OnlyIf,
-    /// It is not so here.
-    Fails,
-    /// There is nothing to measure here.
-    Open,
-}
-
-impl Verdict {
-    /// The verdict in words; a condition follows `OnlyIf` and `Open`.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::OnlyIf => "holds only",
-            Self::Fails => "does not hold",
-            Self::Open => "nothing to measure",
-        }
-    }
-
-    /// A sign of its own, so that colour never says it alone.
-    pub fn sign(self) -> &'static str {
-        match self {
-            Self::Holds => "✔",
-            Self::OnlyIf => "◐",
-            Self::Fails => "✘",
-            Self::Open => "○",
-        }
-    }
-}
-
-/// A claim, what the paper says, what is measured here, and what became of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// The claim in a few words.
-    pub claim: &'static str,
-    /// Where the paper makes it.
-    pub place: &'static str,
-    /// What the paper says.
-    pub paper: String,
-    /// What is measured on this spectrum and range, a sentence or more.
-    pub measured: String,
-    /// What became of it.
-    pub verdict: Verdict,
-    /// Under which condition, or why; may be empty.
-    pub condition: String,
-}
-
-impl Row {
-    /// The verdict with its condition.
-    pub fn verdict_words(&self) -> String {
-        match (self.verdict, self.condition.is_empty()) {
-            (verdict, true) => verdict.words().to_owned(),
-            (Verdict::OnlyIf, false) => format!("holds only {}", self.condition),
-            (verdict, false) => format!("{}: {}", verdict.words(), self.condition),
-        }
-    }
-}
 
 /// Every claim as a row, in the paper's order.
 pub fn truth_table(claims: &Claims) -> Vec<Row> {
@@ -116,50 +51,4 @@ pub fn truth_csv(app: &App, claims: &Claims) -> String {
         out.push_str(&line(cells));
     }
     out
-}
-
-/// A figure in three digits, or a dash.
-pub fn figure(value: impl Into<Option<f64>>) -> String {
-    let sound = value.into().filter(|v| v.is_finite());
-    sound.map_or_else(|| "–".to_owned(), three_digits)
-}
-
-/// A share in percent, or a dash; what is left of rounding is told as a bound.
-pub fn percent(share: impl Into<Option<f64>>) -> String {
-    match share.into().filter(|s| s.is_finite()) {
-        Some(share) if share.abs() < ROUNDING => "0".to_owned(),
-        Some(share) => figure(100.0 * share),
-        None => "–".to_owned(),
-    }
-}
-
-/// Shares below this are the rounding of sums, not of a model.
-pub(super) const ROUNDING: f64 = 1e-10;
-
-/// A colour difference: what is below any meaning is told as a bound.
-pub fn delta_e(value: impl Into<Option<f64>>) -> String {
-    match value.into().filter(|v| v.is_finite()) {
-        Some(small) if small < 0.0005 => "below 0.001".to_owned(),
-        other => figure(other),
-    }
-}
-
-/// What is missing of a total as how far a sum is off it: in percent, with a sign.
-pub fn off_percent(missing: f64) -> String {
-    let words = percent(-missing);
-    if missing < -ROUNDING {
-        format!("+{words}")
-    } else {
-        words
-    }
-}
-
-/// Three figures in a row: `0.1, 0.2 and 0.3`.
-pub fn three(words: [String; 3]) -> String {
-    let [x, y, z] = words;
-    format!("{x}, {y} and {z}")
-}
-
-pub(super) fn range(band: Band) -> String {
-    format!("{}-{} nm", short(band.min_nm()), short(band.max_nm()))
 }

@@ -248,7 +248,7 @@ fn scale(
         let x = area.left() + share * area.width();
         painter.vline(x, area.top()..=top, (1.0, theme.faint));
         let galley = painter.layout_no_wrap(words, font.clone(), theme.faint);
-        let left = x - 0.5 * galley.size().x;
+        let left = (x - 0.5 * galley.size().x).max(area.left());
         // Nothing is written over another number, and nothing is cut.
         if left >= free_from && left + galley.size().x < end - 8.0 {
             free_from = left + galley.size().x + 8.0;
