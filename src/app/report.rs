@@ -293,8 +293,8 @@ fn figures_lines(app: &App) -> Vec<String> {
     let errors: Option<String> = shares()
         .map(|measure| Some(measure.figure().say(derived.figures[measure]?)))
         .collect();
-    let none = "none to speak of: there is nothing in the range";
-    let mut lines = vec![format!("Error     {}", errors.as_deref().unwrap_or(none))];
+    let errors = errors.unwrap_or_else(|| format!("none to speak of: {}", why_no_errors(app)));
+    let mut lines = vec![format!("Error     {errors}")];
     for (what, colour) in [
         ("Measured", colour.exact),
         ("Model", colour.model),
@@ -322,6 +322,27 @@ fn figures_lines(app: &App) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// Why there are not all errors of a model: nothing, or more below zero than above.
+fn why_no_errors(app: &App) -> String {
+    let (subject, band) = (app.document().subject_entry(), app.derived().band);
+    let samples = &subject.spectrum.samples;
+    let points = samples.nm().iter().zip(samples.values());
+    let values: Vec<f64> = points
+        .filter(|(nm, _)| band.contains(**nm))
+        .map(|(_, value)| *value)
+        .collect();
+    let below = values.iter().filter(|value| **value < 0.0).count();
+    let above = values.iter().any(|value| *value > 0.0);
+    match (below, above) {
+        (0, false) => "there is nothing in the range".to_owned(),
+        (0, true) => "the values in the range are too small to compute with".to_owned(),
+        _ => format!(
+            "{below} of {} values in the range are below zero",
+            values.len()
+        ),
+    }
 }
 
 fn colour_words(colour: &Colour, light: &str) -> String {

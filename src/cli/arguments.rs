@@ -123,6 +123,33 @@ impl Command {
             Self::Decode(_) | Self::List(_) | Self::Lessons(_) => None,
         }
     }
+
+    /// The model's options; `None` for a command that has none.
+    pub(super) fn model(&mut self) -> Option<&mut ModelOptions> {
+        match self {
+            Self::Report(options) => Some(&mut options.model),
+            Self::Light(options) => Some(&mut options.model),
+            Self::Sweep(options) => Some(&mut options.model),
+            Self::Auction(options) => Some(&mut options.model),
+            Self::Race(options) => Some(&mut options.model),
+            Self::Product(options) => Some(&mut options.model),
+            Self::Prism(options) => Some(&mut options.model),
+            Self::Rainbow(options) => Some(&mut options.model),
+            Self::Gem(options) => Some(&mut options.model),
+            Self::Render(options) => Some(&mut options.model),
+            Self::Plot(options) => Some(&mut options.model),
+            Self::Convert(options) => Some(&mut options.model),
+            Self::Recover(_)
+            | Self::Mix(_)
+            | Self::Encode(_)
+            | Self::Decode(_)
+            | Self::Picture(_)
+            | Self::Fit(_)
+            | Self::Read(_)
+            | Self::List(_)
+            | Self::Lessons(_) => None,
+        }
+    }
 }
 
 /// Options of `read`.
@@ -196,7 +223,8 @@ pub(super) struct Sweep {
     /// Which spectrum of the file, and what it is.
     #[command(flatten)]
     pub pick: PickOptions,
-    /// The model: basis and fit are those of the threshold map.
+    /// The model: every order, basis and fit is tried; basis and fit are those of the threshold map,
+    /// which --json has.
     #[command(flatten)]
     pub model: ModelOptions,
     /// Print JSON instead of CSV; its keys are stable. In both relative errors are fractions of 1
@@ -339,12 +367,12 @@ pub(super) struct Render {
     /// dark or light.
     #[arg(long, value_name = "THEME", default_value = "dark", value_parser = words::theme)]
     pub theme: Theme,
-    /// The page: lessons, teachers, look, dark-lines, chain, filter, two-lights, same-surface, why,
-    /// tradeoff, auction, race, resampling, bounces, image, glossary or truth; names of earlier
-    /// versions are known.
-    #[arg(long, value_name = "PAGE", default_value = "look", value_parser = words::page)]
+    // The help is made of the one list of pages.
+    #[arg(long, value_name = "PAGE", default_value = "look", value_parser = words::page,
+        help = words::help_on_pages())]
     pub page: Page,
-    /// A lesson that is being taken: its name, or name:step (waves:2).
+    /// A lesson that is being taken: its name, or name:step (waves:2). It brings its own light and
+    /// page.
     #[arg(long, value_name = "NAME[:STEP]")]
     pub lesson: Option<String>,
 }

@@ -7,8 +7,7 @@ use super::{
     inputs::Inputs,
     print,
     refusal::Refusal,
-    subject,
-    sweep::{all_zero, say_unused},
+    subject::{self, no_power, with_power},
 };
 use crate::{
     app::{App, studies::AuctionAsk, study_report},
@@ -34,8 +33,8 @@ pub(super) fn run(
         json,
     } = options;
     let app = subject::app(input, pick, *model, inputs)?;
+    with_power(&app)?;
     for_lights_only(&app, *goal)?;
-    say_unused(*model, &[("--order", model.order.is_some())], inputs);
     let ask = AuctionAsk::of(app.document(), *goal, *numbers);
     let auction = ask
         .answer(&Progress::default())
@@ -77,7 +76,7 @@ fn for_lights_only(app: &App, goal: Goal) -> Result<(), Refusal> {
 fn nothing_to_measure(app: &App, ask: &AuctionAsk) -> Refusal {
     let values = ask.about.subject.0.on_band(ask.about.band);
     if values.iter().all(|v| *v == 0.0) {
-        return all_zero(app);
+        return no_power(app);
     }
     let band = ask.about.band;
     Refusal::File(format!(

@@ -252,7 +252,7 @@ fn model(
         _ => {
             let (input, pick) = (&options.input, &options.pick);
             let app = subject::app_of(input, pick, &wanted(options), options.model, inputs)?;
-            inputs.note_sampling(options.model, false);
+            inputs.note_sampling(options.model);
             if !app.is_measured_in_range() {
                 let spectrum = &app.document().subject_entry().spectrum;
                 let band = app.derived().band;

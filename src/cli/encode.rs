@@ -42,9 +42,9 @@ pub(super) fn run(
     let light = light_alone(&app)?;
     let Settings { band, observer, .. } = app.document().settings;
     let refused = |why: EncodingError| match why {
-        EncodingError::NoColour { .. } | EncodingError::NotFinite { .. } => {
-            Refusal::File(format!("{}: {why}", light.name()))
-        }
+        EncodingError::NoColour { .. }
+        | EncodingError::NotFinite { .. }
+        | EncodingError::TooSmall { .. } => Refusal::File(format!("{}: {why}", light.name())),
         EncodingError::Numbers { .. } => Refusal::Usage(format!("--{why}")),
         why => Refusal::Usage(why.to_string()),
     };

@@ -118,15 +118,11 @@ fn target<'a>(options: &'a Gem, path: &'a Path) -> Target<'a> {
 /// The light, or the one wavelength, and whose eye looks.
 fn light(options: &Gem, inputs: &mut Inputs) -> Result<(Light, Observer), Refusal> {
     if let Some(nm) = options.wavelength {
-        if options.model.is_given() {
-            inputs.note("the model's options are not used: --wavelength is no light to model");
-        }
         return Ok((Light::of_line(nm).map_err(usage)?, Observer::default()));
     }
     let usual = USUAL_LIGHT.as_ref();
     let light = named_light("--light", options.light.as_deref().unwrap_or(usual), inputs)?;
     let app = subject::about_light(light, options.model);
-    inputs.note_sampling(options.model, false);
     inputs.note_centres(options.model);
     Ok((light_of(&app)?, app.document().settings.observer))
 }

@@ -28,7 +28,9 @@ pub(super) struct Inputs<'e> {
     streams: HashMap<OsString, Arc<[u8]>>,
     notes: Vec<String>,
     /// What the command line says of every file's table.
-    table: Choices,
+    files: FileOptions,
+    /// Whether a file was read that could be a table.
+    has_read: bool,
 }
 
 impl<'e> Inputs<'e> {
@@ -38,13 +40,14 @@ impl<'e> Inputs<'e> {
             err,
             streams: HashMap::new(),
             notes: Vec::new(),
-            table: Choices::default(),
+            files: FileOptions::default(),
+            has_read: false,
         }
     }
 
     /// Reads all files as the command line says.
     pub(super) fn read_as(&mut self, files: FileOptions) {
-        self.table = files.choices();
+        self.files = files;
     }
 
     /// Says something now.
@@ -57,9 +60,9 @@ impl<'e> Inputs<'e> {
         self.notes.push(text.into());
     }
 
-    /// Says that `--sampling` was given where no product is formed.
-    pub(super) fn note_sampling(&mut self, model: ModelOptions, multiplies: bool) {
-        if model.sampling.is_some() && !multiplies {
+    /// Says that `--sampling` was given where it turns out that no product is formed.
+    pub(super) fn note_sampling(&mut self, model: ModelOptions) {
+        if model.sampling.is_some() {
             self.note("--sampling is not used: nothing is multiplied here");
         }
     }
@@ -73,6 +76,11 @@ impl<'e> Inputs<'e> {
 
     /// Says what is to be known of the result.
     pub(super) fn tell_notes(&mut self) {
+        let of_tables = std::mem::take(&mut self.files).given();
+        for option in of_tables.filter(|_| !self.has_read) {
+            self.notes
+                .push(format!("{option} is not used: no table is read"));
+        }
         for note in std::mem::take(&mut self.notes) {
             self.remark(&note);
         }
@@ -88,7 +96,7 @@ impl<'e> Inputs<'e> {
 
     /// A project, or any other file with decisions about it.
     pub(super) fn load(&mut self, path: &Path, choices: &Choices) -> Loaded {
-        let choices = &choices.or_table_of(&self.table);
+        let choices = &self.choices(choices);
         match self.stream(path) {
             None => open::load_named(path, choices),
             Some(Ok(bytes)) => open::load_bytes_with(&name_at(path), &bytes, choices),
@@ -110,12 +118,18 @@ impl<'e> Inputs<'e> {
     /// # Errors
     /// [`ReadError`] with the file's path.
     pub(super) fn reading(&mut self, path: &Path, choices: &Choices) -> Result<Reading, ReadError> {
-        let choices = &choices.or_table_of(&self.table);
+        let choices = &self.choices(choices);
         let reading = match self.stream(path) {
             None => io::read_path_as(path, choices),
             Some(bytes) => io::read_bytes_as(&name_at(path), &bytes?, choices),
         };
         reading.map_err(|why| why.at(path))
+    }
+
+    /// Decisions about a file that is read now, with those of the command line.
+    fn choices(&mut self, choices: &Choices) -> Choices {
+        self.has_read = true;
+        choices.or_table_of(&self.files.choices())
     }
 
     /// The text in a short file or stream.

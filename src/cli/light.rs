@@ -40,10 +40,6 @@ pub(super) fn run(
         csv,
         full,
     } = options;
-    inputs.note_sampling(*model, false);
-    if model.observer.is_some() && !model.colour_exact {
-        inputs.note("--observer is not used: every figure has the observer of its standard");
-    }
     let mut asked = Asked::of(words, *model, inputs);
     let is_one = words.len() == 1 && asked.lights.len() == 1 && !asked.has_folder;
     if !asked.lights.is_empty() {

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use serde_json::{Value, json};
 
-use super::{arguments::List, print, refusal::Refusal};
+use super::{arguments::List, inputs::Inputs, print, refusal::Refusal};
 use crate::{
     app::{
         Entry, Families, Library,
@@ -12,6 +12,7 @@ use crate::{
         bundled_entries, is_made,
         search::{Folded, Index},
     },
+    io::quoted,
     preset::Preset,
     spectrum::Kind,
 };
@@ -20,11 +21,14 @@ use crate::{
 ///
 /// # Errors
 /// [`Refusal`] when nothing can be printed.
-pub(super) fn run(options: List, out: &mut dyn Write) -> Result<(), Refusal> {
+pub(super) fn run(options: List, out: &mut dyn Write, inputs: &mut Inputs) -> Result<(), Refusal> {
     let rows = match &options.search {
         Some(words) => found(words, options.kind),
         None => rows(options.kind),
     };
+    if rows.is_empty() {
+        inputs.note(nothing_words(&options));
+    }
     if options.json {
         let rows: Vec<Value> = rows.iter().map(Row::json).collect();
         print(out, &format!("{:#}\n", Value::Array(rows)))
@@ -35,6 +39,18 @@ pub(super) fn run(options: List, out: &mut dyn Write) -> Result<(), Refusal> {
             .map(|row| row.line(width.unwrap_or(0)))
             .collect();
         print(out, &lines.concat())
+    }
+}
+
+/// What is said of an empty list.
+fn nothing_words(options: &List) -> String {
+    let kind = match options.kind {
+        Some(kind) => format!("no {kind} spectrum"),
+        None => "no spectrum".to_owned(),
+    };
+    match &options.search {
+        Some(words) => format!("{kind} in the library is called {}", quoted(words)),
+        None => format!("{kind} is in the library"),
     }
 }
 

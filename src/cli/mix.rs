@@ -50,16 +50,16 @@ pub(super) fn run(options: &Mix, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     // Told what to favour, a light is a colour and no more.
     let alike = alike.filter(|_| options.favour.is_none());
     let alike = alike.map(|light| light.on_whole_nm(FIRST_NM, LAST_NM, Outside::Zero));
-    let mut wish = Wish {
+    // Without a colour nothing is solved, so that no floor can be kept.
+    if target.is_none() {
+        floors = Floors::default();
+    }
+    let wish = Wish {
         target: target.map(|target| target.colour),
         favour: options.favour.unwrap_or_default(),
         floors,
         alike: alike.as_deref(),
     };
-    if wish.target.is_none() && (options.favour.is_some() || !options.floors.is_empty()) {
-        inputs.note("--favour and --floor are not used: found no --target to solve for");
-        wish.floors = Floors::default();
-    }
     let mixer = Mixer::new(&channels, SampleTables::shipped()).map_err(usage)?;
     let solution = mixer.solve(&wish);
     let left_out = 100.0 * left_out(&channels, &solution.weights);

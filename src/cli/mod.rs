@@ -44,6 +44,7 @@ mod room_words;
 mod subject;
 mod sweep;
 mod target;
+mod unused;
 mod viewing;
 mod watch;
 mod window;
@@ -55,7 +56,7 @@ use std::{
     path::Path,
 };
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 
 use crate::{
     app::{App, Library, chart::Theme, licences, workspace::Preferences},
@@ -103,11 +104,19 @@ pub fn run(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> Outcome {
-    let done = match Arguments::try_parse_from(args) {
-        Ok(arguments) => {
+    let understood = Arguments::command()
+        .try_get_matches_from(args)
+        .and_then(|matches| Ok((Arguments::from_arg_matches(&matches)?, matches)));
+    let done = match understood {
+        Ok((mut arguments, matches)) => {
             let mut inputs = Inputs::new(&mut *err);
             let files = arguments.command.as_ref().and_then(Command::files);
             inputs.read_as(files.unwrap_or_default());
+            let unused = unused::of(&matches);
+            unused::say(&unused, &mut inputs);
+            if let Some(model) = arguments.command.as_mut().and_then(Command::model) {
+                unused.iter().for_each(|(option, _)| model.forget(option));
+            }
             match carry_out(arguments, pictures, out, &mut inputs) {
                 Ok(outcome) => {
                     inputs.tell_notes();
@@ -164,7 +173,7 @@ fn carry_out(
             Command::Picture(options) => picture::run(&options, out, inputs)?,
             Command::Fit(options) => fit::run(&options, out, inputs)?,
             Command::Read(options) => read::run(&options, out, inputs)?,
-            Command::List(options) => list::run(options, out)?,
+            Command::List(options) => list::run(options, out, inputs)?,
             Command::Lessons(options) => lessons::run(&options, out)?,
             Command::Render(options) => render::run(&options, pictures, out, inputs)?,
             Command::Plot(options) => plot::run(&options, pictures, out, inputs)?,

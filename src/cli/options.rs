@@ -29,6 +29,21 @@ pub(super) struct FileOptions {
 }
 
 impl FileOptions {
+    /// The options that were given.
+    pub(super) fn given(self) -> impl Iterator<Item = &'static str> {
+        let Self {
+            wavelength_unit,
+            column,
+            delimiter,
+        } = self;
+        let all = [
+            ("--wavelength-unit", wavelength_unit.is_some()),
+            ("--column", column.is_some()),
+            ("--delimiter", delimiter.is_some()),
+        ];
+        all.into_iter().filter(|given| given.1).map(|given| given.0)
+    }
+
     /// The decisions about files that these options are.
     pub(super) fn choices(self) -> Choices {
         Choices {
@@ -140,29 +155,24 @@ impl ModelOptions {
         *self != none
     }
 
-    /// The options that were given and say nothing about error against numbers.
-    pub(super) fn unused_in_studies(&self) -> Vec<&'static str> {
-        let Self {
-            order: _,
-            threshold: _,
-            max_width: _,
-            basis: _,
-            colour_exact: _,
-            plain: _,
-            no_spikes,
-            wide_lines,
-            dips: _,
-            range: _,
-            observer: _,
-            sampling,
-            as_window: _,
-        } = self;
-        let given = [
-            ("--no-spikes", *no_spikes),
-            ("--wide-lines", *wide_lines),
-            ("--sampling", sampling.is_some()),
-        ];
-        given.into_iter().filter(|g| g.1).map(|g| g.0).collect()
+    /// Takes an option back that is not used, so that it changes nothing indeed; words that are no
+    /// option of the model are left alone.
+    pub(super) fn forget(&mut self, option: &str) {
+        match option {
+            "--order" => self.order = None,
+            "--threshold" => self.threshold = None,
+            "--max-width" => self.max_width = None,
+            "--basis" => self.basis = None,
+            "--colour-exact" => self.colour_exact = false,
+            "--plain" => self.plain = false,
+            "--no-spikes" => self.no_spikes = false,
+            "--wide-lines" => self.wide_lines = false,
+            "--dips" => self.dips = false,
+            "--range" => self.range = None,
+            "--observer" => self.observer = None,
+            "--sampling" => self.sampling = None,
+            _ => {}
+        }
     }
 
     /// The same, and what is not given as the window has it at the start.

@@ -5,7 +5,7 @@ use std::{fmt::Write as _, io::Write, path::Path};
 use super::{
     arguments::Picture,
     inputs::Inputs,
-    picture_input::{about, light_of},
+    picture_input::{about, is_wall, light_of},
     picture_relit, print,
     refusal::Refusal,
     room_words::Lines,
@@ -24,8 +24,6 @@ use crate::{
     study::Progress,
 };
 
-/// The word for the wall of paints, which needs no file.
-const WALL: &str = "wall";
 /// The light whose relighting is said how far to trust.
 const TRUSTED_UNDER: &str = "A";
 
@@ -90,7 +88,7 @@ fn with_pixels(
     work: impl FnOnce(&dyn Pixels, About, &mut Inputs) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     let path = options.input.as_path();
-    if path == Path::new(WALL) && !path.exists() {
+    if is_wall(path) {
         let wall = Scene::at_hand(light).map_err(about(path))?;
         let said = About {
             source: wall.name().to_owned(),

@@ -8,6 +8,14 @@ use crate::{
     pictures::{Light, PictureError},
 };
 
+/// The word for the wall of paints, which needs no file.
+pub(super) const WALL: &str = "wall";
+
+/// Whether an input is the wall of paints and no file of that name.
+pub(super) fn is_wall(path: &Path) -> bool {
+    path == Path::new(WALL) && !path.exists()
+}
+
 /// A light by its name on the command line.
 ///
 /// # Errors

@@ -5,7 +5,7 @@ use std::{ffi::OsStr, fs, io::Write, path::Path};
 use super::{
     arguments::Picture as Options,
     inputs::Inputs,
-    picture_input::{about, light_of},
+    picture_input::{WALL, about, is_wall, light_of},
     print,
     refusal::Refusal,
     target::Target,
@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     color::{Adaptation, Srgb, Swatch, Xyz},
-    io::{save_atomically, shown},
+    io::{save_atomically, shown, why_unopened},
     pictures::{Between, CompactFile, Light, Operator, Picture, Relit, read_full, relit_into},
     study::Progress,
 };
@@ -44,7 +44,11 @@ pub(super) fn run(
     };
     let picture = opened(&options.input)?;
     let operator = picture.header.operator().map_err(&refused)?;
-    let known = known.filter(|_| !operator.bands().is_factor());
+    let is_factor = operator.bands().is_factor();
+    if is_factor && known.is_some() {
+        inputs.note("--light is not used: the picture is of surfaces, which no light lit");
+    }
+    let known = known.filter(|_| !is_factor);
     let relit = operator
         .relit(&new, known.as_ref(), Between::Bands)
         .map_err(&refused)?;
@@ -74,11 +78,17 @@ pub(super) fn run(
 
 /// A picture in the full or the compact form.
 fn opened(path: &Path) -> Result<Picture, Refusal> {
+    if is_wall(path) {
+        return Err(Refusal::File(format!(
+            "{WALL}: found the wall of paints, which has every wavelength, expected a picture \
+             of few numbers (picture {WALL} --out {WALL}.exr writes one)"
+        )));
+    }
     let bytes = fs::read(path).map_err(|why| {
-        let name = shown(path);
+        let (found, expected) = why_unopened(path, &why);
         Refusal::File(format!(
-            "{name}: found {}, expected a picture of few numbers",
-            why.kind()
+            "{}: found {found}, expected {expected}",
+            shown(path)
         ))
     })?;
     let picture = if bytes.starts_with(b"\x89PNG") {

@@ -60,7 +60,6 @@ pub(super) fn run(
     let target = target.beside(&[Some(input.as_os_str()), pick.light.as_deref()]);
     target.path()?;
     let app = subject::app(input, pick, *model, inputs)?;
-    inputs.note_sampling(*model, false);
     let [width, height] = *size;
     if is_page {
         if !app.document().is_about_light() {

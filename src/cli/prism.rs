@@ -10,11 +10,11 @@ use super::{
     material::{absorption_of, material},
     print,
     refusal::Refusal,
-    subject::{self, named_light},
+    subject::{self, named_light, with_power},
 };
 use crate::{
     app::{App, ticks::short},
-    optics::{Bench, BenchSettings, Incidence, Light, Strip, prism_csv, prism_json},
+    optics::{Bench, BenchSettings, Incidence, Light, Material, Strip, prism_csv, prism_json},
 };
 
 /// Columns of the screen that the light is put on to see what falls beside it.
@@ -31,10 +31,11 @@ pub(super) fn run(
 ) -> Result<(), Refusal> {
     let light = named_light("INPUT", &options.input, inputs)?;
     let app = subject::about_light(light, options.model);
-    inputs.note_sampling(options.model, false);
     inputs.note_centres(options.model);
     let light = light_of(&app)?;
     let material = material(&options.material, inputs)?;
+    every_has_an_index(&options.at, &material)?;
+    note_no_lines(&light, &options.at, inputs);
     let absorption = absorption_of(options.filter.as_ref(), options.thickness, inputs)?;
     let settings = BenchSettings {
         apex_deg: options.apex,
@@ -72,8 +73,31 @@ pub(super) fn run(
 /// # Errors
 /// [`Refusal::File`] for a light that nothing is seen of.
 pub(super) fn light_of(app: &App) -> Result<Light, Refusal> {
+    with_power(app)?;
     let name = app.document().light.name().to_owned();
     Light::of_composite(&name, &app.derived().model).map_err(|why| Refusal::File(why.to_string()))
+}
+
+/// Refuses the first wavelength of `--at` that a material has no index for.
+///
+/// # Errors
+/// [`Refusal::Usage`] with the wavelength, and the range that was expected.
+pub(super) fn every_has_an_index(at_nm: &[f64], material: &Material) -> Result<(), Refusal> {
+    let mut refused = at_nm.iter().filter_map(|nm| material.index(*nm).err());
+    match refused.next() {
+        Some(why) => Err(Refusal::Usage(format!("--at: {why}"))),
+        None => Ok(()),
+    }
+}
+
+/// Says why there is nothing to tell of.
+pub(super) fn note_no_lines(light: &Light, at_nm: &[f64], inputs: &mut Inputs) {
+    if light.spikes().is_empty() && at_nm.is_empty() {
+        inputs.note(format!(
+            "{}: its model has no lines, only a smooth band; --at NM tells of any wavelength",
+            light.name
+        ));
+    }
 }
 
 fn say_extrapolated(bench: &Bench, inputs: &mut Inputs) {

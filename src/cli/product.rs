@@ -9,7 +9,7 @@ use super::{
     options::ModelOptions,
     print,
     refusal::Refusal,
-    subject::{self, named_light},
+    subject::{self, named_light, no_power, with_power},
 };
 use crate::{
     app::{
@@ -21,7 +21,6 @@ use crate::{
             same_surface::{SameSurfaceSheet, check_json, check_text},
         },
         studies::reflectances,
-        ticks::short,
     },
     io::{quoted, shown},
     spectrum::{Factor, Kind},
@@ -79,7 +78,6 @@ pub(super) fn run(
             let app = about(light_name, *model, inputs)?;
             if let Some(outgoing) = check {
                 let outgoing = named_light("--check", outgoing, inputs)?;
-                inputs.note_sampling(*model, false);
                 return print(out, &of_check(&app, &chain, outgoing, *json));
             }
             let told = Told::of(&app, &ModelledLight::of(&app), &chain);
@@ -136,17 +134,11 @@ fn of_set(app: &App, group: &str, json: bool) -> String {
 fn about(word: &OsStr, model: ModelOptions, inputs: &mut Inputs) -> Result<App, Refusal> {
     let app = subject::about_light(named_light("LIGHT", word, inputs)?, model);
     inputs.note_centres(model);
-    let derived = app.derived();
-    if derived.has_errors() {
-        return Ok(app);
+    with_power(&app)?;
+    match app.derived().has_errors() {
+        true => Ok(app),
+        false => Err(no_power(&app)),
     }
-    Err(Refusal::File(format!(
-        "LIGHT: {}: found zero at every wavelength from {} to {} nm, expected a light (nothing \
-         times a factor is nothing)",
-        app.document().light.name(),
-        short(derived.band.min_nm()),
-        short(derived.band.max_nm())
-    )))
 }
 
 /// A factor with its thickness and times.

@@ -13,8 +13,7 @@ use super::{
     inputs::Inputs,
     print,
     refusal::Refusal,
-    subject,
-    sweep::{all_zero, say_unused},
+    subject::{self, no_power, with_power},
 };
 use crate::{
     app::{
@@ -53,17 +52,12 @@ pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> R
         (Some(input), None) => {
             let app = subject::app(input, pick, *model, inputs)?;
             let field = alone(&app)?;
+            with_power(&app)?;
             (app, field)
         }
         (None, Some(set)) => (subject::first_app(pick, *model)?, set_of(set, inputs)?),
         (None, None) => (subject::first_app(pick, *model)?, Field::Shipped),
     };
-    let every = [
-        ("--order", model.order.is_some()),
-        ("--basis", model.basis.is_some()),
-        ("--colour-exact", model.colour_exact),
-    ];
-    say_unused(*model, &every, inputs);
     let mut budgets = numbers.clone();
     budgets.sort_unstable();
     budgets.dedup();
@@ -74,7 +68,7 @@ pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> R
     let race = ask
         .answer(&Progress::default())
         .ok_or_else(|| match (input, set) {
-            (Some(_), _) => all_zero(&app),
+            (Some(_), _) => no_power(&app),
             (None, set) => Refusal::File(format!(
                 "{}: found no light but zeros from {} to {} nm, expected one to measure",
                 set.as_ref().map_or_else(

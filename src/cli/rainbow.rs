@@ -7,7 +7,7 @@ use super::{
     inputs::Inputs,
     material::material,
     print,
-    prism::{add_table, light_of},
+    prism::{add_table, every_has_an_index, light_of, note_no_lines},
     refusal::Refusal,
     subject::{self, named_light},
 };
@@ -33,7 +33,6 @@ pub(super) fn run(
     let light = match input {
         Some(input) => {
             let light = named_light("INPUT", input, inputs)?;
-            inputs.note_sampling(*model, false);
             inputs.note_centres(*model);
             Some(light_of(&subject::about_light(light, *model))?)
         }
@@ -42,14 +41,13 @@ pub(super) fn run(
                 "found no INPUT and no --at, expected one of them".to_owned(),
             ));
         }
-        None => {
-            if model.is_given() {
-                inputs.note("the model's options are not used: found no INPUT");
-            }
-            None
-        }
+        None => None,
     };
     let material = material(word, inputs)?;
+    every_has_an_index(at, &material)?;
+    if let Some(light) = &light {
+        note_no_lines(light, at, inputs);
+    }
     if *json {
         let json = rainbow_json(&material, light.as_ref(), at);
         print(out, &format!("{json:#}\n"))

@@ -7,6 +7,7 @@ use std::{
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
+use super::words;
 use crate::io::quoted;
 
 /// A command that was not carried out.
@@ -82,6 +83,13 @@ fn in_words(error: &clap::Error) -> String {
         },
         ErrorKind::InvalidValue if value.is_empty() => {
             format!("{name}: found no value, expected {option} (see --help)")
+        }
+        // "[ACT]" is called "ACT".
+        ErrorKind::InvalidValue => {
+            let known = context(ContextKind::ValidValue);
+            let known = words::listed(&known.split(", ").collect::<Vec<_>>());
+            let name = name.trim_matches(['[', ']', '<', '>']);
+            format!("{name}: {}", words::refused(&value, known))
         }
         ErrorKind::TooManyValues => format!("{name}: found {}, expected no value", quoted(&value)),
         ErrorKind::UnknownArgument => {

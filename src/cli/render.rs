@@ -6,6 +6,7 @@ use super::{
     Pictures,
     arguments::Render,
     inputs::Inputs,
+    options::PickOptions,
     painter, print,
     refusal::Refusal,
     subject,
@@ -46,6 +47,12 @@ pub(super) fn run(
         lesson,
     } = options;
     let pictures = painter(pictures, "render")?;
+    // A lesson brings its own light.
+    let nothing = PickOptions::default();
+    let (input, pick) = match lesson {
+        Some(_) => (&None, &nothing),
+        None => (input, pick),
+    };
     let target = Target {
         what: "--out",
         path,

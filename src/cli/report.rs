@@ -22,7 +22,9 @@ pub(super) fn run(
     } = options;
     let app = subject::app(input, pick, *model, inputs)?;
     // Only a light has patches.
-    inputs.note_sampling(*model, app.document().is_about_light());
+    if !app.document().is_about_light() {
+        inputs.note_sampling(*model);
+    }
     if *json {
         print(out, &format!("{:#}\n", report::json(&app)))
     } else {

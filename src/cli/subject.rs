@@ -12,6 +12,7 @@ use crate::{
     app::{
         App, Command, Document, Entry, Library, Opened, Subject,
         open::{self, Loaded, Wanted},
+        ticks::short,
         workspace::Restored,
     },
     io::shown,
@@ -88,6 +89,34 @@ pub(super) fn about_light(light: Entry, model: ModelOptions) -> App {
         document.show_as_given();
     }
     App::with_document(document)
+}
+
+/// Refuses what has no value above zero in the model's range: it shines on nothing.
+///
+/// # Errors
+/// [`Refusal::File`], as [`no_power`] has it.
+pub(super) fn with_power(app: &App) -> Result<(), Refusal> {
+    match app.derived().measured.iter().any(|value| *value > 0.0) {
+        true => Ok(()),
+        false => Err(no_power(app)),
+    }
+}
+
+/// The refusal of what there is nothing to compute with in the model's range.
+pub(super) fn no_power(app: &App) -> Refusal {
+    let derived = app.derived();
+    let has = |is: fn(&f64) -> bool| derived.measured.iter().any(is);
+    let found = match (has(|v| *v > 0.0), has(|v| *v < 0.0)) {
+        (false, false) => "nothing but zeros",
+        (false, true) => "nothing above zero",
+        (true, _) => "no value that is large enough to compute with",
+    };
+    Refusal::File(format!(
+        "{}: found {found} from {} to {} nm, expected values above zero",
+        app.document().subject_entry().name(),
+        short(derived.band.min_nm()),
+        short(derived.band.max_nm()),
+    ))
 }
 
 /// The state that the window starts with, under other settings.

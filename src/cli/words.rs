@@ -92,6 +92,19 @@ pub(super) fn page(word: &str) -> Result<Page, String> {
     Page::of_word(word).map_or_else(|| one_of(word, &all, Page::word), Ok)
 }
 
+/// What `--page` is about.
+pub(super) fn help_on_pages() -> String {
+    let all: Vec<&str> = Page::all().map(Page::word).collect();
+    let words = listed(&all);
+    format!("The page: {words}; names of earlier versions are known")
+}
+
+/// Names in a row: a, b or c.
+pub(super) fn listed(names: &[&str]) -> String {
+    let (last, others) = names.split_last().unwrap_or((&"nothing", &[]));
+    format!("{} or {last}", others.join(", "))
+}
+
 /// `--threshold`.
 pub(super) fn threshold(word: &str) -> Result<f64, String> {
     number(word, &THRESHOLDS_PERCENT, "percent")
@@ -267,8 +280,7 @@ pub(super) fn one_of<T: Copy>(
     let found = all.iter().copied().find(|value| name(*value) == word);
     found.ok_or_else(|| {
         let names: Vec<&str> = all.iter().map(|value| name(*value)).collect();
-        let (last, others) = names.split_last().unwrap_or((&"nothing", &[]));
-        refused(word, format_args!("{} or {last}", others.join(", ")))
+        refused(word, listed(&names))
     })
 }
 

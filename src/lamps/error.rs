@@ -60,6 +60,13 @@ pub enum EncodingError {
         /// The number.
         found: f64,
     },
+    /// Values too small for numbers that keep their digits in 32-bit words.
+    TooSmall {
+        /// The largest of them.
+        found: f64,
+        /// What the largest should be at least.
+        least: f64,
+    },
 }
 
 /// Ends of a band in words.
@@ -99,6 +106,11 @@ impl fmt::Display for EncodingError {
             Self::TooLarge { found } => {
                 write!(f, "expected numbers below 1e38, found {found:e}")
             }
+            Self::TooSmall { found, least } => write!(
+                f,
+                "expected values that reach {least:e}, as words hold no smaller ones, found {found:.2e} \
+                 at most (multiply them all)"
+            ),
         }
     }
 }

@@ -13,6 +13,10 @@ use super::{
 };
 use crate::spectrum::{Band, Basis};
 
+/// Least height of a light in words: an f32 loses its digits below 1e-38, and a light is made of
+/// numbers much smaller than itself.
+const LEAST_PEAK: f64 = 1e-36;
+
 /// An encoding as it is handed on: rounded to words, judged by what took no part in the choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Encoded {
@@ -37,6 +41,13 @@ pub fn judged(
     values: &[f64],
     encoding: &Encoding,
 ) -> Result<Encoded, EncodingError> {
+    let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    if largest > 0.0 && largest < LEAST_PEAK {
+        return Err(EncodingError::TooSmall {
+            found: largest,
+            least: LEAST_PEAK,
+        });
+    }
     let decoder = encoder.decoder();
     let encoding = rounded(encoding, decoder, judge.observer())?;
     let words = to_words(&encoding)?;

@@ -226,10 +226,10 @@ impl Material {
             return Err(IndexError::NotAWavelength { found_nm: at_nm });
         }
         let n = match &self.dispersion {
-            Dispersion::Sellmeier(terms) => self.by_terms(terms, at_nm)?,
+            Dispersion::Sellmeier(terms) => self.by_terms(terms, at_nm, 1.0)?,
             Dispersion::Absolute(terms) => {
                 let air = n_air(at_nm);
-                self.by_terms(terms, at_nm * air)? / air
+                self.by_terms(terms, at_nm, air)? / air
             }
             Dispersion::Cauchy { a, b } => a + b * 1e6 / (at_nm * at_nm),
             Dispersion::Table { curve, absolute } => {
@@ -254,14 +254,15 @@ impl Material {
         }
     }
 
-    fn by_terms(&self, terms: &[Term], nm: f64) -> Result<f64, IndexError> {
-        let um = nm / 1000.0;
+    /// The formula at a wavelength that is `air` times as long in what the terms count in.
+    fn by_terms(&self, terms: &[Term], at_nm: f64, air: f64) -> Result<f64, IndexError> {
+        let um = at_nm * air / 1000.0;
         let square = um * um;
         let (from, to) = resonances(terms);
         if square <= from || square >= to {
             return Err(IndexError::Resonance {
                 material: self.name.clone(),
-                found_nm: nm,
+                found_nm: at_nm,
                 from_nm: 1000.0 * from.sqrt(),
                 to_nm: 1000.0 * to.sqrt(),
             });
@@ -441,7 +442,7 @@ mod tests {
         let nm: Vec<f64> = (380..=800).map(f64::from).collect();
         let n: Vec<f64> = nm
             .iter()
-            .map(|nm| water.by_terms(terms, *nm).unwrap())
+            .map(|nm| water.by_terms(terms, *nm, 1.0).unwrap())
             .collect();
         let table = Sampled::new(nm, n).unwrap();
         let tabled = Material::from_table("water", "", &table, true).unwrap();

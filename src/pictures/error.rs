@@ -13,7 +13,7 @@ pub enum PictureError {
     NotRising { index: usize },
     /// No pixel has all of its bands.
     NothingMeasured,
-    /// Every measured value is zero.
+    /// Every measured value is zero, or nothing is above it.
     AllZero,
     /// The own light does not shine on the bands.
     NoOwnLight { light: String },
@@ -25,7 +25,7 @@ pub enum PictureError {
         first_nm: f64,
         last_nm: f64,
     },
-    /// A count of numbers a pixel that cannot be had.
+    /// A count of numbers, of a pixel or a spectrum, that cannot be had.
     Numbers { found: usize, most: usize },
     /// The bands do not tell the coefficients apart.
     NotSolved,
@@ -66,7 +66,7 @@ impl fmt::Display for PictureError {
             Self::NothingMeasured => {
                 f.write_str("expected a measured pixel, found none that has all of its bands")
             }
-            Self::AllZero => f.write_str("expected a picture, found only zeros"),
+            Self::AllZero => f.write_str("expected values above zero, found only zeros"),
             Self::NoOwnLight { light } => write!(
                 f,
                 "expected an own light that shines on the bands, found {light}, which is zero there"
@@ -85,7 +85,7 @@ impl fmt::Display for PictureError {
             ),
             Self::Numbers { found, most } => write!(
                 f,
-                "expected 3 to {most} numbers a pixel (fewer than bands), found {found}"
+                "expected 3 to {most} numbers, fewer than there are wavelengths, found {found}"
             ),
             Self::NotSolved => {
                 f.write_str("expected bands that tell the numbers apart, found some that do not")

@@ -950,6 +950,30 @@ fn a_sheet_is_one_page_and_of_lights_alone() {
 }
 
 #[test]
+fn a_lesson_is_rendered_without_what_it_does_not_use() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let (alone, beside) = (place("alone.png"), place("beside.png"));
+    said(&["render", "--lesson", "waves:2", "--out", &alone]);
+    let more = [
+        "CIE D65", "--page", "gem", "--order", "3", "--kind", "light",
+    ];
+    let told = tell(
+        &[
+            &["render", "--lesson", "waves:2", "--out", &beside],
+            &more[..],
+        ]
+        .concat(),
+    );
+    assert_eq!(told.outcome, Outcome::Done(0), "{}", told.err);
+    for option in ["INPUT", "--page", "--order", "--kind"] {
+        let words = format!("{option} is not used: a lesson brings its own light and page");
+        assert!(told.err.contains(&words), "{}", told.err);
+    }
+    assert_eq!(fs::read(&alone).unwrap(), fs::read(&beside).unwrap());
+}
+
+#[test]
 fn the_window_is_rendered_with_an_input_or_as_it_starts() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();

@@ -123,6 +123,26 @@ fn what_cannot_be_recovered_is_refused_in_one_line() {
         assert_eq!(found, code, "{more:?}: {err}");
         assert!(err.contains(part), "{more:?}: {err}");
     }
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let (table, cut, none) = (place("a.csv"), place("cut.png"), place("none.png"));
+    fs::write(&table, "380,1\n390,2\n").expect("a file");
+    fs::write(&cut, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0").expect("a file");
+    for (image, part) in [
+        (
+            &table,
+            "found a file of another kind, expected a PNG picture",
+        ),
+        (
+            &cut,
+            "found a damaged picture, expected a whole PNG picture",
+        ),
+        (&none, "found no such file"),
+    ] {
+        let (err, code) = refusal(&["recover", "--image", image, "--out", &place("x.exr")]);
+        assert_eq!(code, 1, "{err}");
+        assert!(err.contains(part), "{err}");
+    }
     assert!(refusal(&["recover"]).0.contains("found no --colour"));
     assert!(
         refusal(&["recover", "--colour", "red"])
@@ -161,6 +181,29 @@ fn a_mixture_meets_its_colour() {
         words.contains("gauss:540,30") && words.contains("DMX"),
         "{words}"
     );
+}
+
+#[test]
+fn a_mixture_says_what_was_met_of_what_was_asked() {
+    let channels = ["line:450", "gauss:540,30", "gauss:620,20"];
+    let mix = |more: &[&str]| {
+        let channels = channels.iter().flat_map(|spec| ["--channel", spec]);
+        let args: Vec<&str> = ["mix"].into_iter().chain(channels).collect();
+        let (code, out, err) = tell(&[&args[..], more].concat());
+        assert_eq!(code, 0, "{err}");
+        (out.lines().last().expect("a line").to_owned(), err)
+    };
+    let target = ["--target", "4000K"];
+    let floor = ["--floor", "ler=100"];
+    assert_eq!(mix(&target).0, "the colour is met");
+    assert_eq!(
+        mix(&[target, floor].concat()).0,
+        "colour and floors are met"
+    );
+    let (words, err) = mix(&floor);
+    assert_eq!(words, "the channels as they stand: no colour was asked for");
+    assert!(err.contains("--floor is not used"), "{err}");
+    assert!(!err.contains("--favour"), "{err}");
 }
 
 #[test]

@@ -107,6 +107,30 @@ fn what_cannot_be_encoded_is_refused_in_one_line() {
 }
 
 #[test]
+fn a_light_too_faint_for_words_is_refused_and_a_little_brighter_is_encoded() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("faint.csv");
+    let encode = |scale: f64| {
+        let value = |i: usize| scale * (1.0 + 0.01 * i as f64);
+        let rows = (0..81).map(|i| format!("{},{:e}\n", 380 + 5 * i, value(i)));
+        fs::write(&file, rows.collect::<String>()).expect("a file");
+        tell(&["encode", word(&file), "--json"])
+    };
+    for scale in [1e-50, 1e-300] {
+        let (code, out, err) = encode(scale);
+        assert_eq!((code, out.as_str()), (1, ""), "{err}");
+        assert!(err.contains("expected values that reach 1e-36"), "{err}");
+    }
+    let (code, out, err) = encode(1e-36);
+    assert_eq!(code, 0, "{err}");
+    let told: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    let off = told["error"]["relative_rms_10nm"]
+        .as_f64()
+        .expect("an error");
+    assert!(off < 0.01, "{off}");
+}
+
+#[test]
 fn what_is_no_encoding_is_refused_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("a.csv");

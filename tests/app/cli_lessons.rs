@@ -24,6 +24,16 @@ fn tell(args: &[&str]) -> (u8, String, String) {
 }
 
 #[test]
+fn another_act_is_answered_by_those_that_there_are() {
+    for args in [&["foo"][..], &["foo", "waves"]] {
+        let (code, out, err) = tell(args);
+        assert_eq!((code, out.as_str()), (2, ""));
+        let line = "ACT: found \"foo\", expected check or handout\n";
+        assert!(err.ends_with(line), "{err}");
+    }
+}
+
+#[test]
 fn twelve_lessons_are_listed_with_minutes_audience_and_steps() {
     let (code, words, _) = tell(&[]);
     assert_eq!((code, words.lines().count()), (0, 12));

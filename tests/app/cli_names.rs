@@ -61,7 +61,15 @@ fn a_search_lists_the_best_first_with_what_it_is() {
         text.lines().all(|line| line.contains("  light   ")),
         "{text}"
     );
-    assert_eq!(said(&["list", "--search", "qqqqqqqq"]), "");
+    let (outcome, out, err) = tell(&["list", "--search", "qqqqqqqq"]);
+    assert_eq!((outcome, out.as_str()), (Outcome::Done(0), ""));
+    let line = "no spectrum in the library is called \"qqqqqqqq\"\n";
+    assert!(err.ends_with(line), "{err}");
+    let (_, _, err) = tell(&["list", "--kind", "absorbance"]);
+    assert!(
+        err.ends_with("no absorbance spectrum is in the library\n"),
+        "{err}"
+    );
     assert_eq!(
         json(&["list", "--search", "qqqqqqqq", "--json"]),
         serde_json::json!([])

@@ -75,6 +75,80 @@ fn a_bow_needs_no_light_and_stands_where_it_is_known_to() {
 }
 
 #[test]
+fn a_wavelength_without_an_index_is_refused_by_the_number_that_was_typed() {
+    for (args, part) in [
+        (
+            &["rainbow", "--at", "500,99999"][..],
+            "170.0 to 3271 nm, found 99999 nm",
+        ),
+        (&["rainbow", "FL2", "--at", "-5"], "above 0 nm, found -5 nm"),
+        (
+            &["prism", "FL2", "--at", "1e9"],
+            "262.1 to 12459 nm, found 1000000000 nm",
+        ),
+        (
+            &["prism", "FL2", "--at", "500", "--at", "-5", "--json"],
+            "above 0 nm, found -5 nm",
+        ),
+        (&["prism", "FL2", "--at", "-5", "--csv"], "found -5 nm"),
+    ] {
+        let (err, code) = refusal(args);
+        assert_eq!(code, 2, "{args:?}");
+        assert!(err.contains("--at: ") && err.contains(part), "{err}");
+    }
+}
+
+#[test]
+fn a_light_without_lines_has_a_word_beside_its_empty_table() {
+    let words = "has no lines, only a smooth band";
+    for args in [
+        &["prism", "CIE A"][..],
+        &["prism", "CIE A", "--csv"],
+        &["rainbow", "CIE A", "--json"],
+        &["prism", "FL2", "--no-spikes"],
+    ] {
+        let (code, _, err) = tell(args);
+        assert_eq!(code, 0, "{err}");
+        assert!(err.contains(words), "{args:?}: {err}");
+    }
+    for args in [&["prism", "FL2"][..], &["rainbow", "CIE A", "--at", "500"]] {
+        let (_, _, err) = tell(args);
+        assert!(!err.contains(words), "{args:?}: {err}");
+    }
+}
+
+#[test]
+fn a_light_of_nothing_above_zero_is_refused_everywhere_in_the_same_words() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (value, found) in [("-0.5", "nothing above zero"), ("0", "nothing but zeros")] {
+        let rows: String = (0..81)
+            .map(|i| format!("{},{value}\n", 380 + 5 * i))
+            .collect();
+        let file = folder.path().join("dark.csv");
+        fs::write(&file, rows).expect("a file");
+        let dark = word(&file);
+        let line = format!("dark: found {found} from 380 to 780 nm, expected values above zero\n");
+        for args in [
+            &["prism", dark][..],
+            &["rainbow", dark],
+            &["gem", "--light", dark],
+            &["product", dark, "red"],
+            &["sweep", dark],
+            &["auction", dark, "--goal", "own", "--numbers", "5"],
+            &["race", dark, "--numbers", "5"],
+        ] {
+            let (err, code) = refusal(args);
+            assert_eq!(code, 1, "{args:?}");
+            assert!(err.ends_with(&line), "{args:?}: {err}");
+        }
+        let (code, report, _) = tell(&["report", dark]);
+        assert_eq!(code, 0);
+        let said = report.contains("81 of 81 values in the range are below zero");
+        assert_eq!(said, value != "0", "{report}");
+    }
+}
+
+#[test]
 fn a_material_is_a_word_two_numbers_or_a_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("glass.yml");
@@ -286,7 +360,7 @@ fn a_gem_of_a_colour_takes_light_away() {
 fn what_changes_nothing_is_said() {
     let (_, _, err) = told_of_gem(&["--wavelength", "589.3", "--order", "3", "--stops", "1"]);
     assert!(err.contains("--stops is not used"), "{err}");
-    assert!(err.contains("the model's options are not used"), "{err}");
+    assert!(err.contains("--order is not used"), "{err}");
     let (_, _, err) = told_of_gem(&["--seen", "camera"]);
     assert!(err.contains("--seen is not used"), "{err}");
 }

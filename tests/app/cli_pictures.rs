@@ -378,6 +378,20 @@ fn a_table_becomes_a_row_of_numbers_for_each_spectrum() {
     let (err, code) = refusal(&["fit", word(&table)]);
     assert_eq!(code, 2);
     assert!(err.contains("found no --out"), "{err}");
+    // A table has no pixels, and no picture either.
+    let out = folder.path().join("none.csv");
+    let (err, code) = refusal(&["fit", word(&table), "--numbers", "2", "--out", word(&out)]);
+    assert_eq!(code, 2);
+    let words = "--numbers: expected 3 to 400 numbers, fewer than there are wavelengths, found 2\n";
+    assert!(err.ends_with(words), "{err}");
+    fs::write(&table, "nm,one\n400,0\n410,0\n420,0\n430,0\n440,0\n").expect("a table");
+    let args = ["fit", word(&table), "--numbers", "3", "--out", word(&out)];
+    let (err, code) = refusal(&args);
+    assert_eq!(code, 1);
+    assert!(
+        err.ends_with("expected values above zero, found only zeros\n"),
+        "{err}"
+    );
 }
 
 #[test]

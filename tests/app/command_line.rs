@@ -156,8 +156,13 @@ fn every_page_can_be_named() {
         .iter()
         .find(|row| option(row).as_deref() == Some("--page"));
     let words = row.expect("a row about --page")[2];
+    let help = help("render");
+    let help: Vec<&str> = help.split_whitespace().collect();
+    let (_, help) = help.split_at(help.iter().position(|w| *w == "--page").expect("--page"));
     for word in Page::all().map(Page::word) {
         assert!(words.contains(word), "{word}");
+        let told = help.iter().any(|w| w.trim_matches([',', ';']) == word);
+        assert!(told, "the help does not tell {word}");
     }
 }
 
@@ -450,17 +455,30 @@ fn the_keys_of_an_encoding_are_told() {
 
 #[test]
 fn the_keys_of_prism_and_rainbow_are_told() {
-    // N-SF11 has no index at 100 nm, and reflects the shortest under so flat an incidence.
-    let far = ["--at", "100,300,900", "--json"];
+    // Two of FL2's spikes are at shorter wavelengths than this glass has an index for.
+    let folder = tempfile::tempdir().expect("a folder");
+    let glass = folder.path().join("glass.yml");
+    let rows = "        0.5 1.60\n        0.6 1.59\n        0.7 1.58\n        0.8 1.57\n";
+    let text = format!("REFERENCES: a table\nDATA:\n  - type: tabulated n\n    data: |\n{rows}");
+    fs::write(&glass, text).expect("a file");
+    let of_glass = [
+        "FL2",
+        "--material",
+        glass.to_str().expect("UTF-8"),
+        "--json",
+    ];
+    let [prism, rainbow] = ["prism", "rainbow"].map(|name| [&[name][..], &of_glass].concat());
+    // N-SF11 reflects the shortest under so flat an incidence.
+    let far = ["--at", "300,900", "--json"];
     let flat: Vec<&str> = ["prism", "FL2", "--incidence", "54"]
         .into_iter()
         .chain(far)
         .collect();
-    holds("prism --json", &[&["prism", "FL2", "--json"], &flat]);
     holds(
-        "rainbow --json",
-        &[&["rainbow", "FL2", "--at", "100", "--json"]],
+        "prism --json",
+        &[&["prism", "FL2", "--json"], &flat, &prism],
     );
+    holds("rainbow --json", &[&rainbow]);
 }
 
 #[test]

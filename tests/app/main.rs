@@ -21,6 +21,7 @@ mod cli_names;
 mod cli_optics;
 mod cli_pictures;
 mod cli_studies;
+mod cli_unused;
 mod cli_wide_lines;
 mod command_line;
 mod commands;

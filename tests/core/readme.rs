@@ -6,7 +6,10 @@ use crate::{
     docs::{document, quoted, rows},
     root::root,
 };
-use spectral_explorer::app::{Library, pages::Place};
+use spectral_explorer::{
+    app::{Library, pages::Place},
+    spectrum::Kind,
+};
 
 /// Most lines of a front door.
 const MOST_LINES: usize = 200;
@@ -78,6 +81,15 @@ fn the_shipped_spectra_are_counted_right() {
         let words = format!("{count} shipped spectra");
         assert!(document(path).contains(&words), "{path}: not {words}");
     }
+    // What `list` prints unasked: all that is a light or a share of light, made by rule or not.
+    let all = || Library::bundled().everything();
+    let made = all().count() - Library::bundled().presets().count();
+    let listed = all().filter(|p| p.kind == Kind::Light || p.kind.is_factor());
+    let words = format!(
+        "{made} that the program makes by rule (`list` prints {} of these",
+        listed.count()
+    );
+    assert!(readme().contains(&words), "README.md: not {words}");
 }
 
 #[test]

@@ -326,10 +326,13 @@ impl<'a> Mixer<'a> {
         );
         let met = wish.target.is_none() || distance.is_some_and(|d| d < 1e-6);
         if why.is_empty() {
-            why = if missing.is_empty() {
-                "colour and floors are met".to_owned()
-            } else {
-                format!("the best found has {}", missing.join(", "))
+            let has_floors = wish.floors != Floors::default();
+            why = match (wish.target.is_some(), has_floors) {
+                _ if !missing.is_empty() => format!("the best found has {}", missing.join(", ")),
+                (true, true) => "colour and floors are met".to_owned(),
+                (true, false) => "the colour is met".to_owned(),
+                (false, true) => "the floors are met".to_owned(),
+                (false, false) => "the channels as they stand: no colour was asked for".to_owned(),
             };
         }
         Solution {

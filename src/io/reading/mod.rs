@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::io::error::printable_line;
 use crate::io::text::units::WavelengthUnit;
-use crate::io::{Choices, Dialect};
+use crate::io::{Choices, Delimiter, Dialect};
 use crate::spectrum::{Composite, Kind, NamedSpectrum, Sampled, SpectralImage};
 use decision::{AxisDecision, Decisions, Origin};
 use facts::Facts;
@@ -210,10 +210,20 @@ impl Reading {
             let note = "the unit chosen for the wavelengths is not used: the format has its own";
             self.notes.push(note.to_owned());
         }
-        let of_cells = choices.axis_column.is_some() || choices.delimiter.is_some();
-        if of_cells && self.table.is_none() {
-            let note = "the column or delimiter that was chosen is not used: no plain table";
-            self.notes.push(note.to_owned());
+        if self.table.is_some() {
+            return;
+        }
+        // A text of another format may be cut into cells all the same, and says so.
+        let is_cut = |by: &Delimiter| self.notes.iter().any(|note| note.starts_with(by.cells()));
+        let delimiter = choices.delimiter.filter(|by| !is_cut(by));
+        for (what, is_unused) in [
+            ("column", choices.axis_column.is_some()),
+            ("delimiter", delimiter.is_some()),
+        ] {
+            if is_unused {
+                let note = format!("the {what} that was chosen is not used: no plain table");
+                self.notes.push(note);
+            }
         }
     }
 

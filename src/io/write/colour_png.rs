@@ -1,6 +1,18 @@
 //! Pictures of colours: PNG files as red, green and blue of each pixel.
 
-use std::{fs::File, io::BufReader, path::Path};
+use std::{
+    fs::File,
+    io::{BufRead, BufReader},
+    path::Path,
+};
+
+use crate::io::why_unopened;
+
+/// What every PNG file begins with.
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// What is said of a picture that memory does not hold.
+const TOO_LARGE: &str = "found a picture too large for memory, expected a smaller one";
 
 /// A picture of colours.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,11 +38,20 @@ impl ColourPng {
     /// # Errors
     /// What was found and what was expected.
     pub fn read(path: &Path, most_pixels: usize) -> Result<Self, String> {
-        let file =
-            File::open(path).map_err(|why| format!("found {}, expected a file", why.kind()))?;
-        let mut decoder = png::Decoder::new(BufReader::new(file));
+        let unopened = |why| {
+            let (found, expected) = why_unopened(path, &why);
+            format!("found {found}, expected {expected}")
+        };
+        let mut file = BufReader::new(File::open(path).map_err(unopened)?);
+        if !file.fill_buf().map_err(unopened)?.starts_with(SIGNATURE) {
+            return Err("found a file of another kind, expected a PNG picture".to_owned());
+        }
+        let mut decoder = png::Decoder::new(file);
         decoder.set_transformations(png::Transformations::EXPAND);
-        let refused = |why: png::DecodingError| format!("found {why}, expected a PNG picture");
+        let refused = |why: png::DecodingError| match why {
+            png::DecodingError::LimitsExceeded => TOO_LARGE.to_owned(),
+            _ => "found a damaged picture, expected a whole PNG picture".to_owned(),
+        };
         let mut reader = decoder.read_info().map_err(refused)?;
         let info = reader.info();
         let size = [info.width as usize, info.height as usize];
@@ -41,7 +62,7 @@ impl ColourPng {
             ));
         }
         let bytes = reader.output_buffer_size();
-        let bytes = bytes.ok_or("found a picture too large for memory, expected a smaller one")?;
+        let bytes = bytes.ok_or(TOO_LARGE)?;
         let mut data = vec![0; bytes];
         let frame = reader.next_frame(&mut data).map_err(refused)?;
         data.truncate(frame.buffer_size());
