@@ -34,7 +34,9 @@ pub(super) fn run(
     inputs.note_centres(options.model);
     let light = light_of(&app)?;
     let material = material(&options.material, inputs)?;
-    every_has_an_index(&options.at, &material)?;
+    if !options.json {
+        every_has_an_index(&options.at, &material)?;
+    }
     note_no_lines(&light, &options.at, inputs);
     let absorption = absorption_of(options.filter.as_ref(), options.thickness, inputs)?;
     let settings = BenchSettings {

@@ -86,16 +86,18 @@ fn a_wavelength_without_an_index_is_refused_by_the_number_that_was_typed() {
             &["prism", "FL2", "--at", "1e9"],
             "262.1 to 12459 nm, found 1000000000 nm",
         ),
-        (
-            &["prism", "FL2", "--at", "500", "--at", "-5", "--json"],
-            "above 0 nm, found -5 nm",
-        ),
         (&["prism", "FL2", "--at", "-5", "--csv"], "found -5 nm"),
     ] {
         let (err, code) = refusal(args);
         assert_eq!(code, 2, "{args:?}");
         assert!(err.contains("--at: ") && err.contains(part), "{err}");
     }
+    let (code, json, _) = tell(&["rainbow", "--at", "500,99999", "--json"]);
+    let json: Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(
+        (code, json["refused"][0]["nm"].as_f64()),
+        (0, Some(99999.0))
+    );
 }
 
 #[test]

@@ -40,11 +40,15 @@ pub struct Ways {
     counts: Vec<Won>,
 }
 
-/// Whole per cent, rounded down so that 100 means all.
+/// Per cent with one decimal; what is not all is 99.9 at most.
 fn per_cent(won: usize, of: usize) -> String {
-    (100 * won)
-        .checked_div(of)
-        .map_or_else(|| "–".to_owned(), |share| format!("{share} %"))
+    if won == of && of > 0 {
+        return "100 %".to_owned();
+    }
+    (1000 * won + of / 2).checked_div(of).map_or_else(
+        || "–".to_owned(),
+        |tenths| format!("{:.1} %", tenths.min(999) as f64 / 10.0),
+    )
 }
 
 impl Ways {
@@ -220,7 +224,8 @@ mod tests {
 
     #[test]
     fn all_but_one_cell_is_not_hundred_per_cent() {
-        assert_eq!(per_cent(143, 144), "99 %");
+        assert_eq!(per_cent(211, 216), "97.7 %");
+        assert_eq!(per_cent(9996, 10_000), "99.9 %");
         assert_eq!(per_cent(144, 144), "100 %");
         assert_eq!(per_cent(0, 0), "–");
     }
