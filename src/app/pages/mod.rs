@@ -1,6 +1,7 @@
 //! The places of the window and the pages in them: one row a page.
 
 mod memory;
+mod place;
 
 use serde::{Deserialize, Serialize};
 
@@ -8,76 +9,7 @@ pub use memory::{
     AskedLesson, FieldChoice, LIMITS, ManyMemory, PageMemory, RACE_BUDGETS, SHARES_PERCENT,
     SPENDABLE, WaysShown, WordsMemory,
 };
-
-/// A place of the window: what a person asks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// Show me.
-    Learn,
-    /// What is in this light?
-    Look,
-    /// What does it do behind glass and off surfaces?
-    Through,
-    /// Is it a good light?
-    Quality,
-    /// Can I make one?
-    Design,
-    /// How few numbers will do?
-    Numbers,
-    /// And in a picture?
-    Picture,
-}
-
-impl Place {
-    /// Every place that has a page, from the top of the rail down.
-    pub const ALL: [Self; 7] = [
-        Self::Learn,
-        Self::Look,
-        Self::Through,
-        Self::Quality,
-        Self::Design,
-        Self::Numbers,
-        Self::Picture,
-    ];
-
-    /// Its name.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Learn => "Learn",
-            Self::Look => "Look",
-            Self::Through => "Through",
-            Self::Quality => "Quality",
-            Self::Design => "Design",
-            Self::Numbers => "Numbers",
-            Self::Picture => "Picture",
-        }
-    }
-
-    /// What is asked there.
-    pub fn asks(self) -> &'static str {
-        match self {
-            Self::Learn => "Show me",
-            Self::Look => "What is in this light?",
-            Self::Through => "What does it do behind glass and off surfaces?",
-            Self::Quality => "Is it a good light?",
-            Self::Design => "Can I make one?",
-            Self::Numbers => "How few numbers will do?",
-            Self::Picture => "And in a picture?",
-        }
-    }
-
-    /// The page that it opens with.
-    pub fn first(self) -> Page {
-        let mut pages = ROWS.iter().filter(|row| row.place == self);
-        pages.next().map_or(Page::Spectrum, |row| row.page)
-    }
-
-    /// The tabs of the place.
-    pub fn tabs(self) -> impl Iterator<Item = Page> {
-        let is_tab = move |row: &&Row| row.place == self && row.tab == row.page;
-        ROWS.iter().filter(is_tab).map(|row| row.page)
-    }
-}
+pub use place::Place;
 
 /// A page of the window: they all show the same document.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

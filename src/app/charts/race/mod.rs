@@ -74,8 +74,14 @@ pub fn looks(racer: Racer, inks: Inks) -> (Rgb, Dash, Shape) {
                 (inks.product, Shape::Triangle),
                 (inks.overlays[3], Shape::Ring),
             ];
-            let (ink, shape) = by_place[family as usize % by_place.len()];
-            (ink, Dash::Dotted, shape)
+            // A family beyond these has the marks of an earlier one and lines of its own.
+            let (round, place) = (
+                family as usize / by_place.len(),
+                family as usize % by_place.len(),
+            );
+            let dash = [Dash::Dotted, Dash::Dashed][round.min(1)];
+            let (ink, shape) = by_place[place];
+            (ink, dash, shape)
         }
         Racer::Chosen => (inks.measured, Dash::Solid, Shape::Cross),
     }
