@@ -79,7 +79,7 @@ pub use line_names::{LineName, spike_under};
 pub use made::is_made;
 pub use memo::{ByAddress, Memo};
 pub use opened::{ImageEntry, Opened};
-pub use quality::{ByOrder, QualityShown, settled_words};
+pub use quality::{ByOrder, QualityShown, coarse_words, settled_words};
 pub use recipe::{Gel, Given, Recipe, Times};
 pub use scale::Scale;
 pub use settings::{

@@ -8,11 +8,12 @@ use super::{
     quality_report::{ModelsByOrder, Row, Sheet, light_of, rows},
     state::{App, derived_of},
     tables::Tables,
+    ticks::short,
 };
 use crate::{
     app::Derived,
     color::quality::{Figures, Light, NoFigure, diagram::quadrangle_of},
-    spectrum::Kind,
+    spectrum::{Kind, NamedSpectrum},
     study::{
         Progress,
         quality::{Chosen, OrderFigures, figures_against_order},
@@ -71,7 +72,10 @@ impl QualityShown {
             .collect();
         let others = beside.iter().map(|entry| entry.name().to_owned()).collect();
         Self {
-            sentence: sentence(&sheet),
+            sentence: match coarse_words(&document.light.spectrum) {
+                Some(words) => format!("{} {words}", sentence(&sheet)),
+                None => sentence(&sheet),
+            },
             place: place(&sheet),
             rendition: rendition(&sheet),
             rows,
@@ -108,6 +112,17 @@ fn of_light(app: &App) -> (Document, Arc<Derived>, Arc<Tables>) {
 /// "FL2 has no ...: why", for sentences that need a figure.
 fn without(name: &str, what: &str, why: &NoFigure) -> String {
     format!("{name} has no {what}: {why}.")
+}
+
+/// What is to be said of a table that is too coarse for figures of quality: their standards
+/// (CIE 13.3, ANSI/IES TM-30) ask for steps of 5 nm at most.
+pub fn coarse_words(spectrum: &NamedSpectrum) -> Option<String> {
+    const MOST_NM: f64 = 5.5;
+    let step_nm = spectrum.samples.step_nm();
+    (step_nm > MOST_NM).then(|| {
+        let step = short(step_nm);
+        format!("Its table has steps of {step} nm, where these figures want 5 nm or less.")
+    })
 }
 
 fn sentence(sheet: &Sheet) -> String {
@@ -238,6 +253,18 @@ pub fn settled_words(found: &OrderFigures) -> String {
 mod tests {
     use super::*;
     use crate::app::Command;
+    use crate::spectrum::Sampled;
+
+    #[test]
+    fn a_coarse_table_is_said_to_be_one() {
+        let light = |step_nm: f64| NamedSpectrum {
+            samples: Sampled::even(400.0, step_nm, vec![1.0, 2.0]).expect("two points"),
+            ..App::new().document().light.spectrum.clone()
+        };
+        assert_eq!(coarse_words(&light(5.0)), None);
+        let said = coarse_words(&light(300.0)).expect("words");
+        assert!(said.contains("steps of 300 nm"), "{said}");
+    }
 
     #[test]
     fn the_sentence_has_the_figures_of_the_sheet() {

@@ -19,7 +19,10 @@ use super::{
     refusal::Refusal,
 };
 use crate::{
-    app::quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
+    app::{
+        coarse_words,
+        quality_report::{Modeller, Sheet, csv_head, csv_line, full_json, json, text},
+    },
     study::{Progress, in_parallel, processors},
 };
 
@@ -43,6 +46,12 @@ pub(super) fn run(
     let mut asked = Asked::of(words, *model, inputs);
     let is_one = words.len() == 1 && asked.lights.len() == 1 && !asked.has_folder;
     if !asked.lights.is_empty() {
+        for asked in &asked.lights {
+            let light = asked.of.light();
+            if let Some(words) = coarse_words(&light.spectrum) {
+                inputs.note(format!("{}: {words}", light.name()));
+            }
+        }
         let sheets = sheets(&asked.lights, *model, is_one, inputs);
         let of_json = |sheet: &Sheet| {
             let of = if *full { full_json } else { json };
