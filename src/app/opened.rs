@@ -8,7 +8,7 @@ use std::{
 use super::origin::FromFile;
 
 use crate::{
-    io::{Choices, Decisions, Guess, Guessed, MakersResult, TableFound},
+    io::{Choices, Decisions, Guessed, MakersResult, OpenQuestion, TableFound},
     spectrum::{Composite, NamedSpectrum, SpectralImage},
 };
 
@@ -42,7 +42,7 @@ pub struct Opened {
     /// Whether one of its lights counts photons, in the file.
     pub photons: bool,
     /// What had to be guessed.
-    pub guesses: Vec<Guess>,
+    pub guesses: Vec<OpenQuestion>,
     /// What a person decided about it.
     pub choices: Choices,
 }
@@ -75,14 +75,14 @@ impl Opened {
 
     /// Whether a person should look at how it was read.
     pub fn is_doubtful(&self) -> bool {
-        self.guesses.iter().any(Guess::is_doubtful)
+        self.guesses.iter().any(OpenQuestion::is_doubtful)
             || self.images_understood.iter().any(Decisions::is_doubtful)
     }
 
     /// Which of its spectra are of a kind that is doubtful.
     pub fn doubtful_kinds(&self) -> Vec<bool> {
         let mut all = vec![false; self.spectra.len()];
-        let of_kind = |guess: &&Guess| guess.what == Guessed::Kind && guess.is_doubtful();
+        let of_kind = |guess: &&OpenQuestion| guess.what == Guessed::Kind && guess.is_doubtful();
         for guess in self.guesses.iter().filter(of_kind) {
             if let Some(doubtful) = all.get_mut(guess.spectrum) {
                 *doubtful = true;

@@ -48,7 +48,7 @@ pub use interpret::describe::MOST_UNDERSTOOD;
 pub use provenance::{Column, Columns, Provenance, one_line, shortest};
 pub use reading::decision::{AxisDecision, Decision, Decisions, Origin};
 pub use reading::makers_results::{MakersResult, Quantity};
-pub use reading::{CompositeFile, Guess, Guessed, Reading, TableFound};
+pub use reading::{CompositeFile, Guessed, OpenQuestion, Reading, TableFound};
 pub use table::scan::MOST_CELLS;
 pub use text::dialect::{Delimiter, Dialect, MOST_COLUMNS, used};
 pub use text::number::ABSURD;

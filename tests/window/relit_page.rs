@@ -92,7 +92,7 @@ fn what_stands_for_every_pixel_can_be_chosen_by_hand() {
     click(&mut ui, names::KEPT);
     click(&mut ui, "Nothing");
     assert_eq!(wish(&ui).reference, Some(ReferenceKind::One));
-    click(&mut ui, names::BY_HAND);
+    click(&mut ui, names::HAND);
     let WishedLines::At(before) = wish(&ui).lines else {
         panic!("a list of lines: {:?}", wish(&ui).lines);
     };

@@ -218,7 +218,7 @@ mod tests {
         let (order, count) = wanted.order(&many).expect("smooth lights need few");
         let told = sentence(&many, wanted);
         assert!(
-            told.contains(&format!("order {order} is enough for 95 %")),
+            told.contains(&format!("order {order} is enough for at least 95 %")),
             "{told}"
         );
         let rows = rows(&many, wanted, 7);

@@ -4,8 +4,8 @@ use super::{Flip, first_rows::MOST_COLUMNS};
 use crate::{
     app::opened::Opened,
     io::{
-        AxisDecision, Choices, Counted, Decision, Decisions, Delimiter, Guess, Guessed,
-        MOST_UNDERSTOOD, Origin, TableFound, WavelengthUnit, envi,
+        AxisDecision, Choices, Counted, Decision, Decisions, Delimiter, Guessed, MOST_UNDERSTOOD,
+        OpenQuestion, Origin, TableFound, WavelengthUnit, envi,
     },
     spectrum::Kind,
 };
@@ -178,7 +178,7 @@ fn kind_question(
     };
     let doubtful = match understood {
         Some(understood) => understood.kind.is_doubtful(),
-        None => guess.is_some_and(Guess::is_doubtful),
+        None => guess.is_some_and(OpenQuestion::is_doubtful),
     };
     let mut kinds = KINDS.to_vec();
     if !kinds.contains(&one.kind) {

@@ -11,7 +11,7 @@ use crate::{
         cells::{line, words},
         opened::Opened,
     },
-    io::{Guess, Guessed, many::many, shown},
+    io::{Guessed, OpenQuestion, many::many, shown},
 };
 
 /// Formats that the headline tells by name.
@@ -201,7 +201,7 @@ fn read(opened: &Opened) -> Outcome {
 }
 
 /// Doubtful guesses in words, each once however many spectra share it.
-fn doubts(guesses: &[Guess]) -> Vec<String> {
+fn doubts(guesses: &[OpenQuestion]) -> Vec<String> {
     // Guesses for one reason in one phrase, whatever numbers of each spectrum stand behind it.
     let mut all: Vec<(&str, Vec<String>, &str, &str)> = Vec::new();
     for guess in guesses.iter().filter(|guess| guess.is_doubtful()) {

@@ -173,7 +173,7 @@ mod tests {
     fn fewer_titles_than_cells_are_doubtful() {
         let reading = read("nm,lamp (W/m2/nm)\n380,0,10\n390,0,20\n400,0,15\n");
         assert!(reading.is_doubtful());
-        let columns = |guess: &crate::io::Guess| guess.what == Guessed::Columns;
+        let columns = |guess: &crate::io::OpenQuestion| guess.what == Guessed::Columns;
         assert!(reading.guesses.iter().any(columns), "{:?}", reading.guesses);
         let whole = read("nm,a (W/m2/nm),b\n380,0,10\n390,0,20\n400,0,15\n");
         assert!(!whole.guesses.iter().any(columns));

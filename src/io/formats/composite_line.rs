@@ -20,7 +20,7 @@ use super::{Confidence, Format};
 use crate::io::error::quoted;
 use crate::io::provenance::shortest;
 use crate::io::text::number::number;
-use crate::io::{CompositeFile, Guess, Guessed, Input, ReadError, Reading};
+use crate::io::{CompositeFile, Guessed, Input, OpenQuestion, ReadError, Reading};
 
 /// First field of the line: the format and its version, of ideal spikes and of lines that have a
 /// width.
@@ -80,7 +80,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             name: input.stem().to_owned(),
             kind: Kind::Light,
         }],
-        guesses: vec![Guess {
+        guesses: vec![OpenQuestion {
             spectrum: 0,
             what: Guessed::Kind,
             chosen: Kind::Light.word().to_owned(),

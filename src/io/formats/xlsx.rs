@@ -18,7 +18,7 @@ use crate::io::decode::guarded::guarded;
 use crate::io::table::read::read_tables;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::number;
-use crate::io::{Choices, Guess, Input, ReadError, Reading, budget};
+use crate::io::{Choices, Input, OpenQuestion, ReadError, Reading, budget};
 
 /// Excel workbooks.
 pub(crate) const FORMAT: Format = Format {
@@ -153,7 +153,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                 }
                 reading
                     .guesses
-                    .extend(one.guesses.into_iter().map(|guess| Guess {
+                    .extend(one.guesses.into_iter().map(|guess| OpenQuestion {
                         spectrum: guess.spectrum + first,
                         ..guess
                     }));

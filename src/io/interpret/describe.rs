@@ -6,7 +6,7 @@ use crate::io::choices::Counted;
 use crate::io::reading::decision::{AxisDecision, Decision};
 use crate::io::reading::facts::Facts;
 use crate::io::reading::remark::{Remark, unit_words};
-use crate::io::reading::{Guess, Guessed, provenance};
+use crate::io::reading::{Guessed, OpenQuestion, provenance};
 use crate::io::{Choices, Reading};
 use crate::spectrum::NamedSpectrum;
 
@@ -75,8 +75,8 @@ fn tell(spectrum: &mut NamedSpectrum, facts: Facts) -> String {
 }
 
 /// What had to be guessed of a spectrum.
-fn guesses_of(facts: &Facts, spectrum: usize) -> impl Iterator<Item = Guess> {
-    let guess = |what, chosen: String, reason: &str, plain| Guess {
+fn guesses_of(facts: &Facts, spectrum: usize) -> impl Iterator<Item = OpenQuestion> {
+    let guess = |what, chosen: String, reason: &str, plain| OpenQuestion {
         spectrum,
         what,
         chosen,

@@ -28,9 +28,9 @@ pub enum Guessed {
     Columns,
 }
 
-/// One guess: what was chosen and why.
+/// What a file leaves open of a spectrum: what was taken, and why.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Guess {
+pub struct OpenQuestion {
     /// Index into [`Reading::spectra`], counted on through [`Reading::composites`].
     pub spectrum: usize,
     /// What was guessed.
@@ -58,7 +58,7 @@ pub struct TableFound {
     pub values: Vec<usize>,
 }
 
-impl Guess {
+impl OpenQuestion {
     /// Whether a person should look: the kind and per cent can hardly be told from numbers, and
     /// anything but nanometres is rare enough to ask.
     pub fn is_doubtful(&self) -> bool {
@@ -109,7 +109,7 @@ pub struct Reading {
     /// Images whose pixels are spectra.
     pub images: Vec<SpectralImage>,
     /// What had to be guessed of its spectra.
-    pub guesses: Vec<Guess>,
+    pub guesses: Vec<OpenQuestion>,
     /// What is known of each spectrum until all is put in words; empty afterwards.
     pub facts: Vec<Facts>,
     /// What stands in front of the first spectrum's line of provenance in the file's own notes.
@@ -122,7 +122,7 @@ pub struct Reading {
 impl Reading {
     /// Whether a person should look at how the file was read.
     pub fn is_doubtful(&self) -> bool {
-        self.guesses.iter().any(Guess::is_doubtful)
+        self.guesses.iter().any(OpenQuestion::is_doubtful)
             || self.images_understood.iter().any(Decisions::is_doubtful)
     }
 

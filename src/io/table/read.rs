@@ -3,7 +3,7 @@
 //! [`pick`] finds delimiter and decimal mark, [`block`](super::block) the blocks of numbers,
 //! [`titles`](super::titles) and [`layout`](super::layout) where the wavelengths are,
 //! [`roles`] which columns are spectra, and [`interpret`](crate::io::interpret::interpret()) what
-//! the values stand for. Each decision is a note, each guess a [`Guess`].
+//! the values stand for. Each decision is a note, each guess an [`OpenQuestion`].
 
 use super::block::{BadCell, Block, most_left_out};
 use super::columns::{File, read_groups};
@@ -15,7 +15,7 @@ use super::{alternating, no_table};
 use crate::io::interpret::check_room;
 use crate::io::reading::TableFound;
 use crate::io::text::dialect::{Delimiter, Dialect, used};
-use crate::io::{Guess, Guessed, Input, ReadError, Reading};
+use crate::io::{Guessed, Input, OpenQuestion, ReadError, Reading};
 
 /// The spectra of all tables of a text; how their cells are set apart is found where it is not
 /// known, and not told.
@@ -158,7 +158,7 @@ fn read_table(
     if let Some(because) = doubt
         && first < reading.spectra.len()
     {
-        reading.guesses.push(Guess {
+        reading.guesses.push(OpenQuestion {
             spectrum: first,
             what: Guessed::Columns,
             chosen: file.dialect.words(),

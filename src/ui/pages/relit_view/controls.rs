@@ -33,7 +33,7 @@ pub mod names {
     pub const WEIGHTED: &str = "Weighed by colours under many lights";
     pub const LEAVE: &str = "Let reference and lines be chosen";
     pub const BETWEEN: &str = "The series between bands";
-    pub const BY_HAND: &str = "By hand";
+    pub const HAND: &str = "By hand";
     pub const NEXT_LINE: &str = "Place of a line";
     pub const ADD_LINE: &str = "Add line";
 }

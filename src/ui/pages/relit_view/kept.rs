@@ -101,7 +101,7 @@ fn lines(ui: &mut Ui, context: &mut PageContext<'_>, fit: &Fit) {
                 .on_hover_text(meaning);
         }
         let is_by_hand = matches!(lines, WishedLines::At(_));
-        let by_hand = ui.selectable_label(is_by_hand, names::BY_HAND);
+        let by_hand = ui.selectable_label(is_by_hand, names::HAND);
         let by_hand = by_hand.on_hover_text("Add and remove them, beginning with those there are.");
         if by_hand.clicked() && !is_by_hand {
             *lines = WishedLines::At(now.iter().copied().take(MOST_LINES).collect());
