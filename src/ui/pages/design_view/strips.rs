@@ -187,7 +187,7 @@ fn what(ui: &mut Ui, strip: &Strip, channel: &mut MixChannel, lines: &[NamedLine
         }
         Source::Gauss { centre_nm, fwhm_nm } => {
             ui.label("LED");
-            value(ui, centre_nm, 0.2, " nm", "Centre");
+            value(ui, centre_nm, 0.2, "", "Centre");
             ui.label("±")
                 .on_hover_text("Half of its full width at half its height.");
             let mut half = 0.5 * *fwhm_nm;
