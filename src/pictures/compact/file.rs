@@ -342,11 +342,28 @@ fn chunk(bytes: &[u8], at: usize) -> Result<([u8; 4], usize, usize), PictureErro
     let mut check = flate2::Crc::new();
     check.update(&bytes[at + 4..end]);
     if check.sum().to_be_bytes() != sum {
-        let name = String::from_utf8_lossy(&kind).into_owned();
+        // Any bytes may stand in a damaged file, line ends too.
+        let name = kind.escape_ascii();
         return Err(PictureError::broken(
             format!("a chunk {name} with a wrong check sum"),
             "a whole one",
         ));
     }
     Ok((kind, at + 8, end))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_damaged_chunk_is_refused_in_one_line() {
+        let bytes = [&[0, 0, 0, 0][..], b"ID\0\n", &[1, 2, 3, 4]].concat();
+        let refusal = chunk(&bytes, 0).unwrap_err().to_string();
+        assert!(
+            refusal.contains("a chunk ID\\x00\\n with a wrong check sum"),
+            "{refusal}"
+        );
+        assert!(!refusal.contains(char::is_control), "{refusal}");
+    }
 }
