@@ -130,7 +130,12 @@ pub(crate) fn start(text: &str) -> &str {
 /// Whether a text has a table with wavelengths under any dialect, and the best of them. Where there
 /// are no rows at all, the one under which they are too many says more than any other.
 fn best_of(sample: &str, chosen: Option<Delimiter>) -> (bool, Dialect) {
-    let may_be = |dialect: &Dialect| chosen.is_none_or(|chosen| dialect.delimiter == chosen);
+    // Only quotes let one mark part cells and decimals.
+    let has_quotes = memchr::memchr(b'"', sample.as_bytes()).is_some();
+    let may_be = |dialect: &Dialect| {
+        chosen.is_none_or(|chosen| dialect.delimiter == chosen)
+            && (has_quotes || dialect.delimiter != Delimiter::Comma || !dialect.decimal_comma)
+    };
     let mut dialects = Dialect::ALL.into_iter().filter(may_be).peekable();
     let first = dialects.peek().copied().unwrap_or(Dialect::ALL[0]);
     let mut best = ((0, 0), first);
