@@ -245,11 +245,12 @@ impl<'a> Scanner<'a> {
     /// every value missing. Its cell is kept.
     fn is_wavelength_alone(&mut self, content: &'a str) -> bool {
         let settled = self.open.as_ref().filter(|open| open.rows() >= SETTLED);
-        let kind = number::parse(content, self.dialect.decimal_comma);
-        let (Some(open), true, Cell::Number(nm)) = (settled, self.cells.is_empty(), kind) else {
+        // Most lines that are no rows are looked at in a dialect that is not theirs: nothing is open.
+        let Some(open) = settled.filter(|_| self.cells.is_empty()) else {
             return false;
         };
-        if !open.goes_on_with(nm) {
+        let kind = number::parse(content, self.dialect.decimal_comma);
+        if !matches!(kind, Cell::Number(nm) if open.goes_on_with(nm)) {
             return false;
         }
         self.cells.push(content);
