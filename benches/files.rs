@@ -16,6 +16,7 @@ use spectral_explorer::{
     app::{
         ByAddress, Library,
         picture::{BandWeights, Exposed, MOST_SIDE, RasterAsk, Source, exposed},
+        studies::Question,
     },
     color::Observer,
     io::read_path,

@@ -20,7 +20,7 @@ use spectral_explorer::{
     app::{
         App, CURVE_ORDER, Command, Settings, derive,
         pages::RACE_BUDGETS,
-        studies::{AuctionAsk, Field, RaceAsk, SweepAsk},
+        studies::{AuctionAsk, Field, Question, RaceAsk, SweepAsk},
     },
     spectrum::numbers_of_order,
     study::{

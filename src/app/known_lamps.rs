@@ -166,7 +166,11 @@ fn own(delta_e: f64) -> String {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, answers::best_of, studies::SweepAsk},
+        app::{
+            App, Command,
+            answers::best_of,
+            studies::{Question, SweepAsk},
+        },
         lamps::read_encoding,
         spectrum::Band,
         study::Progress,

@@ -10,7 +10,11 @@ use super::{
     subject::{self, no_power, with_power},
 };
 use crate::{
-    app::{App, studies::AuctionAsk, study_report},
+    app::{
+        App,
+        studies::{AuctionAsk, Question},
+        study_report,
+    },
     study::{Goal, Progress},
 };
 

@@ -21,7 +21,7 @@ use crate::{
         charts::race::Ways,
         open::Loaded,
         race_report,
-        studies::{Class, Field, RaceAsk},
+        studies::{Class, Field, Question, RaceAsk},
     },
     io::{Choices, many::many, quoted, shown},
     preset::Preset,

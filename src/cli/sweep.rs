@@ -10,7 +10,11 @@ use super::{
     subject::{self, no_power, with_power},
 };
 use crate::{
-    app::{CURVE_ORDER, studies::SweepAsk, study_report},
+    app::{
+        CURVE_ORDER,
+        studies::{Question, SweepAsk},
+        study_report,
+    },
     study::Progress,
 };
 

@@ -46,9 +46,10 @@ impl TrialView {
             lesson: ByAddress(lesson.clone()),
             light: ByAddress(light.clone()),
         };
-        studies.trial.ask_by(&ask, wake, TrialAsk::answer);
-        progress(ui, &mut studies.trial, "The trial");
-        let Some(trial) = studies.trial.result_for(&ask) else {
+        let job = studies.job();
+        job.put(&ask, wake);
+        progress(ui, job, "The trial");
+        let Some(trial) = job.result_for(&ask) else {
             return;
         };
         ui.add(Label::new(&trial.headline).wrap());

@@ -9,7 +9,7 @@ use spectral_explorer::{
         charts::race::{CELLS_AT, error_chart, table_chart},
         figures::SMALLEST,
         pages::RACE_BUDGETS,
-        studies::{Field, RaceAsk},
+        studies::{Field, Question, RaceAsk},
     },
     color::Observer,
     lamps::{Count, Encoder, LeaveOut, Racing},

@@ -9,7 +9,7 @@ use spectral_explorer::{
     app::{
         App, Command, Entry, Library, Settings,
         derived::OF_CURVE,
-        studies::{AuctionAsk, SweepAsk, take},
+        studies::{AuctionAsk, Question, SweepAsk, take},
     },
     color::{Observer, patches::PatchSet},
     lamps::bell,

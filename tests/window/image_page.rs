@@ -22,6 +22,7 @@ use spectral_explorer::{
         picture::{
             self, BandWeights, ImageMemory, MOST_SIDE, RasterAsk, Show, Source, exposed, step_of,
         },
+        studies::Question,
         workspace::{self, Preferences, StoredImage},
     },
     color::{Observer, xyz_from_light, xyz_from_reflectance},

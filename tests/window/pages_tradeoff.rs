@@ -22,7 +22,7 @@ use spectral_explorer::{
             tradeoff::{self, Tradeoff, front, lack, needs, take},
         },
         pages::{Page, PageMemory, WaysShown},
-        studies::{self, AuctionAsk, SweepAsk},
+        studies::{self, AuctionAsk, Question, SweepAsk},
         workspace::Preferences,
     },
     spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeEdits},
@@ -420,15 +420,25 @@ fn what_cannot_be_measured_is_greyed_and_nothing_breaks() {
 fn the_auctions_last_model_is_taken_and_its_row_chosen() {
     let mut ui = on(fl2(), Page::Auction);
     click(&mut ui, "Take this model");
-    let window = &ui.state().0;
-    let auction = window.studies.auction.result().expect("an auction").clone();
+    let studies = &mut ui.state_mut().0.studies;
+    let auction = studies
+        .of::<AuctionAsk>()
+        .result()
+        .expect("an auction")
+        .clone();
     assert_eq!(app(&ui).derived().numbers(), auction.last().numbers);
     assert!(is_disabled(&ui, "Take this model"));
     click(&mut ui, "Step 2: 3 numbers, order 1");
     assert_eq!(app(&ui).derived().numbers(), 3);
     assert!(!is_disabled(&ui, "Take this model"));
     // Taking a model asks for no other auction.
-    let now = ui.state().0.studies.auction.result().expect("an auction");
+    let now = ui
+        .state_mut()
+        .0
+        .studies
+        .of::<AuctionAsk>()
+        .result()
+        .expect("an auction");
     assert!(Arc::ptr_eq(now, &auction));
 }
 
@@ -448,8 +458,12 @@ fn the_smallest_and_the_largest_budget() {
         }));
         let mut ui = over(app, pages);
         click(&mut ui, "Take this model");
-        let window = &ui.state().0;
-        let auction = window.studies.auction.result().expect("an auction");
+        let studies = &mut ui.state_mut().0.studies;
+        let auction = studies
+            .of::<AuctionAsk>()
+            .result()
+            .expect("an auction")
+            .clone();
         assert!(auction.last().numbers <= numbers);
         assert!(numbers > 1 || auction.ended == Ended::Spent);
         assert!(!is_written(&ui, "NaN"));
@@ -468,7 +482,13 @@ fn a_mix_is_weighed_by_hand() {
     let goal = ui.state().0.preferences.pages.goal;
     assert_eq!((goal.patches, goal.filters), (1.0, 2.0));
     assert_written(&ui, "Each error over its value at N = 0");
-    let auction = ui.state().0.studies.auction.result().expect("an auction");
+    let auction = ui
+        .state_mut()
+        .0
+        .studies
+        .of::<AuctionAsk>()
+        .result()
+        .expect("an auction");
     // At order 0 every error is its own value there.
     assert_eq!(auction.steps[0].error, 1.0);
 }

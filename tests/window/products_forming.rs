@@ -18,6 +18,7 @@ use spectral_explorer::{
         open::resolve,
         pages::{Page, PageMemory},
         products::Products,
+        studies::TimingAsk,
         workspace::Preferences,
     },
     spectrum::{Band, Basis, Sampling},
@@ -245,18 +246,31 @@ fn a_way_that_is_not_wanted_leaves_the_chart_and_comes_back() {
 fn times_are_measured_in_the_window_and_again_when_asked_and_never_for_a_picture() {
     let mut ui = window(about("FL11"), Page::Resampling, LARGE, false);
     settled(&mut ui);
-    let turn = |ui: &Ui| {
-        let (ask, times) = ui.state().0.studies.timing.answer().expect("measured");
+    let turn = |ui: &mut Ui| {
+        let (ask, times) = ui
+            .state_mut()
+            .0
+            .studies
+            .of::<TimingAsk>()
+            .answer()
+            .expect("measured");
         assert_eq!(times.len(), Sampling::ALL.len());
         ask.turn
     };
-    let first = turn(&ui);
+    let first = turn(&mut ui);
     ui.get_by_label(resampling::names::AGAIN).click();
     ui.run_steps(2);
     settled(&mut ui);
-    assert_eq!(turn(&ui), first + 1);
-    let ui = open(about("FL11"), Page::Resampling, LARGE);
-    assert!(ui.state().0.studies.timing.answer().is_none());
+    assert_eq!(turn(&mut ui), first + 1);
+    let mut ui = open(about("FL11"), Page::Resampling, LARGE);
+    assert!(
+        ui.state_mut()
+            .0
+            .studies
+            .of::<TimingAsk>()
+            .answer()
+            .is_none()
+    );
     let picture = || window_image(&about("FL11"), &preferences(Page::Resampling), [1280, 800]);
     assert!(picture() == picture());
 }

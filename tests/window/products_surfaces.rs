@@ -24,7 +24,7 @@ use spectral_explorer::{
             same_surface::{SameSurfaceSheet, example},
             two_lights::{Made, NoMetamer, TwoLightsSheet},
         },
-        studies::PairsAsk,
+        studies::{PairsAsk, Question},
         workspace::Preferences,
     },
     cli::{self, Outcome},

@@ -5,7 +5,7 @@ use crate::plain::plain;
 use spectral_explorer::{
     app::{
         pages::{FieldChoice, Page, PageMemory},
-        studies::Stage,
+        studies::{RaceAsk, Stage},
         workspace::Preferences,
     },
     ui::Window,
@@ -37,7 +37,10 @@ fn the_light_at_hand_races_and_another_count_shows_at_once() {
     assert!(!words(&ui).iter().any(|w| w.contains("larger collection")));
     click(&mut ui, "31 numbers");
     assert_eq!(ui.state().0.preferences.pages.race_numbers, 31);
-    assert_eq!(ui.state().0.studies.race.stage(), Stage::Done);
+    assert_eq!(
+        ui.state_mut().0.studies.of::<RaceAsk>().stage(),
+        Stage::Done
+    );
     assert_written(&ui, &format!("{name}, 31 numbers each"));
 }
 
@@ -54,7 +57,10 @@ fn a_whole_set_shows_both_halves_and_a_click_on_a_light_shows_it() {
     click(&mut ui, "Show FL3 (3)");
     assert_eq!(ui.state().0.app.document().light.name(), "FL3");
     // The lights that race are the same: the result stands.
-    assert_eq!(ui.state().0.studies.race.stage(), Stage::Done);
+    assert_eq!(
+        ui.state_mut().0.studies.of::<RaceAsk>().stage(),
+        Stage::Done
+    );
 }
 
 #[test]

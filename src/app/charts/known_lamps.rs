@@ -108,7 +108,10 @@ fn colours(band: Band) -> Vec<Rgb> {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, studies::EncodeAsk},
+        app::{
+            App, Command,
+            studies::{EncodeAsk, Question},
+        },
         study::Progress,
     };
 

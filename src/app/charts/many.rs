@@ -200,6 +200,7 @@ pub fn csv(app: &App, ask: &ManyAsk, many: &ManyLights, wanted: Wanted) -> Strin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::studies::Question;
     use crate::{app::pages::FieldChoice, study::Progress};
 
     fn found(app: &App, field: FieldChoice) -> (ManyAsk, ManyLights) {

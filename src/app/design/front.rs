@@ -6,7 +6,7 @@ use super::{
     wish::MixWish,
 };
 use crate::{
-    app::document::Document,
+    app::{document::Document, studies::Question},
     design::{
         SampleTables,
         mixture::Source,
@@ -29,11 +29,15 @@ pub fn front_ask(wish: &MixWish, document: &Document) -> Option<FrontWish> {
     })
 }
 
-/// The front, or why there is none; `None` when it was cancelled.
-pub fn answer(ask: &FrontWish, progress: &Progress) -> Option<Result<Vec<FrontPoint>, String>> {
-    match front(ask, SampleTables::shipped(), progress) {
-        Ok(found) => Some(Ok(found?)),
-        Err(why) => Some(Err(format!("There is no front: {why}."))),
+impl Question for FrontWish {
+    type Answer = Result<Vec<FrontPoint>, String>;
+
+    /// The front, or why there is none; `None` when it was cancelled.
+    fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
+        match front(self, SampleTables::shipped(), progress) {
+            Ok(found) => Some(Ok(found?)),
+            Err(why) => Some(Err(format!("There is no front: {why}."))),
+        }
     }
 }
 
@@ -98,7 +102,7 @@ mod tests {
         let mut app = App::new();
         let ask = front_ask(&MixWish::default(), app.document()).expect("a colour");
         let ask = FrontWish { points: 2, ..ask };
-        let found = answer(&ask, &Progress::default()).expect("not cancelled");
+        let found = ask.answer(&Progress::default()).expect("not cancelled");
         let points = found.expect("a front");
         assert!(sentence(&points, &ask).contains("3 lines"));
         for point in &points {

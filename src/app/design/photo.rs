@@ -1,8 +1,9 @@
 //! A picture of colours whose pixels are taken as colours, read on a thread of its own.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use crate::{
+    app::studies::Question,
     io::{ColourPng, name_of},
     study::Progress,
 };
@@ -19,13 +20,21 @@ pub struct Photo {
     pub png: ColourPng,
 }
 
-/// Reads a file; never `None`, as nobody cancels it.
-pub fn answer(path: &Path, _: &Progress) -> Option<Result<Photo, String>> {
-    let name = name_of(path);
-    Some(match ColourPng::read(path, MOST_PIXELS) {
-        Ok(png) => Ok(Photo { name, png }),
-        Err(why) => Err(format!("{name}: {why}.")),
-    })
+/// The picture of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PhotoAsk(pub PathBuf);
+
+impl Question for PhotoAsk {
+    type Answer = Result<Photo, String>;
+
+    /// Reads the file; never `None`, as nobody cancels it.
+    fn answer(&self, _: &Progress) -> Option<Self::Answer> {
+        let name = name_of(&self.0);
+        Some(match ColourPng::read(&self.0, MOST_PIXELS) {
+            Ok(png) => Ok(Photo { name, png }),
+            Err(why) => Err(format!("{name}: {why}.")),
+        })
+    }
 }
 
 impl Photo {

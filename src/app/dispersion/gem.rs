@@ -7,7 +7,7 @@ use std::{sync::Arc, time::Instant};
 
 use super::gem_memory::{GemColour, GemMemory};
 use crate::{
-    app::{answers::Seen, memo::ByAddress, state::App},
+    app::{answers::Seen, memo::ByAddress, state::App, studies::Question},
     color::Observer,
     io::many::{capitalised, many},
     optics::{
@@ -288,9 +288,11 @@ pub struct NoiseAsk {
     pub observer: Observer,
 }
 
-impl NoiseAsk {
+impl Question for NoiseAsk {
+    type Answer = Noise;
+
     /// The answer; `None` before two rays a pixel.
-    pub fn answer(&self, _: &Progress) -> Option<Noise> {
+    fn answer(&self, _: &Progress) -> Option<Noise> {
         self.film.0.film.noise(&self.light, self.observer)
     }
 }

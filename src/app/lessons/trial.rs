@@ -5,7 +5,7 @@ use super::{
     proof::walk,
 };
 use crate::{
-    app::{App, Command, Entry, memo::ByAddress},
+    app::{App, Command, Entry, memo::ByAddress, studies::Question},
     io::many::many,
     study::Progress,
 };
@@ -28,9 +28,11 @@ pub struct Trial {
     pub faults: Vec<String>,
 }
 
-impl TrialAsk {
+impl Question for TrialAsk {
+    type Answer = Trial;
+
     /// The answer; `None` when it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Trial> {
+    fn answer(&self, progress: &Progress) -> Option<Trial> {
         let (lesson, light) = (&*self.lesson.0, &self.light.0);
         let mut app = App::new();
         let name = if app.bundled().iter().any(|e| e.key == light.key) {

@@ -5,7 +5,7 @@
 
 use super::BandWeights;
 use crate::{
-    app::memo::ByAddress,
+    app::{memo::ByAddress, studies::Question},
     color::{Xyz, srgb::linear_from_xyz},
     spectrum::{Cube, SpectralImage},
     study::Progress,
@@ -79,9 +79,11 @@ pub fn step_of(width: usize, height: usize, most_side: usize) -> usize {
     step
 }
 
-impl RasterAsk {
+impl Question for RasterAsk {
+    type Answer = Raster;
+
     /// The picture; `None` when it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Raster> {
+    fn answer(&self, progress: &Progress) -> Option<Raster> {
         let cube = &self.image.0.cube;
         let step = step_of(cube.width(), cube.height(), self.most_side);
         let (width, height) = (cube.width().div_ceil(step), cube.height().div_ceil(step));

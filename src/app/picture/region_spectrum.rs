@@ -11,6 +11,7 @@ use crate::{
         memo::ByAddress,
         settings::Settings,
         state::derived_of,
+        studies::Question,
     },
     spectrum::{NamedSpectrum, Rect, Region, Sampled, SpectralImage},
     study::Progress,
@@ -47,8 +48,26 @@ pub struct RegionSpectrum {
 }
 
 impl RegionAsk {
+    /// A document about the spectrum alone.
+    fn document(&self, entry: Arc<Entry>) -> Document {
+        let mut document = if entry.kind().is_factor() {
+            let mut document = Document::about(self.light.0.clone());
+            document.factor = Some(entry);
+            document.subject = Subject::Factor;
+            document
+        } else {
+            Document::about(entry)
+        };
+        document.settings = self.settings;
+        document
+    }
+}
+
+impl Question for RegionAsk {
+    type Answer = RegionSpectrum;
+
     /// The answer; `None` where nothing was measured or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<RegionSpectrum> {
+    fn answer(&self, progress: &Progress) -> Option<RegionSpectrum> {
         let image = &self.image.0;
         let region = Region::of(&image.cube, self.rect, || !progress.is_cancelled())?;
         let spectrum = of_region(image, &region)?;
@@ -74,20 +93,6 @@ impl RegionAsk {
             spectrum,
             derived,
         })
-    }
-
-    /// A document about the spectrum alone.
-    fn document(&self, entry: Arc<Entry>) -> Document {
-        let mut document = if entry.kind().is_factor() {
-            let mut document = Document::about(self.light.0.clone());
-            document.factor = Some(entry);
-            document.subject = Subject::Factor;
-            document
-        } else {
-            Document::about(entry)
-        };
-        document.settings = self.settings;
-        document
     }
 }
 

@@ -1,7 +1,7 @@
 //! A picture in few numbers a pixel, and that picture under a light.
 
 use super::{
-    Told,
+    Outcome,
     look::{Looked, light_of},
     told,
 };
@@ -12,6 +12,7 @@ use crate::{
         entry::Entry,
         memo::ByAddress,
         picture::{Exposed, Raster, exposed},
+        studies::Question,
     },
     color::{Xyz, adapted, delta_e_2000, lab_from_xyz, srgb::WHITE},
     pictures::{
@@ -44,11 +45,6 @@ pub struct Fit {
 }
 
 impl FitAsk {
-    /// The answer.
-    pub fn answer(&self, _: &Progress) -> Told<Fit> {
-        told(self.fit())
-    }
-
     fn fit(&self) -> Result<Fit, PictureError> {
         let looked = &self.looked.0;
         let choice = &looked.choice;
@@ -76,6 +72,15 @@ impl FitAsk {
             planes,
             encoded_in: started.elapsed(),
         })
+    }
+}
+
+impl Question for FitAsk {
+    type Answer = Outcome<Fit>;
+
+    /// The answer.
+    fn answer(&self, _: &Progress) -> Option<Self::Answer> {
+        told(self.fit())
     }
 }
 
@@ -139,11 +144,6 @@ impl Ends {
 const FINEST: usize = 40;
 
 impl TurnAsk {
-    /// The answer.
-    pub fn answer(&self, _: &Progress) -> Told<Turned> {
-        told(self.turned())
-    }
-
     /// The light, or the mixture of both.
     fn light(&self) -> Light {
         let light = light_of(&self.light.0);
@@ -280,6 +280,15 @@ impl TurnAsk {
             refused,
             turned_in,
         })
+    }
+}
+
+impl Question for TurnAsk {
+    type Answer = Outcome<Turned>;
+
+    /// The answer.
+    fn answer(&self, _: &Progress) -> Option<Self::Answer> {
+        told(self.turned())
     }
 }
 

@@ -1,8 +1,11 @@
 //! A picture before anything is kept of it: which one, what falls on it, what was tried on it.
 
-use super::{Told, told};
+use super::{Outcome, told};
 use crate::{
-    app::{document::Document, entry::Entry, memo::ByAddress, picture::ImageMemory, state::App},
+    app::{
+        document::Document, entry::Entry, memo::ByAddress, picture::ImageMemory, state::App,
+        studies::Question,
+    },
     color::Observer,
     io::many::many,
     pictures::{
@@ -123,11 +126,6 @@ impl LookAsk {
         }
     }
 
-    /// The answer; `None` when it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Told<Looked> {
-        told(self.looked(progress))
-    }
-
     fn looked(&self, progress: &Progress) -> Result<Looked, PictureError> {
         let known = self.taken_under.as_ref().map(|entry| light_of(&entry.0));
         match &self.subject {
@@ -218,6 +216,15 @@ impl LookAsk {
             }
         }
         wish
+    }
+}
+
+impl Question for LookAsk {
+    type Answer = Outcome<Looked>;
+
+    /// The answer; `None` when it was cancelled.
+    fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
+        told(self.looked(progress))
     }
 }
 

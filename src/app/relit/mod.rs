@@ -5,6 +5,7 @@ mod difference;
 mod fit;
 mod look;
 mod memory;
+mod shown;
 mod store;
 mod words;
 
@@ -12,6 +13,7 @@ pub use difference::{NAMED, difference_colours, place_of};
 pub use fit::{Fit, FitAsk, TurnAsk, Turned};
 pub use look::{LookAsk, Looked, Subject};
 pub use memory::{BOUNDS, LINES_NM, Look, MOST_LINES, RelitMemory};
+pub use shown::{RelitShown, relit_shown};
 pub use store::{Form, PeersAsk, PictureWish, StoreAsk, Stored, bytes_words};
 pub use words::{
     Rows, byte_rows, fewer, headline, negative_words, peer_rows, speed_line, trust_line,
@@ -25,9 +27,7 @@ use crate::{app::memo::ByAddress, io::many::capitalised, pictures::PictureError}
 pub type Outcome<T> = Result<ByAddress<T>, String>;
 
 /// What a job answers; `None` where it was cancelled.
-type Told<T> = Option<Outcome<T>>;
-
-fn told<T>(found: Result<T, PictureError>) -> Told<T> {
+fn told<T>(found: Result<T, PictureError>) -> Option<Outcome<T>> {
     match found {
         Ok(found) => Some(Ok(ByAddress(Arc::new(found)))),
         Err(PictureError::Cancelled) => None,

@@ -2,9 +2,9 @@
 
 use std::{path::Path, sync::Arc};
 
-use super::{Fit, Told, told};
+use super::{Fit, Outcome, told};
 use crate::{
-    app::memo::ByAddress,
+    app::{memo::ByAddress, studies::Question},
     pictures::{
         About, Bytes, CompactPlan, Errors, Half, Peer, PictureError, Precision, compact_plan,
         exact_bytes, measure, peers, save_compact, save_full, white_y_of,
@@ -74,11 +74,6 @@ impl Form {
 }
 
 impl StoreAsk {
-    /// The answer; `None` when it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Told<Stored> {
-        told(self.stored(progress))
-    }
-
     fn stored(&self, progress: &Progress) -> Result<Stored, PictureError> {
         let fit = &*self.0.0;
         let (looked, operator) = (&fit.looked.0, &fit.operator);
@@ -114,6 +109,15 @@ impl StoreAsk {
             stored.bytes.exact = Some(exact_bytes(pixels, Precision::Half, progress)?);
             Ok(stored)
         })
+    }
+}
+
+impl Question for StoreAsk {
+    type Answer = Outcome<Stored>;
+
+    /// The answer; `None` when it was cancelled.
+    fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
+        told(self.stored(progress))
     }
 }
 
@@ -189,9 +193,11 @@ impl PictureWish {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeersAsk(pub ByAddress<Fit>);
 
-impl PeersAsk {
+impl Question for PeersAsk {
+    type Answer = Outcome<Vec<Peer>>;
+
     /// The answer; `None` when it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Told<Vec<Peer>> {
+    fn answer(&self, progress: &Progress) -> Option<Self::Answer> {
         let fit = &*self.0.0;
         let looked: &Arc<_> = &fit.looked.0;
         told(looked.with_pixels(|pixels| peers(pixels, &fit.operator, &looked.survey, progress)))

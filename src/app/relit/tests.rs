@@ -9,6 +9,7 @@ use crate::{
         charts::relit::difference_chart,
         open::{Loaded, load_path},
         picture::ImageMemory,
+        studies::Question,
     },
     color::Observer,
     pictures::{

@@ -1,11 +1,20 @@
 //! A long computation on a thread of its own, keyed by what was asked.
 
-use std::{sync::Arc, thread::JoinHandle};
+use std::{any::Any, sync::Arc, thread::JoinHandle};
 
 use crate::study::Progress;
 
 /// Called from the worker's thread when there is something new to draw.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// What takes long to answer, with all that its answer depends on.
+pub trait Question {
+    /// What is found.
+    type Answer;
+
+    /// The answer; `None` when there is none or it was cancelled.
+    fn answer(&self, progress: &Progress) -> Option<Self::Answer>;
+}
 
 /// Where a computation stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +69,7 @@ impl<K, T> Default for Job<K, T> {
     }
 }
 
-impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
+impl<K: Clone + PartialEq + 'static, T: Send + 'static> Job<K, T> {
     /// Asks for a result; does nothing when it was asked already. What is still computed for
     /// another key is told to stop, and the new computation starts once it has.
     pub fn ask<F>(&mut self, key: &K, wake: &Wake, work: impl FnOnce() -> F)
@@ -98,14 +107,14 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
         });
     }
 
-    /// Asks for what a function makes of the key.
-    pub fn ask_by(&mut self, key: &K, wake: &Wake, answer: fn(&K, &Progress) -> Option<T>)
+    /// Puts a question that holds all that its answer depends on.
+    pub fn put(&mut self, question: &K, wake: &Wake)
     where
-        K: Send + 'static,
+        K: Question<Answer = T> + Send,
     {
-        self.ask(key, wake, || {
-            let key = key.clone();
-            move |progress: &Progress| answer(&key, progress)
+        self.ask(question, wake, || {
+            let question = question.clone();
+            move |progress: &Progress| question.answer(progress)
         });
     }
 
@@ -169,7 +178,7 @@ impl<K: Clone + PartialEq, T: Send + 'static> Job<K, T> {
 }
 
 /// Any job, whatever it computes.
-pub trait Work {
+pub trait Work: Any {
     /// Takes in what is finished.
     fn take_in(&mut self);
 
@@ -180,7 +189,7 @@ pub trait Work {
     fn is_running(&self) -> bool;
 }
 
-impl<K: Clone + PartialEq, T: Send + 'static> Work for Job<K, T> {
+impl<K: Clone + PartialEq + 'static, T: Send + 'static> Work for Job<K, T> {
     fn take_in(&mut self) {
         if self
             .running

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
+use super::Question;
 use crate::{
     app::{document::Document, entry::Entry, memo::ByAddress},
     color::Observer,
@@ -82,17 +83,6 @@ impl EncodeAsk {
         }
     }
 
-    /// The answer, or a sentence that says why there is none; nothing when it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Result<EncodedLight, String>> {
-        let found = self.encoded().map_err(|why| {
-            format!(
-                "{} cannot be encoded on this range: {why}.",
-                self.light.0.name()
-            )
-        });
-        (!progress.is_cancelled()).then_some(found)
-    }
-
     fn encoded(&self) -> Result<EncodedLight, EncodingError> {
         let encoder = encoder(self.maker)?;
         let (band, observer, _) = self.maker;
@@ -129,6 +119,21 @@ impl EncodeAsk {
             measured,
             decoded,
         })
+    }
+}
+
+impl Question for EncodeAsk {
+    type Answer = Result<EncodedLight, String>;
+
+    /// The answer, or a sentence that says why there is none; nothing when it was cancelled.
+    fn answer(&self, progress: &Progress) -> Option<Result<EncodedLight, String>> {
+        let found = self.encoded().map_err(|why| {
+            format!(
+                "{} cannot be encoded on this range: {why}.",
+                self.light.0.name()
+            )
+        });
+        (!progress.is_cancelled()).then_some(found)
     }
 }
 

@@ -1,47 +1,35 @@
-//! Long computations about the document: sweep, auction and race, each a job with progress,
-//! cancel, and a result that stays while the next is computed.
+//! Long computations about the document, each a job with progress, cancel, and a result that stays
+//! while the next is computed.
 
 mod about;
 mod field;
 mod job;
 mod lamps;
 pub mod paper;
-mod relit;
 mod surfaces;
 pub mod take;
 
 use about::measures;
 pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
-pub use job::{Job, Stage, Wake, Work};
+pub use job::{Job, Question, Stage, Wake, Work};
 pub use lamps::{EncodeAsk, EncodedLight, most_numbers};
-pub use relit::{RelitJobs, RelitShown};
-pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, Surfaces, shipped_reflectances};
+pub use surfaces::{Pairs, PairsAsk, RankAsk, Ranked, Surface, shipped_reflectances};
 pub use take::take;
 
-use std::path::PathBuf;
-
-use super::{
-    charts::products::bounces::Bounced,
-    design::photo::Photo,
-    dispersion::{GemFilm, GemPass, NoiseAsk},
-    document::Document,
-    lessons::{Trial, TrialAsk},
-    memo::ByAddress,
-    pages::FieldChoice,
-    picture::{Raster, RasterAsk, RegionAsk, RegionSpectrum},
-    tables::CURVE_ORDER,
+use std::{
+    any::{Any, TypeId},
+    collections::HashMap,
 };
+
+use super::{document::Document, memo::ByAddress, pages::FieldChoice, tables::CURVE_ORDER};
 use crate::{
-    design::solve::{FrontPoint, FrontWish},
     lamps::bell,
-    optics::Noise,
     spectrum::{Basis, Kind},
     study::{
         Auction, Goal, ManyLights, Progress, Race, Subject, Sweep,
         auction::{self, Terms},
         products::{ProductTime, Sizes, product_times},
-        quality::OrderFigures,
         race,
     },
 };
@@ -70,9 +58,13 @@ impl SweepAsk {
             highest_order: CURVE_ORDER.max(settings.effective_order()),
         }
     }
+}
+
+impl Question for SweepAsk {
+    type Answer = Sweep;
 
     /// The answer; `None` when there is none or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Sweep> {
+    fn answer(&self, progress: &Progress) -> Option<Sweep> {
         Sweep::of(
             &self.about.subject(),
             self.highest_order,
@@ -92,9 +84,13 @@ impl ManyAsk {
     pub fn of(document: &Document, field: Field) -> Self {
         Self(RaceAsk::of(document, field, Vec::new()))
     }
+}
+
+impl Question for ManyAsk {
+    type Answer = ManyLights;
 
     /// The answer; `None` when no light shines or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<ManyLights> {
+    fn answer(&self, progress: &Progress) -> Option<ManyLights> {
         let Self(of) = self;
         let measures = measures(&of.patch_set, of.band, of.observer);
         ManyLights::of(&measures, of.spikes, &of.lamps(), CURVE_ORDER, progress)
@@ -124,9 +120,13 @@ impl AuctionAsk {
             },
         }
     }
+}
+
+impl Question for AuctionAsk {
+    type Answer = Auction;
 
     /// The answer; `None` when there is none or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Auction> {
+    fn answer(&self, progress: &Progress) -> Option<Auction> {
         let subject = Subject {
             bell: Some(bell),
             ..self.about.subject()
@@ -157,9 +157,11 @@ impl FieldChoice {
     }
 }
 
-impl RaceAsk {
+impl Question for RaceAsk {
+    type Answer = Race;
+
     /// The answer; `None` when no light shines or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Race> {
+    fn answer(&self, progress: &Progress) -> Option<Race> {
         race::run(&self.course(), &self.lamps(), progress)
     }
 }
@@ -173,99 +175,56 @@ pub struct TimingAsk {
     pub turn: u32,
 }
 
-impl TimingAsk {
+impl Question for TimingAsk {
+    type Answer = Vec<ProductTime>;
+
     /// The answer; `None` when it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Vec<ProductTime>> {
+    fn answer(&self, progress: &Progress) -> Option<Vec<ProductTime>> {
         product_times(self.sizes, progress)
     }
 }
 
-/// All jobs of a window.
+/// The jobs of a window, each found by what is asked and what the answer is. A page brings its
+/// own: there is no list of them.
 #[derive(Default)]
-pub struct Studies {
-    /// Error against numbers.
-    pub sweep: Job<SweepAsk, Sweep>,
-    /// Error against order of many lights.
-    pub many: Job<ManyAsk, ManyLights>,
-    /// The auction's page.
-    pub auction: Job<AuctionAsk, Auction>,
-    /// The race.
-    pub race: Job<RaceAsk, Race>,
-    /// The light in few words, or why there are none.
-    pub encoded: Job<EncodeAsk, Result<EncodedLight, String>>,
-    /// Searches of the library's surfaces.
-    pub surfaces: Surfaces,
-    /// What one product takes.
-    pub timing: Job<TimingAsk, Vec<ProductTime>>,
-    /// Error against bounces, by the program's revision.
-    pub bounces: Job<u64, Bounced>,
-    /// Light quality against the order, by the program's revision.
-    pub quality: Job<u64, OrderFigures>,
-    /// What lines reach at best.
-    pub front: Job<FrontWish, Result<Vec<FrontPoint>, String>>,
-    /// A picture of colours.
-    pub photo: Job<PathBuf, Result<Photo, String>>,
-    /// The picture of a spectral image.
-    pub raster: Job<RasterAsk, Raster>,
-    /// The chosen spectrum of it with its model.
-    pub region: Job<RegionAsk, RegionSpectrum>,
-    /// The film of a gem.
-    pub gem: Job<GemPass, GemFilm>,
-    /// How noisy its picture is.
-    pub gem_noise: Job<NoiseAsk, Noise>,
-    /// A picture in few numbers, under a light.
-    pub relit: RelitJobs,
-    /// A lesson tried on another light.
-    pub trial: Job<TrialAsk, Trial>,
-}
+pub struct Studies(HashMap<TypeId, Box<dyn Work>>);
 
 impl Studies {
-    fn all(&mut self) -> Vec<&mut dyn Work> {
-        let Self {
-            sweep,
-            many,
-            auction,
-            race,
-            encoded,
-            surfaces,
-            timing,
-            bounces,
-            quality,
-            front,
-            photo,
-            raster,
-            region,
-            gem,
-            gem_noise,
-            relit,
-            trial,
-        } = self;
-        let Surfaces { pairs, ranking } = surfaces;
-        let RelitJobs {
-            look,
-            fit,
-            turn,
-            store,
-            peers,
-        } = relit;
-        vec![
-            sweep, many, auction, race, encoded, pairs, ranking, timing, bounces, quality, raster,
-            region, gem, gem_noise, look, fit, turn, store, peers, front, trial, photo,
-        ]
+    /// The job of a kind of key and answer.
+    ///
+    /// # Panics
+    /// Never: what is kept for a kind of job is one of that kind.
+    pub fn job<K, T>(&mut self) -> &mut Job<K, T>
+    where
+        K: Clone + PartialEq + 'static,
+        T: Send + 'static,
+    {
+        let kind = TypeId::of::<Job<K, T>>();
+        let job = self.0.entry(kind);
+        let job: &mut dyn Any = &mut **job.or_insert_with(|| Box::new(Job::<K, T>::default()));
+        job.downcast_mut().expect("a job of its kind")
+    }
+
+    /// The job of a kind of question that holds all that its answer depends on.
+    pub fn of<Q>(&mut self) -> &mut Job<Q, Q::Answer>
+    where
+        Q: Question<Answer: Send> + Clone + PartialEq + 'static,
+    {
+        self.job()
     }
 
     /// Takes in what is finished.
     pub fn take_in(&mut self) {
-        self.all().into_iter().for_each(|job| job.take_in());
+        self.0.values_mut().for_each(|job| job.take_in());
     }
 
     /// Whether anything is being computed.
-    pub fn is_running(&mut self) -> bool {
-        self.all().into_iter().any(|job| job.is_running())
+    pub fn is_running(&self) -> bool {
+        self.0.values().any(|job| job.is_running())
     }
 
     /// Waits for everything.
     pub fn finish(&mut self) {
-        self.all().into_iter().for_each(|job| job.finish());
+        self.0.values_mut().for_each(|job| job.finish());
     }
 }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::Job;
+use super::Question;
 use crate::{
     app::{Entry, library::Library, memo::ByAddress},
     color::{Adaptation, Observer, Swatch, xyz_of_parts},
@@ -17,15 +17,6 @@ use crate::{
         },
     },
 };
-
-/// Both searches.
-#[derive(Default)]
-pub struct Surfaces {
-    /// Metameric pairs.
-    pub pairs: Job<PairsAsk, Pairs>,
-    /// The best surface.
-    pub ranking: Job<RankAsk, Vec<Ranked>>,
-}
 
 /// A shipped surface on a grid.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,9 +82,11 @@ pub struct Pairs {
     pub metamers: Metamers,
 }
 
-impl PairsAsk {
+impl Question for PairsAsk {
+    type Answer = Pairs;
+
     /// The answer; `None` when a light is not seen or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Pairs> {
+    fn answer(&self, progress: &Progress) -> Option<Pairs> {
         let surfaces = surfaces(self.group.as_deref(), self.band);
         let values: Vec<Vec<f64>> = surfaces.iter().map(|s| s.values.clone()).collect();
         progress.expect(surfaces.len());
@@ -144,10 +137,12 @@ pub struct Ranked {
     pub measured: Option<Reflection>,
 }
 
-impl RankAsk {
+impl Question for RankAsk {
+    type Answer = Vec<Ranked>;
+
     /// Every surface, the smallest residual of the model first; `None` when one of the spectra is
     /// dark or it was cancelled.
-    pub fn answer(&self, progress: &Progress) -> Option<Vec<Ranked>> {
+    fn answer(&self, progress: &Progress) -> Option<Vec<Ranked>> {
         let band = self.band;
         let surfaces = surfaces(self.group.as_deref(), band);
         progress.expect(surfaces.len());

@@ -21,7 +21,7 @@ use crate::{
         answers::{best_of, knobs_of},
         lamps_asked, lamps_better,
         pages::{Page, PageMemory},
-        studies::{About, EncodeAsk, Stage, Studies, SweepAsk},
+        studies::{About, Stage, Studies, SweepAsk},
     },
     io::many::numbers,
 };
@@ -148,7 +148,7 @@ impl LookView {
         } = asked;
         wishes.opens_settings = more;
         if automatic {
-            scene.studies.sweep.retry();
+            scene.studies.of::<SweepAsk>().retry();
             let about = About::of(app.document());
             self.waiting = Some((about, scene.memory.spend_numbers));
         }
@@ -170,11 +170,12 @@ impl LookView {
             wishes.said = Some((Tone::Info, words));
             return;
         }
-        let job = &mut scene.studies.sweep;
-        job.ask_by(&ask, scene.wake, SweepAsk::answer);
+        let job = scene.studies.job();
+        job.put(&ask, scene.wake);
+        let (stage, sweep) = (job.stage(), job.result_for(&ask).cloned());
         let settings = scene.app.document().settings;
-        if let Some(sweep) = job.result_for(&ask) {
-            let Some((point, measure)) = best_of(sweep, most) else {
+        if let Some(sweep) = sweep {
+            let Some((point, measure)) = best_of(&sweep, most) else {
                 self.waiting = None;
                 let words = format!("No model takes as few as {}.", numbers(most));
                 wishes.said = Some((Tone::Info, words));
@@ -184,8 +185,8 @@ impl LookView {
             let better = match &lamps {
                 None => None,
                 Some(lamps) => {
-                    let job = &mut scene.studies.encoded;
-                    job.ask_by(lamps, scene.wake, EncodeAsk::answer);
+                    let job = scene.studies.job();
+                    job.put(lamps, scene.wake);
                     if matches!(job.stage(), Stage::Running(_)) {
                         return;
                     }
@@ -224,7 +225,7 @@ impl LookView {
             wishes.said = Some((Tone::Info, words));
             return;
         }
-        if !matches!(job.stage(), Stage::Idle | Stage::Running(_) | Stage::Done) {
+        if !matches!(stage, Stage::Idle | Stage::Running(_) | Stage::Done) {
             self.waiting = None;
             let words = "There is nothing to measure on this spectrum and range.".to_owned();
             wishes.said = Some((Tone::Problem, words));

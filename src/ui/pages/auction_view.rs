@@ -67,25 +67,26 @@ impl AuctionView {
         controls(ui, context, goal);
         let goal = goal_within(app, context.memory.goal);
         let ask = AuctionAsk::of(app.document(), goal, context.memory.auction_numbers);
-        context
-            .studies
-            .auction
-            .ask_by(&ask, context.wake, AuctionAsk::answer);
-        let stage = context.studies.auction.stage();
+        let job = context.studies.job();
+        job.put(&ask, context.wake);
+        let stage = job.stage();
         if stage != Stage::Done {
-            progress(ui, &mut context.studies.auction, "The auction");
+            progress(ui, job, "The auction");
         }
         if stage == Stage::Impossible {
             return;
         }
-        let Some((key, auction)) = context.studies.auction.answer() else {
+        let answer = job
+            .answer()
+            .map(|(key, found)| (key.clone(), found.clone()));
+        let Some((key, auction)) = answer else {
             return;
         };
         let of = (ByAddress(auction.clone()), context.chart_theme());
         let sheet = self.sheet.get(of, |(auction, theme)| {
             Sheet::of(app, key.clone(), auction.0.clone(), *theme)
         });
-        let fresh = *key == ask;
+        let fresh = key == ask;
         if fresh && sheet.marked != Some(app.revision()) {
             let reference = self.reference.get(key.about.clone(), tradeoff::reference);
             sheet.mark(app, reference.as_ref());

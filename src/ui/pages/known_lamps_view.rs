@@ -38,8 +38,8 @@ impl KnownLampsView {
             automatic: _,
         } = context.memory.words;
         let ask = EncodeAsk::of(context.app.document(), numbers, !portable, itself);
-        let job = &mut context.studies.encoded;
-        job.ask_by(&ask, context.wake, EncodeAsk::answer);
+        let job = context.studies.job();
+        job.put(&ask, context.wake);
         let answer = job
             .answer()
             .map(|(ask, found)| (ask.clone(), found.clone()));
@@ -47,7 +47,8 @@ impl KnownLampsView {
         let answer = answer.filter(|(of, _)| of.light == ask.light);
         let Some((of, found)) = answer else {
             controls(ui, context);
-            progress(ui, &mut context.studies.encoded, "The makeup of the light");
+            let job = context.studies.of::<EncodeAsk>();
+            progress(ui, job, "The makeup of the light");
             return;
         };
         let theme = context.chart_theme();

@@ -54,9 +54,9 @@ impl ManyView {
         let ask = ManyAsk::of(document, memory.field.field(document));
         let settings = document.settings;
         let nobody = memory.field == FieldChoice::Own && !super::race_view::has_own_lights(context);
-        let job = &mut context.studies.many;
+        let job = context.studies.job();
         if !nobody {
-            job.ask_by(&ask, context.wake, ManyAsk::answer);
+            job.put(&ask, context.wake);
         }
         // What is still there where no answer can be had answers another question.
         let is_this = !nobody && job.stage() != Stage::Impossible;
@@ -70,7 +70,8 @@ impl ManyView {
             headline(ui, context.theme, words);
             controls(ui, context);
             if !nobody {
-                progress(ui, &mut context.studies.many, "Error against order");
+                let job = context.studies.of::<ManyAsk>();
+                progress(ui, job, "Error against order");
             }
             return;
         };
@@ -85,8 +86,9 @@ impl ManyView {
         });
         headline(ui, context.theme, &shown.sentence);
         controls(ui, context);
-        if context.studies.many.stage() != Stage::Done {
-            progress(ui, &mut context.studies.many, "Error against order");
+        let job = context.studies.of::<ManyAsk>();
+        if job.stage() != Stage::Done {
+            progress(ui, job, "Error against order");
         }
         if many.dark > 0 {
             ui.weak(format!("{} dark in this range, left out.", many.dark));

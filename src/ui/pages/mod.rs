@@ -212,7 +212,7 @@ fn first_mode(page: Page) -> &'static str {
 }
 
 /// How a computation stands, in a line with a bar and a button to stop it.
-pub fn progress<K: Clone + PartialEq, T: Send + 'static>(
+pub fn progress<K: Clone + PartialEq + 'static, T: Send + 'static>(
     ui: &mut Ui,
     job: &mut Job<K, T>,
     what: &str,

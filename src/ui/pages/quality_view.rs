@@ -151,7 +151,7 @@ impl QualityView {
     /// What a few numbers do to the figures.
     pub(super) fn order(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let (app, theme) = (context.app, context.chart_theme());
-        let job = &mut context.studies.quality;
+        let job = context.studies.job();
         job.ask(&app.revision(), context.wake, || {
             let ask = ByOrder::of(app);
             move |progress: &Progress| ask.answer(progress)

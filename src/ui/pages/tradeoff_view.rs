@@ -59,15 +59,13 @@ impl TradeoffView {
     pub(super) fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let app = context.app;
         let ask = SweepAsk::of(app.document());
-        context
-            .studies
-            .sweep
-            .ask_by(&ask, context.wake, SweepAsk::answer);
+        let job = context.studies.job();
+        job.put(&ask, context.wake);
         let measure = measure_within(app, context.memory.measure);
         controls(ui, context, measure);
         // A row that is always there: the charts must not jump while a slider is dragged.
         line(ui, |ui| {
-            let job = &mut context.studies.sweep;
+            let job = context.studies.of::<SweepAsk>();
             if job.stage() == Stage::Done {
                 let words =
                     "Click a point, a box or a row to take that model; Undo brings yours back.";
@@ -76,10 +74,11 @@ impl TradeoffView {
                 progress(ui, job, "Error against numbers");
             }
         });
-        if context.studies.sweep.stage() == Stage::Impossible {
+        let job = context.studies.of::<SweepAsk>();
+        if job.stage() == Stage::Impossible {
             return;
         }
-        let Some((key, sweep)) = context.studies.sweep.answer() else {
+        let Some((key, sweep)) = job.answer() else {
             return;
         };
         let (key, sweep) = (key.clone(), sweep.clone());

@@ -194,7 +194,7 @@ mod tests {
         app::{
             App,
             memo::ByAddress,
-            studies::{Field, RaceAsk},
+            studies::{Field, Question, RaceAsk},
         },
         study::Progress,
     };

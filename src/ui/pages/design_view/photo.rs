@@ -7,7 +7,7 @@ use egui::{ColorImage, TextureHandle, TextureOptions, Ui, vec2};
 
 use super::DesignView;
 use crate::{
-    app::design::photo::{Photo, answer},
+    app::design::photo::{Photo, PhotoAsk},
     color::Srgb,
     ui::{
         kit::named,
@@ -55,10 +55,11 @@ impl DesignView {
             self.drawn_photo = None;
             return;
         };
-        let job = &mut context.studies.photo;
-        job.ask_by(path, context.wake, |path, progress| answer(path, progress));
+        let job = context.studies.job();
+        let ask = PhotoAsk(path.clone());
+        job.put(&ask, context.wake);
         progress(ui, job, "The picture");
-        let Some(found) = job.result_for(path).cloned() else {
+        let Some(found) = job.result_for(&ask).cloned() else {
             return;
         };
         match &*found {

@@ -10,7 +10,7 @@ use crate::{
         charts::design::front_chart,
         design::{
             Desk,
-            front::{answer, front_ask, on_desk, sentence},
+            front::{front_ask, on_desk, sentence},
             wish::{DUV, KELVIN, MixWish, Solved},
         },
     },
@@ -350,10 +350,10 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
         }
     });
     let ask = front_ask(&context.memory.wish, context.app.document());
-    let job = &mut context.studies.front;
+    let job = context.studies.job();
     // While a slider is dragged the front would never be done.
     if let Some(ask) = ask.filter(|_| !ui.input(|input| input.pointer.any_down())) {
-        job.ask_by(&ask, context.wake, answer);
+        job.put(&ask, context.wake);
     }
     progress(ui, job, "The front");
     let Some((ask, found)) = job

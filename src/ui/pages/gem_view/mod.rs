@@ -125,7 +125,7 @@ impl GemView {
         lights: &[Light],
     ) -> Option<Arc<GemFilm>> {
         let rays = context.memory.dispersion.gem.rays;
-        let job = &mut context.studies.gem;
+        let job = context.studies.job::<GemPass, GemFilm>();
         let held = job.result().cloned();
         let Some(scene) = scene else {
             return held;
@@ -180,7 +180,7 @@ impl GemView {
                 });
             }
         });
-        progress(ui, &mut context.studies.gem, "The picture");
+        progress(ui, context.studies.job::<GemPass, GemFilm>(), "The picture");
         let mut said = Vec::new();
         if let Some(film) = film {
             said.extend(lights.iter().flat_map(|light| facts_of(film, light)));
@@ -282,15 +282,18 @@ impl GemView {
 
 /// The noise of the first picture, once nothing is traced any more.
 fn noise(context: &mut PageContext<'_>, film: &Arc<GemFilm>, light: &Light) -> Option<Noise> {
-    let is_running = matches!(context.studies.gem.stage(), Stage::Running(_));
+    let is_running = matches!(
+        context.studies.job::<GemPass, GemFilm>().stage(),
+        Stage::Running(_)
+    );
     let ask = NoiseAsk {
         film: ByAddress(film.clone()),
         light: light.clone(),
         observer: context.app.document().settings.observer,
     };
-    let job = &mut context.studies.gem_noise;
+    let job = context.studies.job();
     if !is_running && !film.pass.is_quick() {
-        job.ask_by(&ask, context.wake, NoiseAsk::answer);
+        job.put(&ask, context.wake);
     }
     job.result_for(&ask).map(|noise| **noise)
 }

@@ -24,8 +24,8 @@ pub(super) fn raster(
         source,
         most_side: most_side.min(MOST_SIDE),
     };
-    let job = &mut context.studies.raster;
-    job.ask_by(&ask, context.wake, RasterAsk::answer);
+    let job = context.studies.job();
+    job.put(&ask, context.wake);
     // The picture of another image is none of this one.
     let (key, raster) = job.answer()?;
     (key.image == ask.image).then(|| raster.clone())
@@ -40,8 +40,8 @@ pub(super) fn region(context: &mut PageContext<'_>, shown: &Shown) -> Option<Arc
         settings: document.settings,
         light: ByAddress(document.light.clone()),
     };
-    let job = &mut context.studies.region;
-    job.ask_by(&ask, context.wake, RegionAsk::answer);
+    let job = context.studies.job();
+    job.put(&ask, context.wake);
     let (key, region) = job.answer()?;
     let impossible = job.stage() == Stage::Impossible;
     (key.image == ask.image && !impossible).then(|| region.clone())

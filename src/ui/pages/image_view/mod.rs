@@ -19,7 +19,8 @@ use crate::{
         charts::image::region_chart,
         headlines,
         picture::{
-            BandWeights, Exposed, Raster, RegionSpectrum, Show, Spread, exposed, named, shown,
+            BandWeights, Exposed, Raster, RasterAsk, RegionAsk, RegionSpectrum, Show, Spread,
+            exposed, named, shown,
         },
         studies::Stage,
     },
@@ -326,7 +327,7 @@ impl ImageView {
             kit::line(ui, |ui| controls::taken(ui, context, name));
         }
         let Some(region) = region else {
-            let job = &mut context.studies.region;
+            let job = context.studies.of::<RegionAsk>();
             if job.stage() == Stage::Impossible {
                 ui.label("Nothing was measured in these pixels.");
             } else {
@@ -365,7 +366,7 @@ impl Shown {
 
 /// How the picture is drawn and what of it is not shown as it is.
 fn how_drawn(ui: &mut Ui, context: &mut PageContext<'_>, shown: &Shown, drawn: Option<&Drawn>) {
-    let job = &mut context.studies.raster;
+    let job = context.studies.of::<RasterAsk>();
     let Some(drawn) = drawn else {
         return progress(ui, job, "The picture");
     };

@@ -64,7 +64,7 @@ impl BouncesView {
             ui.weak("Choose the surface that the light bounces off.");
             return;
         };
-        let job = &mut context.studies.bounces;
+        let job = context.studies.job();
         job.ask(&revision, context.wake, || {
             let (lit, light) = (
                 ModelledLight::of(app),

@@ -93,8 +93,8 @@ impl RaceView {
             strict: context.memory.race_strict,
             ..RaceAsk::of(document, field.field(document), RACE_BUDGETS.to_vec())
         };
-        let race = &mut context.studies.race;
-        race.ask_by(&ask, context.wake, RaceAsk::answer);
+        let race = context.studies.job();
+        race.put(&ask, context.wake);
         progress(ui, race, "The race");
         if race.stage() == Stage::Impossible {
             // What is still there answers another question.
@@ -120,7 +120,7 @@ impl RaceView {
             let mut field = context.memory.field;
             field_choice(ui, context, ("Lights that race", &meaning), &mut field);
             context.memory.field = field;
-            if let Some((_, race)) = context.studies.race.answer() {
+            if let Some((_, race)) = context.studies.of::<RaceAsk>().answer() {
                 self.class_menu(ui, race);
             }
         });

@@ -7,8 +7,7 @@ use crate::{
     app::{
         App, ByAddress, Command, View,
         picture::shown,
-        relit::{BOUNDS, Fit, Form, Look, LookAsk, Looked, PictureWish, fewer},
-        studies::RelitShown,
+        relit::{BOUNDS, Fit, Form, Look, LookAsk, Looked, PictureWish, RelitShown, fewer},
     },
     ui::{
         kit::{Choice, Chooser, lights},

@@ -15,10 +15,10 @@ use crate::{
         ByAddress, Memo,
         chart::{self, Chart, Rgb},
         relit::{
-            Fit, Look, Looked, PictureWish, Rows, Turned, difference_colours, headline, peer_rows,
-            speed_line, trust_line,
+            Fit, FitAsk, Look, LookAsk, Looked, PeersAsk, PictureWish, RelitShown, Rows, TurnAsk,
+            Turned, difference_colours, headline, peer_rows, relit_shown, speed_line, trust_line,
         },
-        studies::{RelitShown, Stage},
+        studies::Stage,
     },
     pictures::{Verdict, Wish},
     ui::kit,
@@ -51,10 +51,7 @@ impl RelitView {
     /// Draws the page.
     pub fn show(&mut self, ui: &mut Ui, context: &mut PageContext<'_>) {
         let memory = (&context.memory.relit, &context.memory.image);
-        let shown = context
-            .studies
-            .relit
-            .shown(context.app, memory, context.wake);
+        let shown = relit_shown(context.studies, context.app, memory, context.wake);
         self.head(ui, context, &shown);
         ui.horizontal_wrapped(|ui| {
             controls::subject(ui, context);
@@ -269,15 +266,15 @@ impl RelitView {
 
 /// How far the picture is.
 fn waiting(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let jobs = &mut context.studies.relit;
-    progress(ui, &mut jobs.look, "The picture");
-    progress(ui, &mut jobs.fit, "The fit");
-    progress(ui, &mut jobs.turn, "The light");
+    let studies = &mut *context.studies;
+    progress(ui, studies.of::<LookAsk>(), "The picture");
+    progress(ui, studies.of::<FitAsk>(), "The fit");
+    progress(ui, studies.of::<TurnAsk>(), "The light");
 }
 
 /// Other ways of keeping the same picture in as many numbers.
 fn others(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
-    let job = &mut context.studies.relit.peers;
+    let job = context.studies.of::<PeersAsk>();
     let Some(peers) = &shown.peers else {
         return progress(ui, job, "The comparison");
     };

@@ -8,8 +8,8 @@ use super::{RelitView, kept, names};
 use crate::{
     app::{
         charts::relit::{difference_chart, error_chart, pixel_chart},
-        relit::{Look, byte_rows, negative_words},
-        studies::{RelitShown, Stage},
+        relit::{Look, RelitShown, StoreAsk, byte_rows, negative_words},
+        studies::Stage,
     },
     ui::{
         kit::{Column, Row, Table},
@@ -85,7 +85,7 @@ impl RelitView {
 
 /// What each form takes on disk.
 fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
-    let job = &mut context.studies.relit.store;
+    let job = context.studies.of::<StoreAsk>();
     let (Some(stored), Some((fit, _))) = (&shown.stored, &shown.turned) else {
         return match job.stage() {
             Stage::Done => {}

@@ -126,8 +126,8 @@ fn times(context: &mut PageContext<'_>, bench: &Bench, turn: u32) -> Option<Arc<
         sizes: bench.sizes,
         turn,
     };
-    let job = &mut context.studies.timing;
-    job.ask_by(&ask, context.wake, TimingAsk::answer);
+    let job = context.studies.job();
+    job.put(&ask, context.wake);
     let (of, times) = job.answer()?;
     (of.sizes == ask.sizes).then(|| times.clone())
 }
@@ -337,7 +337,7 @@ fn times_row(ui: &mut Ui, context: &mut PageContext<'_>, times: Option<&[Product
     }
     let mut again = false;
     line(ui, |ui| {
-        let job = &mut context.studies.timing;
+        let job = context.studies.of::<TimingAsk>();
         if job.stage() != Stage::Done {
             progress(ui, job, "Time of a product");
             return;

@@ -15,7 +15,7 @@ use crate::{
         charts::products::same_surface::same_surface_chart,
         headlines,
         products::same_surface::{SameSurfaceSheet, example},
-        studies::{RankAsk, Ranked},
+        studies::Ranked,
         ticks::short,
     },
     io::many::numbers,
@@ -83,11 +83,8 @@ impl SameSurfaceView {
         });
         let everywhere = context.memory.products.same_surface.everywhere;
         if let Some(ask) = &sheet.ranking(app.document(), everywhere) {
-            context
-                .studies
-                .surfaces
-                .ranking
-                .ask_by(ask, context.wake, RankAsk::answer);
+            let job = context.studies.job();
+            job.put(ask, context.wake);
         }
         let rows = &mut self.ranking;
         let room = ui.available_size();

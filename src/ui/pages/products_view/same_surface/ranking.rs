@@ -13,7 +13,7 @@ use crate::{
     app::{
         ByAddress, Memo,
         products::same_surface::{SameSurfaceSheet, ranking_csv},
-        studies::{Ranked, Stage},
+        studies::{RankAsk, Ranked, Stage},
     },
     study::products::Sameness,
     ui::{
@@ -31,7 +31,7 @@ pub(super) fn show(
     rows: &mut Memo<ByAddress<Vec<Ranked>>, Vec<Row>>,
     height: f32,
 ) {
-    let answer = context.studies.surfaces.ranking.answer();
+    let answer = context.studies.of::<RankAsk>().answer();
     let ranked = answer.map(|(_, ranked)| ranked.clone());
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new("Which surface explains it best?").heading());
@@ -46,13 +46,13 @@ pub(super) fn show(
         let everywhere = context.memory.products.same_surface.everywhere;
         context.memory.products.same_surface.everywhere =
             among(ui, context, names::AMONG, meaning, everywhere);
-        let job = &mut context.studies.surfaces.ranking;
+        let job = context.studies.of::<RankAsk>();
         if job.stage() != Stage::Done {
             progress(ui, job, "The ranking");
         }
     });
     let Some(ranked) =
-        ranked.filter(|_| context.studies.surfaces.ranking.stage() != Stage::Impossible)
+        ranked.filter(|_| context.studies.of::<RankAsk>().stage() != Stage::Impossible)
     else {
         return;
     };

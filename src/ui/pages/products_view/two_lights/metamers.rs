@@ -12,7 +12,7 @@ use crate::{
             ROOM_PERCENT,
             two_lights::{NoMetamer, TwoLightsSheet, pairs_csv},
         },
-        studies::{Pairs, Stage},
+        studies::{Pairs, PairsAsk, Stage},
     },
     study::products::{MATCH_DELTA_E, MetamericPair},
     ui::{
@@ -129,11 +129,12 @@ pub(super) fn found(
         let everywhere = context.memory.products.two_lights.everywhere;
         context.memory.products.two_lights.everywhere =
             among(ui, context, names::AMONG, meaning, everywhere);
-        if context.studies.surfaces.pairs.stage() != Stage::Done {
-            progress(ui, &mut context.studies.surfaces.pairs, "The pairs");
+        let job = context.studies.of::<PairsAsk>();
+        if job.stage() != Stage::Done {
+            progress(ui, job, "The pairs");
         }
     });
-    let possible = context.studies.surfaces.pairs.stage() != Stage::Impossible;
+    let possible = context.studies.of::<PairsAsk>().stage() != Stage::Impossible;
     let Some((found, rows)) = found.filter(|_| possible) else {
         return;
     };

@@ -71,11 +71,8 @@ impl TwoLightsView {
         headline(ui, context.theme, headlines::two_lights(sheet));
         head(ui, context);
         if let Some(ask) = &pairs_ask(context) {
-            context
-                .studies
-                .surfaces
-                .pairs
-                .ask_by(ask, context.wake, PairsAsk::answer);
+            let job = context.studies.job();
+            job.put(ask, context.wake);
         }
         let shown = &*self.shown.get((revision, theme), |_| {
             let of_all = |both: &Option<TwoLights>| {
@@ -95,7 +92,7 @@ impl TwoLightsView {
         let made = &*self.made.get(made, |_| {
             MadeShown::of(app, sheet, (patch, room_percent), adaptation, theme)
         });
-        let found = context.studies.surfaces.pairs.answer();
+        let found = context.studies.of::<PairsAsk>().answer();
         let found = found.map(|(ask, pairs)| {
             let last = pairs.metamers.pairs.len().saturating_sub(1);
             let chosen = memory.pair.min(last);
