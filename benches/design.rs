@@ -28,6 +28,7 @@ use spectral_explorer::{
             colour::{ColourSheet, FromColour},
             mix::{Mix, MixChannel},
         },
+        pages::PageSetting,
     },
     color::{Adaptation, Observer, Srgb, Xyz},
     design::{
@@ -207,13 +208,13 @@ fn design(c: &mut Criterion) {
         b.iter(|| MixFigures::new(&tables.sums(&mixed(&channels, black_box(&weights))), tables));
     });
     let mut app = App::new();
-    app.apply(Command::Mix(Mix {
+    app.apply(Command::Page(PageSetting::Mix(Mix {
         channels: channels
             .iter()
             .map(|channel| MixChannel::new(channel.spec.source.clone()))
             .collect(),
         gels: Vec::new(),
-    }));
+    })));
     c.bench_function("a moved fader, the whole desk of 8 channels", |b| {
         b.iter(|| {
             let desk = Desk::of(black_box(app.document()));

@@ -2,13 +2,13 @@
 //!
 //! [`App::apply`]: super::App::apply
 
-use std::sync::Arc;
+use std::{mem::discriminant, sync::Arc};
 
 use super::{
-    design::mix::Mix,
     document::{Document, Subject, View},
     entry::Entry,
     opened::{ImageEntry, Opened},
+    pages::PageSetting,
     products::Products,
     recipe::Recipe,
     scale::Scale,
@@ -79,8 +79,8 @@ pub enum Command {
     View(View),
     /// What the page `Products` multiplies; clamped when applied.
     Products(Products),
-    /// The mixing desk; clamped when applied.
-    Mix(Mix),
+    /// What one page keeps of its own; clamped when applied.
+    Page(PageSetting),
     /// Takes spectra in as the user's own and shows the first.
     Adopt(Vec<NamedSpectrum>),
     /// Makes a spectrum, which joins the user's own and follows what it is made of.
@@ -156,8 +156,8 @@ impl Command {
             (Self::Edit(_), Self::Edit(_))
             | (Self::EditSpikes(_), Self::EditSpikes(_))
             | (Self::WeightFactor(_), Self::WeightFactor(_))
-            | (Self::Products(_), Self::Products(_))
-            | (Self::Mix(_), Self::Mix(_)) => true,
+            | (Self::Products(_), Self::Products(_)) => true,
+            (Self::Page(now), Self::Page(then)) => discriminant(now) == discriminant(then),
             (Self::MakeOtherwise { key: a, .. }, Self::MakeOtherwise { key: b, .. }) => a == b,
             (Self::Rename { key: a, .. }, Self::Rename { key: b, .. }) => a == b,
             _ => false,

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    design::mix::Mix, entry::Entry, library::Library, opened::ImageEntry, origin::Before,
+    entry::Entry, library::Library, opened::ImageEntry, origin::Before, pages::PageSettings,
     products::Products, scale::Scale, settings::Settings,
 };
 use crate::{
@@ -143,8 +143,8 @@ pub struct Document {
     pub view: View,
     /// What the page `Products` multiplies.
     pub products: Products,
-    /// The mixing desk of the place `Design`.
-    pub mix: Mix,
+    /// What pages keep of their own.
+    pub pages: PageSettings,
 }
 
 /// The best reading of Table 4's weights: contributions to the mean over the paper's 300 nm.
@@ -222,7 +222,7 @@ impl Document {
             weight_factor: PAPER_WEIGHT_FACTOR,
             view: View::default(),
             products: Products::first(),
-            mix: Mix::first(),
+            pages: PageSettings::default(),
         }
     }
 
@@ -250,7 +250,7 @@ impl Document {
             weight_factor,
             view,
             products,
-            mix,
+            pages,
         } = self;
         Arc::ptr_eq(light, &other.light)
             && same(factor.as_slice(), other.factor.as_slice())
@@ -273,7 +273,7 @@ impl Document {
             && *weight_factor == other.weight_factor
             && *view == other.view
             && products.is_same_as(&other.products)
-            && *mix == other.mix
+            && *pages == other.pages
     }
 
     /// The spectrum that the model is of.

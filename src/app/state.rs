@@ -254,7 +254,7 @@ impl App {
             Command::WeightFactor(factor) => self.weigh_lamps_by(factor),
             Command::View(view) => self.document.view = view,
             Command::Products(products) => self.document.products = products.clamped(),
-            Command::Mix(mix) => self.document.mix = mix.clamped(),
+            Command::Page(setting) => self.document.pages.set(setting),
             Command::Adopt(spectra) => {
                 let numbers = |spectrum| Entry::own(0, spectrum);
                 self.adopt(spectra.into_iter().map(numbers), &[]);

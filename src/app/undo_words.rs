@@ -56,11 +56,8 @@ pub(super) fn difference(before: &Document, after: &Document) -> String {
     if !before.products.is_same_as(&after.products) {
         words.push("what light meets".to_owned());
     }
-    words.extend(
-        after
-            .mix
-            .changed_since(&before.mix, &|key| after.name_of(key)),
-    );
+    let name_of = |key: &str| after.name_of(key);
+    words.extend(after.pages.changed_since(&before.pages, &name_of));
     match words.len() {
         0 => "a change".to_owned(),
         1 | 2 => words.join(", "),

@@ -72,18 +72,7 @@ pub(super) fn lesson(app: &App, page: Page) -> Option<&'static Lesson> {
     let name = match page {
         Page::Spectrum if family.is_some_and(|family| family.key == "sun") => "missing",
         Page::Spectrum if app.derived().model.spikes.is_empty() => "colour",
-        Page::Spectrum => "waves",
-        Page::Absorption => "missing",
-        Page::Chain | Page::SameSurface | Page::Resampling | Page::Bounces => "filters",
-        Page::Narrow | Page::Race => "samples",
-        Page::TwoLights => "metamers",
-        Page::Quality | Page::Chromaticity | Page::Rendition | Page::QualityOrder => "quality",
-        Page::Mix | Page::Solve => "white",
-        Page::FromColour | Page::Image | Page::Relit => "recover",
-        Page::Coefficients => "colour",
-        Page::Tradeoff | Page::Auction | Page::KnownLamps | Page::Many => "spend",
-        Page::Prism | Page::Rainbow | Page::Gem => "prism",
-        Page::Lessons | Page::Teachers | Page::Glossary | Page::Truth => return None,
+        page => page.lesson()?,
     };
     let lesson = shelf::shipped().iter().find(|lesson| lesson.name == name);
     lesson.map(|lesson| &**lesson)

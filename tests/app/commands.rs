@@ -26,6 +26,7 @@ use spectral_explorer::{
         derived::OF_CURVE,
         export::{Export, composite_file},
         open::{Came, Loaded, Loader, load_bytes, load_path, resolve},
+        pages::PageSetting,
         products::{Link, Products},
         report,
         workspace::{self, Preferences, Restored, StoredImage},
@@ -316,7 +317,7 @@ fn variant(command: &Command) -> &'static str {
         Command::WeightFactor(_) => "weight factor",
         Command::View(_) => "view",
         Command::Products(_) => "products",
-        Command::Mix(_) => "mix",
+        Command::Page(_) => "page",
         Command::Adopt(_) => "adopt",
         Command::Open(_) => "open",
         Command::Make { .. } => "make",
@@ -399,7 +400,9 @@ fn session(app: &App) -> Vec<Command> {
             height: Height::Log,
             ..view
         }),
-        Command::Mix(app.document().mix.clone().dimmed(50.0)),
+        Command::Page(PageSetting::Mix(
+            app.document().pages.mix.clone().dimmed(50.0),
+        )),
         Command::Products(Products {
             chain: vec![Link::once(preset(app, RED))],
             ..Products::first()

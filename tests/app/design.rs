@@ -15,6 +15,7 @@ use spectral_explorer::{
             wish::{MixWish, Solved},
         },
         open::{Loaded, load_bytes},
+        pages::PageSetting,
         workspace,
     },
     design::{
@@ -52,9 +53,9 @@ fn fixture() -> Vec<u8> {
 }
 
 fn mix(app: &mut App, change: impl Fn(&mut Mix)) {
-    let mut mix = app.document().mix.clone();
+    let mut mix = app.document().pages.mix.clone();
     change(&mut mix);
-    app.apply(Command::Mix(mix));
+    app.apply(Command::Page(PageSetting::Mix(mix)));
 }
 
 #[test]
@@ -97,7 +98,7 @@ fn emitters_of_a_gdtf_fixture_are_channels_and_its_filters_gels() {
     // A fixture that is taken out of the library leaves desk and gels.
     app.apply(Command::Remove { key: key(2) });
     app.apply(Command::Remove { key: key(0) });
-    let left = &app.document().mix;
+    let left = &app.document().pages.mix;
     assert_eq!((left.channels.len(), left.gels.len()), (1, 0));
 }
 
@@ -149,27 +150,27 @@ fn whatever_is_done_at_the_desk_is_one_step_of_undo_with_words() {
     for (words, act) in acts {
         // Each from a fresh desk, but a gel that is moved or taken off is on already.
         let gels = match words.starts_with("gel") {
-            true => app.document().mix.gels.clone(),
+            true => app.document().pages.mix.gels.clone(),
             false => Vec::new(),
         };
-        app.apply(Command::Mix(Mix {
+        app.apply(Command::Page(PageSetting::Mix(Mix {
             gels,
             ..Mix::first()
-        }));
+        })));
         app.end_gesture();
-        let before = app.document().mix.clone();
+        let before = app.document().pages.mix.clone();
         for part in [0.5, 0.7, 0.9] {
             mix(&mut app, |mix| act(mix, part));
         }
         app.end_gesture();
-        let after = app.document().mix.clone();
+        let after = app.document().pages.mix.clone();
         assert_ne!(after, before, "{words}");
         let said = app.undo_words().expect("a step");
         assert!(said.starts_with(words), "{said}: expected {words}");
         app.apply(Command::Undo);
-        assert_eq!(app.document().mix, before, "{words}");
+        assert_eq!(app.document().pages.mix, before, "{words}");
         app.apply(Command::Redo);
-        assert_eq!(app.document().mix, after, "{words}");
+        assert_eq!(app.document().pages.mix, after, "{words}");
     }
 }
 
@@ -183,7 +184,7 @@ fn gel(thickness: f64) -> Gel {
 #[test]
 fn a_wish_and_a_point_of_the_front_are_one_step_each() {
     let mut app = App::new();
-    let first = app.document().mix.clone();
+    let first = app.document().pages.mix.clone();
     // A temperature that is dragged takes the faders along.
     for kelvin in [3000.0, 3500.0, 4000.0] {
         let wish = MixWish {
@@ -192,10 +193,10 @@ fn a_wish_and_a_point_of_the_front_are_one_step_each() {
         };
         let desk = Desk::of(app.document());
         let found = Solved::of(&wish, &desk, app.document()).expect("channels");
-        app.apply(Command::Mix(found.mix));
+        app.apply(Command::Page(PageSetting::Mix(found.mix)));
     }
     app.end_gesture();
-    let solved = app.document().mix.clone();
+    let solved = app.document().pages.mix.clone();
     let wish = FrontWish {
         target: Target::of_kelvin(4000.0, 0.0).expect("a white"),
         against: Against::Ra,
@@ -205,12 +206,12 @@ fn a_wish_and_a_point_of_the_front_are_one_step_each() {
     };
     let points = front(&wish, SampleTables::shipped(), &Progress::default());
     let points = points.expect("a front").expect("not cancelled");
-    app.apply(Command::Mix(on_desk(&points[0])));
+    app.apply(Command::Page(PageSetting::Mix(on_desk(&points[0]))));
     app.end_gesture();
-    assert_eq!(app.document().mix.channels.len(), 2);
+    assert_eq!(app.document().pages.mix.channels.len(), 2);
     for expected in [solved, first] {
         app.apply(Command::Undo);
-        assert_eq!(app.document().mix, expected);
+        assert_eq!(app.document().pages.mix, expected);
     }
     assert!(!app.can_undo());
 }

@@ -17,7 +17,7 @@ use spectral_explorer::{
             Beside, DispersionMemory, GemColour, GemMemory, LightPart, PrismMemory, RainbowMemory,
             Substance,
         },
-        pages::{FieldChoice, ManyMemory, Page, PageMemory, WaysShown, WordsMemory},
+        pages::{FieldChoice, ManyMemory, Page, PageMemory, PageSetting, WaysShown, WordsMemory},
         picture::{ImageMemory, Show, Spread},
         products::{
             AbsorptionMemory, BouncesMemory, ChainMemory, Link, NarrowMemory, Products,
@@ -161,7 +161,7 @@ pub(crate) fn full_document() -> Document {
         surface: Some(red),
         outgoing: Some(own),
     }));
-    app.apply(Command::Mix(Mix {
+    app.apply(Command::Page(PageSetting::Mix(Mix {
         gels: vec![Gel {
             key: GEL.to_owned(),
             thickness: 0.1 + 0.2,
@@ -183,7 +183,7 @@ pub(crate) fn full_document() -> Document {
             MixChannel::new(Source::Blackbody { kelvin: 2700.0 }),
             MixChannel::new(Source::Daylight { kelvin: 6500.0 }),
         ],
-    }));
+    })));
     app.document().clone()
 }
 

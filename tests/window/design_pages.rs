@@ -137,7 +137,7 @@ fn a_group_has_a_fader_and_its_move_is_one_step_of_undo() {
     click(&mut ui, "Group 1");
     click(&mut ui, "Group 2");
     let levels = |ui: &Ui| -> Vec<f64> {
-        let mix = &app(ui).document().mix;
+        let mix = &app(ui).document().pages.mix;
         mix.channels.iter().map(|channel| channel.level).collect()
     };
     let before = levels(&ui);

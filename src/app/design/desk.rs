@@ -62,7 +62,7 @@ pub struct Desk {
 impl Desk {
     /// The desk of a document.
     pub fn of(document: &Document) -> Self {
-        let mix = document.mix.clone();
+        let mix = document.pages.mix.clone();
         let gels = light::gels_on_nm(&mix.gels, |key| entry_of(document, key));
         let strip =
             |source: &_| light::channel(source, |key| table_of(document, key), gels.as_deref());
@@ -228,7 +228,10 @@ pub(super) fn words(figures: &MixFigures, r9: Option<f64>) -> String {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command, command::MadeFor, design::mix::MixChannel, recipe::Gel},
+        app::{
+            App, Command, command::MadeFor, design::mix::MixChannel, pages::PageSetting,
+            recipe::Gel,
+        },
         design::mixture::Source,
     };
 
@@ -249,15 +252,15 @@ mod tests {
     #[test]
     fn a_dark_desk_and_an_empty_one_say_so() {
         let mut app = App::new();
-        let mut mix = app.document().mix.clone();
+        let mut mix = app.document().pages.mix.clone();
         mix.channels
             .iter_mut()
             .for_each(|channel| channel.level = 0.0);
-        app.apply(Command::Mix(mix));
+        app.apply(Command::Page(PageSetting::Mix(mix)));
         let desk = Desk::of(app.document());
         assert!(desk.recipe().is_none());
         assert_eq!(desk.sentence(), "Nothing shines: move a fader up.");
-        app.apply(Command::Mix(Mix::default()));
+        app.apply(Command::Page(PageSetting::Mix(Mix::default())));
         assert!(
             Desk::of(app.document())
                 .sentence()
@@ -268,17 +271,17 @@ mod tests {
     #[test]
     fn a_moved_fader_is_one_step_of_undo_with_words() {
         let mut app = App::new();
-        let before = app.document().mix.clone();
+        let before = app.document().pages.mix.clone();
         for level in [20.0, 30.0, 40.0] {
-            let mut mix = app.document().mix.clone();
+            let mut mix = app.document().pages.mix.clone();
             mix.channels[0].level = level;
-            app.apply(Command::Mix(mix));
+            app.apply(Command::Page(PageSetting::Mix(mix)));
         }
         app.end_gesture();
         let words = app.undo_words().expect("a step");
         assert_eq!(words, "fader of LED 455 nm to 40 %");
         app.apply(Command::Undo);
-        assert_eq!(app.document().mix, before);
+        assert_eq!(app.document().pages.mix, before);
         assert!(!app.can_undo());
     }
 
@@ -288,7 +291,7 @@ mod tests {
         let key = "cie_illuminants/CIE A".to_owned();
         let mut mix = Mix::first();
         mix.channels.push(MixChannel::new(Source::Named(key)));
-        app.apply(Command::Mix(mix));
+        app.apply(Command::Page(PageSetting::Mix(mix)));
         let recipe = Desk::of(app.document()).recipe().expect("it shines");
         let place = MadeFor::Shown;
         app.apply(Command::Make { recipe, place });
@@ -297,10 +300,10 @@ mod tests {
         assert_eq!(made.spectrum.samples.values(), values);
         // A mixture of that mixture.
         let source = Source::Named(made.key.clone());
-        app.apply(Command::Mix(Mix {
+        app.apply(Command::Page(PageSetting::Mix(Mix {
             channels: vec![MixChannel::new(source)],
             gels: Vec::new(),
-        }));
+        })));
         let recipe = Desk::of(app.document()).recipe().expect("it shines");
         app.apply(Command::Make { recipe, place });
         let second = app.document().light.clone();
@@ -319,7 +322,7 @@ mod tests {
         app.apply(Command::Remove {
             key: made.key.clone(),
         });
-        assert!(app.document().mix.channels.is_empty());
+        assert!(app.document().pages.mix.channels.is_empty());
         assert!(app.entry(&second.key).is_some());
     }
 
@@ -335,9 +338,9 @@ mod tests {
             }];
             let mix = Mix {
                 gels,
-                ..app.document().mix.clone()
+                ..app.document().pages.mix.clone()
             };
-            app.apply(Command::Mix(mix));
+            app.apply(Command::Page(PageSetting::Mix(mix)));
             app.end_gesture();
             Desk::of(app.document())
         };
@@ -369,7 +372,7 @@ mod tests {
         let mut mix = Mix::first();
         mix.channels[3].level = 100.0;
         mix.channels[0].mute = true;
-        app.apply(Command::Mix(mix));
+        app.apply(Command::Page(PageSetting::Mix(mix)));
         let csv = Desk::of(app.document()).to_csv();
         let lines: Vec<&str> = csv.lines().collect();
         assert_eq!(lines.len(), 5);

@@ -95,7 +95,7 @@ pub fn sentence(points: &[FrontPoint], ask: &FrontWish) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::{App, Command, design::desk::Desk};
+    use crate::app::{App, Command, design::desk::Desk, pages::PageSetting};
 
     #[test]
     fn a_point_of_the_front_on_the_desk_has_the_figures_of_the_point() {
@@ -106,7 +106,7 @@ mod tests {
         let points = found.expect("a front");
         assert!(sentence(&points, &ask).contains("3 lines"));
         for point in &points {
-            app.apply(Command::Mix(on_desk(point)));
+            app.apply(Command::Page(PageSetting::Mix(on_desk(point))));
             let figures = Desk::of(app.document()).figures.expect("it shines");
             // The same sums in another order and scale.
             assert!((figures.ler - point.figures.ler).abs() < 1e-6);

@@ -128,6 +128,7 @@ mod tests {
         app::{
             App, Command,
             design::mix::{Mix, MixChannel},
+            pages::PageSetting,
         },
         design::mixture::Source,
     };
@@ -150,10 +151,10 @@ mod tests {
     fn under_a_blackbody_every_surface_is_what_it_is_under_its_reference() {
         let mut app = App::new();
         let channel = MixChannel::new(Source::Blackbody { kelvin: 3000.0 });
-        app.apply(Command::Mix(Mix {
+        app.apply(Command::Page(PageSetting::Mix(Mix {
             channels: vec![channel],
             gels: Vec::new(),
-        }));
+        })));
         let desk = Desk::of(app.document());
         for (surfaces, count) in [
             (DeskSurfaces::Everyday, 8),
@@ -173,10 +174,10 @@ mod tests {
     fn without_a_colour_temperature_there_is_nothing_to_stand_beside() {
         let mut app = App::new();
         let channel = MixChannel::new(Source::Line { at_nm: 530.0 });
-        app.apply(Command::Mix(Mix {
+        app.apply(Command::Page(PageSetting::Mix(Mix {
             channels: vec![channel],
             gels: Vec::new(),
-        }));
+        })));
         let desk = Desk::of(app.document());
         for surfaces in DeskSurfaces::ALL {
             assert!(beside(&desk, surfaces, app.document()).is_empty());

@@ -206,7 +206,7 @@ fn told(asked: &str, solution: &Solution) -> String {
 mod tests {
     use super::*;
     use crate::{
-        app::{App, Command},
+        app::{App, Command, pages::PageSetting},
         design::mixture::Source,
     };
 
@@ -230,12 +230,12 @@ mod tests {
             };
             let found = solved(&app, &wish);
             assert!(found.reached, "{}", found.sentence);
-            app.apply(Command::Mix(found.mix.clone()));
+            app.apply(Command::Page(PageSetting::Mix(found.mix.clone())));
             let [u, v] = uv_of(&app);
             let off = (u - found.target_uv[0]).hypot(v - found.target_uv[1]);
             assert!(off < 1e-6, "{off}");
             // Solving again changes nothing.
-            assert_eq!(solved(&app, &wish).mix, app.document().mix);
+            assert_eq!(solved(&app, &wish).mix, app.document().pages.mix);
         }
     }
 
@@ -258,7 +258,7 @@ mod tests {
             "{}",
             found.sentence
         );
-        app.apply(Command::Mix(found.mix));
+        app.apply(Command::Page(PageSetting::Mix(found.mix)));
         let figures = Desk::of(app.document()).figures.expect("it shines");
         let [a, b] = figures.xy.expect("a colour");
         assert!((a - x).hypot(b - y) < 1e-6, "{a} {b}");
@@ -284,17 +284,17 @@ mod tests {
     #[test]
     fn a_locked_fader_keeps_its_share_and_a_silent_one_its_place() {
         let mut app = App::new();
-        let mut mix = app.document().mix.clone();
+        let mut mix = app.document().pages.mix.clone();
         mix.channels[2].lock = true;
         mix.channels[2].level = 5.0;
-        app.apply(Command::Mix(mix));
+        app.apply(Command::Page(PageSetting::Mix(mix)));
         let found = solved(&app, &MixWish::default());
         assert!(found.reached, "{}", found.sentence);
         assert_eq!(found.mix.channels[2].level, 5.0);
-        let mut mix = app.document().mix.clone();
+        let mut mix = app.document().pages.mix.clone();
         mix.channels[2].lock = false;
         mix.channels[2].mute = true;
-        app.apply(Command::Mix(mix));
+        app.apply(Command::Page(PageSetting::Mix(mix)));
         let found = solved(&app, &MixWish::default());
         assert_eq!(found.mix.channels[2].level, 5.0);
     }
@@ -315,9 +315,9 @@ mod tests {
             "{}",
             found.sentence
         );
-        let mut mix = app.document().mix.clone();
+        let mut mix = app.document().pages.mix.clone();
         mix.channels.truncate(2);
-        app.apply(Command::Mix(mix));
+        app.apply(Command::Page(PageSetting::Mix(mix)));
         let found = solved(&app, &MixWish::default());
         assert!(
             found.sentence.contains("from the nearest"),
@@ -336,7 +336,7 @@ mod tests {
         let desk = Desk::of(app.document());
         let why = Solved::of(&gone, &desk, app.document()).expect_err("no light");
         assert!(why.contains("own/99"));
-        app.apply(Command::Mix(Mix::default()));
+        app.apply(Command::Page(PageSetting::Mix(Mix::default())));
         let desk = Desk::of(app.document());
         let why = Solved::of(&MixWish::default(), &desk, app.document()).expect_err("no channel");
         assert!(why.contains("add some"));
@@ -346,10 +346,10 @@ mod tests {
     fn a_light_among_the_channels_is_found_again_by_its_spectrum() {
         let mut app = App::new();
         let key = "cie_illuminants/CIE A".to_owned();
-        let mut mix = app.document().mix.clone();
+        let mut mix = app.document().pages.mix.clone();
         let channel = super::super::mix::MixChannel::new(Source::Named(key.clone()));
         mix.channels.push(channel);
-        app.apply(Command::Mix(mix));
+        app.apply(Command::Page(PageSetting::Mix(mix)));
         let wish = MixWish {
             light: Some(key),
             alike: true,

@@ -2,6 +2,7 @@
 
 mod memory;
 mod place;
+mod settings;
 
 use serde::{Deserialize, Serialize};
 
@@ -10,6 +11,7 @@ pub use memory::{
     SPENDABLE, WaysShown, WordsMemory,
 };
 pub use place::Place;
+pub use settings::{PageSetting, PageSettings};
 
 /// A page of the window: they all show the same document.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -88,7 +90,11 @@ struct Row {
     word: &'static str,
     /// Words of earlier versions.
     old: &'static [&'static str],
+    /// The name of the lesson that answers what it asks; "" for none.
+    lesson: &'static str,
     meaning: &'static str,
+    /// What it is called among the modes of its tab.
+    mode: &'static str,
 }
 
 const fn row(
@@ -96,6 +102,7 @@ const fn row(
     (place, tab): (Place, Page),
     (title, word): (&'static str, &'static str),
     old: &'static [&'static str],
+    lesson: &'static str,
     meaning: &'static str,
 ) -> Row {
     Row {
@@ -105,8 +112,15 @@ const fn row(
         title,
         word,
         old,
+        lesson,
         meaning,
+        mode: title,
     }
+}
+
+/// A tab's own page, where it is called otherwise among the modes of its tab.
+const fn among_modes(row: Row, mode: &'static str) -> Row {
+    Row { mode, ..row }
 }
 
 /// The pages, place by place.
@@ -116,6 +130,7 @@ const ROWS: &[Row] = &[
         (Place::Learn, Page::Lessons),
         ("Lessons", "lessons"),
         &[],
+        "",
         "Short walks through the program: predict, do, see why.",
     ),
     row(
@@ -123,6 +138,7 @@ const ROWS: &[Row] = &[
         (Place::Learn, Page::Glossary),
         ("Glossary", "glossary"),
         &[],
+        "",
         "What the words of this window mean.",
     ),
     row(
@@ -130,6 +146,7 @@ const ROWS: &[Row] = &[
         (Place::Learn, Page::Truth),
         ("The paper checked", "truth"),
         &[],
+        "",
         "The paper's claims, measured on this spectrum and range.",
     ),
     row(
@@ -137,6 +154,7 @@ const ROWS: &[Row] = &[
         (Place::Learn, Page::Teachers),
         ("For teachers", "teachers"),
         &[],
+        "",
         "What each lesson teaches, what to prepare, handouts, and how to write one.",
     ),
     row(
@@ -144,6 +162,7 @@ const ROWS: &[Row] = &[
         (Place::Look, Page::Spectrum),
         ("Spectrum", "look"),
         &["spectrum"],
+        "waves",
         "The spectrum, its model and surfaces under both.",
     ),
     row(
@@ -151,6 +170,7 @@ const ROWS: &[Row] = &[
         (Place::Look, Page::Absorption),
         ("Dark lines", "dark-lines"),
         &["absorption"],
+        "missing",
         "Absorption lines kept as negative spikes, and their names.",
     ),
     row(
@@ -158,6 +178,7 @@ const ROWS: &[Row] = &[
         (Place::Through, Page::Chain),
         ("Chain", "chain"),
         &["products"],
+        "filters",
         "The light through filters and off surfaces, exact beside model.",
     ),
     row(
@@ -165,6 +186,7 @@ const ROWS: &[Row] = &[
         (Place::Through, Page::Narrow),
         ("One filter", "filter"),
         &["narrow"],
+        "samples",
         "A narrow band-pass moved over the light, at equal numbers.",
     ),
     row(
@@ -172,6 +194,7 @@ const ROWS: &[Row] = &[
         (Place::Through, Page::TwoLights),
         ("Two lights", "two-lights"),
         &["lights"],
+        "metamers",
         "The same surfaces under two lights; metamers found and made.",
     ),
     row(
@@ -179,6 +202,7 @@ const ROWS: &[Row] = &[
         (Place::Through, Page::SameSurface),
         ("Same surface?", "same-surface"),
         &["check"],
+        "filters",
         "Whether a spectrum is the light off a surface: S3 = S1 S2.",
     ),
     row(
@@ -186,6 +210,7 @@ const ROWS: &[Row] = &[
         (Place::Quality, Page::Quality),
         ("Figures", "quality"),
         &[],
+        "quality",
         "Every figure of light quality, measured beside model, and what it means.",
     ),
     row(
@@ -193,6 +218,7 @@ const ROWS: &[Row] = &[
         (Place::Quality, Page::Chromaticity),
         ("Chromaticity", "chromaticity"),
         &[],
+        "quality",
         "Where the light is among colours, whites and screens.",
     ),
     row(
@@ -200,6 +226,7 @@ const ROWS: &[Row] = &[
         (Place::Quality, Page::Rendition),
         ("Colours under it", "rendition"),
         &[],
+        "quality",
         "What the light does to colours: TM-30 and CRI, hue by hue.",
     ),
     row(
@@ -207,6 +234,7 @@ const ROWS: &[Row] = &[
         (Place::Quality, Page::QualityOrder),
         ("Against order", "quality-order"),
         &[],
+        "quality",
         "From how many numbers on a model has the figures of its light.",
     ),
     row(
@@ -214,6 +242,7 @@ const ROWS: &[Row] = &[
         (Place::Design, Page::Mix),
         ("Mix", "mix"),
         &[],
+        "white",
         "Lines, LEDs and lights mixed by faders, with what the mixture is worth.",
     ),
     row(
@@ -221,6 +250,7 @@ const ROWS: &[Row] = &[
         (Place::Design, Page::Solve),
         ("Solve", "solve"),
         &[],
+        "white",
         "The faders for a colour that is wished for, and what lines can reach at best.",
     ),
     row(
@@ -228,6 +258,7 @@ const ROWS: &[Row] = &[
         (Place::Design, Page::FromColour),
         ("From a colour", "from-colour"),
         &[],
+        "recover",
         "Spectra that have a colour, and all that could have it.",
     ),
     row(
@@ -235,20 +266,26 @@ const ROWS: &[Row] = &[
         (Place::Numbers, Page::Coefficients),
         ("Why few suffice", "why"),
         &["coefficients"],
+        "colour",
         "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
     ),
-    row(
-        Page::Tradeoff,
-        (Place::Numbers, Page::Tradeoff),
-        ("Trade-off", "tradeoff"),
-        &[],
-        "Error against numbers: every order, with and without spikes.",
+    among_modes(
+        row(
+            Page::Tradeoff,
+            (Place::Numbers, Page::Tradeoff),
+            ("Trade-off", "tradeoff"),
+            &[],
+            "spend",
+            "Error against numbers: every order, with and without spikes.",
+        ),
+        "Curve",
     ),
     row(
         Page::Many,
         (Place::Numbers, Page::Tradeoff),
         ("Many lights", "many-lights"),
         &[],
+        "spend",
         "Which order is enough for how many lights of a set or of your folders.",
     ),
     row(
@@ -256,6 +293,7 @@ const ROWS: &[Row] = &[
         (Place::Numbers, Page::Tradeoff),
         ("Auction", "auction"),
         &[],
+        "spend",
         "What to buy with the next numbers: an order, a spike or the lines' widths.",
     ),
     row(
@@ -263,6 +301,7 @@ const ROWS: &[Row] = &[
         (Place::Numbers, Page::Race),
         ("Race", "race"),
         &[],
+        "samples",
         "The composite against other representations, at equal numbers.",
     ),
     row(
@@ -270,20 +309,26 @@ const ROWS: &[Row] = &[
         (Place::Numbers, Page::KnownLamps),
         ("Known lamps", "known-lamps"),
         &[],
+        "spend",
         "What the light is made of: lamps that are known, a short series, a few lines.",
     ),
-    row(
-        Page::Resampling,
-        (Place::Numbers, Page::Resampling),
-        ("Products in few numbers", "resampling"),
-        &["forming"],
-        "One product formed on few points, by convolution and at every nm.",
+    among_modes(
+        row(
+            Page::Resampling,
+            (Place::Numbers, Page::Resampling),
+            ("Products in few numbers", "resampling"),
+            &["forming"],
+            "filters",
+            "One product formed on few points, by convolution and at every nm.",
+        ),
+        "Ways",
     ),
     row(
         Page::Bounces,
         (Place::Numbers, Page::Resampling),
         ("Bounces", "bounces"),
         &[],
+        "filters",
         "What the ways of forming products cost as bounces add up.",
     ),
     row(
@@ -291,20 +336,26 @@ const ROWS: &[Row] = &[
         (Place::Picture, Page::Image),
         ("Spectral image", "image"),
         &[],
+        "recover",
         "A spectral image: a pixel or a region's mean becomes a spectrum.",
     ),
-    row(
-        Page::Prism,
-        (Place::Picture, Page::Prism),
-        ("Prism and rainbow", "prism"),
-        &[],
-        "The light through a prism: every line one exact ray, the rest a smooth band.",
+    among_modes(
+        row(
+            Page::Prism,
+            (Place::Picture, Page::Prism),
+            ("Prism and rainbow", "prism"),
+            &[],
+            "prism",
+            "The light through a prism: every line one exact ray, the rest a smooth band.",
+        ),
+        "Prism",
     ),
     row(
         Page::Rainbow,
         (Place::Picture, Page::Prism),
         ("Rainbow", "rainbow"),
         &[],
+        "prism",
         "The light in drops of water: both bows, every line a stripe of its own.",
     ),
     row(
@@ -312,6 +363,7 @@ const ROWS: &[Row] = &[
         (Place::Picture, Page::Gem),
         ("Gem", "gem"),
         &[],
+        "prism",
         "A cut gem under the light, traced ray by ray; under another light at once.",
     ),
     row(
@@ -319,6 +371,7 @@ const ROWS: &[Row] = &[
         (Place::Picture, Page::Relit),
         ("In few numbers, relit", "relit"),
         &[],
+        "recover",
         "A spectral image in few numbers a pixel, and how it looks under any light.",
     ),
 ];
@@ -359,6 +412,16 @@ impl Page {
     /// What the page is for, a sentence.
     pub fn meaning(self) -> &'static str {
         self.row().meaning
+    }
+
+    /// What it is called among the modes of its tab.
+    pub fn mode(self) -> &'static str {
+        self.row().mode
+    }
+
+    /// The name of the lesson that answers what it asks; none in Learn, where all of them are.
+    pub fn lesson(self) -> Option<&'static str> {
+        Some(self.row().lesson).filter(|name| !name.is_empty())
     }
 
     /// The word used on the command line.

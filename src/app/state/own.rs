@@ -208,7 +208,7 @@ impl App {
         self.document.overlays.retain(|e| e.key != key);
         self.document.edits.remove(key);
         self.document.products.forget(key);
-        self.document.mix.forget(key);
+        self.document.pages.forget(key);
         self.document.own_patches.retain(|known| known != key);
         self.freeze_what_stands_on(key);
         if self.document.factor.as_ref().is_some_and(|f| f.key == key) {

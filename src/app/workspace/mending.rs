@@ -43,7 +43,8 @@ pub(super) fn mended<T: Serialize + DeserializeOwned>(
     value
 }
 
-/// A value that stood where another one stands now, a sentence for each difference.
+/// A value that stood where another one stands now, a sentence for each difference. Its place is
+/// "" for a group whose fields stand at the top.
 pub(super) fn moved<T: Serialize>(place: &str, before: &T, after: &T, losses: &mut Vec<String>) {
     if let (Ok(before), Ok(after)) = (serde_json::to_value(before), serde_json::to_value(after)) {
         differences(place, &before, &after, losses);
@@ -56,7 +57,11 @@ fn differences(place: &str, before: &Value, after: &Value, losses: &mut Vec<Stri
         (Value::Object(before), Value::Object(after)) => {
             for (key, value) in before {
                 let now = after.get(key).unwrap_or(&Value::Null);
-                differences(&format!("{place}.{key}"), value, now, losses);
+                let at = match place {
+                    "" => key.clone(),
+                    place => format!("{place}.{key}"),
+                };
+                differences(&at, value, now, losses);
             }
         }
         _ => losses.push(format!(

@@ -181,8 +181,8 @@ fn restored(
         .clamp(*WEIGHT_FACTORS.start(), *WEIGHT_FACTORS.end());
     let weights = (stored.weight_factor, weight_factor);
     moved("weight_factor", &weights.0, &weights.1, &mut losses);
-    let mix = stored.mix.clone().clamped();
-    moved("mix", &stored.mix, &mix, &mut losses);
+    let pages = stored.pages.clone().clamped();
+    moved("", &stored.pages, &pages, &mut losses);
     let preferences = stored.preferences.map(|preferences| {
         let clamped = preferences.clone().clamped();
         moved("preferences", &preferences, &clamped, &mut losses);
@@ -207,7 +207,7 @@ fn restored(
         weight_factor,
         view: stored.view,
         products: products.0,
-        mix,
+        pages,
     };
     document.weigh_the_papers_lamps();
     document.own_patches.truncate(MOST_OWN_PATCHES);

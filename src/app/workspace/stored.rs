@@ -8,11 +8,11 @@ use serde::{Deserialize, Serialize};
 use super::{FORMAT, Preferences, VERSION};
 use crate::{
     app::{
-        design::mix::Mix,
         document::{Document, PAPER_WEIGHT_FACTOR, Subject, View},
         entry::Entry,
         opened::ImageEntry,
         origin::{FileReading, MadeBy, Origin, SourceFile},
+        pages::PageSettings,
         products::{Link, Products},
         recipe::Times,
         scale::Scale,
@@ -165,8 +165,9 @@ pub(super) struct Stored {
     pub view: View,
     #[serde(default)]
     pub products: Option<StoredProducts>,
-    #[serde(default = "Mix::first")]
-    pub mix: Mix,
+    /// Each under its own key.
+    #[serde(flatten)]
+    pub pages: PageSettings,
     #[serde(default)]
     pub preferences: Option<Preferences>,
 }
@@ -205,7 +206,7 @@ impl Stored {
             weight_factor,
             view,
             products,
-            mix,
+            pages,
         } = document;
         Self {
             format: FORMAT.to_owned(),
@@ -232,7 +233,7 @@ impl Stored {
             weight_factor: *weight_factor,
             view: *view,
             products: Some(StoredProducts::of(products)),
-            mix: mix.clone(),
+            pages: pages.clone(),
             // A window that is folded away has no size, and so on: what is written can be read.
             preferences: preferences.cloned().map(Preferences::clamped),
         }

@@ -186,12 +186,7 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
         if modes.len() > 1 {
             ui.separator();
             for mode in modes {
-                let words = if mode == mode.tab() {
-                    first_mode(mode)
-                } else {
-                    mode.title()
-                };
-                ui.selectable_value(page, mode, words)
+                ui.selectable_value(page, mode, mode.mode())
                     .on_hover_text(mode.meaning());
             }
         }
@@ -199,16 +194,6 @@ pub fn tabs(ui: &mut Ui, page: &mut Page, at_end: impl FnOnce(&mut Ui)) {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), at_end);
         }
     });
-}
-
-/// What a tab's own page is called among its modes.
-fn first_mode(page: Page) -> &'static str {
-    match page {
-        Page::Tradeoff => "Curve",
-        Page::Resampling => "Ways",
-        Page::Prism => "Prism",
-        page => page.title(),
-    }
 }
 
 /// How a computation stands, in a line with a bar and a button to stop it.

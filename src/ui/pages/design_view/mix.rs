@@ -13,6 +13,7 @@ use crate::{
             mix::{FULL, GROUPS, MOST_CHANNELS, MOST_GELS, MixChannel, Snapshot},
             named_lines::{NamedLine, snapped},
         },
+        pages::PageSetting,
     },
     design::mixture::Source,
     spectrum::Kind,
@@ -357,7 +358,9 @@ fn kept(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk) {
             *slot = None;
         } else if button.clicked() {
             match slot {
-                Some(kept) => context.commands.push(Command::Mix(kept.mix.clone())),
+                Some(kept) => context
+                    .commands
+                    .push(Command::Page(PageSetting::Mix(kept.mix.clone()))),
                 None => {
                     *slot = Some(Snapshot {
                         mix: desk.mix.clone(),

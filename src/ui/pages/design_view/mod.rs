@@ -25,6 +25,7 @@ use crate::{
             named_lines::{NamedLine, named_lines},
             wish::{MixWish, Solved},
         },
+        pages::PageSetting,
     },
     ui::{
         kit::{self, named},
@@ -94,9 +95,9 @@ fn headline(ui: &mut Ui, context: &PageContext<'_>, colour: egui::Color32, words
 
 /// Changes the desk of the document.
 fn change(context: &mut PageContext<'_>, change: impl FnOnce(&mut Mix)) {
-    let mut mix = context.app.document().mix.clone();
+    let mut mix = context.app.document().pages.mix.clone();
     change(&mut mix);
-    context.commands.push(Command::Mix(mix));
+    context.commands.push(Command::Page(PageSetting::Mix(mix)));
 }
 
 /// A slider with its number behind it, both called the same.

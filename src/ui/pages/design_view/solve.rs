@@ -13,6 +13,7 @@ use crate::{
             front::{front_ask, on_desk, sentence},
             wish::{DUV, KELVIN, MixWish, Solved},
         },
+        pages::PageSetting,
     },
     design::solve::{Against, FREE_LINES, Favour},
     ui::{
@@ -103,7 +104,9 @@ impl DesignView {
         } != *wish;
         if is_other && let Ok(found) = Solved::of(wish, &desk, context.app.document()) {
             // A wish that is moved takes the faders along.
-            context.commands.push(Command::Mix(found.mix));
+            context
+                .commands
+                .push(Command::Page(PageSetting::Mix(found.mix)));
         }
     }
 }
@@ -128,7 +131,9 @@ fn wish_and_faders(
                 .on_hover_text("Moves the faders to what was solved for: one step of undo.")
                 .on_disabled_hover_text("The faders stand so.");
             if button.clicked() {
-                context.commands.push(Command::Mix(solved.mix.clone()));
+                context
+                    .commands
+                    .push(Command::Page(PageSetting::Mix(solved.mix.clone())));
             }
             if !solved.reached {
                 warning(ui, context.theme, "as near as the channels come");
@@ -376,6 +381,8 @@ fn front(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, height: f32) {
     let shown = context.chart(ui, &chart, "front", size);
     let clicked = shown.clicked.filter(|hit| hit.series == 0);
     if let Some(point) = clicked.and_then(|hit| points.get(hit.point)) {
-        context.commands.push(Command::Mix(on_desk(point)));
+        context
+            .commands
+            .push(Command::Page(PageSetting::Mix(on_desk(point))));
     }
 }
