@@ -1,17 +1,19 @@
-//! The places of the window and the pages in them: one row a page.
+//! The places of the window and the pages in them: one row a page, and what pages keep under undo.
+//! All that is listed page by page is listed here.
 
 mod memory;
+mod page;
 mod place;
-mod settings;
 
 use serde::{Deserialize, Serialize};
+
+use super::{design::mix::Mix, recipe::NameOf};
 
 pub use memory::{
     AskedLesson, FieldChoice, LIMITS, ManyMemory, PageMemory, RACE_BUDGETS, SHARES_PERCENT,
     SPENDABLE, WaysShown, WordsMemory,
 };
 pub use place::Place;
-pub use settings::{PageSetting, PageSettings};
 
 /// A page of the window: they all show the same document.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -376,108 +378,52 @@ const ROWS: &[Row] = &[
     ),
 ];
 
-impl Page {
-    /// Every page, place by place.
-    pub fn all() -> impl Iterator<Item = Self> {
-        ROWS.iter().map(|row| row.page)
-    }
+/// What pages keep in the document, under undo and in projects, each under its own key: plain data,
+/// spectra by their keys.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PageSettings {
+    /// The mixing desk of the place `Design`.
+    pub mix: Mix,
+}
 
-    fn row(self) -> &'static Row {
-        let found = ROWS.iter().find(|row| row.page == self);
-        found.unwrap_or(&ROWS[0])
-    }
+/// What one page keeps.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PageSetting {
+    /// The mixing desk.
+    Mix(Mix),
+}
 
-    /// Where it is.
-    pub fn place(self) -> Place {
-        self.row().place
-    }
-
-    /// The page whose tab it stands under.
-    pub fn tab(self) -> Self {
-        self.row().tab
-    }
-
-    /// The pages under the same tab: modes of one another.
-    pub fn modes(self) -> impl Iterator<Item = Self> {
-        let tab = self.tab();
-        let under = move |row: &&Row| row.tab == tab;
-        ROWS.iter().filter(under).map(|row| row.page)
-    }
-
-    /// Its name.
-    pub fn title(self) -> &'static str {
-        self.row().title
-    }
-
-    /// What the page is for, a sentence.
-    pub fn meaning(self) -> &'static str {
-        self.row().meaning
-    }
-
-    /// What it is called among the modes of its tab.
-    pub fn mode(self) -> &'static str {
-        self.row().mode
-    }
-
-    /// The name of the lesson that answers what it asks; none in Learn, where all of them are.
-    pub fn lesson(self) -> Option<&'static str> {
-        Some(self.row().lesson).filter(|name| !name.is_empty())
-    }
-
-    /// The word used on the command line.
-    pub fn word(self) -> &'static str {
-        self.row().word
-    }
-
-    /// The page of a word of this or an earlier version: `products/chain` was one.
-    pub fn of_word(word: &str) -> Option<Self> {
-        let word = word.strip_prefix("products/").unwrap_or(word);
-        let is_it = |row: &&Row| row.word == word || row.old.contains(&word);
-        ROWS.iter().find(is_it).map(|row| row.page)
-    }
-
-    /// Whether the model's knobs act on what it shows.
-    pub fn has_model(self) -> bool {
-        matches!(self.place(), Place::Look | Place::Quality | Place::Numbers)
+impl Default for PageSettings {
+    fn default() -> Self {
+        Self { mix: Mix::first() }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_page_has_one_row_and_every_place_at_most_five_tabs() {
-        for page in Page::all() {
-            assert_eq!(page.row().page, page);
-            assert_eq!(Page::of_word(page.word()), Some(page));
-            assert_eq!(page.tab().place(), page.place());
-            assert!(page.modes().any(|mode| mode == page));
+impl PageSettings {
+    /// One of them anew, moved to what is allowed.
+    pub fn set(&mut self, setting: PageSetting) {
+        match setting {
+            PageSetting::Mix(mix) => self.mix = mix.clamped(),
         }
-        for place in Place::ALL {
-            let tabs = place.tabs().count();
-            assert!((1..=5).contains(&tabs), "{}", place.title());
-            assert_eq!(place.first().place(), place);
-        }
-        let mut words: Vec<&str> = Page::all().map(Page::word).collect();
-        words.sort_unstable();
-        words.dedup();
-        assert_eq!(words.len(), ROWS.len());
     }
 
-    #[test]
-    fn words_of_earlier_versions_lead_to_the_same_page() {
-        for (old, page) in [
-            ("spectrum", Page::Spectrum),
-            ("coefficients", Page::Coefficients),
-            ("products", Page::Chain),
-            ("products/forming", Page::Resampling),
-            ("products/lights", Page::TwoLights),
-            ("products/check", Page::SameSurface),
-            ("products/absorption", Page::Absorption),
-        ] {
-            assert_eq!(Page::of_word(old), Some(page), "{old}");
+    /// Every value moved to the nearest one that is allowed.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        Self {
+            mix: self.mix.clamped(),
         }
-        assert_eq!(Page::of_word("home"), None);
+    }
+
+    /// Lets go of a spectrum that left the library.
+    pub fn forget(&mut self, key: &str) {
+        self.mix.forget(key);
+    }
+
+    /// What changed, in words.
+    pub fn changed_since(&self, before: &Self, name_of: NameOf<'_>) -> Vec<String> {
+        let mix = self.mix.changed_since(&before.mix, name_of);
+        mix.into_iter().collect()
     }
 }
