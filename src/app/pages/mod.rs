@@ -99,280 +99,268 @@ struct Row {
     mode: &'static str,
 }
 
+/// A row of a tab of its own, under its only word.
 const fn row(
     page: Page,
-    (place, tab): (Place, Page),
+    place: Place,
     (title, word): (&'static str, &'static str),
-    old: &'static [&'static str],
     lesson: &'static str,
     meaning: &'static str,
 ) -> Row {
     Row {
         page,
         place,
-        tab,
+        tab: page,
         title,
         word,
-        old,
+        old: &[],
         lesson,
         meaning,
         mode: title,
     }
 }
 
-/// A tab's own page, where it is called otherwise among the modes of its tab.
-const fn among_modes(row: Row, mode: &'static str) -> Row {
-    Row { mode, ..row }
+impl Row {
+    /// A mode of another page's tab.
+    const fn under(self, tab: Page) -> Self {
+        Self { tab, ..self }
+    }
+
+    /// With words of earlier versions.
+    const fn once(self, old: &'static [&'static str]) -> Self {
+        Self { old, ..self }
+    }
+
+    /// A tab's own page, where it is called otherwise among the modes of its tab.
+    const fn among_modes(self, mode: &'static str) -> Self {
+        Self { mode, ..self }
+    }
 }
 
 /// The pages, place by place.
 const ROWS: &[Row] = &[
     row(
         Page::Lessons,
-        (Place::Learn, Page::Lessons),
+        Place::Learn,
         ("Lessons", "lessons"),
-        &[],
         "",
         "Short walks through the program: predict, do, see why.",
     ),
     row(
         Page::Glossary,
-        (Place::Learn, Page::Glossary),
+        Place::Learn,
         ("Glossary", "glossary"),
-        &[],
         "",
         "What the words of this window mean.",
     ),
     row(
         Page::Truth,
-        (Place::Learn, Page::Truth),
+        Place::Learn,
         ("The paper checked", "truth"),
-        &[],
         "",
         "The paper's claims, measured on this spectrum and range.",
     ),
     row(
         Page::Teachers,
-        (Place::Learn, Page::Teachers),
+        Place::Learn,
         ("For teachers", "teachers"),
-        &[],
         "",
         "What each lesson teaches, what to prepare, handouts, and how to write one.",
     ),
     row(
         Page::Spectrum,
-        (Place::Look, Page::Spectrum),
+        Place::Look,
         ("Spectrum", "look"),
-        &["spectrum"],
         "waves",
         "The spectrum, its model and surfaces under both.",
-    ),
+    )
+    .once(&["spectrum"]),
     row(
         Page::Absorption,
-        (Place::Look, Page::Absorption),
+        Place::Look,
         ("Dark lines", "dark-lines"),
-        &["absorption"],
         "missing",
         "Absorption lines kept as negative spikes, and their names.",
-    ),
+    )
+    .once(&["absorption"]),
     row(
         Page::Chain,
-        (Place::Through, Page::Chain),
+        Place::Through,
         ("Chain", "chain"),
-        &["products"],
         "filters",
         "The light through filters and off surfaces, exact beside model.",
-    ),
+    )
+    .once(&["products"]),
     row(
         Page::Narrow,
-        (Place::Through, Page::Narrow),
+        Place::Through,
         ("One filter", "filter"),
-        &["narrow"],
         "samples",
         "A narrow band-pass moved over the light, at equal numbers.",
-    ),
+    )
+    .once(&["narrow"]),
     row(
         Page::TwoLights,
-        (Place::Through, Page::TwoLights),
+        Place::Through,
         ("Two lights", "two-lights"),
-        &["lights"],
         "metamers",
         "The same surfaces under two lights; metamers found and made.",
-    ),
+    )
+    .once(&["lights"]),
     row(
         Page::SameSurface,
-        (Place::Through, Page::SameSurface),
+        Place::Through,
         ("Same surface?", "same-surface"),
-        &["check"],
         "filters",
         "Whether a spectrum is the light off a surface: S3 = S1 S2.",
-    ),
+    )
+    .once(&["check"]),
     row(
         Page::Quality,
-        (Place::Quality, Page::Quality),
+        Place::Quality,
         ("Figures", "quality"),
-        &[],
         "quality",
         "Every figure of light quality, measured beside model, and what it means.",
     ),
     row(
         Page::Chromaticity,
-        (Place::Quality, Page::Chromaticity),
+        Place::Quality,
         ("Chromaticity", "chromaticity"),
-        &[],
         "quality",
         "Where the light is among colours, whites and screens.",
     ),
     row(
         Page::Rendition,
-        (Place::Quality, Page::Rendition),
+        Place::Quality,
         ("Colours under it", "rendition"),
-        &[],
         "quality",
         "What the light does to colours: TM-30 and CRI, hue by hue.",
     ),
     row(
         Page::QualityOrder,
-        (Place::Quality, Page::QualityOrder),
+        Place::Quality,
         ("Against order", "quality-order"),
-        &[],
         "quality",
         "From how many numbers on a model has the figures of its light.",
     ),
     row(
         Page::Mix,
-        (Place::Design, Page::Mix),
+        Place::Design,
         ("Mix", "mix"),
-        &[],
         "white",
         "Lines, LEDs and lights mixed by faders, with what the mixture is worth.",
     ),
     row(
         Page::Solve,
-        (Place::Design, Page::Solve),
+        Place::Design,
         ("Solve", "solve"),
-        &[],
         "white",
         "The faders for a colour that is wished for, and what lines can reach at best.",
     ),
     row(
         Page::FromColour,
-        (Place::Design, Page::FromColour),
+        Place::Design,
         ("From a colour", "from-colour"),
-        &[],
         "recover",
         "Spectra that have a colour, and all that could have it.",
     ),
     row(
         Page::Coefficients,
-        (Place::Numbers, Page::Coefficients),
+        Place::Numbers,
         ("Why few suffice", "why"),
-        &["coefficients"],
         "colour",
         "Why few numbers carry colour: the coefficients of the light beside those of the eye.",
-    ),
-    among_modes(
-        row(
-            Page::Tradeoff,
-            (Place::Numbers, Page::Tradeoff),
-            ("Trade-off", "tradeoff"),
-            &[],
-            "spend",
-            "Error against numbers: every order, with and without spikes.",
-        ),
-        "Curve",
-    ),
+    )
+    .once(&["coefficients"]),
+    row(
+        Page::Tradeoff,
+        Place::Numbers,
+        ("Trade-off", "tradeoff"),
+        "spend",
+        "Error against numbers: every order, with and without spikes.",
+    )
+    .among_modes("Curve"),
     row(
         Page::Many,
-        (Place::Numbers, Page::Tradeoff),
+        Place::Numbers,
         ("Many lights", "many-lights"),
-        &[],
         "spend",
         "Which order is enough for how many lights of a set or of your folders.",
-    ),
+    )
+    .under(Page::Tradeoff),
     row(
         Page::Auction,
-        (Place::Numbers, Page::Tradeoff),
+        Place::Numbers,
         ("Auction", "auction"),
-        &[],
         "spend",
         "What to buy with the next numbers: an order, a spike or the lines' widths.",
-    ),
+    )
+    .under(Page::Tradeoff),
     row(
         Page::Race,
-        (Place::Numbers, Page::Race),
+        Place::Numbers,
         ("Race", "race"),
-        &[],
         "samples",
         "The composite against other representations, at equal numbers.",
     ),
     row(
         Page::KnownLamps,
-        (Place::Numbers, Page::KnownLamps),
+        Place::Numbers,
         ("Known lamps", "known-lamps"),
-        &[],
         "spend",
         "What the light is made of: lamps that are known, a short series, a few lines.",
     ),
-    among_modes(
-        row(
-            Page::Resampling,
-            (Place::Numbers, Page::Resampling),
-            ("Products in few numbers", "resampling"),
-            &["forming"],
-            "filters",
-            "One product formed on few points, by convolution and at every nm.",
-        ),
-        "Ways",
-    ),
+    row(
+        Page::Resampling,
+        Place::Numbers,
+        ("Products in few numbers", "resampling"),
+        "filters",
+        "One product formed on few points, by convolution and at every nm.",
+    )
+    .once(&["forming"])
+    .among_modes("Ways"),
     row(
         Page::Bounces,
-        (Place::Numbers, Page::Resampling),
+        Place::Numbers,
         ("Bounces", "bounces"),
-        &[],
         "filters",
         "What the ways of forming products cost as bounces add up.",
-    ),
+    )
+    .under(Page::Resampling),
     row(
         Page::Image,
-        (Place::Picture, Page::Image),
+        Place::Picture,
         ("Spectral image", "image"),
-        &[],
         "recover",
         "A spectral image: a pixel or a region's mean becomes a spectrum.",
     ),
-    among_modes(
-        row(
-            Page::Prism,
-            (Place::Picture, Page::Prism),
-            ("Prism and rainbow", "prism"),
-            &[],
-            "prism",
-            "The light through a prism: every line one exact ray, the rest a smooth band.",
-        ),
-        "Prism",
-    ),
+    row(
+        Page::Prism,
+        Place::Picture,
+        ("Prism and rainbow", "prism"),
+        "prism",
+        "The light through a prism: every line one exact ray, the rest a smooth band.",
+    )
+    .among_modes("Prism"),
     row(
         Page::Rainbow,
-        (Place::Picture, Page::Prism),
+        Place::Picture,
         ("Rainbow", "rainbow"),
-        &[],
         "prism",
         "The light in drops of water: both bows, every line a stripe of its own.",
-    ),
+    )
+    .under(Page::Prism),
     row(
         Page::Gem,
-        (Place::Picture, Page::Gem),
+        Place::Picture,
         ("Gem", "gem"),
-        &[],
         "prism",
         "A cut gem under the light, traced ray by ray; under another light at once.",
     ),
     row(
         Page::Relit,
-        (Place::Picture, Page::Relit),
+        Place::Picture,
         ("In few numbers, relit", "relit"),
-        &[],
         "recover",
         "A spectral image in few numbers a pixel, and how it looks under any light.",
     ),
