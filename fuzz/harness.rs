@@ -345,6 +345,7 @@ fn judge(file: &str, answer: &Answer, whole: bool) {
         spectra,
         composites,
         table: _,
+        cut_by: _,
         understood,
         images_understood,
         results,

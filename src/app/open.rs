@@ -162,6 +162,7 @@ fn from_reading(
         spectra,
         composites,
         table,
+        cut_by: _,
         understood,
         images_understood,
         results,

@@ -162,7 +162,7 @@ pub fn race_json(ask: &RaceAsk, race: &Race) -> Value {
         "settings": {
             "range_nm": [ask.band.min_nm(), ask.band.max_nm()],
             "observer": ask.observer.word(),
-            "patches": ask.patch_set,
+            "patches": ask.patches.words(),
             "check": CHECK_SET,
             "lines": lines_json(ask.spikes),
         },
@@ -240,7 +240,7 @@ pub fn race_notes(ask: &RaceAsk) -> Vec<String> {
             ask.band.min_nm(),
             ask.band.max_nm(),
             ask.observer.title(),
-            ask.patch_set,
+            ask.patches.words(),
             CHECK_SET,
             lines_words(ask.spikes),
         ),

@@ -31,6 +31,7 @@ pub fn json(path: &Path, read: &Result<Reading, ReadError>) -> Value {
                 spectra,
                 composites,
                 table: _,
+                cut_by: _,
                 understood: _,
                 images_understood: _,
                 results,

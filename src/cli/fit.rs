@@ -1,13 +1,13 @@
 //! `fit`: tables of many spectra in few numbers each; lines of JSON one by one.
 
 use std::{
-    fs,
     io::{BufRead, BufReader, Write},
     path::{Path, PathBuf},
 };
 
 use super::{
     arguments::Fit,
+    folder::{files_in, spectra_of},
     inputs::Inputs,
     print,
     refusal::Refusal,
@@ -55,35 +55,26 @@ pub(super) fn run(options: &Fit, out: &mut dyn Write, inputs: &mut Inputs) -> Re
     let target = target.beside(&[Some(options.input.as_os_str())]);
     target.path()?;
     let spectra = spectra(input, inputs)?;
-    let kind = spectra[0].kind;
-    if let Some(other) = spectra.iter().find(|spectrum| spectrum.kind != kind) {
+    let first = &spectra[0].1;
+    let kind = first.kind;
+    if let Some((path, other)) = spectra.iter().find(|(_, spectrum)| spectrum.kind != kind) {
         return Err(Refusal::File(format!(
-            "{}: found {} values beside {kind} values, expected spectra of one kind",
-            other.name, other.kind
+            "{}: {}: found {} values beside {kind} values, expected spectra of one kind",
+            shown(path),
+            other.name,
+            other.kind
         )));
     }
     let tables: Vec<_> = spectra
         .iter()
-        .map(|s| (s.name.clone(), &s.samples))
+        .map(|(_, s)| (s.name.clone(), &s.samples))
         .collect();
     let fitted = fit_spectra(&tables, kind, ask, &Progress::default());
     let fitted = fitted.map_err(|why| match why {
         PictureError::Numbers { .. } => Refusal::Usage(format!("--numbers: {why}")),
         why => Refusal::File(format!("{}: {why}", shown(input))),
     })?;
-    let first = &spectra[0];
-    let [least, most] = [first.samples.first_nm(), first.samples.last_nm()];
-    let is_cut = |s: &&NamedSpectrum| s.samples.first_nm() < least || s.samples.last_nm() > most;
-    let cut = spectra.iter().filter(is_cut).count();
-    if cut > 0 {
-        inputs.note(format!(
-            "{} cut to {} to {} nm, the range of {}",
-            many(cut, "spectrum is", "spectra are"),
-            short(least),
-            short(most),
-            first.name
-        ));
-    }
+    note_cut(&spectra, inputs);
     let text = match extension(path).as_str() {
         "csv" => fitted.csv(),
         _ => format!("{:#}\n", fitted.json()),
@@ -133,36 +124,38 @@ fn of_lines(ask: FitAsk, lines: &mut dyn BufRead, out: &mut dyn Write) -> Result
     }
 }
 
-/// The spectra of a file, or of all files of a folder but not of those below it.
-fn spectra(input: &Path, inputs: &mut Inputs) -> Result<Vec<NamedSpectrum>, Refusal> {
-    let mut paths: Vec<PathBuf> = vec![input.to_owned()];
-    if input.is_dir() {
-        let unreadable = |why: std::io::Error| {
-            let name = shown(input);
-            Refusal::File(format!(
-                "{name}: found {}, expected a folder to read",
-                why.kind()
-            ))
-        };
-        paths.clear();
-        for item in fs::read_dir(input).map_err(unreadable)? {
-            paths.push(item.map_err(unreadable)?.path());
-        }
-        // A pipe in the folder would be waited for without end.
-        paths.retain(|path| path.is_file());
-        paths.sort();
+/// Says how many spectra reach beyond the first, whose range is kept.
+fn note_cut(spectra: &[(PathBuf, NamedSpectrum)], inputs: &mut Inputs) {
+    let first = &spectra[0].1;
+    let [least, most] = [first.samples.first_nm(), first.samples.last_nm()];
+    let is_cut = |(_, s): &&(PathBuf, NamedSpectrum)| {
+        s.samples.first_nm() < least || s.samples.last_nm() > most
+    };
+    let cut = spectra.iter().filter(is_cut).count();
+    if cut > 0 {
+        inputs.note(format!(
+            "{} cut to {} to {} nm, the range of {}",
+            many(cut, "spectrum is", "spectra are"),
+            short(least),
+            short(most),
+            first.name
+        ));
     }
-    let mut all = Vec::new();
-    for path in &paths {
-        match inputs.load(path, &Choices::default()) {
-            Loaded::File(opened) => all.extend(opened.into_spectra()),
-            Loaded::Refused(why) if paths.len() == 1 => return Err(Refusal::File(why)),
-            Loaded::Refused(why) => inputs.remark(&format!("skipped: {why}")),
-            Loaded::Project { .. } => {
-                inputs.remark(&format!("skipped: {}: a project", shown(path)))
+}
+
+/// The spectra of a file, or of all files of a folder, each with its file.
+fn spectra(input: &Path, inputs: &mut Inputs) -> Result<Vec<(PathBuf, NamedSpectrum)>, Refusal> {
+    let all = match input.is_dir() {
+        true => spectra_of(&files_in(input)?, inputs),
+        false => match inputs.load(input, &Choices::default()) {
+            Loaded::File(opened) => {
+                let spectra = opened.into_spectra().into_iter();
+                spectra.map(|one| (input.to_owned(), one)).collect()
             }
-        }
-    }
+            Loaded::Refused(why) => return Err(Refusal::File(why)),
+            Loaded::Project { .. } => Vec::new(),
+        },
+    };
     if all.is_empty() {
         return Err(Refusal::File(format!(
             "{}: found no spectrum, expected at least one",

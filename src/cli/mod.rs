@@ -17,6 +17,7 @@ mod decode;
 mod encode;
 mod factor;
 mod fit;
+mod folder;
 mod gem;
 mod inputs;
 mod lessons;

@@ -1,15 +1,10 @@
 //! `race`: the composite beside other representations at equal counts of numbers.
 
-use std::{
-    ffi::OsStr,
-    fs,
-    io::Write,
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
 
 use super::{
     arguments::Race,
+    folder::{files_in, spectra_of},
     inputs::Inputs,
     print,
     refusal::Refusal,
@@ -19,14 +14,13 @@ use crate::{
     app::{
         App, ByAddress, Entry, Library,
         charts::race::Ways,
-        open::Loaded,
         race_report,
         studies::{Class, Field, Question, RaceAsk},
     },
-    io::{Choices, many::many, quoted, shown},
+    io::{many::many, quoted, shown},
     preset::Preset,
     spectrum::Kind,
-    study::{Progress, scaled_to_one},
+    study::Progress,
 };
 
 /// Carries the command out.
@@ -70,7 +64,8 @@ pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> R
         .ok_or_else(|| match (input, set) {
             (Some(_), _) => no_power(&app),
             (None, set) => Refusal::File(format!(
-                "{}: found no light but zeros from {} to {} nm, expected one to measure",
+                "{}: found no light with a value above zero from {} to {} nm, expected one to \
+                 measure",
                 set.as_ref().map_or_else(
                     || "the shipped lights".to_owned(),
                     |set| shown(Path::new(set))
@@ -80,10 +75,10 @@ pub(super) fn run(options: &Race, out: &mut dyn Write, inputs: &mut Inputs) -> R
             )),
         })?;
     for lamp in ask.lamps() {
-        if scaled_to_one(&lamp.values).is_none() {
+        if !lamp.shines() {
             let band = ask.band;
             inputs.remark(&format!(
-                "skipped: {}: nothing but zeros from {} to {} nm",
+                "skipped: {}: nothing above zero from {} to {} nm",
                 lamp.name,
                 band.min_nm(),
                 band.max_nm()
@@ -153,44 +148,14 @@ fn set_of(set: &OsStr, inputs: &mut Inputs) -> Result<Field, Refusal> {
 
 /// Every light in the files of a folder, not in the folders below it.
 fn lights_in(folder: &Path, inputs: &mut Inputs) -> Result<Field, Refusal> {
-    let unreadable = |why: std::io::Error| {
-        let folder = shown(folder);
-        Refusal::File(format!(
-            "{folder}: found {}, expected a folder to read",
-            why.kind()
-        ))
-    };
-    let mut paths: Vec<PathBuf> = Vec::new();
-    for item in fs::read_dir(folder).map_err(unreadable)? {
-        paths.push(item.map_err(unreadable)?.path());
-    }
-    // A pipe in the folder would be waited for without end.
-    paths.retain(|path| path.is_file());
-    paths.sort();
-    let mut lights = Vec::new();
-    let mut others = 0;
-    for path in &paths {
-        match inputs.load(path, &Choices::default()) {
-            Loaded::Refused(why) => inputs.remark(&format!("skipped: {why}")),
-            Loaded::Project { .. } => {
-                inputs.remark(&format!("skipped: {}: a project", shown(path)));
-            }
-            Loaded::File(opened) => {
-                let spectra = opened.into_spectra();
-                for spectrum in spectra {
-                    if spectrum.kind == Kind::Light {
-                        let number = lights.len() as u64 + 1;
-                        lights.push(ByAddress(Arc::new(Entry::own(number, spectrum))));
-                    } else {
-                        others += 1;
-                    }
-                }
-            }
-        }
-    }
-    if others > 0 {
+    let paths = files_in(folder)?;
+    let spectra = spectra_of(&paths, inputs).into_iter();
+    let (lights, others): (Vec<_>, Vec<_>) = spectra
+        .map(|(_, spectrum)| spectrum)
+        .partition(|spectrum| spectrum.kind == Kind::Light);
+    if !others.is_empty() {
         let others = many(
-            others,
+            others.len(),
             "spectrum that is no light",
             "spectra that are no lights",
         );
@@ -203,5 +168,6 @@ fn lights_in(folder: &Path, inputs: &mut Inputs) -> Result<Field, Refusal> {
             many(paths.len(), "file", "files"),
         )));
     }
-    Ok(Field::These(lights))
+    let entry = |(number, light)| ByAddress(Arc::new(Entry::own(number, light)));
+    Ok(Field::These((1..).zip(lights).map(entry).collect()))
 }

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use clap::{ArgMatches, CommandFactory, parser::ValueSource};
+use clap::{Arg, ArgMatches, CommandFactory, parser::ValueSource};
 
 use super::{arguments::Arguments, inputs::Inputs};
 
@@ -203,11 +203,16 @@ fn given(matches: &ArgMatches) -> Option<(String, BTreeSet<String>)> {
         .filter(|known| {
             matches.value_source(known.get_id().as_str()) == Some(ValueSource::CommandLine)
         })
-        .filter_map(|known| match known.get_long() {
-            Some(long) => Some(format!("--{long}")),
-            None => known.get_value_names()?.first().map(ToString::to_string),
-        });
+        .filter_map(word_of);
     Some((command.to_owned(), words.collect()))
+}
+
+/// An option as it is written, or the name of a word without one.
+fn word_of(known: &Arg) -> Option<String> {
+    match known.get_long() {
+        Some(long) => Some(format!("--{long}")),
+        None => known.get_value_names()?.first().map(ToString::to_string),
+    }
 }
 
 #[cfg(test)]
@@ -222,13 +227,7 @@ mod tests {
                 let command = all
                     .find_subcommand(name)
                     .unwrap_or_else(|| panic!("{name}"));
-                let known: Vec<String> = command
-                    .get_arguments()
-                    .filter_map(|known| match known.get_long() {
-                        Some(long) => Some(format!("--{long}")),
-                        None => Some(known.get_value_names()?[0].to_string()),
-                    })
-                    .collect();
+                let known: Vec<String> = command.get_arguments().filter_map(word_of).collect();
                 let options = rule.options.iter().copied().flatten();
                 for word in options.chain(rule.with).chain(rule.without) {
                     assert!(known.iter().any(|known| known == word), "{name} {word}");

@@ -62,6 +62,9 @@ impl ManyLights {
         let highest_order = highest_order.min(Basis::highest_order(measures.band()));
         progress.expect(lamps.len());
         let swept = |lamp: &Lamp| {
+            if !lamp.shines() {
+                return None;
+            }
             let subject = Subject {
                 measures: measures.clone(),
                 values: lamp.values.clone(),
@@ -142,13 +145,14 @@ mod tests {
         Arc::new(Measures::new(patches))
     }
 
-    /// A flat light, a slope, one of many waves, and one that is dark.
+    /// A flat light, a slope, one of many waves, one that is dark and one below zero.
     fn lamps() -> Vec<Lamp> {
         vec![
             lamp("flat", |_| 1.0),
             lamp("slope", |nm| nm / 500.0),
             lamp("waves", |nm| 1.2 + (nm / 8.0).sin()),
             lamp("dark", |_| 0.0),
+            lamp("negative", |_| -1.0),
         ]
     }
 
@@ -164,7 +168,7 @@ mod tests {
             .iter()
             .map(|light| light.name.as_str())
             .collect();
-        assert_eq!((names, many.dark), (vec!["flat", "slope", "waves"], 1));
+        assert_eq!((names, many.dark), (vec!["flat", "slope", "waves"], 2));
         let alone = Subject {
             measures: judge,
             values: lamps()[2].values.clone(),

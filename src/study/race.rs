@@ -139,7 +139,7 @@ impl<'a> Stable<'a> {
                 return None;
             }
             progress.step();
-            let Some(values) = scaled_to_one(&lamp.values) else {
+            let Some(values) = scaled_to_one(&lamp.values).filter(|_| lamp.shines()) else {
                 continue;
             };
             let reference = Reference::of_light(measures, &values);

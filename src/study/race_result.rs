@@ -119,6 +119,13 @@ pub struct Lamp {
     pub values: Vec<f64>,
 }
 
+impl Lamp {
+    /// Whether any of its values is above zero: what is below shines on nothing.
+    pub fn shines(&self) -> bool {
+        self.values.iter().any(|value| *value > 0.0)
+    }
+}
+
 /// Everything that a race is run on, all on one band.
 #[derive(Clone, Debug)]
 pub struct Course {

@@ -12,6 +12,8 @@ use super::theme::Theme;
 /// Thickness of the ring and the room between it and what it is around, points.
 const RING: f32 = 3.0;
 const ROOM: f32 = 4.0;
+/// What screen readers are told before the words beside it.
+const HERE: &str = "Here: ";
 /// Size of the words beside it, points.
 const TYPE: f32 = 15.0;
 
@@ -20,6 +22,8 @@ const TYPE: f32 = 15.0;
 struct Finder {
     wanted: Option<String>,
     found: Option<(NodeId, Rect)>,
+    /// Where words and controls stand that nothing should be laid over.
+    busy: Vec<Rect>,
     /// It was brought into view once; whoever scrolls away afterwards is not held back.
     scrolled: bool,
 }
@@ -73,10 +77,34 @@ impl Plugin for Finder {
             order.unwrap_or(std::cmp::Ordering::Equal)
         });
         let found = first.map(|(_, id, rect)| (id, rect));
-        if found != self.found {
-            self.found = found;
+        let around = found.map(|(_, rect)| rect.expand(ROOM));
+        let nodes = update.nodes.iter();
+        let busy = nodes.filter(|(_, node)| self.wanted.is_some() && is_busy(node));
+        let busy = busy.filter_map(|(_, node)| rect_of(node));
+        let busy: Vec<Rect> = busy
+            .filter(|rect| !around.is_some_and(|around| around.intersects(*rect)))
+            .collect();
+        if found != self.found || busy != self.busy {
+            (self.found, self.busy) = (found, busy);
             context.request_repaint();
         }
+    }
+}
+
+/// Whether a person reads or works it: words about the ring itself apart.
+fn is_busy(node: &Node) -> bool {
+    let is_ring = |name: &str| name.starts_with(HERE);
+    match node.role() {
+        Role::Label => !node.label().or(node.value()).is_some_and(is_ring),
+        Role::Button
+        | Role::CheckBox
+        | Role::ComboBox
+        | Role::Link
+        | Role::RadioButton
+        | Role::Slider
+        | Role::SpinButton
+        | Role::TextInput => true,
+        _ => false,
     }
 }
 
@@ -87,8 +115,9 @@ fn rect_of(node: &Node) -> Option<Rect> {
     rect.is_positive().then_some(rect)
 }
 
-/// Where the thing of a name stands, as of the last frame; brought into view once it is wanted.
-pub(super) fn find(context: &Context, name: Option<&str>) -> Option<Rect> {
+/// Where the thing of a name stands, as of the last frame, and what stands around it; it is brought
+/// into view once it is wanted.
+pub(super) fn find(context: &Context, name: Option<&str>) -> (Option<Rect>, Vec<Rect>) {
     let finder = context.plugin_or_default::<Finder>();
     let mut finder = finder.lock();
     if finder.wanted.as_deref() != name {
@@ -101,11 +130,11 @@ pub(super) fn find(context: &Context, name: Option<&str>) -> Option<Rect> {
         // Names are told to screen readers alone, unless they are asked for.
         context.enable_accesskit();
     }
-    finder.found.map(|(_, rect)| rect)
+    (finder.found.map(|(_, rect)| rect), finder.busy.clone())
 }
 
-/// Draws the ring around a place and the words beside it.
-pub(super) fn ring(context: &Context, around: Rect, label: &str, theme: Theme) {
+/// Draws the ring around a place, and the words beside it where they cover least of what is busy.
+pub(super) fn ring(context: &Context, (around, busy): (Rect, &[Rect]), label: &str, theme: Theme) {
     let screen = context.content_rect();
     let rect = around.expand(ROOM + RING / 2.0);
     if !screen.intersects(around) {
@@ -123,13 +152,13 @@ pub(super) fn ring(context: &Context, around: Rect, label: &str, theme: Theme) {
     let font = egui::FontId::proportional(TYPE * theme.scale);
     let words = painter.layout_no_wrap(label.to_owned(), font, theme.ground);
     let size = words.size() + egui::vec2(12.0, 6.0);
-    let card = Rect::from_min_size(beside(rect, size, screen), size);
+    let card = Rect::from_min_size(beside(rect, size, (screen, busy)), size);
     painter.rect_filled(card, 4.0, theme.warning);
     let at = Align2::CENTER_CENTER.align_size_within_rect(words.size(), card);
     painter.galley(at.min, words, theme.ground);
     context.accesskit_node_builder(id, |node| {
         node.set_role(Role::Label);
-        node.set_label(format!("Here: {label}"));
+        node.set_label(format!("{HERE}{label}"));
         node.set_bounds(egui::accesskit::Rect {
             x0: rect.left().into(),
             y0: rect.top().into(),
@@ -141,24 +170,63 @@ pub(super) fn ring(context: &Context, around: Rect, label: &str, theme: Theme) {
 
 /// Where words of a size stand beside a ring: below it or above it, and at the side of a tall one,
 /// whose ends are at the edges of a plot, and of one in the top bar, below which there is text.
-fn beside(ring: Rect, size: egui::Vec2, screen: Rect) -> egui::Pos2 {
+/// Where they would cover something there, on that side of it where they cover least.
+fn beside(ring: Rect, size: egui::Vec2, (screen, busy): (Rect, &[Rect])) -> egui::Pos2 {
     const TALL: f32 = 160.0;
     const BAR: f32 = 48.0;
     let gap = RING + 1.0;
     let is_tall = ring.height() > TALL;
     let at_side = is_tall || ring.center().y < screen.top() + BAR;
-    let x = match at_side {
-        true if ring.right() + gap + size.x <= screen.right() => ring.right() + gap,
-        true => ring.left() - gap - size.x,
-        false => ring.left(),
+    let middle = match is_tall {
+        true => ring.top() + size.y,
+        false => ring.center().y - size.y / 2.0,
     };
-    let y = match at_side {
-        true if is_tall => ring.top() + size.y,
-        true => ring.center().y - size.y / 2.0,
-        false if ring.bottom() + gap + size.y <= screen.bottom() => ring.bottom() + gap,
-        false => ring.top() - gap - size.y,
+    let (over, under) = (ring.top() - gap - size.y, ring.bottom() + gap);
+    let flush = ring.right() - size.x;
+    let right = egui::pos2(ring.right() + gap, middle);
+    let left = egui::pos2(ring.left() - gap - size.x, middle);
+    let below = [ring.left(), flush].map(|x| egui::pos2(x, under));
+    let above = [ring.left(), flush].map(|x| egui::pos2(x, over));
+    let ways = match at_side {
+        true => [right, left, below[0], below[1], above[0], above[1]],
+        false => [below[0], above[0], right, left, below[1], above[1]],
     };
-    let least = screen.min + egui::Vec2::splat(ROOM);
-    let most = (screen.max - size - egui::Vec2::splat(ROOM)).max(least);
-    egui::pos2(x, y).clamp(least, most)
+    let inside = screen.shrink(ROOM);
+    let least = inside.min;
+    let most = (inside.max - size).max(least);
+    let covered = |at: egui::Pos2| -> f32 {
+        let card = Rect::from_min_size(at, size);
+        let all = busy.iter().chain([&ring]);
+        let common = all.map(|rect| card.intersect(*rect));
+        let common = common.filter(|common| common.is_positive());
+        common.map(|common| common.area()).sum()
+    };
+    let ways = ways.map(|at| at.clamp(least, most));
+    let best = ways
+        .into_iter()
+        .min_by(|a, b| covered(*a).total_cmp(&covered(*b)));
+    best.unwrap_or(ways[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_beside_a_ring_cover_nothing_where_there_is_room() {
+        let screen = Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1000.0, 700.0));
+        let ring = Rect::from_min_size(egui::pos2(400.0, 300.0), egui::vec2(200.0, 30.0));
+        let size = egui::vec2(150.0, 24.0);
+        let card = |busy: &[Rect]| Rect::from_min_size(beside(ring, size, (screen, busy)), size);
+        let free = card(&[]);
+        assert!(free.top() > ring.bottom() && free.left() == ring.left());
+        let mut busy = vec![free];
+        // Below, above, right, left: what is taken is left alone.
+        for _ in 0..3 {
+            let next = card(&busy);
+            assert!(!busy.iter().any(|rect| rect.intersects(next)), "{next}");
+            assert!(!ring.intersects(next) && screen.contains_rect(next));
+            busy.push(next.shrink(1.0));
+        }
+    }
 }

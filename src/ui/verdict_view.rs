@@ -87,19 +87,28 @@ pub fn foot(ui: &mut Ui, theme: Theme, side: &mut Side) {
     });
 }
 
+/// Below this height swatch, word and numbers stand in one line, points.
+const LINE: f32 = 56.0;
+
 /// Least width of a swatch with words below it, points.
 const CAPTIONS: f32 = 96.0;
 
 /// Swatch, word and numbers in little room.
 pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
     let outline = ui.visuals().widgets.noninteractive.bg_stroke;
+    let is_line = ui.available_height() < LINE * theme.scale;
     egui::Frame::new()
         .stroke(outline)
         .corner_radius(4)
-        .inner_margin(8)
+        .inner_margin(if is_line { 4 } else { 8 })
         .show(ui, |ui| {
             ui.set_min_size(ui.available_size());
             let height = ui.available_height();
+            if is_line {
+                return ui
+                    .horizontal_centered(|ui| brief_line(ui, app, theme, height))
+                    .inner;
+            }
             ui.horizontal_top(|ui| {
                 let width = (0.4 * ui.available_width()).min(120.0 * theme.scale);
                 let down = Layout::top_down(Align::Min);
@@ -126,6 +135,24 @@ pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                 });
             });
         });
+}
+
+/// The same in one line.
+fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
+    let Some(worst) = Worst::of(app) else {
+        return no_colour(ui);
+    };
+    let width = 64.0 * theme.scale;
+    ui.allocate_ui(vec2(width, height), |ui| {
+        ui.set_width(width);
+        split(ui, app, theme, height - 16.0, false);
+    });
+    let seen = Seen::of(worst.delta_e_2000);
+    ui.label(RichText::new(seen.verdict()).color(ui.visuals().strong_text_color()));
+    let (numbers, instead) = counts(app);
+    let worst = figure(worst.delta_e_2000);
+    let words = format!("ΔE₀₀ {worst} at worst, {numbers} numbers, not {instead}");
+    ui.add(Label::new(words).truncate());
 }
 
 fn rule(ui: &mut Ui) {

@@ -423,6 +423,13 @@ fn of_a_folder_every_spectrum_of_its_files_is_a_row() {
     for name in ["one", "two", "three", "four", "five"] {
         assert!(text.contains(name), "{text}");
     }
+    fs::write(lamps.join("leaf.csv"), format!("nm,reflectance\n{wider}")).expect("a table");
+    let (code, _, err) = tell(&[&args[..], &["--force"]].concat());
+    assert_eq!(code, 1, "{err}");
+    assert!(
+        err.contains("leaf.csv: ") && err.contains("one kind"),
+        "{err}"
+    );
     // What multiplies the series is there too: without it nobody could read the numbers.
     let listed = |what: &str| text.lines().find_map(|line| line.strip_prefix(what));
     let [bands, mean] = ["# bands_nm ", "# reference "].map(|what| listed(what).expect("a list"));

@@ -4,4 +4,5 @@
 mod root;
 
 mod readers;
+mod strangers;
 mod writers;

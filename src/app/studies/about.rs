@@ -71,6 +71,14 @@ impl Patches {
         }
     }
 
+    /// The group, and how many of the user's own stand behind it.
+    pub fn words(&self) -> String {
+        match self.own.len() {
+            0 => self.set.clone(),
+            own => format!("{} and {own} of your own", self.set),
+        }
+    }
+
     /// Their names and reflectances on a band's grid.
     pub fn reflectances(&self, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
         let (mut names, mut all) = reflectances(&self.set, band);
@@ -99,13 +107,4 @@ pub fn reflectances(group: &str, band: Band) -> (Vec<String>, Vec<Vec<f64>>) {
         .filter(|s| s.kind.is_factor())
         .map(|s| (s.name.clone(), s.samples.on_band(band, s.kind.outside())))
         .unzip()
-}
-
-/// Measures with a shipped group as the patches.
-pub(super) fn measures(group: &str, band: Band, observer: Observer) -> Arc<Measures> {
-    let patches = Patches {
-        set: group.to_owned(),
-        own: Vec::new(),
-    };
-    patches.measures(band, observer)
 }

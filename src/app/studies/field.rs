@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    about::{measures, reflectances},
+    about::{Patches, reflectances},
     lamps::{encoder, most_numbers},
 };
 use crate::{
@@ -47,8 +47,8 @@ pub struct RaceAsk {
     pub band: Band,
     /// Whose colour-matching functions.
     pub observer: Observer,
-    /// The group whose reflectances choose.
-    pub patch_set: String,
+    /// The surfaces that choose.
+    pub patches: Patches,
     /// How lines are looked for.
     pub spikes: SpikeSettings,
     /// Counts of numbers, rising.
@@ -65,7 +65,7 @@ impl RaceAsk {
             field,
             band: settings.band,
             observer: settings.observer,
-            patch_set: document.patch_set.clone(),
+            patches: Patches::of(document),
             spikes: settings.spike_settings(),
             budgets,
             strict: false,
@@ -130,7 +130,7 @@ impl RaceAsk {
     pub fn course(&self) -> Course {
         let band = self.band;
         let most = self.budgets.iter().copied().max().unwrap_or(1);
-        let (_, patches) = reflectances(&self.patch_set, band);
+        let (_, patches) = self.patches.reflectances(band);
         let (_, check) = reflectances(CHECK_SET, band);
         let lights: Vec<Teacher> = shipped_lights()
             .map(|(preset, s)| Teacher {
@@ -140,11 +140,11 @@ impl RaceAsk {
             })
             .collect();
         Course {
-            measures: measures(&self.patch_set, band, self.observer),
+            measures: self.patches.measures(band, self.observer),
             lights: Arc::new(Training::new(band, &lights, most)),
             reflectances: Arc::new(taught_reflectances(
                 band,
-                &[&self.patch_set, CHECK_SET],
+                &[&self.patches.set, CHECK_SET],
                 &[&patches, &check],
                 most,
             )),

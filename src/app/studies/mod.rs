@@ -9,7 +9,6 @@ pub mod paper;
 mod surfaces;
 pub mod take;
 
-use about::measures;
 pub use about::{About, Patches, reflectances};
 pub use field::{CHECK_SET, Class, Field, RaceAsk};
 pub use job::{Job, Question, Stage, Wake, Work};
@@ -19,7 +18,7 @@ pub use take::take;
 
 use std::{
     any::{Any, TypeId},
-    collections::HashMap,
+    collections::{HashMap, HashSet},
 };
 
 use super::{document::Document, memo::ByAddress, pages::FieldChoice, tables::CURVE_ORDER};
@@ -30,7 +29,7 @@ use crate::{
         Auction, Goal, ManyLights, Progress, Race, Subject, Sweep,
         auction::{self, Terms},
         products::{ProductTime, Sizes, product_times},
-        race,
+        race::{self, Lamp},
     },
 };
 
@@ -84,6 +83,16 @@ impl ManyAsk {
     pub fn of(document: &Document, field: Field) -> Self {
         Self(RaceAsk::of(document, field, Vec::new()))
     }
+
+    /// The lights, each once: many a shipped one has two tables, of which the finer stands first.
+    fn lights(&self) -> Vec<Lamp> {
+        let mut lights = self.0.lamps();
+        if matches!(self.0.field, Field::Shipped | Field::Class(_)) {
+            let mut known = HashSet::new();
+            lights.retain(|light| known.insert(light.name.clone()));
+        }
+        lights
+    }
 }
 
 impl Question for ManyAsk {
@@ -92,8 +101,8 @@ impl Question for ManyAsk {
     /// The answer; `None` when no light shines or it was cancelled.
     fn answer(&self, progress: &Progress) -> Option<ManyLights> {
         let Self(of) = self;
-        let measures = measures(&of.patch_set, of.band, of.observer);
-        ManyLights::of(&measures, of.spikes, &of.lamps(), CURVE_ORDER, progress)
+        let measures = of.patches.measures(of.band, of.observer);
+        ManyLights::of(&measures, of.spikes, &self.lights(), CURVE_ORDER, progress)
     }
 }
 
@@ -226,5 +235,47 @@ impl Studies {
     /// Waits for everything.
     pub fn finish(&mut self) {
         self.0.values_mut().for_each(|job| job.finish());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        app::{App, Command, Library},
+        spectrum::Outside,
+    };
+
+    #[test]
+    fn of_two_tables_of_one_light_the_finer_is_looked_at() {
+        let ask = ManyAsk::of(App::new().document(), Field::Shipped);
+        let (all, lights) = (ask.0.lamps(), ask.lights());
+        let called = |lamps: &[Lamp], name: &str| -> Vec<Vec<f64>> {
+            let of_name = lamps.iter().filter(|lamp| lamp.name == name);
+            of_name.map(|lamp| lamp.values.clone()).collect()
+        };
+        for lamp in &all {
+            assert_eq!(called(&lights, &lamp.name).len(), 1, "{}", lamp.name);
+        }
+        let fine = Library::bundled().find("cie_led_1nm/LED-B4");
+        let fine = fine.expect("shipped").spectrum().expect("a table");
+        let values = fine.samples.on_band(ask.0.band, Outside::Zero);
+        assert_eq!(called(&all, "LED-B4").len(), 2);
+        assert_eq!(called(&lights, "LED-B4"), [values]);
+    }
+
+    #[test]
+    fn a_surface_of_ones_own_among_the_patches_judges_many_lights_too() {
+        let mut app = App::new();
+        let red = Library::bundled().find("colorchecker_ohta/red");
+        let red = red.expect("shipped").spectrum().expect("a table");
+        app.apply(Command::Adopt(vec![red.clone()]));
+        let key = app.document().own[0].key.clone();
+        let before = ManyAsk::of(app.document(), Field::Shipped);
+        app.apply(Command::ToggleOwnPatch { key });
+        let ask = ManyAsk::of(app.document(), Field::Shipped);
+        assert!(ask != before, "another question");
+        assert_eq!(ask.0.course().patches.len(), 25);
+        assert_eq!(ask.0.patches.words(), "colorchecker_ohta and 1 of your own");
     }
 }

@@ -19,7 +19,7 @@ use crate::io::interpret::interpret;
 use crate::io::interpret::raw::RawSpectrum;
 use crate::io::reading::decision::Decision;
 use crate::io::text::number;
-use crate::io::{Input, ReadError, Reading, budget};
+use crate::io::{Input, ReadError, Reading, budget, many};
 
 /// CxF3.
 pub(crate) const FORMAT: Format = Format {
@@ -41,6 +41,9 @@ const SPECTRA: [(&str, Kind); 4] = [
     ("EmissiveSpectrum", Kind::Light),
     ("EmissionSpectrum", Kind::Light),
 ];
+
+/// Spectra of a quantity that only their writer knows.
+const CUSTOM: &str = "CustomSpectrum";
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
@@ -67,6 +70,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut left = budget::of(input.bytes.len()) / 2;
     for node in root.descendants().filter(Node::is_element) {
         let word = node.tag_name().name();
+        if word == CUSTOM {
+            let name = object_of(node).and_then(|object| xml::attribute(object, "Name"));
+            reading.notes.push(format!(
+                "{}: a {CUSTOM}, of which the file does not tell what it is, was left out",
+                name.unwrap_or(input.stem())
+            ));
+        }
         let Some((_, kind)) = SPECTRA.iter().find(|(known, _)| *known == word) else {
             continue;
         };
@@ -86,8 +96,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             })?;
     }
     if reading.spectra.is_empty() {
+        let found = match reading.notes.first() {
+            Some(note) => format!("a CxF file without spectra ({note})"),
+            None => "a CxF file without spectra".to_owned(),
+        };
         return Err(input.error(
-            "a CxF file without spectra",
+            found,
             "an Object with a ReflectanceSpectrum or an EmissiveSpectrum",
         ));
     }
@@ -148,6 +162,14 @@ fn read_spectrum(
                 .error(quoted(word), "numbers with blanks between them")
                 .at_line(at())
         })?);
+    }
+    if values.len() < 2 {
+        let count = values.len();
+        let values = many::many(count, "value", "values");
+        reading.notes.push(format!(
+            "{name}: {values}, too few for a spectrum: left out"
+        ));
+        return Ok(count);
     }
     let nm: Vec<f64> = (0..values.len()).map(|i| start + i as f64 * step).collect();
     let mut raw = RawSpectrum::known(name, &nm, values, Decision::of_format(kind), "");

@@ -268,6 +268,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     let mut reading = Reading {
         notes,
+        cut_by: Some(dialect.delimiter),
         ..Reading::default()
     };
     for table in &tables {

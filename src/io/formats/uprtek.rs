@@ -19,7 +19,7 @@ use crate::io::interpret::raw::RawSpectrum;
 use crate::io::interpret::value_unit::PHOTONS;
 use crate::io::reading::makers_results::{MakersResult, Quantity};
 use crate::io::reading::remark::PHOTON_NOTE;
-use crate::io::text::lines;
+use crate::io::text::{lines, number};
 use crate::io::{Input, ReadError, Reading};
 
 /// UPRtek text.
@@ -55,8 +55,10 @@ pub(crate) fn is_meter(input: &Input) -> bool {
         .take(20)
         .any(|(_, l)| key(l, &["model name", "model"]));
     let known = lines(head).any(|(_, l)| key(l, &["lambdap", "lambdapvalue", "i-time", "tlmf-a"]));
+    // A model's name alone is written by any program.
+    let results = || lines(head).any(|(_, l)| key(l, &["lux", "cct", "ppfd", "pfd", "irr"]));
     let points = lines(head).filter(|(_, l)| is_point(l)).take(2).count() == 2;
-    (model || known) && (points || model && known)
+    known && (points || model) || model && points && results()
 }
 
 /// Whether the meter is LI-COR's.
@@ -86,7 +88,15 @@ pub(crate) fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadErr
         &found,
         0..found.nm.len(),
         |column, values, results| {
-            let unit = unit(&found.nm, &values, results, makers);
+            let peak = found.get_of("lambdapvalue", column);
+            let peak = peak.and_then(|value| number::number(value, false));
+            let unit = match peak {
+                Some(peak) if is_over_its_peak(&values, peak) => UnitFound {
+                    unit: "",
+                    because: format!("values over the largest, which is {peak} by the maker"),
+                },
+                _ => unit(&found.nm, &values, results, makers),
+            };
             let name = ["memo", "title", "name"]
                 .iter()
                 .find_map(|key| found.get_of(key, column))
@@ -114,6 +124,12 @@ pub(crate) fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadErr
 struct UnitFound {
     unit: &'static str,
     because: String,
+}
+
+/// Whether values were divided by the largest, which the maker gives as another number.
+fn is_over_its_peak(values: &[f64], peak: f64) -> bool {
+    let most = values.iter().copied().fold(f64::MIN, f64::max);
+    most == 1.0 && (peak - most).abs() > SAME_TOTAL
 }
 
 fn unit(nm: &[f64], values: &[f64], results: &[MakersResult], makers: &str) -> UnitFound {

@@ -1,10 +1,10 @@
 //! Excel workbooks `.xlsx`: each sheet a table of plain columns.
 //!
 //! A sheet's cells go the way of every table, a row a line, with nothing to find out about how they
-//! are set apart ([`Dialect::SHEET`]); so lines in messages are rows of the sheet. Columns without numbers (pictures'
-//! captions, disclaimers beside the table) are left out and their texts noted. Everything in the
-//! archive is unpacked once to count it before the workbook is opened; cells are read one by one,
-//! so that a lone cell far down costs nothing.
+//! are set apart ([`Dialect::SHEET`]); so lines in messages are rows of the sheet. Columns without
+//! numbers (pictures' captions, disclaimers beside the table) are left out and their texts noted.
+//! Everything in the archive is unpacked once to count it before the workbook is opened; cells are
+//! read one by one, so that a lone cell far down costs nothing.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -220,7 +220,8 @@ fn flat(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The columns with numbers, a row a line with a TAB at the edge of each cell, and notes of what stands beside them.
+/// The columns with numbers, a row a line with a TAB at the edge of each cell, and notes of what
+/// stands beside them.
 fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadError> {
     let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
     for ((_, column), cell) in sheet {

@@ -242,7 +242,15 @@ fn kinds_of_name(name: &str) -> Vec<Kind> {
         let is_known = |known: &Named| match known {
             Named::Whole(whole) => whole.contains(&word),
             Named::Begins(starts) => starts.iter().any(|start| word.starts_with(start)),
-            Named::Last(whole) => at > 0 && at + 1 == of_stem && whole.contains(&word),
+            Named::Last(whole) => {
+                // "4000K" counts kelvin.
+                let before = stem.to_lowercase();
+                let before = before.strip_suffix(word).unwrap_or_default();
+                at > 0
+                    && at + 1 == of_stem
+                    && whole.contains(&word)
+                    && !before.ends_with(|c: char| c.is_ascii_digit())
+            }
         };
         let found = NAME_WORDS.iter().find(|(_, known)| is_known(known));
         kinds.extend(found.map(|(kind, _)| *kind));

@@ -100,6 +100,8 @@ pub struct Reading {
     pub composites: Vec<CompositeFile>,
     /// How its first plain table was taken apart; `None` for other formats.
     pub table: Option<TableFound>,
+    /// What parts the cells of a text that is no plain table and is cut into cells all the same.
+    pub cut_by: Option<Delimiter>,
     /// How its first spectra were understood, in their order.
     pub understood: Vec<Decisions>,
     /// How each of its images was understood.
@@ -142,6 +144,7 @@ impl Reading {
             spectra,
             composites,
             table: _,
+            cut_by: _,
             understood,
             images_understood,
             results,
@@ -213,9 +216,7 @@ impl Reading {
         if self.table.is_some() {
             return;
         }
-        // A text of another format may be cut into cells all the same, and says so.
-        let is_cut = |by: &Delimiter| self.notes.iter().any(|note| note.starts_with(by.cells()));
-        let delimiter = choices.delimiter.filter(|by| !is_cut(by));
+        let delimiter = choices.delimiter.filter(|by| self.cut_by != Some(*by));
         for (what, is_unused) in [
             ("column", choices.axis_column.is_some()),
             ("delimiter", delimiter.is_some()),

@@ -60,7 +60,8 @@ pub(crate) fn read_groups(
         .collect();
     let columns = all.len();
     let heading = Heading::of(&table.block.header).shared_by(columns);
-    let above = names_above(&table.block, file.dialect, &table.titles, &all);
+    let are_pairs = groups.len() == columns;
+    let above = names_above(&table.block, file.dialect, (&table.titles, are_pairs), &all);
     let is_rgb = are_rgb(&table.titles, &all);
     let mut told_apart = Vec::new();
     let mut before = 0;
@@ -71,6 +72,7 @@ pub(crate) fn read_groups(
             _ => None,
         };
         if groups.len() == 1 && named.is_none() {
+            no_single_points(file, table, group.axis)?;
             let said = row_order::put_right(&mut table.block, group.axis, &group.values);
             reading.notes.extend(said);
         }
@@ -80,12 +82,14 @@ pub(crate) fn read_groups(
         };
         let axis = table.block.column(group.axis)[..rows].to_vec();
         let (runs, names): (Vec<_>, Vec<_>) = match named {
-            Some((column, samples)) => {
-                left_out.retain(|other| other.column != column);
-                let shown = roles::shown(&table.titles, column);
-                told_apart.push(format!("{shown} tells the spectra apart"));
-                of_samples.values.retain(|of_values| *of_values != column);
-                names_of_samples(table, column, samples).unzip()
+            Some((columns, samples)) => {
+                left_out.retain(|other| !columns.contains(&other.column));
+                let shown = columns.iter().map(|c| roles::shown(&table.titles, *c));
+                let shown: Vec<String> = shown.collect();
+                let tell = if shown.len() == 1 { "tells" } else { "tell" };
+                told_apart.push(format!("{} {tell} the spectra apart", shown.join(" and ")));
+                of_samples.values.retain(|column| !columns.contains(column));
+                names_of_samples(table, columns[0], samples).unzip()
             }
             None => layout::runs(&axis).into_iter().map(|r| (r, None)).unzip(),
         };
@@ -120,6 +124,21 @@ pub(crate) fn read_groups(
     let left_out = left_out.iter().map(|column| column.words(&table.titles));
     reading.notes.extend(left_out.chain(told_apart));
     Ok(())
+}
+
+/// Refuses a list in which each row is another thing: its values are no curve.
+fn no_single_points(file: &File, table: &Table, axis: usize) -> Result<(), ReadError> {
+    let Some(names) = samples::names_of_rows(&table.block, file.dialect, axis) else {
+        return Ok(());
+    };
+    let found = format!(
+        "another name in every row ({}) and wavelengths that go to and fro",
+        roles::shown(&table.titles, names)
+    );
+    let error = file
+        .input
+        .error(found, "several wavelengths of each spectrum");
+    Err(error.at_line(table.block.lines[0] as usize))
 }
 
 /// The rows of each sample, and its name: what a column says of it, behind the column's title where
@@ -214,14 +233,22 @@ fn read_columns(
     Ok(())
 }
 
-/// Names of columns that all have one title, from the line above their titles: a sample's name over
-/// its values, or over the wavelengths to the left of them. Empty where none tells them apart.
-fn names_above(block: &Block, dialect: Dialect, titles: &Titles, values: &[usize]) -> Vec<String> {
+/// Names of columns that all have one title, or where each has wavelengths of its own a title that
+/// only says what is measured, from the line above their titles: a sample's name over its values, or
+/// over the wavelengths to the left of them. Empty where none tells them apart.
+fn names_above(
+    block: &Block,
+    dialect: Dialect,
+    (titles, are_pairs): (&Titles, bool),
+    values: &[usize],
+) -> Vec<String> {
     let title = |column: &usize| titles.names[*column].trim();
     let (Some(first), true) = (values.first(), values.len() > 1) else {
         return Vec::new();
     };
-    if title(first).is_empty() || values.iter().any(|column| title(column) != title(first)) {
+    let tells_nothing =
+        |column: &usize| title(column) == title(first) || are_pairs && is_generic(title(column));
+    if title(first).is_empty() || !values.iter().all(tells_nothing) {
         return Vec::new();
     }
     let mut cells = Vec::new();
@@ -260,17 +287,21 @@ fn are_rgb(titles: &Titles, values: &[usize]) -> bool {
 /// the file: the same by which its other columns are called.
 fn column_name(titles: &Titles, column: usize, columns: usize) -> String {
     let title = titles.names[column].trim();
-    let generic = kinds::kind_of_title(title).is_some()
-        || title.len() == 1
-        || roles::is_processed(title)
-        || names_wavelength(title)
-        || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str());
     match (title.is_empty(), columns) {
         (true, 1) => String::new(),
         (true, _) => format!("column {}", column + 1),
-        (false, 1) if generic => String::new(),
+        (false, 1) if is_generic(title) => String::new(),
         (false, _) => title.to_owned(),
     }
+}
+
+/// Whether a title says no more than what kind of value stands below it.
+fn is_generic(title: &str) -> bool {
+    kinds::kind_of_title(title).is_some()
+        || title.len() == 1
+        || roles::is_processed(title)
+        || names_wavelength(title)
+        || ["value", "values", "data", "measured"].contains(&title.to_lowercase().as_str())
 }
 
 fn name_with_part(stem: &str, name: &str, part: &str) -> String {

@@ -7,7 +7,9 @@ use super::row_order::are_shuffled_nanometres;
 use super::titles::Titles;
 use crate::io::text::dialect::{Dialect, used};
 use crate::io::text::number::label_nm;
-use crate::io::text::units::{WavelengthUnit, looks_like_metres, names_wavelength};
+use crate::io::text::units::{
+    WavelengthUnit, looks_like_metres, names_another_quantity, names_wavelength,
+};
 
 /// Where the wavelengths are.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,6 +130,7 @@ fn with_strength(block: &Block, titles: &Titles, dialect: Dialect) -> Option<(La
 
 fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
     let mut best = (0, 0);
+    let mut is_one_number = false;
     for column in 0..block.width {
         let stats = &block.columns[column];
         // Columns far to the right are not searched, so that a wide table stays cheap.
@@ -136,6 +139,9 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         }
         let titled = names_wavelength(titles.names.get(column).map_or("", String::as_str))
             || names_wavelength(titles.units.get(column).map_or("", String::as_str));
+        if !titled && names_another_quantity(&titles.whole(column)) {
+            continue;
+        }
         // Detectors reach beyond the range that was calibrated: only a title is worth more then.
         let filled = if titled { FILLED_TITLED } else { FILLED };
         if (stats.numbers as f64) < filled * block.rows() as f64 {
@@ -151,6 +157,8 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
             0 if column == 0 && !titled && are_shuffled_nanometres(numbers) => SHUFFLED,
             found => found,
         };
+        // One line at many times: no other column is its wavelengths.
+        is_one_number |= titled && block.is_constant(column);
         let score = match (by_values, titled || stats.nanometres * 2 > stats.numbers) {
             (0, _) => 0,
             (s, true) => s + 10,
@@ -162,6 +170,10 @@ fn wavelength_column(block: &Block, titles: &Titles) -> (usize, u32) {
         if best.1 == SUREST {
             break;
         }
+    }
+    let is_titled = best.1 > 10;
+    if is_one_number && !is_titled {
+        return (0, 0);
     }
     best
 }

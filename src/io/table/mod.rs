@@ -3,6 +3,7 @@
 pub(super) mod alternating;
 pub(super) mod block;
 pub(super) mod columns;
+pub(super) mod head;
 pub(super) mod layout;
 pub(super) mod no_table;
 pub(super) mod pick;

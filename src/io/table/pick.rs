@@ -3,6 +3,7 @@
 use super::block::{
     BadCell, Block, LONGEST_BREAK, carries_on, most_left_out, row_gone_wrong_above,
 };
+use super::head::with_rows_above;
 use super::layout::{self, Layout};
 use super::scan::{TooMuch, scan, scan_behind, scan_start};
 use super::titles::Titles;
@@ -206,7 +207,7 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
             });
     let mut tables: Vec<Table> = Vec::new();
     let (mut left_out, mut above) = (Vec::new(), Vec::new());
-    for (mut block, notes) in joined(blocks, dialect)? {
+    for (mut block, notes) in joined(blocks, text, dialect)? {
         if !above.is_empty() {
             let own = std::mem::replace(&mut block.header, std::mem::take(&mut above));
             block.header.extend(own);
@@ -214,7 +215,8 @@ pub(crate) fn tables(text: &str, dialect: Dialect) -> Result<Vec<Table<'_>>, NoT
         if begins_with_titles(&block, dialect) {
             block.head_first_row();
         }
-        let titles = Titles::of(&block, dialect);
+        let keyed = Titles::of_keys(&mut block, dialect);
+        let titles = keyed.unwrap_or_else(|| Titles::of(&block, dialect));
         let is_short = block.rows() * SHORTEST_SHARE < longest;
         let layout = if !is_short {
             layout::of(&block, &titles, dialect)
@@ -293,7 +295,7 @@ pub(crate) fn blocks_behind(
     dialect: Dialect,
 ) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
     let found = scan_behind(text, lines, dialect).map_err(NoTable::TooMany)?;
-    let blocks = joined(found, dialect)?;
+    let blocks = joined(found, text, dialect)?;
     match blocks.is_empty() {
         true => Err(NoTable::NoRows),
         false => Ok(blocks),
@@ -332,10 +334,11 @@ struct Joined<'a> {
 
 /// Joins blocks that one table was broken into by a page head or a stray line. Of a table whose
 /// other rows agree a row with a word is left out.
-fn joined(
-    blocks: Vec<Block<'_>>,
+fn joined<'a>(
+    blocks: Vec<Block<'a>>,
+    text: &'a str,
     dialect: Dialect,
-) -> Result<Vec<(Block<'_>, Vec<String>)>, NoTable> {
+) -> Result<Vec<(Block<'a>, Vec<String>)>, NoTable> {
     let mut out: Vec<Joined> = Vec::new();
     for mut block in blocks {
         let above = row_gone_wrong_above(&block, dialect);
@@ -346,10 +349,14 @@ fn joined(
             bad,
         }) = goes_on_with
         else {
+            let (block, left) = with_rows_above(block, text, dialect);
             out.push(Joined {
-                bad: above.into_iter().collect(),
+                bad: above.filter(|_| left.is_empty()).into_iter().collect(),
+                notes: left
+                    .iter()
+                    .flat_map(|line| no_rows(&[*line], &[0]))
+                    .collect(),
                 block,
-                notes: Vec::new(),
             });
             continue;
         };

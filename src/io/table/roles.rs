@@ -32,6 +32,8 @@ pub(crate) enum Why {
     Raw,
     /// What repeated measurements differ by.
     Spread,
+    /// What was noted beside the values, such as a time or a temperature.
+    Beside,
     /// The wavelengths of the columns behind it: these are read.
     Wavelengths,
 }
@@ -49,6 +51,7 @@ impl LeftOut {
             Why::SecondAxis => "is a second axis and was left out",
             Why::Raw => "is a raw reading and was left out",
             Why::Spread => "is a spread and was left out",
+            Why::Beside => "is no spectrum by its title and was left out",
             Why::Wavelengths => "holds the wavelengths of the columns behind it",
         };
         format!("{} {why}", shown(titles, self.column))
@@ -157,6 +160,17 @@ fn roles(
             why: Why::Spread,
         }));
     }
+    let (beside, others): (Vec<usize>, Vec<usize>) = values
+        .iter()
+        .partition(|column| is_beside(titles, **column, &values));
+    if !others.is_empty() {
+        let left = beside.into_iter().map(|column| LeftOut {
+            column,
+            why: Why::Beside,
+        });
+        left_out.extend(left);
+        values = others;
+    }
     // "AxisUnit = nm" above the values is no second axis: there is nothing else that they could be.
     if values.is_empty() {
         let second_axis = |column: &usize| {
@@ -176,6 +190,41 @@ fn roles(
         values.sort_by_key(made_of);
     }
     (values, left_out)
+}
+
+/// Whether a column holds what was noted beside each point, by a word of its title that is no
+/// other's: days may be what several spectra are called by.
+fn is_beside(titles: &Titles, column: usize, values: &[usize]) -> bool {
+    const WORDS: [&str; 18] = [
+        "|time|",
+        "|hour|",
+        "|hours|",
+        "|minute|",
+        "|minutes|",
+        "|date|",
+        "|day|",
+        "|timestamp|",
+        "|temperature|",
+        "|temp|",
+        "|humidity|",
+        "|pressure|",
+        "|distance|",
+        "|flag|",
+        "|id|",
+        "|pixel|",
+        "|latitude|",
+        "|longitude|",
+    ];
+    let lower = |column: usize| titles.whole(column).to_lowercase();
+    let title = lower(column);
+    let has_figure = title.contains(|c: char| c.is_ascii_digit());
+    let Some(word) = WORDS.iter().find(|word| holds(&title, word)) else {
+        return false;
+    };
+    let others = values.iter().filter(|other| **other != column);
+    !has_figure
+        && kind_of_title(&title).is_none()
+        && !others.clone().any(|c| holds(&lower(*c), word))
 }
 
 /// Whether a column holds a setting of each point, such as the range of an amplifier: whole numbers

@@ -1,7 +1,7 @@
-//! Rows of several samples below one another, told apart by a column of words or of whole numbers:
-//! `leaf, 400, 0.1`.
+//! Rows of several samples below one another, told apart by a column of words or of whole numbers,
+//! `leaf, 400, 0.1`, or by several columns of words together.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use super::block::Block;
@@ -20,24 +20,20 @@ pub(crate) struct Sample {
 }
 
 /// Puts the rows of each sample together, in the order in which samples first appear: tables go
-/// from sample to sample, or from wavelength to wavelength. Gives the column and the samples; `None`
-/// where the wavelengths run through once, or no column makes them run through in each sample. Of
-/// the columns taken for `values` one at least stays what it is.
+/// from sample to sample, or from wavelength to wavelength. Gives the columns that tell them apart
+/// and the samples; `None` where the wavelengths run through once, or no columns make them run
+/// through in each sample. Of the columns taken for `values` one at least stays what it is.
 pub(crate) fn together(
     block: &mut Block,
     dialect: Dialect,
     axis: usize,
     values: &[usize],
-) -> Option<(usize, Vec<Sample>)> {
+) -> Option<(Vec<usize>, Vec<Sample>)> {
     let wavelengths = block.column(axis);
     if runs_through(wavelengths.iter().copied()) {
         return None;
     }
-    let worded = |column: &usize| {
-        let stats = &block.columns[*column];
-        stats.numbers == 0 && stats.texts == block.rows()
-    };
-    let mut columns: Vec<usize> = (0..block.width).filter(worded).collect();
+    let mut columns = worded(block);
     let words = columns.len();
     let counted = |column: &usize| {
         let leaves_some = values.iter().any(|of_values| of_values != column);
@@ -45,30 +41,72 @@ pub(crate) fn together(
     };
     columns.extend((0..block.width.min(MOST_COUNTED)).filter(counted));
     let cells = cells_of(block, dialect, &columns);
-    let told = columns.iter().zip(&cells).enumerate();
-    let (column, found) = told.into_iter().find_map(|(at, (column, cells))| {
-        let fewest = if at < words { 2 } else { FEWEST_ROWS };
+    let apart = |cells: &[&str], fewest: usize| {
         let found = ByWord::of(cells, fewest)?;
         let is_told = found.names.len() > 1
             && found.rows().all(|rows| {
                 rows.len() >= fewest && runs_through(rows.iter().map(|row| wavelengths[*row]))
             });
-        is_told.then_some((*column, found))
-    })?;
-    let names = found.names.iter();
-    let samples = names
-        .zip(found.starts.windows(2))
-        .map(|(name, ends)| Sample {
-            name: name.trim_matches(['"', '\'']).trim().to_owned(),
-            rows: ends[0]..ends[1],
+        is_told.then(|| (found.samples(), found.order))
+    };
+    let told = columns.iter().zip(&cells).enumerate();
+    let by_one = told.into_iter().find_map(|(at, (column, cells))| {
+        let fewest = if at < words { 2 } else { FEWEST_ROWS };
+        Some((vec![*column], apart(cells, fewest)?))
+    });
+    let by_several = || {
+        (2..=words.min(MOST_TOGETHER)).find_map(|count| {
+            let row = |row: usize| cells[..count].iter().map(move |of| bare(of[row]));
+            let cells = (0..block.rows()).map(|at| row(at).collect::<Vec<_>>().join(", "));
+            let cells: Vec<String> = cells.collect();
+            let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+            Some((columns[..count].to_vec(), apart(&cells, 2)?))
         })
-        .collect();
-    let order = found.order;
+    };
+    let (columns, (samples, order)) = by_one.or_else(by_several)?;
     if !order.is_sorted() {
         block.arrange(&order);
     }
-    Some((column, samples))
+    Some((columns, samples))
 }
+
+/// The column of words that names every row apart, where wavelengths go to and fro as in no table of
+/// one spectrum: each row is another thing.
+pub(crate) fn names_of_rows(block: &Block, dialect: Dialect, axis: usize) -> Option<usize> {
+    let steps = block.column(axis).windows(2);
+    let (up, down) = steps.fold((0, 0), |(up, down), pair| {
+        let way = |is: bool| usize::from(is);
+        (up + way(pair[1] > pair[0]), down + way(pair[1] < pair[0]))
+    });
+    if block.rows() < FEWEST_ROWS || 4 * up.min(down) < block.rows() {
+        return None;
+    }
+    let columns = worded(block);
+    let cells = cells_of(block, dialect, &columns);
+    let is_name = |cell: &&str| bare(cell).starts_with(char::is_alphabetic);
+    let named = columns.into_iter().zip(cells).find(|(_, cells)| {
+        let apart: HashSet<&str> = cells.iter().copied().collect();
+        apart.len() == block.rows() && cells.iter().all(is_name)
+    })?;
+    Some(named.0)
+}
+
+/// Columns with a word in every row.
+fn worded(block: &Block) -> Vec<usize> {
+    let is_worded = |column: &usize| {
+        let stats = &block.columns[*column];
+        stats.numbers == 0 && stats.texts == block.rows()
+    };
+    (0..block.width).filter(is_worded).collect()
+}
+
+/// A cell without quotes.
+fn bare(cell: &str) -> &str {
+    cell.trim_matches(['"', '\'']).trim()
+}
+
+/// Most columns of words that tell samples apart together.
+const MOST_TOGETHER: usize = 4;
 
 /// Columns that are looked at for numbers of samples: they stand in front.
 const MOST_COUNTED: usize = 20;
@@ -154,6 +192,16 @@ impl<'a> ByWord<'a> {
             order,
             starts,
         })
+    }
+
+    /// Each word with its rows as they stand in the new order.
+    fn samples(&self) -> Vec<Sample> {
+        let names = self.names.iter().zip(self.starts.windows(2));
+        let sample = |(name, ends): (&&str, &[usize])| Sample {
+            name: bare(name).to_owned(),
+            rows: ends[0]..ends[1],
+        };
+        names.map(sample).collect()
     }
 
     /// The rows of each word.

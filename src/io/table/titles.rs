@@ -25,6 +25,34 @@ impl Titles {
         format!("{name} {unit}").trim().to_owned()
     }
 
+    /// The titles that lines of keys above a block tell of its columns (`YUNITS`, `Y2UNITS`), where
+    /// it has several: such a line says nothing of the others then, and goes.
+    pub(crate) fn of_keys(block: &mut Block, dialect: Dialect) -> Option<Self> {
+        let mut names = vec![String::new(); block.width];
+        let mut cells = Vec::new();
+        let mut lines = Vec::new();
+        for (line, content) in &block.header {
+            dialect.split(content, &mut cells);
+            let [key, what, ..] = cells[..] else { continue };
+            let column = match key {
+                "YUNITS" => Some(1),
+                _ => key
+                    .strip_prefix('Y')
+                    .and_then(|key| key.strip_suffix("UNITS")?.parse().ok()),
+            };
+            if let Some(name) = column.and_then(|column: usize| names.get_mut(column)) {
+                what.clone_into(name);
+                lines.push(*line);
+            }
+        }
+        let are_all = block.width > 2 && names[1..].iter().all(|name| !name.is_empty());
+        are_all.then(|| {
+            block.header.retain(|(line, _)| !lines.contains(line));
+            let units = vec![String::new(); block.width];
+            Self { names, units }
+        })
+    }
+
     /// Finds the titles of a block.
     ///
     /// The line next above the block is one if it has a cell for each column; further lines count
@@ -39,7 +67,7 @@ impl Titles {
         // Rows that begin with a name or a count are titled from the second column on.
         let row_names = block.columns[0].numbers == 0 || block.counts_rows(0);
         for (_, line) in block.header.iter().rev().take(12) {
-            let Some(cells) = cells_for(line, dialect, width, row_names) else {
+            let Some(cells) = cells_for(line, dialect, block, row_names) else {
                 next_above = false;
                 continue;
             };
@@ -62,7 +90,8 @@ impl Titles {
 }
 
 /// A line's cells, one for each column, or `None` when it cannot be a line of titles.
-fn cells_for(line: &str, dialect: Dialect, width: usize, row_names: bool) -> Option<Vec<String>> {
+fn cells_for(line: &str, dialect: Dialect, block: &Block, row_names: bool) -> Option<Vec<String>> {
+    let width = block.width;
     let mut cells = Vec::new();
     dialect.split(line, &mut cells);
     let filled = used(&cells);
@@ -94,6 +123,11 @@ fn cells_for(line: &str, dialect: Dialect, width: usize, row_names: bool) -> Opt
             .take(filled)
             .map(|c| c.trim_matches('"').trim().to_owned()),
     );
+    // Nobody knows which column has none: two titles of several may have run into one.
+    if one_less && !row_names && block.columns[width - 1].numbers > 0 && width > 2 {
+        titles.truncate(1);
+        titles.retain(|title| names_wavelength(title));
+    }
     titles.resize(width, String::new());
     Some(titles)
 }

@@ -34,17 +34,6 @@ impl Delimiter {
             Self::Cell => "cell",
         }
     }
-
-    /// How cells stand in a row, in words.
-    pub fn cells(self) -> &'static str {
-        match self {
-            Self::Tab => "cells separated by TAB",
-            Self::Semicolon => "cells separated by semicolon",
-            Self::Comma => "cells separated by comma",
-            Self::Space => "cells separated by blanks",
-            Self::Cell => "cells of a sheet",
-        }
-    }
 }
 
 /// A delimiter and a decimal mark, found together because either alone misleads.
@@ -80,9 +69,15 @@ impl Dialect {
         }
     }
 
-    /// The dialect in words, for provenance; they begin with [`Delimiter::cells`].
+    /// The dialect in words, for provenance.
     pub fn words(self) -> String {
-        let cells = self.delimiter.cells();
+        let cells = match self.delimiter {
+            Delimiter::Tab => "cells separated by TAB",
+            Delimiter::Semicolon => "cells separated by semicolon",
+            Delimiter::Comma => "cells separated by comma",
+            Delimiter::Space => "cells separated by blanks",
+            Delimiter::Cell => "cells of a sheet",
+        };
         let decimals = if self.decimal_comma {
             ", decimal comma"
         } else {

@@ -272,6 +272,30 @@ pub(crate) fn names_wavelength(title: &str) -> bool {
             && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
 }
 
+/// Whether a title says that a column holds something that is no wavelength, whatever its numbers.
+pub(crate) fn names_another_quantity(title: &str) -> bool {
+    const WORDS: [&str; 16] = [
+        "time",
+        "hour",
+        "hours",
+        "minute",
+        "minutes",
+        "second",
+        "seconds",
+        "date",
+        "day",
+        "temperature",
+        "current",
+        "voltage",
+        "angle",
+        "depth",
+        "latitude",
+        "longitude",
+    ];
+    let title = title.to_lowercase();
+    WORDS.iter().any(|word| holds(&title, &format!("|{word}|")))
+}
+
 /// What a title of a wavelength axis counts in, where that is nothing known here: the word in
 /// brackets or behind a stroke (`Frequency (PHz)`), or a quantity without its unit.
 pub(crate) fn unknown_unit(title: &str) -> Option<String> {

@@ -7,7 +7,7 @@ use crate::spectrum::{Kind, NamedSpectrum};
 use crate::io::provenance::{Provenance, shortest};
 
 /// The twelve spectral quantities of TM-27 with kind and unit.
-pub(crate) const QUANTITIES: [(&str, Kind, &str); 12] = [
+pub(crate) const QUANTITIES: [(&str, Kind, &str); 14] = [
     ("flux", Kind::Light, "W nm-1"),
     ("absorptance", Kind::Other, "fraction"),
     ("transmittance", Kind::Transmittance, "fraction"),
@@ -18,6 +18,8 @@ pub(crate) const QUANTITIES: [(&str, Kind, &str); 12] = [
     ("exitance", Kind::Light, "W m-2 nm-1"),
     ("r-values", Kind::Reflectance, "fraction"),
     ("t-values", Kind::Transmittance, "fraction"),
+    ("r-factor", Kind::Reflectance, "fraction"),
+    ("t-factor", Kind::Transmittance, "fraction"),
     ("relative", Kind::Light, "relative"),
     ("other", Kind::Other, ""),
 ];

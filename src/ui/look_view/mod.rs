@@ -82,12 +82,19 @@ const VERDICT: f32 = 304.0;
 /// Below this width they stand over the patches, this high.
 const STACKED: f32 = 560.0;
 const BRIEF: f32 = 112.0;
+/// Where the page is lower than this the plot needs the room: they take a line, and patches least.
+const LOW: f32 = 640.0;
+const BRIEF_LINE: f32 = 44.0;
 const GAP: f32 = 8.0;
 
 /// Height that swatch and verdict take over the patches; nothing where they stand beside them.
-pub fn stacked(width: f32, with_verdict: bool, scale: f32) -> f32 {
-    let is_stacked = with_verdict && width < STACKED * scale.min(1.6);
-    if is_stacked { BRIEF * scale + GAP } else { 0.0 }
+pub fn stacked(room: Vec2, with_verdict: bool, scale: f32) -> f32 {
+    let is_stacked = with_verdict && room.x < STACKED * scale.min(1.6);
+    match (is_stacked, room.y < LOW * scale) {
+        (true, true) => BRIEF_LINE * scale + GAP,
+        (true, false) => BRIEF * scale + GAP,
+        (false, _) => 0.0,
+    }
 }
 
 impl LookView {
@@ -106,7 +113,12 @@ impl LookView {
         };
         if !scene.alone {
             self.card(&mut child(card), scene, &mut wishes);
-            below(&mut child(patches), scene, &mut wishes.commands);
+            below(
+                &mut child(patches),
+                scene,
+                room.size(),
+                &mut wishes.commands,
+            );
         }
         let ui = &mut child(plot);
         let app = scene.app;
@@ -241,8 +253,13 @@ fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
     let scale = scene.theme.scale;
     let card = sliders::height(room.width() - 2.0 * CARD_MARGIN.x, scale) + 2.0 * CARD_MARGIN.y;
     let [least, most] = PATCHES;
-    let stacked = stacked(room.width(), scene.verdict_below || scene.present, scale);
-    let patches = (0.23 * room.height()).clamp(least, most * scale) + stacked;
+    let stacked = stacked(room.size(), scene.verdict_below || scene.present, scale);
+    let share = if stacked > 0.0 && room.height() < LOW * scale {
+        0.0
+    } else {
+        0.23
+    };
+    let patches = (share * room.height()).clamp(least, most * scale) + stacked;
     let at = |top: f32, height: f32| {
         Rect::from_min_size(egui::pos2(room.left(), top), vec2(room.width(), height))
     };
@@ -256,12 +273,12 @@ fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
 }
 
 /// The patches, and where the column is folded the verdict beside them.
-fn below(ui: &mut Ui, scene: &Scene<'_>, commands: &mut Vec<Command>) {
+fn below(ui: &mut Ui, scene: &Scene<'_>, room: Vec2, commands: &mut Vec<Command>) {
     let (app, theme) = (scene.app, scene.theme);
     let rect = ui.max_rect();
     let beside = scene.verdict_below || scene.present;
     let (mut field, mut brief) = (rect, rect);
-    let above = stacked(rect.width(), beside, theme.scale);
+    let above = stacked(room, beside, theme.scale);
     if above > 0.0 {
         brief.max.y = rect.top() + above - GAP;
         field.min.y = rect.top() + above;

@@ -121,7 +121,7 @@ impl Window {
             Some((Aim::Named(name), _)) => Some(name.as_str()),
             _ => None,
         };
-        let named = pointing::find(context, name);
+        let (named, busy) = pointing::find(context, name);
         let Some((aim, label)) = aim else { return };
         let around = match aim {
             Aim::Named(_) => named,
@@ -132,7 +132,7 @@ impl Window {
             }),
         };
         if let Some(around) = around {
-            pointing::ring(context, around, label, theme);
+            pointing::ring(context, (around, &busy), label, theme);
         }
     }
 

@@ -203,7 +203,7 @@ impl Window {
         let on_look = self.preferences.pages.page == Page::Spectrum;
         let with_verdict = on_look && !shape.wide && !self.side_is_open(shape);
         let inner = room.width() - 2.0 * f32::from(PAGE_MARGIN.left);
-        let above = look_view::stacked(inner, with_verdict, theme.scale);
+        let above = look_view::stacked(vec2(inner, room.height()), with_verdict, theme.scale);
         let least = match self.plot_alone && on_look {
             true => 0.0,
             // Large type at the axes and the knobs takes the plot's room.

@@ -84,7 +84,7 @@ impl Tables {
 fn comparable(ask: &RaceAsk) -> bool {
     ask.band == Band::VISIBLE
         && ask.observer == Observer::Cie1931
-        && ask.patch_set == "colorchecker_ohta"
+        && ask.patches.words() == "colorchecker_ohta"
         && ask.spikes == SpikeSettings::default()
 }
 

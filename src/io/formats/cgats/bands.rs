@@ -96,7 +96,10 @@ pub(super) fn bands(fields: &[&str]) -> Vec<Bands> {
         let pairs = !group.nm_columns.is_empty();
         let rising = group.labels.windows(2).all(|p| p[1] > p[0]);
         let falling = group.labels.windows(2).all(|p| p[1] < p[0]);
-        pairs || group.columns.len() >= FEWEST_BANDS && (rising || falling)
+        // Two of the standard's own name are one, too.
+        let is_named = group.word.starts_with("SPEC");
+        let fewest = if is_named { 2 } else { FEWEST_BANDS };
+        pairs || group.columns.len() >= fewest && (rising || falling)
     });
     found
 }

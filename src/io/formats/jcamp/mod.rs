@@ -140,7 +140,7 @@ fn read_block(
 ) -> Result<usize, ReadError> {
     let data = block.data(input)?;
     let x_units = block.text("XUNITS").unwrap_or("");
-    let y_units = block.text("YUNITS").unwrap_or("");
+    let y_units = y_units(block);
     let data_type = block.text("DATATYPE").unwrap_or("");
     let names_unit = names_unit(input, block, x_units, data_type)?;
     let decimal_comma = block.has_decimal_comma(data);
@@ -219,6 +219,14 @@ fn read_block(
     notes.extend(about.into_iter().flatten());
     spectrum.notes.extend(notes);
     Ok(count)
+}
+
+/// What is on the y axis, by the word that instruments' own stand for.
+fn y_units<'b>(block: &'b Block) -> &'b str {
+    match block.text("YUNITS").unwrap_or("") {
+        "A" | "AU" | "EXTINCTION" => "ABSORBANCE",
+        other => other,
+    }
 }
 
 fn extent(numbers: &[f64]) -> (f64, f64) {

@@ -1,5 +1,6 @@
 //! Lists of values beside a list of wavelengths, in the ways that JSON has for them.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::DEPTH;
@@ -38,7 +39,7 @@ pub(super) struct Column<'a> {
     /// The key above it: what is measured.
     pub title: &'a str,
     /// What its sample is called.
-    pub name: Option<&'a str>,
+    pub name: Option<Cow<'a, str>>,
     /// As many as there are wavelengths; NaN where one is missing.
     pub values: Vec<f64>,
 }
@@ -146,7 +147,7 @@ fn gather<'a>(
         if values.len() == length && !is_axis_too {
             columns.push(Column {
                 title: key,
-                name,
+                name: name.map(Cow::from),
                 values,
             });
         }
@@ -212,19 +213,87 @@ fn wavelength_of(key: &str) -> Option<f64> {
     number::number(bare, false).filter(|nm| number::is_measured(*nm) && *nm > 0.0)
 }
 
-/// Points as objects: `[{"wavelength": 380, "value": 0.1}, ...]`.
-pub(super) fn of_points(value: &Tree) -> Option<Lists<'_>> {
-    let points: Vec<&Object> = items(value)?
-        .into_iter()
-        .map(Tree::object)
-        .collect::<Option<_>>()?;
+/// Points as objects: `[{"wavelength": 380, "value": 0.1}, ...]`. Where wavelengths begin anew and
+/// a key tells samples apart, each has lists of its own.
+pub(super) fn of_points(value: &Tree) -> Vec<Lists<'_>> {
+    let points = items(value).into_iter().flatten().map(Tree::object);
+    let Some(points) = points.collect::<Option<Vec<&Object>>>() else {
+        return Vec::new();
+    };
+    match by_sample(&points) {
+        Some((key, samples)) => {
+            let named = samples.into_iter().filter_map(|(name, points)| {
+                let mut lists = of_objects(&points)?;
+                lists.columns.retain(|column| column.title != key);
+                for column in &mut lists.columns {
+                    column.name = Some(name.clone());
+                }
+                Some(lists)
+            });
+            named.collect()
+        }
+        None => of_objects(&points).into_iter().collect(),
+    }
+}
+
+/// The key of wavelengths among those of a point that hold numbers.
+fn axis_key<'a>(keys: &[&'a str]) -> Option<&'a str> {
+    let axis = keys.iter().find(|key| is_axis(key) && !is_x(key));
+    axis.or_else(|| keys.iter().find(|key| is_axis(key)))
+        .copied()
+}
+
+/// The key whose words or numbers part points into samples, each with wavelengths that rise or fall
+/// throughout, and the samples; `None` where all points do so together.
+fn by_sample<'a>(points: &[&'a Object]) -> Option<(&'a str, Vec<Sample<'a>>)> {
+    let first = points.first()?;
+    let numbers = first
+        .iter()
+        .filter(|(_, value)| one_number(value).is_some());
+    let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
+    let axis = axis_key(&keys)?;
+    let runs = |points: &[&Object]| {
+        let nm = points.iter().map(|point| one_number(get(point, axis)?));
+        let nm: Option<Vec<f64>> = nm.collect();
+        nm.is_some_and(|nm| {
+            nm.len() > 1 && (nm.is_sorted_by(|a, b| a < b) || nm.is_sorted_by(|a, b| a > b))
+        })
+    };
+    if runs(points) {
+        return None;
+    }
+    let others = first.iter().map(|(key, _)| key.as_str());
+    others.filter(|key| *key != axis).find_map(|key| {
+        let mut samples: Vec<Sample> = Vec::new();
+        let mut places: HashMap<String, usize> = HashMap::new();
+        for point in points {
+            let value = get(point, key)?;
+            let name = match (value.text(), one_number(value)) {
+                (Some(text), _) => Cow::from(text),
+                (None, number) => Cow::from(format!("{} {}", spaced(key), number?)),
+            };
+            let place = *places.entry(name.to_string()).or_insert(samples.len());
+            if place == samples.len() {
+                samples.push((name, Vec::new()));
+            }
+            samples[place].1.push(*point);
+        }
+        let are_apart = samples.len() > 1 && samples.iter().all(|(_, points)| runs(points));
+        are_apart.then_some((key, samples))
+    })
+}
+
+/// A sample's name and its points.
+type Sample<'a> = (Cow<'a, str>, Vec<&'a Object>);
+
+fn of_objects<'a>(points: &[&'a Object]) -> Option<Lists<'a>> {
     let first = points.first().filter(|_| points.len() > 1)?;
     let numbers = first
         .iter()
         .filter(|(_, value)| one_number(value).is_some());
     let keys: Vec<&str> = numbers.map(|(key, _)| key.as_str()).collect();
-    let axis_at = keys.iter().position(|key| is_axis(key) && !is_x(key));
-    let axis_at = axis_at.or_else(|| keys.iter().position(|key| is_axis(key)))?;
+    let axis = axis_key(&keys)?;
+    let axis_at = keys.iter().position(|key| *key == axis)?;
     let entries: usize = points.iter().map(|point| point.len()).sum();
     if keys.len() < 2 || keys.len() * points.len() > CELLS_A_KEY * entries {
         return None;

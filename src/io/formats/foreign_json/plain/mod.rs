@@ -71,10 +71,16 @@ impl Finder<'_, '_, '_> {
         };
         match value {
             Tree::Object(object) => self.look_in_object(value, object, depth),
-            Tree::List(list) => match of_points(value).or_else(|| of_rows(list)) {
-                Some(lists) => self.add(lists),
-                None => list.iter().try_for_each(|inner| self.look(inner, depth)),
-            },
+            Tree::List(list) => {
+                let mut tables = of_points(value);
+                if tables.is_empty() {
+                    tables.extend(of_rows(list));
+                }
+                match tables.is_empty() {
+                    true => list.iter().try_for_each(|inner| self.look(inner, depth)),
+                    false => tables.into_iter().try_for_each(|lists| self.add(lists)),
+                }
+            }
             _ => Ok(()),
         }
     }
@@ -89,12 +95,16 @@ impl Finder<'_, '_, '_> {
         for line in words_of(object) {
             self.push(line);
         }
-        let table = of_lists(object)
-            .or_else(|| of_points(value))
-            .or_else(|| of_keys(object));
-        let outcome = match table {
-            Some(lists) => self.add(lists),
-            None => self.look_below(object, depth),
+        let mut tables: Vec<Lists> = of_lists(object).into_iter().collect();
+        if tables.is_empty() {
+            tables = of_points(value);
+        }
+        if tables.is_empty() {
+            tables.extend(of_keys(object));
+        }
+        let outcome = match tables.is_empty() {
+            true => self.look_below(object, depth),
+            false => tables.into_iter().try_for_each(|lists| self.add(lists)),
         };
         self.forget(outside);
         outcome
@@ -118,6 +128,9 @@ impl Finder<'_, '_, '_> {
                 } else {
                     format!("name: {}", kept(key))
                 });
+            }
+            if !several && kinds::kind_of_title(&plain).is_some() {
+                self.push(format!("y units: {plain}"));
             }
             let outcome = self.look(inner, depth);
             self.forget(outside);
@@ -156,7 +169,7 @@ impl Finder<'_, '_, '_> {
         let stem = heading.name.unwrap_or(self.input.stem());
         for column in lists.columns {
             let name = match (column.name, several) {
-                (Some(name), _) => name.to_owned(),
+                (Some(name), _) => name.into_owned(),
                 (None, true) if !column.title.is_empty() => format!("{stem} {}", column.title),
                 _ => stem.to_owned(),
             };
