@@ -65,11 +65,12 @@ fn a_row_with_a_cell_too_many_near_the_top_is_left_out_alone() {
 fn two_columns_of_words_tell_spectra_apart_together() {
     let reading = read(
         "a.csv",
-        "tissue,source,wavelength,absorbance\nblood,X,400,0.1\nblood,X,500,0.2\nfat,Y,400,0.5\n\
-         fat,Y,500,0.5\nfat,Z,450,0.6\nfat,Z,550,0.7\n",
+        "tissue,source,wavelength,absorbance\nblood A,X,400,0.1\nblood A,X,500,0.2\n\
+         blood B,X,450,0.9\nblood B,X,550,0.8\nfat,Y,400,0.5\nfat,Y,500,0.5\nfat,Z,450,0.6\n\
+         fat,Z,550,0.7\n",
     );
     let names: Vec<&str> = told(&reading).iter().map(|one| one.0).collect();
-    assert_eq!(names, ["blood, X", "fat, Y", "fat, Z"]);
+    assert_eq!(names, ["blood A, X", "blood B, X", "fat, Y", "fat, Z"]);
     let note = "column 1 (tissue) and column 2 (source) tell the spectra apart";
     assert!(has(&reading, note), "{:?}", reading.notes);
 }
@@ -77,7 +78,7 @@ fn two_columns_of_words_tell_spectra_apart_together() {
 #[test]
 fn a_list_of_single_points_is_no_spectrum() {
     let text = "Name,Wavelength,Cross_Section\ndye A,1050,200\ndye B,800,200\ndye C,1100,150\n\
-                dye D,1050,100\ndye E,900,90\n";
+                dye D,900,100\ndye E,1050,90\n";
     let why = read_bytes("a.csv", text.as_bytes())
         .unwrap_err()
         .to_string();
