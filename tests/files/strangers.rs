@@ -220,6 +220,8 @@ fn a_models_name_alone_makes_no_meter_of_a_known_maker() {
         ),
         ("", 4)
     );
+    let why = read_bytes("a.csv", (text.to_owned() + "510nm,abc\n").as_bytes()).unwrap_err();
+    assert!(why.to_string().contains("line 7: found \"abc\""), "{why}");
     // Values over the largest are in no unit, though the meter's own is known.
     let text = "Model Name,GS1160\nLambdaP,460\nLambdaPValue,4.165\n440nm,0.5\n450nm,0.8\n460nm,1\n\
                 470nm,0.7\n";

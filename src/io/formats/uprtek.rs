@@ -281,8 +281,8 @@ mod tests {
             "a.xls: found UPRtek's results and no spectrum, expected lines such as \"380nm\", TAB and a value"
         );
         assert_eq!(
-            why("Model Name\tCV600\n380nm\t5\n381nm\t6\n382nm\tabc\n"),
-            "a.xls, line 4: found \"abc\", expected a number behind the wavelength"
+            why("Model Name\tCV600\nCCT\t5000\n380nm\t5\n381nm\t6\n382nm\tabc\n"),
+            "a.xls, line 5: found \"abc\", expected a number behind the wavelength"
         );
     }
 }

@@ -372,7 +372,7 @@ pub(crate) fn row_gone_wrong(
     };
     kinds
         .iter()
-        .any(|kind| matches!(kind, Cell::Number(_)))
+        .any(|kind| matches!(kind, Cell::Number(_) | Cell::Nanometres(_)))
         .then(|| BadCell {
             line,
             column,

@@ -28,10 +28,14 @@ pub(crate) fn with_rows_above<'a>(
             Some(Cell::Number(nm) | Cell::Nanometres(nm)) if carries_on(before, last, *nm) => *nm,
             _ => break,
         };
-        (before, last) = (last, nm);
         let used = used(&cells);
-        rows.push(used <= block.width && !kinds.contains(&Cell::Text));
-        if used == block.width && rows.ends_with(&[true]) {
+        // A word in a row is a fault of the table, and told as that.
+        if used <= block.width && kinds.contains(&Cell::Text) {
+            break;
+        }
+        (before, last) = (last, nm);
+        rows.push(used <= block.width);
+        if used == block.width {
             whole = rows.len();
         }
     }
@@ -45,7 +49,7 @@ pub(crate) fn with_rows_above<'a>(
     let (first_line, first_row) = lines[0];
     // What stands in the text from that row on.
     let from = first_row.as_ptr() as usize - text.as_ptr() as usize;
-    let mut whole = Block::new(header, block.width, (first_line, &text[from..]));
+    let mut table = Block::new(header, block.width, (first_line, &text[from..]));
     let mut left = Vec::new();
     for ((line, content), is_row) in lines.into_iter().zip(rows.into_iter().rev()) {
         if !is_row {
@@ -54,8 +58,8 @@ pub(crate) fn with_rows_above<'a>(
         }
         dialect.split(content, &mut cells);
         let kinds: Vec<Cell> = cells.iter().map(parse).collect();
-        whole.push(line, &cells, &kinds);
+        table.push(line, &cells, &kinds);
     }
-    whole.append(block);
-    (whole, left)
+    table.append(block);
+    (table, left)
 }

@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::titles::Titles;
 use crate::io::interpret::kinds::kind_of_title;
-use crate::io::text::units::{WavelengthUnit, names_wavelength};
+use crate::io::text::units::{BESIDE, WavelengthUnit, names_wavelength};
 use crate::io::text::words::{holds, without_brackets};
 
 /// A column that is no spectrum.
@@ -195,30 +195,12 @@ fn roles(
 /// Whether a column holds what was noted beside each point, by a word of its title that is no
 /// other's: days may be what several spectra are called by.
 fn is_beside(titles: &Titles, column: usize, values: &[usize]) -> bool {
-    const WORDS: [&str; 18] = [
-        "|time|",
-        "|hour|",
-        "|hours|",
-        "|minute|",
-        "|minutes|",
-        "|date|",
-        "|day|",
-        "|timestamp|",
-        "|temperature|",
-        "|temp|",
-        "|humidity|",
-        "|pressure|",
-        "|distance|",
-        "|flag|",
-        "|id|",
-        "|pixel|",
-        "|latitude|",
-        "|longitude|",
-    ];
+    const OF_POINTS: [&str; 3] = ["|flag|", "|id|", "|pixel|"];
     let lower = |column: usize| titles.whole(column).to_lowercase();
     let title = lower(column);
     let has_figure = title.contains(|c: char| c.is_ascii_digit());
-    let Some(word) = WORDS.iter().find(|word| holds(&title, word)) else {
+    let mut words = BESIDE.iter().chain(&OF_POINTS);
+    let Some(word) = words.find(|word| holds(&title, word)) else {
         return false;
     };
     let others = values.iter().filter(|other| **other != column);

@@ -272,28 +272,37 @@ pub(crate) fn names_wavelength(title: &str) -> bool {
             && WavelengthUnit::of_title(&title).is_some_and(|unit| !unit.is_length())
 }
 
-/// Whether a title says that a column holds something that is no wavelength, whatever its numbers.
+/// Words for what is noted beside wavelengths and values: neither of them, whatever the numbers.
+pub(crate) const BESIDE: [&str; 15] = [
+    "|time|",
+    "|hour|",
+    "|hours|",
+    "|minute|",
+    "|minutes|",
+    "|date|",
+    "|day|",
+    "|timestamp|",
+    "|temperature|",
+    "|temp|",
+    "|humidity|",
+    "|pressure|",
+    "|distance|",
+    "|latitude|",
+    "|longitude|",
+];
+
+/// Whether a title says that a column holds something that is no wavelength.
 pub(crate) fn names_another_quantity(title: &str) -> bool {
-    const WORDS: [&str; 16] = [
-        "time",
-        "hour",
-        "hours",
-        "minute",
-        "minutes",
-        "second",
-        "seconds",
-        "date",
-        "day",
-        "temperature",
-        "current",
-        "voltage",
-        "angle",
-        "depth",
-        "latitude",
-        "longitude",
+    const VALUES: [&str; 6] = [
+        "|second|",
+        "|seconds|",
+        "|current|",
+        "|voltage|",
+        "|angle|",
+        "|depth|",
     ];
     let title = title.to_lowercase();
-    WORDS.iter().any(|word| holds(&title, &format!("|{word}|")))
+    holds_any(&title, &BESIDE) || holds_any(&title, &VALUES)
 }
 
 /// What a title of a wavelength axis counts in, where that is nothing known here: the word in
