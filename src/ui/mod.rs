@@ -4,6 +4,7 @@
 //! applies them before it draws what depends on them, so every frame shows its own input.
 
 mod batch_view;
+mod brief_view;
 pub mod chart_view;
 mod colour_view;
 mod curve_view;

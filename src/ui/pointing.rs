@@ -133,9 +133,18 @@ pub(super) fn find(context: &Context, name: Option<&str>) -> (Option<Rect>, Vec<
     (finder.found.map(|(_, rect)| rect), finder.busy.clone())
 }
 
-/// Draws the ring around a place, and the words beside it where they cover least of what is busy.
-pub(super) fn ring(context: &Context, (around, busy): (Rect, &[Rect]), label: &str, theme: Theme) {
-    let screen = context.content_rect();
+/// Draws the ring around a place, and the words beside it where they cover least of what is busy;
+/// never over the lesson's column, which ends at `column`, where the ring stands beside it.
+pub(super) fn ring(
+    context: &Context,
+    (around, busy): (Rect, &[Rect]),
+    (label, column): (&str, f32),
+    theme: Theme,
+) {
+    let mut screen = context.content_rect();
+    if around.left() >= column {
+        screen.min.x = column;
+    }
     let rect = around.expand(ROOM + RING / 2.0);
     if !screen.intersects(around) {
         return;

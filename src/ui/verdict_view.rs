@@ -34,7 +34,7 @@ pub enum Side {
 pub const ANALYSE: &str = "Analyse it anew";
 
 /// Height of the swatch without the ground around it, points.
-const SWATCH: f32 = 96.0;
+pub(super) const SWATCH: f32 = 96.0;
 
 /// Draws the column.
 pub fn show(
@@ -87,74 +87,6 @@ pub fn foot(ui: &mut Ui, theme: Theme, side: &mut Side) {
     });
 }
 
-/// Below this height swatch, word and numbers stand in one line, points.
-const LINE: f32 = 56.0;
-
-/// Least width of a swatch with words below it, points.
-const CAPTIONS: f32 = 96.0;
-
-/// Swatch, word and numbers in little room.
-pub fn brief(ui: &mut Ui, app: &App, theme: Theme) {
-    let outline = ui.visuals().widgets.noninteractive.bg_stroke;
-    let is_line = ui.available_height() < LINE * theme.scale;
-    egui::Frame::new()
-        .stroke(outline)
-        .corner_radius(4)
-        .inner_margin(if is_line { 4 } else { 8 })
-        .show(ui, |ui| {
-            ui.set_min_size(ui.available_size());
-            let height = ui.available_height();
-            if is_line {
-                return ui
-                    .horizontal_centered(|ui| brief_line(ui, app, theme, height))
-                    .inner;
-            }
-            ui.horizontal_top(|ui| {
-                let width = (0.4 * ui.available_width()).min(120.0 * theme.scale);
-                let down = Layout::top_down(Align::Min);
-                ui.allocate_ui_with_layout(vec2(width, height), down, |ui| {
-                    ui.set_width(width);
-                    let says = width >= CAPTIONS * theme.scale;
-                    let captions = if says { 22.0 * theme.scale } else { 0.0 };
-                    let swatch = (height - captions).min(SWATCH * theme.scale);
-                    split(ui, app, theme, swatch - 16.0, says);
-                });
-                let rest = ui.available_width().max(0.0);
-                ui.allocate_ui_with_layout(vec2(rest, height), down, |ui| {
-                    let Some(worst) = Worst::of(app) else {
-                        return no_colour(ui);
-                    };
-                    let seen = Seen::of(worst.delta_e_2000);
-                    let size = if theme.scale > 1.0 { 14.0 } else { 18.0 };
-                    let words = RichText::new(seen.verdict()).size(size * theme.scale);
-                    ui.add(Label::new(words.color(ui.visuals().strong_text_color())).wrap());
-                    ui.label(format!("ΔE₀₀ {} at worst", figure(worst.delta_e_2000)));
-                    let (numbers, instead) = counts(app);
-                    let words = format!("{numbers} numbers, not {instead}");
-                    ui.add(Label::new(words).wrap());
-                });
-            });
-        });
-}
-
-/// The same in one line.
-fn brief_line(ui: &mut Ui, app: &App, theme: Theme, height: f32) {
-    let Some(worst) = Worst::of(app) else {
-        return no_colour(ui);
-    };
-    let width = 64.0 * theme.scale;
-    ui.allocate_ui(vec2(width, height), |ui| {
-        ui.set_width(width);
-        split(ui, app, theme, height - 16.0, false);
-    });
-    let seen = Seen::of(worst.delta_e_2000);
-    ui.label(RichText::new(seen.verdict()).color(ui.visuals().strong_text_color()));
-    let (numbers, instead) = counts(app);
-    let worst = figure(worst.delta_e_2000);
-    let words = format!("ΔE₀₀ {worst} at worst, {numbers} numbers, not {instead}");
-    ui.add(Label::new(words).truncate());
-}
-
 fn rule(ui: &mut Ui) {
     ui.add_space(6.0);
     let rect = ui.available_rect_before_wrap();
@@ -163,12 +95,12 @@ fn rule(ui: &mut Ui) {
     ui.add_space(8.0);
 }
 
-fn no_colour(ui: &mut Ui) {
+pub(super) fn no_colour(ui: &mut Ui) {
     ui.add(Label::new("No visible light in this range: there is no colour to compare.").wrap());
 }
 
 /// Both colours on a ground of their own, told apart by two ticks.
-fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: bool) {
+pub(super) fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: bool) {
     let colour = &app.derived().colour;
     let (Some(exact), Some(model)) = (colour.exact, colour.model) else {
         return no_colour(ui);
@@ -229,7 +161,7 @@ fn split(ui: &mut Ui, app: &App, theme: Theme, height: f32, says: bool) {
 }
 
 /// An error in as many digits as it is good for.
-fn figure(delta: f64) -> String {
+pub(super) fn figure(delta: f64) -> String {
     match delta {
         d if d < 0.0005 => "0.000".to_owned(),
         d if d < 0.1 => format!("{d:.3}"),
@@ -367,7 +299,7 @@ fn answers(ui: &mut Ui, app: &App, theme: Theme) {
 }
 
 /// Numbers of the model, and points of the table in its range that they stand for.
-fn counts(app: &App) -> (usize, usize) {
+pub(super) fn counts(app: &App) -> (usize, usize) {
     let derived = app.derived();
     (derived.numbers(), derived.band.points())
 }

@@ -10,10 +10,9 @@ pub use sliders::names;
 use sliders::{Asked, SlidersView};
 
 use super::{
-    patches_view,
+    brief_view, patches_view,
     spectrum_view::SpectrumView,
     theme::{Theme, Wake},
-    verdict_view,
 };
 use crate::{
     app::{
@@ -82,19 +81,26 @@ const VERDICT: f32 = 304.0;
 /// Below this width they stand over the patches, this high.
 const STACKED: f32 = 560.0;
 const BRIEF: f32 = 112.0;
-/// Where the page is lower than this the plot needs the room: they take a line, and patches least.
+/// Where a page is lower than this in a type of usual size the plot needs the room: where a line of
+/// them is not cut they take one, and the patches least.
 const LOW: f32 = 640.0;
+const WHOLE_LINE: f32 = 460.0;
+const USUAL_TYPE: f32 = 1.2;
 const BRIEF_LINE: f32 = 44.0;
 const GAP: f32 = 8.0;
 
 /// Height that swatch and verdict take over the patches; nothing where they stand beside them.
 pub fn stacked(room: Vec2, with_verdict: bool, scale: f32) -> f32 {
     let is_stacked = with_verdict && room.x < STACKED * scale.min(1.6);
-    match (is_stacked, room.y < LOW * scale) {
+    match (is_stacked, is_low(room, scale)) {
         (true, true) => BRIEF_LINE * scale + GAP,
         (true, false) => BRIEF * scale + GAP,
         (false, _) => 0.0,
     }
+}
+
+fn is_low(room: Vec2, scale: f32) -> bool {
+    scale < USUAL_TYPE && room.y < LOW && room.x >= WHOLE_LINE
 }
 
 impl LookView {
@@ -254,7 +260,7 @@ fn parts(room: Rect, scene: &Scene<'_>) -> [Rect; 3] {
     let card = sliders::height(room.width() - 2.0 * CARD_MARGIN.x, scale) + 2.0 * CARD_MARGIN.y;
     let [least, most] = PATCHES;
     let stacked = stacked(room.size(), scene.verdict_below || scene.present, scale);
-    let share = if stacked > 0.0 && room.height() < LOW * scale {
+    let share = if stacked > 0.0 && is_low(room.size(), scale) {
         0.0
     } else {
         0.23
@@ -290,7 +296,7 @@ fn below(ui: &mut Ui, scene: &Scene<'_>, room: Vec2, commands: &mut Vec<Command>
     if beside {
         let mut verdict = ui.new_child(UiBuilder::new().max_rect(brief));
         verdict.shrink_clip_rect(brief);
-        verdict_view::brief(&mut verdict, app, theme);
+        brief_view::brief(&mut verdict, app, theme);
     }
     let mut patches = ui.new_child(UiBuilder::new().max_rect(field));
     if !scene.present {

@@ -99,7 +99,7 @@ impl Window {
         let studies = &mut self.studies;
         let mut wishes = Vec::new();
         let frame = plain(ui, Margin::same(12)).fill(ui.visuals().window_fill);
-        Panel::left("lesson")
+        let panel = Panel::left("lesson")
             .frame(frame)
             .resizable(false)
             .exact_size(width)
@@ -108,6 +108,7 @@ impl Window {
                     wishes = view.show(ui, run, scene, (&mut *studies, &wake), theme)
                 });
             });
+        self.lesson_ends = panel.response.rect.right();
         for wish in wishes {
             self.fulfil_of_lesson(wish, ui.ctx());
         }
@@ -132,7 +133,7 @@ impl Window {
             }),
         };
         if let Some(around) = around {
-            pointing::ring(context, (around, &busy), label, theme);
+            pointing::ring(context, (around, &busy), (label, self.lesson_ends), theme);
         }
     }
 

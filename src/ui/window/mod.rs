@@ -107,6 +107,8 @@ pub struct Window {
     /// The lesson that is being taken, and when it shows the next thing.
     lesson: Option<Run>,
     lesson_view: LessonView,
+    /// Where its column ended in the last frame, points.
+    lesson_ends: f32,
     shows_next_at: f64,
     /// Where own lessons are kept; `None` keeps none.
     lessons_folder: Option<PathBuf>,
@@ -158,6 +160,7 @@ impl Window {
             makers: MakersView::default(),
             lesson: None,
             lesson_view: LessonView::default(),
+            lesson_ends: 0.0,
             shows_next_at: 0.0,
         }
     }

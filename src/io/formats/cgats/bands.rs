@@ -47,7 +47,9 @@ fn label(field: &str) -> Option<(f64, String)> {
 }
 
 /// The spectra that the columns of a table hold.
-pub(super) fn bands(fields: &[&str]) -> Vec<Bands> {
+///
+/// Two columns are a spectrum where the header states two bands (`stated`).
+pub(super) fn bands(fields: &[&str], stated: Option<f64>) -> Vec<Bands> {
     let mut groups: HashMap<String, usize> = HashMap::new();
     let mut found: Vec<Bands> = Vec::new();
     let mut last_nm_column = None;
@@ -96,9 +98,7 @@ pub(super) fn bands(fields: &[&str]) -> Vec<Bands> {
         let pairs = !group.nm_columns.is_empty();
         let rising = group.labels.windows(2).all(|p| p[1] > p[0]);
         let falling = group.labels.windows(2).all(|p| p[1] < p[0]);
-        // Two of the standard's own name are one, too.
-        let is_named = group.word.starts_with("SPEC");
-        let fewest = if is_named { 2 } else { FEWEST_BANDS };
+        let fewest = if stated == Some(2.0) { 2 } else { FEWEST_BANDS };
         pairs || group.columns.len() >= fewest && (rising || falling)
     });
     found

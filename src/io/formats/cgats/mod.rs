@@ -116,8 +116,12 @@ fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String 
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
+    let stated = text.lines().find_map(|line| {
+        let bands = line.trim_start().strip_prefix("SPECTRAL_BANDS")?;
+        bands.trim_matches([' ', '\t', '"']).parse().ok()
+    });
     let wanted = |fields: &[&str]| -> (Vec<usize>, Vec<usize>) {
-        let mut numbers: Vec<usize> = bands(fields)
+        let mut numbers: Vec<usize> = bands(fields, stated)
             .iter()
             .flat_map(|g| g.columns.iter().chain(&g.nm_columns))
             .copied()
@@ -140,7 +144,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .count()
         > 1;
     for (index, table) in tables.iter().enumerate() {
-        let groups = bands(&table.fields);
+        let groups = bands(&table.fields, stated);
         let several_groups = groups.len() > 1;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
             return Err(input.error(
