@@ -62,6 +62,40 @@ fn a_row_with_a_cell_too_many_near_the_top_is_left_out_alone() {
 }
 
 #[test]
+fn a_row_that_was_taken_out_by_a_mark_is_no_row_wherever_it_stands() {
+    for (text, ends, count) in [
+        (
+            "nm,W\n# 370,9\n380,1\n390,2\n400,3\n410,4\n# 420,9\n",
+            [380.0, 410.0],
+            4,
+        ),
+        (
+            "nm,W\n#400,9\n401\n402,1\n403,2\n404,3\n",
+            [402.0, 404.0],
+            3,
+        ),
+        ("nm,W\n# 370,bad\n380,1\n390,2\n400,3\n", [380.0, 400.0], 3),
+        (
+            "nm,W\n380,1\n390,2\n400,3\n410,4\n# 420,9\nnext\n430,5\n440,6\n450,7\n",
+            [380.0, 450.0],
+            7,
+        ),
+        (
+            "nm,W\n400,1\n# a remark\n401\n402,3\n403,4\n",
+            [400.0, 403.0],
+            3,
+        ),
+    ] {
+        let reading = read("a.csv", text);
+        assert_eq!(
+            (told(&reading)[0].2, told(&reading)[0].3),
+            (ends, count),
+            "{text}"
+        );
+    }
+}
+
+#[test]
 fn two_columns_of_words_tell_spectra_apart_together() {
     let reading = read(
         "a.csv",

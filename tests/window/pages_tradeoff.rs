@@ -27,7 +27,7 @@ use spectral_explorer::{
     },
     spectrum::{Band, Kind, NamedSpectrum, Sampled, SpikeEdits},
     study::{
-        Goal, Measure, Progress, Reference, Verdict,
+        Auction, Goal, Measure, Progress, Reference, Verdict,
         auction::{Ended, Purchase},
     },
     ui::Window,
@@ -416,30 +416,24 @@ fn what_cannot_be_measured_is_greyed_and_nothing_breaks() {
     }
 }
 
+/// What the page's auction found.
+fn auction(ui: &mut Ui) -> Arc<Auction> {
+    let job = ui.state_mut().0.studies.of::<AuctionAsk>();
+    job.result().expect("an auction").clone()
+}
+
 #[test]
 fn the_auctions_last_model_is_taken_and_its_row_chosen() {
     let mut ui = on(fl2(), Page::Auction);
     click(&mut ui, "Take this model");
-    let studies = &mut ui.state_mut().0.studies;
-    let auction = studies
-        .of::<AuctionAsk>()
-        .result()
-        .expect("an auction")
-        .clone();
+    let auction = auction(&mut ui);
     assert_eq!(app(&ui).derived().numbers(), auction.last().numbers);
     assert!(is_disabled(&ui, "Take this model"));
     click(&mut ui, "Step 2: 3 numbers, order 1");
     assert_eq!(app(&ui).derived().numbers(), 3);
     assert!(!is_disabled(&ui, "Take this model"));
     // Taking a model asks for no other auction.
-    let now = ui
-        .state_mut()
-        .0
-        .studies
-        .of::<AuctionAsk>()
-        .result()
-        .expect("an auction");
-    assert!(Arc::ptr_eq(now, &auction));
+    assert!(Arc::ptr_eq(&self::auction(&mut ui), &auction));
 }
 
 #[test]
@@ -458,12 +452,7 @@ fn the_smallest_and_the_largest_budget() {
         }));
         let mut ui = over(app, pages);
         click(&mut ui, "Take this model");
-        let studies = &mut ui.state_mut().0.studies;
-        let auction = studies
-            .of::<AuctionAsk>()
-            .result()
-            .expect("an auction")
-            .clone();
+        let auction = auction(&mut ui);
         assert!(auction.last().numbers <= numbers);
         assert!(numbers > 1 || auction.ended == Ended::Spent);
         assert!(!is_written(&ui, "NaN"));
@@ -482,13 +471,7 @@ fn a_mix_is_weighed_by_hand() {
     let goal = ui.state().0.preferences.pages.goal;
     assert_eq!((goal.patches, goal.filters), (1.0, 2.0));
     assert_written(&ui, "Each error over its value at N = 0");
-    let auction = ui
-        .state_mut()
-        .0
-        .studies
-        .of::<AuctionAsk>()
-        .result()
-        .expect("an auction");
+    let auction = auction(&mut ui);
     // At order 0 every error is its own value there.
     assert_eq!(auction.steps[0].error, 1.0);
 }

@@ -222,10 +222,15 @@ impl<'a> Block<'a> {
 
     /// Takes lines that broke the block as far as they are rows of it after all; what is to be said
     /// of the others.
-    pub(crate) fn take_lines(&mut self, lines: &[(usize, &'a str)], dialect: Dialect) -> LeftLines {
+    pub(crate) fn take_lines(
+        &mut self,
+        lines: &[(usize, &'a str)],
+        (text, dialect): (&str, Dialect),
+    ) -> LeftLines {
         let mut left = LeftLines::default();
         let mut cells = Vec::new();
-        for (at, (line, content)) in lines.iter().enumerate() {
+        let lines = lines.iter().enumerate();
+        for (at, (line, content)) in lines.filter(|(_, line)| is_no_comment(text, line.1)) {
             dialect.split(content, &mut cells);
             let kinds = cells.iter();
             let kinds: Vec<Cell> = kinds
@@ -388,9 +393,25 @@ pub(crate) fn carries_on(before: f64, last: f64, next: f64) -> bool {
     (next - last) * step > 0.0 && (next - last).abs() <= 20.0 * step.abs()
 }
 
+/// Where a part of a text stands in it, bytes.
+pub(crate) fn place_in(text: &str, part: &str) -> usize {
+    part.as_ptr() as usize - text.as_ptr() as usize
+}
+
+/// Whether a line kept of a text is no comment, whose mark would stand before it: a row that
+/// somebody took out by a mark is none.
+pub(crate) fn is_no_comment(text: &str, content: &str) -> bool {
+    let before = text[..place_in(text, content)].bytes().rev();
+    let mut before = before.take_while(|byte| !matches!(byte, b'\n' | b'\r'));
+    before.all(|byte| byte.is_ascii_whitespace())
+}
+
 /// The line above a block, if it is a row of it that holds a word.
-pub(crate) fn row_gone_wrong_above(block: &Block, dialect: Dialect) -> Option<BadCell> {
+pub(crate) fn row_gone_wrong_above(block: &Block, text: &str, dialect: Dialect) -> Option<BadCell> {
     let (line, content) = block.header.last()?;
+    if !is_no_comment(text, content) {
+        return None;
+    }
     let mut cells = Vec::new();
     dialect.split(content, &mut cells);
     let Cell::Number(first) = number::parse(cells[..].first()?, dialect.decimal_comma) else {

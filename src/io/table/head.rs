@@ -1,7 +1,7 @@
 //! Rows that stand above a block because one among the first of a table is short, or has a cell too
 //! many: before a table has shown its width such a row breaks it off.
 
-use super::block::{Block, carries_on};
+use super::block::{Block, carries_on, is_no_comment, place_in};
 use crate::io::text::dialect::{Dialect, used};
 use crate::io::text::number::{self, Cell};
 
@@ -21,7 +21,9 @@ pub(crate) fn with_rows_above<'a>(
     let (mut before, mut last) = (block.first(1), block.first(0));
     // From the lowest up: whether each line is a row, and how many reach up to a whole one.
     let (mut rows, mut whole) = (Vec::new(), 0);
-    for (_, content) in block.header.iter().rev().take(MOST_LINES) {
+    let header = block.header.iter().copied();
+    let lines: Vec<_> = header.filter(|line| is_no_comment(text, line.1)).collect();
+    for (_, content) in lines.iter().rev().take(MOST_LINES) {
         dialect.split(content, &mut cells);
         let kinds: Vec<Cell> = cells.iter().map(parse).collect();
         let nm = match kinds.first() {
@@ -44,21 +46,21 @@ pub(crate) fn with_rows_above<'a>(
     if 2 * taken < rows.len() || rows.is_empty() {
         return (block, Vec::new());
     }
-    let mut header = block.header.clone();
-    let lines = header.split_off(header.len() - rows.len());
+    let lines = &lines[lines.len() - rows.len()..];
     let (first_line, first_row) = lines[0];
-    // What stands in the text from that row on.
-    let from = first_row.as_ptr() as usize - text.as_ptr() as usize;
-    let mut table = Block::new(header, block.width, (first_line, &text[from..]));
+    let header = block.header.iter().copied();
+    let header = header.take_while(|(line, _)| *line < first_line).collect();
+    let from = &text[place_in(text, first_row)..];
+    let mut table = Block::new(header, block.width, (first_line, from));
     let mut left = Vec::new();
-    for ((line, content), is_row) in lines.into_iter().zip(rows.into_iter().rev()) {
+    for ((line, content), is_row) in lines.iter().zip(rows.into_iter().rev()) {
         if !is_row {
-            left.push((line, content));
+            left.push((*line, *content));
             continue;
         }
         dialect.split(content, &mut cells);
         let kinds: Vec<Cell> = cells.iter().map(parse).collect();
-        table.push(line, &cells, &kinds);
+        table.push(*line, &cells, &kinds);
     }
     table.append(block);
     (table, left)

@@ -341,7 +341,7 @@ fn joined<'a>(
 ) -> Result<Vec<(Block<'a>, Vec<String>)>, NoTable> {
     let mut out: Vec<Joined> = Vec::new();
     for mut block in blocks {
-        let above = row_gone_wrong_above(&block, dialect);
+        let above = row_gone_wrong_above(&block, text, dialect);
         let goes_on_with = out.last_mut().filter(|last| goes_on(&last.block, &block));
         let Some(Joined {
             block: last,
@@ -362,7 +362,7 @@ fn joined<'a>(
         };
         let between = last.ended_by.take().or(above);
         let lines = std::mem::take(&mut block.header);
-        let left = last.take_lines(&lines, dialect);
+        let left = last.take_lines(&lines, (text, dialect));
         match between {
             Some(row) if lines.len() == 1 => bad.push(row),
             Some(row) if left.words.is_empty() || left.all.len() > left.words.len() => {
@@ -379,7 +379,7 @@ fn joined<'a>(
     } in &mut out
     {
         let behind = std::mem::take(&mut block.behind);
-        let left = block.take_lines(&behind, dialect);
+        let left = block.take_lines(&behind, (text, dialect));
         notes.extend(no_rows(&behind, &left.numbers));
         // A word in the very last row, with nothing behind it that would tell.
         bad.extend(block.ended_by.take().filter(|row| row.certain));

@@ -73,7 +73,7 @@ fn sorted_steps(numbers: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// How many steps go up, and down.
-fn steps_up_and_down(numbers: &[f64]) -> (usize, usize) {
+pub(super) fn steps_up_and_down(numbers: &[f64]) -> (usize, usize) {
     let steps = numbers.windows(2);
     steps.fold((0, 0), |(up, down), pair| {
         (

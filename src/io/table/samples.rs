@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use super::block::Block;
+use super::row_order::steps_up_and_down;
 use crate::io::text::dialect::Dialect;
 
 /// Fewest rows of a sample that a number tells from others: values may be whole numbers too.
@@ -73,11 +74,7 @@ pub(crate) fn together(
 /// The column of words that names every row apart, where wavelengths go to and fro as in no table of
 /// one spectrum: each row is another thing.
 pub(crate) fn names_of_rows(block: &Block, dialect: Dialect, axis: usize) -> Option<usize> {
-    let steps = block.column(axis).windows(2);
-    let (up, down) = steps.fold((0, 0), |(up, down), pair| {
-        let way = |is: bool| usize::from(is);
-        (up + way(pair[1] > pair[0]), down + way(pair[1] < pair[0]))
-    });
+    let (up, down) = steps_up_and_down(block.column(axis));
     if block.rows() < FEWEST_ROWS || 4 * up.min(down) < block.rows() {
         return None;
     }

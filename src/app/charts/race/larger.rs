@@ -3,7 +3,10 @@
 
 use super::{error_words, figure};
 use crate::{
-    app::studies::{Field, RaceAsk},
+    app::{
+        FIRST_PATCH_SET,
+        studies::{Field, RaceAsk},
+    },
     color::Observer,
     io::many::capitalised,
     rivals::Family,
@@ -84,7 +87,8 @@ impl Tables {
 fn comparable(ask: &RaceAsk) -> bool {
     ask.band == Band::VISIBLE
         && ask.observer == Observer::Cie1931
-        && ask.patches.words() == "colorchecker_ohta"
+        && ask.patches.set == FIRST_PATCH_SET
+        && ask.patches.own.is_empty()
         && ask.spikes == SpikeSettings::default()
 }
 

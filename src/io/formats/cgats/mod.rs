@@ -144,7 +144,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .count()
         > 1;
     for (index, table) in tables.iter().enumerate() {
-        let groups = bands(&table.fields, stated);
+        let groups = bands(&table.fields, table.number("SPECTRAL_BANDS"));
         let several_groups = groups.len() > 1;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
             return Err(input.error(
