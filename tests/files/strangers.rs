@@ -322,3 +322,71 @@ fn factors_of_tm_27_are_reflectance_and_transmittance() {
         assert_eq!(told(&read("a.spdx", &text))[0].1, kind, "{word}");
     }
 }
+
+#[test]
+fn a_spectrometer_s_counts_do_not_take_the_unit_of_the_column_beside_them() {
+    // Header and first rows of `Ne_532nm_x50_25ms.txt` of ramanchada2 (PyPI, MIT).
+    let reading = read(
+        "Ne_532nm_x50_25ms.txt",
+        "File Version;BWSpec4.11_1\nintigration times(ms);25\nirradiance_unit;0\n\
+         Pixel;Wavelength;Wavenumber;Raman Shift;Dark;Reference;Raw data #1;Dark Subtracted #1;\
+         %TR #1;Absorbance #1;Irradiance (W/cm^2/nm) #1;\n\
+         0;530,77;18840,39;-48,35;980,0000;65535,0000;929,0000;-51,0000;0,0000;0,0000;0,0000;\n\
+         1;530,86;18837,33;-45,28;1006,0000;65535,0000;974,0000;-32,0000;0,0000;0,0000;0,0000;\n\
+         2;530,95;18834,27;-42,22;981,0000;65535,0000;994,0000;13,0000;0,0000;0,0000;0,0000;\n\
+         3;531,03;18831,20;-39,16;1036,0000;65535,0000;986,0000;-50,0000;0,0000;0,0000;0,0000;\n",
+    );
+    let found = reading.spectra.iter().map(|s| (s.kind, &*s.unit));
+    assert_eq!(
+        found.collect::<Vec<_>>(),
+        [
+            (Kind::Light, "counts"),
+            (Kind::Transmittance, "fraction"),
+            (Kind::Absorbance, ""),
+            (Kind::Light, "W/cm^2/nm")
+        ]
+    );
+    assert_eq!(
+        reading.spectra[0].samples.values(),
+        [-51.0, -32.0, 13.0, -50.0]
+    );
+}
+
+#[test]
+fn a_wasatch_text_says_its_technique_and_a_filter_s_two_readings_are_two() {
+    // Header and first rows of `wasatch-enlighten-transmission.csv` of photobiologyInOut (GPL).
+    let reading = read(
+        "wasatch-enlighten-transmission.csv",
+        "ENLIGHTEN Version,2.2.7\nModel,WP-UV-VIS-C-S-25\nTechnique,Transmission\n\
+         Raman Intensity Corrected,False\nLaser Wavelength,0.0\nLaser Enable,False\n\
+         Pixel Count,1024\n\nPixel,Wavelength,Processed,Raw,Dark,Reference\n\
+         0,247.94,24.00000,835.00000,823.00000,50.00000\n\
+         1,248.45,54.00000,850.00000,823.00000,50.00000\n\
+         2,248.96,76.08696,858.00000,823.00000,46.00000\n",
+    );
+    assert_eq!(
+        told(&reading),
+        [(
+            "wasatch-enlighten-transmission",
+            Kind::Transmittance,
+            [247.94, 248.96],
+            3
+        )]
+    );
+    assert_eq!(reading.spectra[0].samples.values()[0], 0.24);
+    // Titles of `Canary_Supergel312.txt`, a gel of Rosco measured twice.
+    let reading = read(
+        "Canary_Supergel312.txt",
+        "w.length.1\ttransmittance.1\tw.length.2\ttransmittance.2\n\
+         190\t0.4\t190\t0.5\n191\t30\t191\t31\n192\t87.1\t192\t88\n",
+    );
+    let ends = [190.0, 192.0];
+    assert_eq!(
+        told(&reading),
+        [
+            ("transmittance.1", Kind::Transmittance, ends, 3),
+            ("transmittance.2", Kind::Transmittance, ends, 3)
+        ]
+    );
+    assert_eq!(reading.spectra[1].samples.values()[2], 0.88);
+}

@@ -348,7 +348,7 @@ pub(crate) fn states_values(line: &str) -> bool {
 }
 
 /// Whether a line titles columns of several kinds: it tells nothing of one without a kind.
-fn titles_several(line: &str) -> bool {
+pub(super) fn titles_several(line: &str) -> bool {
     let cells = line.split([';', '\t', ',']);
     let mut kinds = cells.filter_map(kind_of_words);
     let first = kinds.next();

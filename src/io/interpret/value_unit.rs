@@ -1,6 +1,6 @@
 //! The unit of values, as titles and header lines give it.
 
-use super::kinds::kind_of_words;
+use super::kinds::{kind_of_words, titles_several};
 use crate::io::text::NumberedLines;
 
 /// Photons in the unit that plant scientists use.
@@ -16,14 +16,24 @@ pub(crate) fn counts_photons(unit: &str) -> bool {
         || lower.starts_with("μe")
 }
 
-/// The unit of values that a title gives: text in brackets, or a unit at its end.
+/// The unit of values that a title gives: text in brackets, a unit at its end, or what a
+/// spectrometer counted above its own dark reading.
 pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
-    bracketed(title).or_else(|| bare(title))
+    let counts = title
+        .trim_start()
+        .starts_with("Dark Subtracted")
+        .then_some("counts");
+    bracketed(title).or_else(|| bare(title)).or(counts)
 }
 
-/// The unit of values that header lines give: in brackets, or behind "unit:".
+/// The unit of values that header lines give: in brackets, or behind "unit:". A line that titles
+/// columns of several kinds says nothing of those without one.
 pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
-    for (_, line) in header.iter().rev() {
+    for (_, line) in header
+        .iter()
+        .rev()
+        .filter(|(_, line)| !titles_several(line))
+    {
         // What this program's own files say, whatever it is.
         if let Some(own) = line.strip_prefix("unit: ") {
             return own.trim().to_owned();
