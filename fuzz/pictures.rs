@@ -5,15 +5,21 @@
 //! a promise is broken: an answer in time and within memory, a refusal of one line, and of what is
 //! read all of its numbers.
 
+use std::time::Duration;
+
 use spectral_explorer::pictures::{CompactFile, Header, Picture, PictureError, read_full};
 use spectral_explorer::study::Progress;
 
-use crate::harness::within;
+use crate::harness::{time_of, within};
 
 /// Memory that any file may take, and each of its bytes besides: a flat picture unfolds to a
 /// thousand times its size.
 const MEMORY_FLOOR: usize = 64 << 20;
 const MEMORY_TIMES: usize = 400;
+
+/// Time that any file may take: a header may name 100 lights to weigh by, 45 ms of work, and the
+/// fuzzer's checks make it twenty times as much.
+const TIME_FLOOR: Duration = Duration::from_millis(if cfg!(debug_assertions) { 1000 } else { 250 });
 
 /// What bytes are handed to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,9 +43,9 @@ impl Reader {
 /// When a promise is broken.
 pub(crate) fn attack(reader: Reader, bytes: &[u8]) -> bool {
     let allowed = MEMORY_FLOOR + MEMORY_TIMES * bytes.len();
-    let bounded = |read: &dyn Fn() -> Result<Picture, PictureError>| {
-        judge(within(allowed, bytes.len(), read))
-    };
+    let time = TIME_FLOOR + time_of(bytes.len());
+    let bounded =
+        |read: &dyn Fn() -> Result<Picture, PictureError>| judge(within(allowed, time, read));
     match reader {
         Reader::Full => bounded(&|| read_full(bytes)),
         Reader::Compact => {
@@ -52,7 +58,7 @@ pub(crate) fn attack(reader: Reader, bytes: &[u8]) -> bool {
         }
         Reader::Header => {
             let text = String::from_utf8_lossy(bytes);
-            let led = within(allowed, bytes.len(), || {
+            let led = within(allowed, time, || {
                 Header::from_json(&text).and_then(|header| header.operator())
             });
             led.map_err(|why| is_line(&why)).is_ok()

@@ -36,8 +36,8 @@ impl ReadError {
         Self {
             file: printable(file, LONGEST_NAME),
             line: None,
-            found: part(&found.into()),
-            expected: part(&expected.into()),
+            found: part_of_message(&found.into()),
+            expected: part_of_message(&expected.into()),
         }
     }
 
@@ -140,7 +140,7 @@ fn printable(text: &str, longest: usize) -> String {
 }
 
 /// One part of a message: one line, and not for ever.
-fn part(text: &str) -> String {
+pub(crate) fn part_of_message(text: &str) -> String {
     let text = printable_line(text);
     match text.char_indices().nth(LONGEST_PART) {
         Some((end, _)) => format!("{}…", &text[..end]),

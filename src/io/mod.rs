@@ -36,6 +36,7 @@ use std::path::Path;
 
 pub use choices::{Choices, Counted, OfOne};
 pub use decode::guarded::guarded;
+pub(crate) use error::part_of_message;
 pub use error::{ReadError, WriteError, quoted, shown};
 pub use formats::composite_json::{in_words as composite_in_words, write as composite_json};
 pub use formats::composite_line::{

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::io::WriteError;
+use crate::io::{WriteError, part_of_message};
 
 /// Why a picture cannot be made, stored, opened or relit.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,8 +48,8 @@ pub enum PictureError {
 impl PictureError {
     pub(super) fn broken(found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self::Broken {
-            found: found.into(),
-            expected: expected.into(),
+            found: part_of_message(&found.into()),
+            expected: part_of_message(&expected.into()),
         }
     }
 }

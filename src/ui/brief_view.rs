@@ -40,7 +40,8 @@ pub(super) fn brief(ui: &mut Ui, app: &App, theme: Theme) {
                 ui.allocate_ui_with_layout(vec2(width, height), down, |ui| {
                     ui.set_width(width);
                     let says = width >= CAPTIONS * theme.scale;
-                    let captions = if says { 22.0 * theme.scale } else { 0.0 };
+                    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+                    let captions = if says { row } else { 0.0 };
                     let swatch = (height - captions).min(SWATCH * theme.scale);
                     split(ui, app, theme, swatch - 16.0, says);
                 });

@@ -72,3 +72,17 @@ fn changed_pictures_in_few_numbers_are_refused_or_read_whole() {
         }
     }
 }
+
+#[test]
+fn a_long_word_of_a_header_is_not_said_in_full() {
+    let [.., (reader, header)] = seeds();
+    let header = String::from_utf8(header).expect("text");
+    let long = header.replace(
+        "\"kind\":\"one\"",
+        &format!("\"kind\":\"{}\"", "x".repeat(4000)),
+    );
+    assert_ne!(long, header);
+    assert!(!attack(reader, long.as_bytes()));
+    let long = header.replace("composite-picture", &"x".repeat(4000));
+    assert!(!attack(reader, long.as_bytes()));
+}
