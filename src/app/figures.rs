@@ -25,7 +25,7 @@ const fn unit(sign: &'static str, tail: &'static str, factor: f64) -> Unit {
 
 impl Unit {
     /// CIEDE2000.
-    pub const DELTA_E: Self = unit("ΔE00", "", 1.0);
+    pub const DELTA_E: Self = unit("ΔE₀₀", "", 1.0);
     /// Of shares.
     pub const PERCENT: Self = unit("%", " %", 100.0);
     const KELVIN: Self = unit("K", " K", 1.0);
@@ -56,7 +56,7 @@ pub struct Figure {
     pub goal: &'static str,
 }
 
-/// Errors below this are drawn and told as it, in ΔE00 or percent: axes are logarithmic, and less
+/// Errors below this are drawn and told as it, in ΔE₀₀ or percent: axes are logarithmic, and less
 /// than this nobody can tell from nothing.
 pub const SMALLEST: f64 = 1e-4;
 

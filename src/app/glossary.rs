@@ -43,7 +43,7 @@ pub const WORDS: &[Word] = &[
         "CIE",
         "The International Commission on Illumination, which defines the observers, the standard lights and the measures of colour difference used here.",
     ),
-    word("CIEDE2000", "See Delta E (ΔE00)."),
+    word("CIEDE2000", "See Delta E (ΔE₀₀)."),
     word(
         "Colour-exact",
         "The model's smooth part is adjusted so that its X, Y and Z are exactly those of the spectrum. It costs no numbers.",
@@ -62,7 +62,7 @@ pub const WORDS: &[Word] = &[
     ),
     word("D65", "The CIE's standard daylight, 6504 kelvin."),
     word(
-        "Delta E (ΔE00)",
+        "Delta E (ΔE₀₀)",
         "CIEDE2000, how different two colours look. Below 1 nobody sees it, to 2 only where both touch, above 5 they are two colours.",
     ),
     word(

@@ -67,7 +67,7 @@ pub fn chain(light: &str, told: &Told) -> String {
     );
     match total.colours.delta_e_2000 {
         Some(off) => format!(
-            "{passes}; the model's product is off by ΔE00 {}: {}.",
+            "{passes}; the model's product is off by ΔE₀₀ {}: {}.",
             delta_e(off),
             Seen::of(off).verdict().to_lowercase()
         ),
@@ -94,7 +94,7 @@ pub fn narrow(behind: &Behind, figures: &Figures, filter: &Filter) -> String {
     };
     let [composite, series, samples] = figures.ways.map(|way| delta_e(way.delta_e_2000));
     format!(
-        "{over} {} as a composite are off by ΔE00 {composite}, as a series by {series}, as plain \
+        "{over} {} as a composite are off by ΔE₀₀ {composite}, as a series by {series}, as plain \
          samples by {samples}.",
         numbers(behind.numbers())
     )
@@ -109,7 +109,7 @@ pub fn two_lights(sheet: &TwoLightsSheet) -> String {
     };
     match (exact.mean(), exact.worst()) {
         (Some(mean), Some(worst)) => format!(
-            "From {first} to {second} the patches move by ΔE00 {mean:.2} on average, the patch \"{}\" \
+            "From {first} to {second} the patches move by ΔE₀₀ {mean:.2} on average, the patch \"{}\" \
              most, by {:.2}.",
             sheet.names[worst], exact.patches[worst].delta_e_2000
         ),
@@ -145,7 +145,7 @@ pub fn resampling(bench: &Bench) -> String {
     let (light, factor) = (&bench.light, &bench.factor);
     match (of(Sampling::Paper), of(Sampling::Double)) {
         (Some(paper), Some(double)) => format!(
-            "{light} times {factor}: forming the product on the paper's points adds ΔE00 {}, on \
+            "{light} times {factor}: forming the product on the paper's points adds ΔE₀₀ {}, on \
              twice the numbers {}.",
             delta_e(paper),
             delta_e(double)

@@ -50,7 +50,7 @@ impl WordsShown {
         let words: Vec<String> = encoded.words.iter().map(|w| format!("{w:08x}")).collect();
         Self {
             sentence: format!(
-                "{name} in {numbers} numbers: {}. Colours under it are {} ΔE00 off, its spectrum, \
+                "{name} in {numbers} numbers: {}. Colours under it are {} ΔE₀₀ off, its spectrum, \
                  blurred by 10 nm, {} %.",
                 makeup.in_words(),
                 short(errors.patches),
@@ -59,13 +59,13 @@ impl WordsShown {
             figures: vec![
                 WordsFigure {
                     title: "colours under it",
-                    value: format!("{} ΔE00", short(errors.patches)),
+                    value: format!("{} ΔE₀₀", short(errors.patches)),
                     meaning: "Mean of the 99 samples of TM-30, their reflectances in as many \
                               numbers; 1 is seen side by side.",
                 },
                 WordsFigure {
                     title: "behind narrow filters",
-                    value: format!("{} ΔE00", short(errors.filters)),
+                    value: format!("{} ΔE₀₀", short(errors.filters)),
                     meaning: "Mean behind filters 10 nm wide, each brightened to a middle grey.",
                 },
                 WordsFigure {
@@ -158,7 +158,7 @@ fn own(delta_e: f64) -> String {
     if delta_e < EXACT {
         "exact".to_owned()
     } else {
-        format!("{} ΔE00", short(delta_e))
+        format!("{} ΔE₀₀", short(delta_e))
     }
 }
 

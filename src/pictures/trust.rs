@@ -72,9 +72,9 @@ impl Trust {
     pub fn words(&self) -> String {
         let blind = self.blind.iter().copied().fold(0.0, f64::max);
         match self.verdict {
-            Verdict::Good => format!("trust it: noise makes about {:.2} dE00", self.noise),
+            Verdict::Good => format!("trust it: noise makes about {:.2} ΔE₀₀", self.noise),
             Verdict::Care => format!(
-                "with care: the old light left {:.0} % of the new one's colour dark, noise makes about {:.2} dE00",
+                "with care: the old light left {:.0} % of the new one's colour dark, noise makes about {:.2} ΔE₀₀",
                 100.0 * blind,
                 self.noise
             ),

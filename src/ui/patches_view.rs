@@ -98,7 +98,7 @@ fn grid(
         ui.horizontal(|ui| {
             for (column, patch) in chunk.iter().enumerate() {
                 let index = row * in_row + column;
-                let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
+                let name = format!("{}: ΔE₀₀ {:.3}", patch.name, patch.delta_e_2000);
                 let response = swatch::split(
                     ui,
                     vec2(width, height),

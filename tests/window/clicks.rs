@@ -63,7 +63,7 @@ fn that_spikes_matter_is_three_acts_away() {
     person.clicks("One filter");
     assert_eq!(person.acts, 3);
     let ui = &person.ui;
-    let composite = figure_behind(ui, "as a composite are off by ΔE00");
+    let composite = figure_behind(ui, "as a composite are off by ΔE₀₀");
     let series = figure_behind(ui, "as a series by");
     assert!(series > 1.0, "without spikes one sees it: {series}");
     assert!(
@@ -91,7 +91,7 @@ fn how_many_numbers_a_light_needs_is_one_act_away() {
     assert_eq!(person.acts, 1);
     assert_written(
         &person.ui,
-        "To stay under ΔE00 1 on the patches (mean), FL2 needs",
+        "To stay under ΔE₀₀ 1 on the patches (mean), FL2 needs",
     );
     let needed = figure_behind(&person.ui, "FL2 needs");
     let measured = app(&person.ui).derived().band.points() as f64;

@@ -380,7 +380,7 @@ fn a_cube_opens_on_its_page_and_pixels_become_spectra() {
     let message = app(&ui).message().expect("said").text.clone();
     assert!(message.contains("20 x 10 pixels, 7 bands"), "{message}");
     assert_eq!(app(&ui).document().images.len(), 1);
-    assert!(text(&ui).contains("ΔE00"), "the model of the whole image");
+    assert!(text(&ui).contains("ΔE₀₀"), "the model of the whole image");
 
     // A click is a pixel.
     let at = place(&ui, [13.0, 4.0]);
@@ -602,7 +602,7 @@ fn real_images_open_on_the_page() {
         open_file(&mut ui, &path);
         let words = text(&ui);
         assert!(words.contains(pixels), "{name}: {words}");
-        assert!(words.contains("ΔE00"), "{name}");
+        assert!(words.contains("ΔE₀₀"), "{name}");
     }
 }
 

@@ -61,7 +61,7 @@ fn the_wall_is_relit_mapped_compared_and_saved() {
     told(&ui, " compact, ");
     click(&mut ui, "Bulb");
     assert_eq!(app(&ui).document().light.name(), "CIE A");
-    told(&ui, "Under CIE A its colours are off by ΔE00");
+    told(&ui, "Under CIE A its colours are off by ΔE₀₀");
     click(&mut ui, "Difference");
     assert_eq!(ui.state().0.preferences.pages.relit.look, Look::Difference);
     told(&ui, "Pixels by their difference under CIE A");

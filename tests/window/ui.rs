@@ -213,7 +213,7 @@ fn a_slider_moves_everything_in_the_same_frame() {
         assert_ne!(now, before);
         let patches = app(&ui).derived().patches.clone().expect("a light");
         for patch in &patches.items {
-            let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
+            let name = format!("{}: ΔE₀₀ {:.3}", patch.name, patch.delta_e_2000);
             control(&ui, Role::Button, &name);
         }
         let figure = |measure| app(&ui).derived().figures[measure].expect("not dark");
@@ -569,7 +569,7 @@ fn an_own_spectrum_is_renamed_and_removed_in_the_library() {
 fn a_click_on_a_patch_shows_its_product_and_a_second_hides_it() {
     let mut ui = fresh();
     let patch = app(&ui).derived().patches.as_ref().expect("a light").items[4].clone();
-    let name = format!("{}: ΔE00 {:.3}", patch.name, patch.delta_e_2000);
+    let name = format!("{}: ΔE₀₀ {:.3}", patch.name, patch.delta_e_2000);
     click(&mut ui, &name);
     assert_eq!(app(&ui).document().patch, Some(4));
     assert_eq!(

@@ -39,10 +39,10 @@ pub fn goal_within(app: &App, goal: Goal) -> Goal {
     first.map_or(goal, |((_, plain), _)| *plain)
 }
 
-/// The goal in words: "ΔE00 on the patches (mean)", "mix of errors (own 1, filters 2)".
+/// The goal in words: "ΔE₀₀ on the patches (mean)", "mix of errors (own 1, filters 2)".
 pub fn goal_words(goal: Goal) -> String {
     match goal.plain_measure() {
-        Some(measure) if measure.is_colour() => format!("ΔE00 {}", measure.figure().goal),
+        Some(measure) if measure.is_colour() => format!("ΔE₀₀ {}", measure.figure().goal),
         Some(measure) => measure.figure().goal.to_owned(),
         None => format!("mix of errors ({})", goal.words()),
     }

@@ -52,12 +52,12 @@ impl Wanted {
         many.order_for(self.way, self.measure, self.limit, self.share)
     }
 
-    /// "the patches' ΔE00 at most 1".
+    /// "the patches' ΔE₀₀ at most 1".
     fn limit_words(self) -> String {
         let figure = self.measure.figure();
         let limit = short(self.limit * figure.unit.factor);
         match figure.unit == Unit::DELTA_E {
-            true => format!("{} at most ΔE00 {limit}", figure.title),
+            true => format!("{} at most ΔE₀₀ {limit}", figure.title),
             false => format!("{} at most {limit}{}", figure.title, figure.unit.tail),
         }
     }

@@ -58,7 +58,7 @@ pub fn error_chart(looked: &Looked, now: usize, theme: Theme) -> Chart {
     series.push(Series::new("", inks.spikes, dot));
     Chart {
         title: if is_of_colour {
-            "95 % of ΔE00 under six lights".to_owned()
+            "95 % of ΔE₀₀ under six lights".to_owned()
         } else {
             "Spectra: relative rms, %".to_owned()
         },

@@ -28,7 +28,7 @@ pub fn all_figures(verdict: &Verdict) -> String {
         });
         told.collect::<Vec<_>>().join(", ")
     };
-    format!("ΔE00: {}\n{}", line(true), line(false))
+    format!("ΔE₀₀: {}\n{}", line(true), line(false))
 }
 
 /// Why a figure does not exist for the document's subject; `None` when it does.
@@ -392,7 +392,7 @@ pub fn needs(
 ) -> String {
     let figure = measure.figure();
     let goal = if measure.is_colour() {
-        format!("ΔE00 {limit} {}", figure.goal)
+        format!("ΔE₀₀ {limit} {}", figure.goal)
     } else {
         format!("{limit} % {}", figure.goal)
     };

@@ -103,7 +103,7 @@ pub fn samples_chart(app: &App, claims: &Claims, theme: Theme) -> Option<Chart> 
         y_range: (lowest < highest).then_some([lowest / 5.0, 2.0 * highest]),
         title: format!("Samples against {}", numbers(found.numbers())),
         x_label: "Samples, joined by straight lines".to_owned(),
-        y_label: "ΔE00, or %".to_owned(),
+        y_label: "ΔE₀₀, or %".to_owned(),
         x_range: [first, last.max(first + 1.0)],
         x_scale: Scale::Log10,
         y_scale: Scale::Log10,

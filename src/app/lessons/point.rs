@@ -79,7 +79,7 @@ impl Point {
         let number = self.patch.unwrap_or_default();
         let patch = number.checked_sub(1).and_then(|i| patches.clone().nth(i));
         patch
-            .map(|patch| Aim::Named(format!("{}: ΔE00", patch.name)))
+            .map(|patch| Aim::Named(format!("{}: ΔE₀₀", patch.name)))
             .ok_or_else(|| {
                 format!(
                     "found the patch {number} in point, expected 1 to {}",
@@ -109,7 +109,7 @@ mod tests {
         assert_eq!(line.aim(&app, &memory), Ok(Aim::Nm(546.1)));
         assert_eq!(
             patch.aim(&app, &memory),
-            Ok(Aim::Named("red: ΔE00".to_owned()))
+            Ok(Aim::Named("red: ΔE₀₀".to_owned()))
         );
         for wrong in [
             serde_json::json!({"label": "Here"}),

@@ -147,7 +147,7 @@ fn image(name: &str, picture: &Picture) -> Result<SpectralImage, PictureError> {
         cube,
         notes: vec![format!(
             "{} numbers a pixel stand for {bands} bands; when it was written its own colours were \
-             off by ΔE00 {:.2} in 95 % of the pixels, its spectra by {:.1} % (rms).",
+             off by ΔE₀₀ {:.2} in 95 % of the pixels, its spectra by {:.1} % (rms).",
             header.numbers,
             own.p95,
             100.0 * relative_rms

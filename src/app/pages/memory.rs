@@ -177,13 +177,13 @@ pub struct ManyMemory {
     pub field: FieldChoice,
     /// The figure that has a limit.
     pub measure: Measure,
-    /// What it may be at most, in its unit on screen: ΔE00 or percent.
+    /// What it may be at most, in its unit on screen: ΔE₀₀ or percent.
     pub limit: f64,
     /// For how many of the lights, percent.
     pub share_percent: u8,
 }
 
-/// Limits that may be set, ΔE00 or percent.
+/// Limits that may be set, ΔE₀₀ or percent.
 pub const LIMITS: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 
 /// Shares of many lights that may be asked for, percent.

@@ -6,7 +6,7 @@ use crate::app::{
     picture::NOT_MEASURED,
 };
 
-/// Differences (ΔE00) that the scale names, at even distances: the eye needs the low ones most.
+/// Differences (ΔE₀₀) that the scale names, at even distances: the eye needs the low ones most.
 pub const NAMED: [f64; 4] = [0.0, 1.0, 2.0, 4.0];
 
 /// Where a difference stands on the scale, 0-1.

@@ -43,7 +43,7 @@ pub struct LookAsk {
     pub own: Option<ByAddress<Entry>>,
     /// The observer.
     pub observer: Observer,
-    /// What is enough: 95 % of the differences (ΔE00) are within.
+    /// What is enough: 95 % of the differences (ΔE₀₀) are within.
     pub bound: f64,
     /// What is not left to the choice of reference and lines.
     pub wish: Wish,

@@ -38,7 +38,7 @@ impl Look {
                  pixel to see its spectrum."
             }
             Self::Difference => {
-                "How far each pixel's colour in few numbers is from that of every band (ΔE00)."
+                "How far each pixel's colour in few numbers is from that of every band (ΔE₀₀)."
             }
             Self::Others => {
                 "The same picture in as many numbers kept in other ways, measured here and now."
@@ -52,7 +52,7 @@ pub const MOST_LINES: usize = 12;
 /// Where lines are, nm.
 pub const LINES_NM: std::ops::RangeInclusive<f64> = 100.0..=1e5;
 
-/// What may be enough (ΔE00).
+/// What may be enough (ΔE₀₀).
 pub const BOUNDS: std::ops::RangeInclusive<f64> = 0.05..=5.0;
 
 /// Picture, numbers, lights and looks.
@@ -68,7 +68,7 @@ pub struct RelitMemory {
     pub own: Option<String>,
     /// Numbers a pixel; `None` for the fewest that are enough.
     pub numbers: Option<usize>,
-    /// What is enough: 95 % of the differences (ΔE00) are within.
+    /// What is enough: 95 % of the differences (ΔE₀₀) are within.
     pub bound: f64,
     /// What multiplies the series, and which lines there are.
     pub wish: Wish,

@@ -141,7 +141,7 @@ fn the_sentence_says_what_was_measured() {
     let spread = under_a.0.spread;
     for part in [
         "Wall in 8 numbers a pixel instead of 31.".to_owned(),
-        format!("ΔE00 {:.2} on average", spread.mean),
+        format!("ΔE₀₀ {:.2} on average", spread.mean),
         format!("{:.1} in the worst", spread.max),
     ] {
         assert!(words.contains(&part), "{words}");

@@ -37,7 +37,7 @@ pub fn headline(fit: &Fit, turned: &Turned, stored: Option<&Stored>) -> String {
         ))
     });
     format!(
-        "{} in {} numbers a pixel instead of {}. {under} off by ΔE00 {:.2} on average, at most \
+        "{} in {} numbers a pixel instead of {}. {under} off by ΔE₀₀ {:.2} on average, at most \
          {:.2} in 95 % of the pixels ({}), {:.1} in the worst.{}",
         capitalised(&looked.name),
         fit.operator.numbers(),
@@ -58,7 +58,7 @@ pub fn trust_line(turned: &Turned) -> String {
     let Trust { noise, .. } = trust;
     let blind = trust.blind.iter().copied().fold(0.0, f64::max);
     let (light, percent) = (&turned.light, 100.0 * blind);
-    let noise = format!("noise of the bands moves colours by about ΔE00 {noise:.2}");
+    let noise = format!("noise of the bands moves colours by about ΔE₀₀ {noise:.2}");
     match trust.verdict {
         Verdict::Good => format!("{light} can be trusted here: {noise}."),
         Verdict::Care | Verdict::Refused => format!(
@@ -94,12 +94,12 @@ pub fn fewer(looked: &Looked) -> String {
     let (p95, rms) = (choice.bound_p95, 100.0 * choice.bound_rms);
     if choice.is_reached {
         format!(
-            "{count} are the fewest that keep ΔE00 {under} within {p95} in 95 % of the \
+            "{count} are the fewest that keep ΔE₀₀ {under} within {p95} in 95 % of the \
              pixels and the spectra within {rms:.1} % (rms)."
         )
     } else {
         format!(
-            "No count keeps ΔE00 {under} within {p95} in 95 % of the pixels and the spectra \
+            "No count keeps ΔE₀₀ {under} within {p95} in 95 % of the pixels and the spectra \
              within {rms:.1} % (rms); {} nearest.",
             if count == 1 {
                 "1 comes".to_owned()
@@ -184,7 +184,7 @@ fn nearest(peers: &[Peer]) -> String {
     };
     let ways = many(run().count(), "way", "ways");
     format!(
-        "Of {ways} with {} numbers a pixel, {} is nearest in colour (mean ΔE00 {:.2}) and {} in \
+        "Of {ways} with {} numbers a pixel, {} is nearest in colour (mean ΔE₀₀ {:.2}) and {} in \
          the spectra (rms {:.2} %).",
         colour.numbers,
         colour.name,

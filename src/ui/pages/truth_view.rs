@@ -286,7 +286,7 @@ fn points(ui: &mut Ui, claims: &Claims) {
                         "Share of the product's power that lands in wrong orders.",
                     ),
                     (
-                        "ΔE00",
+                        "ΔE₀₀",
                         "CIEDE2000 against the exact product of the same two series.",
                     ),
                 ],

@@ -63,7 +63,7 @@ impl Bounced {
         let inks = Inks::of(theme);
         let last = MOST_BOUNCES as f64;
         let mut series = vec![thin(
-            "ΔE00 = 1",
+            "ΔE₀₀ = 1",
             inks.measured,
             vec![[1.0, UNSEEN], [last, UNSEEN]],
             Dash::Dashed,
@@ -92,9 +92,9 @@ impl Bounced {
             title: "Error against bounces".to_owned(),
             x_label: "Bounces K".to_owned(),
             y_label: if added {
-                "ΔE00 added by forming the products".to_owned()
+                "ΔE₀₀ added by forming the products".to_owned()
             } else {
-                "ΔE00 against the exact product".to_owned()
+                "ΔE₀₀ against the exact product".to_owned()
             },
             x_range: [1.0, last],
             y_scale: if log { Scale::Log10 } else { Scale::Linear },
@@ -105,7 +105,7 @@ impl Bounced {
         }
     }
 
-    /// Up to which bounce each way stays below a ΔE00 of 1, and for which there is a colour.
+    /// Up to which bounce each way stays below a ΔE₀₀ of 1, and for which there is a colour.
     pub fn stays(&self, added: bool) -> Vec<(usize, usize)> {
         let told = |way: &BounceErrors| {
             let errors = errors(way, added);
@@ -116,7 +116,7 @@ impl Bounced {
         self.ways.iter().map(told).collect()
     }
 
-    /// Which way stays below a ΔE00 of 1 for how long.
+    /// Which way stays below a ΔE₀₀ of 1 for how long.
     pub fn sentence(&self, added: bool) -> String {
         if !self.has_colour() {
             return "There is no visible light to be off by.".to_owned();
@@ -128,7 +128,7 @@ impl Bounced {
             let found = ways().filter(|(_, (below, _))| *below == wanted);
             found.map(|(name, _)| name).collect()
         };
-        let what = if added { "added ΔE00" } else { "ΔE00" };
+        let what = if added { "added ΔE₀₀" } else { "ΔE₀₀" };
         if most == 0 {
             return format!("No way stays below {what} 1, not for one bounce.");
         }

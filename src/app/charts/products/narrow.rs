@@ -331,7 +331,7 @@ impl Behind {
             y_label: if luminance {
                 "luminance error (%)".to_owned()
             } else {
-                "ΔE00".to_owned()
+                "ΔE₀₀".to_owned()
             },
             x_range: [self.band.min_nm(), self.band.max_nm()],
             y_range: self.has_colour().then_some([low, high]),

@@ -71,7 +71,7 @@ impl RaceTable {
         let check = "Mean CIEDE2000 of the 99 test samples of TM-30, which took no part in any \
                      choice.";
         columns.push(spread_column(
-            "check, ΔE00",
+            "check, ΔE₀₀",
             check,
             &rows,
             many,

@@ -156,7 +156,7 @@ pub(super) fn samples_row(claims: &Claims) -> Row {
     let (errors, needed) = (found.composite, found.needed);
     let samples = |measure| needed[measure].map_or_else(String::new, both);
     let of_colour = errors[Measure::Own].map_or_else(String::new, |own| {
-        format!(" an own colour off by ΔE00 {},", delta_e(own))
+        format!(" an own colour off by ΔE₀₀ {},", delta_e(own))
     });
     let for_colour =
         needed[Measure::Own].map_or_else(String::new, |own| format!(" own colour {},", both(own)));
@@ -222,7 +222,7 @@ pub(super) fn eq_17_row(claims: &Claims) -> Row {
         } else if let (Some(printed), Some(linear)) = (found.printed_cost, found.linear_cost) {
             let _ = write!(
                 measured,
-                " At the {} of {} on {factor} it costs ΔE00 {} as printed and {} corrected, \
+                " At the {} of {} on {factor} it costs ΔE₀₀ {} as printed and {} corrected, \
                  against the series read exactly.",
                 count(found.readings.len(), "spike"),
                 claims.light,
@@ -278,7 +278,7 @@ pub(super) fn table_2_row(claims: &Claims) -> Row {
         Some((uv, colour)) => {
             let _ = write!(
                 measured,
-                " Used for colour it would move {} by Δu'v' {} (ΔE00 {}).",
+                " Used for colour it would move {} by Δu'v' {} (ΔE₀₀ {}).",
                 claims.light,
                 figure(uv),
                 delta_e(colour)
@@ -327,7 +327,7 @@ pub(super) fn resampling_row(claims: &Claims) -> Row {
     };
     let mut measured = format!(
         "{} x {factor}, both cut to N = {order}: {} independent points fold {} % of the product's \
-         power into lower orders and cost ΔE00 {}.",
+         power into lower orders and cost ΔE₀₀ {}.",
         claims.light,
         paper.points,
         percent(paper.folded_share),
@@ -335,7 +335,7 @@ pub(super) fn resampling_row(claims: &Claims) -> Row {
     );
     let others = claims.resampling.iter().flat_map(|r| r.ways.iter().skip(1));
     let others: Vec<String> = others
-        .map(|way| format!("{} points ΔE00 {}", way.points, delta_e(way.delta_e_2000)))
+        .map(|way| format!("{} points ΔE₀₀ {}", way.points, delta_e(way.delta_e_2000)))
         .collect();
     if !others.is_empty() {
         let _ = write!(measured, " {}.", others.join(", "));
@@ -352,7 +352,7 @@ pub(super) fn resampling_row(claims: &Claims) -> Row {
     }
     let condition = match paper.delta_e_2000 {
         Some(cost) => format!(
-            "roughly: the product has order 2N, and here that costs ΔE00 {}",
+            "roughly: the product has order 2N, and here that costs ΔE₀₀ {}",
             delta_e(cost)
         ),
         None => "roughly: the product has order 2N".to_owned(),

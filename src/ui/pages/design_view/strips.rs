@@ -18,7 +18,7 @@ use crate::{
 const THICKEST: f64 = 4.0;
 
 /// Width of what a channel is, points.
-const WHAT: f32 = 150.0;
+const WHAT: f32 = 164.0;
 
 /// The channels, one below the other.
 pub(super) fn show(ui: &mut Ui, context: &mut PageContext<'_>, desk: &Desk, lines: &[NamedLine]) {

@@ -173,7 +173,7 @@ pub(super) fn model(
     let model = &derived.model;
     let spikes = model.spikes.len();
     let words = format!(
-        "Model: {}, order {}, {spikes} spike{}; ΔE00 {delta_e}{}",
+        "Model: {}, order {}, {spikes} spike{}; ΔE₀₀ {delta_e}{}",
         numbers(derived.numbers()),
         model.smooth.order(),
         if spikes == 1 { "" } else { "s" },

@@ -45,7 +45,7 @@ impl BouncesView {
             surface_chooser(ui, context, names::SURFACE);
             ui.separator();
             let memory = &mut context.memory.products.bounces;
-            ui.label("ΔE00");
+            ui.label("ΔE₀₀");
             ui.selectable_value(&mut memory.added, false, names::TOTAL)
                 .on_hover_text(
                     "CIEDE2000 of the model against measured light times the measured surface.",
@@ -106,9 +106,9 @@ impl BouncesView {
 /// Errors behind a few counts of bounces.
 fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added: bool) {
     let title = if added {
-        "ΔE00 added by forming the products, behind K bounces, both brightened to half the light's Y"
+        "ΔE₀₀ added by forming the products, behind K bounces, both brightened to half the light's Y"
     } else {
-        "ΔE00 behind K bounces, both sides brightened to half the light's Y"
+        "ΔE₀₀ behind K bounces, both sides brightened to half the light's Y"
     };
     let app = context.app;
     let copied = "Copies total and added errors behind every number of bounces as a table.";
@@ -127,7 +127,7 @@ fn figures(ui: &mut Ui, context: &mut PageContext<'_>, bounced: &Bounced, added:
     }));
     columns.push(Column::numbers(
         "below 1 up to",
-        &format!("The last bounce of those from the first on whose ΔE00 stay below {UNSEEN}."),
+        &format!("The last bounce of those from the first on whose ΔE₀₀ stay below {UNSEEN}."),
         1.3,
     ));
     let stays = bounced.stays(added);

@@ -106,7 +106,7 @@ impl LargerRows {
     }
 
     fn patches(&self, ui: &mut Ui, tables: &Tables, theme: Theme) {
-        ui.label(RichText::new("Mean ΔE00 of the patches").strong());
+        ui.label(RichText::new("Mean ΔE₀₀ of the patches").strong());
         ui.weak(
             "Median / 95th percentile: above in this race, below in the larger collection. ▲ \
              marks medians more than a factor of 1.5 apart.",
@@ -142,7 +142,7 @@ impl LargerRows {
             .strong(),
         );
         ui.weak(
-            "Mean ΔE00 of the 99 samples of TM-30, which took no part in the choice: median / \
+            "Mean ΔE₀₀ of the 99 samples of TM-30, which took no part in the choice: median / \
              95th percentile / worst, above in this race, below in the larger collection.",
         );
         let title = |title: &str| Column::numbers(title, "", WIDE_CELL);

@@ -106,12 +106,12 @@ fn columns() -> [Column; 6] {
     [
         Column::words("", "", NAMES),
         number(
-            "surfaces, ΔE00",
+            "surfaces, ΔE₀₀",
             "Mean of the 99 samples of TM-30, light and reflectances in as many numbers: median / \
              95th percentile where many lights race.",
         ),
         number(
-            "filters, ΔE00",
+            "filters, ΔE₀₀",
             "Mean behind filters 10 nm wide at 425, 435 ... 675 nm.",
         ),
         number("spectrum, %", "Root mean square behind a blur of 10 nm."),

@@ -205,7 +205,7 @@ pub(super) fn scale(ui: &mut Ui, width: f32, theme: Theme) {
     for (i, off) in NAMED.into_iter().enumerate() {
         let x = bar.left() + bar.width() * place_of(off) as f32;
         let words = match i {
-            0 => "ΔE00 0".to_owned(),
+            0 => "ΔE₀₀ 0".to_owned(),
             _ if i == last => format!("{off} and more"),
             _ => off.to_string(),
         };

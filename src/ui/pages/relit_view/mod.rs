@@ -248,7 +248,7 @@ impl RelitView {
         };
         let step = looked.step;
         let off = if off.is_finite() {
-            format!("ΔE00 {off:.2}")
+            format!("ΔE₀₀ {off:.2}")
         } else {
             "not measured".to_owned()
         };
@@ -301,11 +301,11 @@ fn peers_table(ui: &mut Ui, context: &PageContext<'_>, rows: Rows) {
             1.2,
         ),
         kit::Column::numbers(
-            "own ΔE00",
+            "own ΔE₀₀",
             "Own colour: 95 % of the pixels are within.",
             1.1,
         ),
-        kit::Column::numbers("lights ΔE00", "Mean under six lights.", 1.2),
+        kit::Column::numbers("lights ΔE₀₀", "Mean under six lights.", 1.2),
         kit::Column::numbers(
             "95 %",
             "Under six lights: 95 % of the pixels are within.",

@@ -97,7 +97,7 @@ fn bytes(ui: &mut Ui, context: &mut PageContext<'_>, shown: &RelitShown) {
         Column::numbers("size", "Written and counted here.", 1.2),
         Column::numbers("B/pixel", "Bytes a pixel.", 1.0),
         Column::numbers(
-            "ΔE00",
+            "ΔE₀₀",
             "Own colour, read back: 95 % of all pixels are within.",
             0.8,
         ),

@@ -378,7 +378,7 @@ fn figures(
             "Luminance, the light's at 100: exact | model.",
         );
         pair(
-            "ΔE00",
+            "ΔE₀₀",
             delta(colours.delta_e_2000),
             "CIEDE2000 between exact and model; the white is the exact light.",
         );

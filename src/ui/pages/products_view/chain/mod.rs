@@ -237,7 +237,7 @@ fn totals(ui: &mut Ui, context: &PageContext<'_>, sheet: &ChainSheet) {
             ui.add_space(6.0);
         };
         figure(
-            "ΔE00",
+            "ΔE₀₀",
             delta(total.colours.delta_e_2000),
             "CIEDE2000 between the measured light times the measured factors and the model's \
              product; the white is the exact light.",

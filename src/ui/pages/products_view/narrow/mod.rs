@@ -36,7 +36,7 @@ pub mod names {
     pub const FILTER: &str = "Filter";
     pub const GAUSSIAN: &str = "Gaussian";
     pub const COPY: &str = "Copy filters as CSV";
-    pub const COLOUR: &str = "ΔE00";
+    pub const COLOUR: &str = "ΔE₀₀";
     pub const LUMINANCE: &str = "luminance";
 }
 
@@ -280,7 +280,7 @@ fn fields(ui: &mut Ui, context: &PageContext<'_>, behind: &Behind, figures: &Fig
             "Measured light, exact filter.",
         );
         for (way, colours) in figures.ways.iter().enumerate() {
-            let words = format!("ΔE00 {}", delta_e(colours.delta_e_2000));
+            let words = format!("ΔE₀₀ {}", delta_e(colours.delta_e_2000));
             let luminance = colours.luminance_error.map_or_else(
                 || "no luminance to be off by".to_owned(),
                 |error| format!("luminance {:+.2} %", 100.0 * error),

@@ -93,15 +93,15 @@ fn columns() -> [Column; 8] {
             "The factor's series evaluated exactly at the spike: what this program does.",
             1.0,
         ),
-        Column::numbers("ΔE00", COST, 1.2),
+        Column::numbers("ΔE₀₀", COST, 1.2),
         Column::numbers(
             "corrected",
             "Eq. 17 with its two weights exchanged: the straight line between two of the paper's \
              points.",
             1.3,
         ),
-        Column::numbers("ΔE00", COST, 1.2),
+        Column::numbers("ΔE₀₀", COST, 1.2),
         Column::numbers("as printed", "Eq. 17 with its weights as printed.", 1.2),
-        Column::numbers("ΔE00", COST, 1.2),
+        Column::numbers("ΔE₀₀", COST, 1.2),
     ]
 }

@@ -214,7 +214,7 @@ fn columns() -> Vec<Column> {
             0.8,
         ),
         Column::numbers(
-            "ΔE00 total",
+            "ΔE₀₀ total",
             "CIEDE2000 of the model's product against measured light times measured factor; the \
              white is the light.",
             1.25,
@@ -269,7 +269,7 @@ fn row(way: &Formed, times: Option<&[ProductTime]>) -> Row {
     });
     Row {
         name: format!(
-            "{}: ΔE00 {}, added {}, folded {}",
+            "{}: ΔE₀₀ {}, added {}, folded {}",
             way_name(way.sampling),
             cells[2],
             cells[3],

@@ -100,7 +100,7 @@ pub(super) fn made(
             let name = format!("Patch and metamer under {light}");
             swatch::split(ui, size, &swatches[0][i], &swatches[1][i], &name)
                 .on_hover_text(format!("{name}: left the patch, right the metamer."));
-            ui.label(format!("ΔE00 {:.2} under {light}", made.delta_e_2000[i]));
+            ui.label(format!("ΔE₀₀ {:.2} under {light}", made.delta_e_2000[i]));
             ui.add_space(8.0);
         }
     });
@@ -142,14 +142,14 @@ pub(super) fn found(
     let [first, second] = &found.lights;
     let Some(index) = found.pairs.metamers.index else {
         ui.label(format!(
-            "No two of {} surfaces match under {first} (ΔE00 below {MATCH_DELTA_E}) without being \
+            "No two of {} surfaces match under {first} (ΔE₀₀ below {MATCH_DELTA_E}) without being \
              the same curve.",
             found.pairs.surfaces.len()
         ));
         return;
     };
     ui.label(format!(
-        "{} of {} surfaces match under {first} (ΔE00 below {MATCH_DELTA_E}); metamerism index \
+        "{} of {} surfaces match under {first} (ΔE₀₀ below {MATCH_DELTA_E}); metamerism index \
          under {second}: {index:.2}.",
         match pairs.len() {
             1 => "1 pair".to_owned(),
@@ -202,7 +202,7 @@ pub(super) fn rows(pairs: &Pairs) -> Vec<Row> {
                 one.name, other.name
             ),
             note: format!(
-                "{} and {}\nΔE00 {first:.3} under the first light, {second:.3} under the second; \
+                "{} and {}\nΔE₀₀ {first:.3} under the first light, {second:.3} under the second; \
                  the curves differ by {:.3} (root mean square).\nClick to see both curves.",
                 one.key, other.key, found.rms
             ),
@@ -226,8 +226,8 @@ fn columns([first, second]: &[String; 2]) -> [Column; 5] {
     [
         Column::words("surfaces", "Click a row to see both curves.", 0.58),
         Column::words("1st light", &under(first), 0.11),
-        Column::words("ΔE00", &differ(first), 0.10),
+        Column::words("ΔE₀₀", &differ(first), 0.10),
         Column::words("2nd light", &under(second), 0.11),
-        Column::words("ΔE00", &differ(second), 0.10),
+        Column::words("ΔE₀₀", &differ(second), 0.10),
     ]
 }

@@ -49,7 +49,7 @@ pub(super) fn show(
     }
     ui.weak(
         "Left under the first light, right under the second; above as measured, the strip below \
-         by the models. Under each field its shift ΔE00, measured and (m) by the models.",
+         by the models. Under each field its shift ΔE₀₀, measured and (m) by the models.",
     );
     ui.weak(if context.app.document().view.adapt_patches {
         "Each half is shown adapted to its own light, as the figures have it."
@@ -194,7 +194,7 @@ impl Field<'_> {
         let clicked = response.clicked();
         swatch::menu(&response, exact.map(|swatch| swatch.rgb8));
         response.on_hover_text(format!(
-            "{name}: ΔE00 {:.3} between the two lights, {:.3} by their models{}.\nMeasured: left \
+            "{name}: ΔE₀₀ {:.3} between the two lights, {:.3} by their models{}.\nMeasured: left \
              {}, right {}. Models: left {}, right {}.\nClick to make a metamer of it.",
             shifts[0],
             shifts[1],
