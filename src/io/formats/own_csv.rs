@@ -4,9 +4,7 @@
 //! looked at: every column behind the wavelengths is a spectrum, and the keys say what it holds.
 
 use super::{Confidence, Format, columns};
-use crate::io::interpret::heading::Heading;
-use crate::io::interpret::raw::{RawSpectrum, Scale};
-use crate::io::interpret::{check_room, interpret};
+use crate::io::interpret::{Heading, RawSpectrum, Scale, check_room, interpret};
 use crate::io::provenance::MEASURED;
 use crate::io::reading::TableFound;
 use crate::io::table::block::Block;
