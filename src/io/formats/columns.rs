@@ -8,7 +8,6 @@ use crate::io::table::read::read_tables;
 use crate::io::text::dialect::Dialect;
 use crate::io::{Input, ReadError, Reading};
 
-/// Plain columns of numbers.
 pub(crate) const FORMAT: Format = Format {
     name: "plain columns",
     extensions: &["csv", "tsv", "txt", "dat", "asc", "prn"],

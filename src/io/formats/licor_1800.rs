@@ -18,7 +18,6 @@ use crate::io::text::{kept_line, lines};
 use crate::io::{Decision, Input, MakersResult, Quantity, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-/// LI-COR LI-1800 text.
 pub(crate) const FORMAT: Format = Format {
     name: "LI-COR LI-1800",
     extensions: &["prn"],
@@ -35,14 +34,10 @@ fn field<'a>(line: &'a str, word: &str) -> Option<&'a str> {
 
 /// Reflectance or transmittance, where a word of the remark (capitals) begins so.
 fn factor_of_remark(remark: &str) -> Option<Kind> {
-    remark.split_whitespace().find_map(|word| {
-        if word.starts_with("REFL") {
-            Some(Kind::Reflectance)
-        } else if word.starts_with("TRANSM") || word == "TRANS" || word == "TRAN" {
-            Some(Kind::Transmittance)
-        } else {
-            None
-        }
+    remark.split_whitespace().find_map(|word| match word {
+        _ if word.starts_with("REFL") => Some(Kind::Reflectance),
+        "TRAN" | "TRANS" => Some(Kind::Transmittance),
+        _ => word.starts_with("TRANSM").then_some(Kind::Transmittance),
     })
 }
 

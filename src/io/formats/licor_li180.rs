@@ -10,7 +10,6 @@ use super::uprtek::{is_li180, is_meter, read_meter};
 use super::{Confidence, Format};
 use crate::io::{Input, ReadError, Reading};
 
-/// LI-COR LI-180 text.
 pub(crate) const FORMAT: Format = Format {
     name: "LI-COR LI-180",
     extensions: &["txt", "xls"],

@@ -14,7 +14,6 @@ use crate::io::table::alternating;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-/// Macam text.
 pub(crate) const FORMAT: Format = Format {
     name: "Macam",
     extensions: &["dta"],

@@ -15,7 +15,6 @@ use crate::io::text::first_line;
 use crate::io::write::csv::FIRST_TITLE;
 use crate::io::{Input, ReadError, Reading};
 
-/// CSV of this program.
 pub(crate) const FORMAT: Format = Format {
     name: "Spectral Explorer CSV",
     extensions: &["csv"],
@@ -43,9 +42,7 @@ fn sniff(input: &Input) -> Confidence {
 struct Own<'a> {
     /// The comments with their lines, marks removed.
     header: Vec<(usize, &'a str)>,
-    /// The title of each column.
     titles: Vec<&'a str>,
-    /// The rows.
     rows: &'a str,
 }
 

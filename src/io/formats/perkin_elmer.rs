@@ -17,7 +17,6 @@ use crate::io::text::{kept_line, lines, number};
 use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
 use crate::spectrum::Kind;
 
-/// PerkinElmer ASCII.
 pub(crate) const FORMAT: Format = Format {
     name: "PerkinElmer PEDS ASCII",
     extensions: &["sp", "asc", "txt"],

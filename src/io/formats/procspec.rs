@@ -15,7 +15,6 @@ use crate::io::text::{self, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-/// Ocean Optics ProcSpec.
 pub(crate) const FORMAT: Format = Format {
     name: "Ocean Optics ProcSpec",
     extensions: &["procspec"],

@@ -20,7 +20,6 @@ use crate::io::interpret::RawSpectrum;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-/// Sekonic CSV.
 pub(crate) const FORMAT: Format = Format {
     name: "Sekonic CSV",
     extensions: &["csv"],

@@ -8,7 +8,6 @@ use crate::io::interpret::{Heading, RawSpectrum, Scale, alone};
 use crate::io::text::{kept_line, lines, number};
 use crate::io::{Input, ReadError, Reading, quoted};
 
-/// pbrt and Mitsuba pairs.
 pub(crate) const FORMAT: Format = Format {
     name: "pbrt .spd",
     extensions: &["spd"],

@@ -20,7 +20,6 @@ use crate::spectrum::Kind;
 /// Behind this stand the notes in the comments of a file of this program.
 const NOTES_AT: &str = "; notes: ";
 
-/// IES TM-27.
 pub(crate) const FORMAT: Format = Format {
     name: "IES TM-27 .spdx",
     extensions: &["spdx"],

@@ -16,7 +16,6 @@ use crate::io::reading::remark::Remark;
 use crate::io::write::json::{FORMAT_WORD, SpectrumFile, VERSION};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 
-/// The program's own spectrum.
 pub(crate) const FORMAT: Format = Format {
     name: "spectrum JSON",
     extensions: &["json"],

@@ -17,7 +17,6 @@ use crate::io::text::{kept_line, lines};
 use crate::io::{Decision, Input, MakersResult, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-/// Argyll spotread's printed words.
 pub(crate) const FORMAT: Format = Format {
     name: "Argyll spotread output",
     extensions: &[],

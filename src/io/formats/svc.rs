@@ -18,7 +18,6 @@ use crate::io::text::{kept_line, lines, number};
 use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-/// Spectra Vista text.
 pub(crate) const FORMAT: Format = Format {
     name: "SVC .sig",
     extensions: &["sig"],

@@ -15,7 +15,6 @@ use crate::io::text::number::{self, Cell};
 use crate::io::text::{kept_line, lines};
 use crate::io::{Input, ReadError, Reading, quoted};
 
-/// TUV reports.
 pub(crate) const FORMAT: Format = Format {
     name: "TUV report",
     extensions: &["txt"],

@@ -20,7 +20,6 @@ use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::{lines, number};
 use crate::io::{Input, MakersResult, Quantity, ReadError, Reading};
 
-/// UPRtek text.
 pub(crate) const FORMAT: Format = Format {
     name: "UPRtek",
     extensions: &["xls", "txt"],

@@ -19,7 +19,6 @@ use crate::io::text::{self, kept_line, lines};
 use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
 use crate::spectrum::Kind;
 
-/// USGS splib07 text.
 pub(crate) const FORMAT: Format = Format {
     name: "USGS splib07",
     extensions: &["txt"],

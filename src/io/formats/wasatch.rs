@@ -18,7 +18,6 @@ use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::{Decision, Input, ReadError, Reading};
 use crate::spectrum::Kind;
 
-/// Wasatch ENLIGHTEN JSON.
 pub(crate) const FORMAT: Format = Format {
     name: "Wasatch ENLIGHTEN JSON",
     extensions: &["json"],

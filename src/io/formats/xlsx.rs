@@ -19,7 +19,6 @@ use crate::io::text::dialect::Dialect;
 use crate::io::text::number;
 use crate::io::{Choices, Input, ReadError, Reading, budget};
 
-/// Excel workbooks.
 pub(crate) const FORMAT: Format = Format {
     name: "Excel workbook",
     extensions: &["xlsx", "xlsm"],

@@ -3,7 +3,7 @@
 
 use crate::io::Reading;
 use crate::io::choices::Counted;
-use crate::io::reading::decision::{Decision, Origin};
+use crate::io::reading::decision::{Decision, Decisions, Origin};
 use crate::io::reading::facts::Facts;
 use crate::spectrum::Kind;
 
@@ -14,9 +14,11 @@ pub(crate) fn agree(reading: &mut Reading) {
     for kind in [Kind::Reflectance, Kind::Transmittance] {
         count_alike(kind, reading);
     }
-    let guesses = |facts: &Facts| facts.decisions.counted.clone().filter(Decision::is_guess);
-    let evident = reading.facts.iter().filter_map(guesses);
-    let evident = evident.filter(|counted| !counted.is_doubtful());
+    let counted = reading
+        .facts
+        .iter()
+        .filter_map(|facts| facts.decisions.counted.as_ref());
+    let evident = counted.filter(|counted| counted.origin == Origin::Evident);
     let mut evident: Vec<Counted> = evident.map(|counted| counted.value).collect();
     evident.dedup();
     for facts in &mut reading.facts {
@@ -31,12 +33,11 @@ pub(crate) fn agree(reading: &mut Reading) {
 
 fn count_alike(kind: Kind, reading: &mut Reading) {
     let guessed = |facts: &Facts, as_what: Counted| {
-        facts.decisions.kind.value == kind
-            && facts
-                .decisions
-                .counted
-                .as_ref()
-                .is_some_and(|counted| counted.is_guess() && counted.value == as_what)
+        let Decisions {
+            kind: of, counted, ..
+        } = &facts.decisions;
+        let is_it = |counted: &Decision<_>| counted.is_guess() && counted.value == as_what;
+        of.value == kind && counted.as_ref().is_some_and(is_it)
     };
     let spectra = reading.spectra.iter().zip(&reading.facts);
     let percent = spectra.filter(|(_, facts)| guessed(facts, Counted::Percent));

@@ -22,7 +22,6 @@ const STEPS_NM: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
 /// Wavelengths that a label can tell, nm: smaller and larger numbers in one mean something else.
 pub(crate) const LABELS_NM: std::ops::RangeInclusive<f64> = 100.0..=100_000.0;
 
-/// The grid that is written.
 struct Grid {
     first_nm: f64,
     last_nm: f64,
@@ -38,7 +37,6 @@ impl Grid {
     }
 }
 
-/// The grid for a spectrum.
 fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     let samples = &spectrum.samples;
     let (first, last, bands) = (samples.first_nm(), samples.last_nm(), samples.len());

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::io::provenance::{Provenance, shortest};
 use crate::spectrum::{Kind, NamedSpectrum};
 
-/// The twelve spectral quantities of TM-27 with kind and unit.
+/// The spectral quantities of TM-27 with kind and unit.
 pub(crate) const QUANTITIES: [(&str, Kind, &str); 14] = [
     ("flux", Kind::Light, "W nm-1"),
     ("absorptance", Kind::Other, "fraction"),
