@@ -80,23 +80,18 @@ impl Counted {
 
     /// Per cent or fraction.
     pub fn percent(is_percent: bool) -> Self {
-        if is_percent {
-            Self::Percent
-        } else {
-            Self::Fraction
+        match is_percent {
+            true => Self::Percent,
+            false => Self::Fraction,
         }
     }
 
     /// What a factor from the file's numbers to fractions means.
     pub fn of_scale(scale: f64) -> Self {
         let is = |other: f64| (scale - other).abs() <= 1e-9 * other;
-        match () {
-            () if is(1.0) => Self::Fraction,
-            () if is(0.01) => Self::Percent,
-            () if is(1e-4) => Self::TenThousandths,
-            () if is(1.0 / 65_535.0) => Self::SixteenBits,
-            () => Self::Otherwise,
-        }
+        let mut offered = Self::OFFERED.into_iter();
+        let found = offered.find(|counted| counted.scale().is_some_and(is));
+        found.unwrap_or(Self::Otherwise)
     }
 
     /// The factor to fractions; `None` where only the file knows it.
@@ -174,21 +169,19 @@ mod tests {
         let text = "0.38,50,7\n0.39,60,8\n0.40,70,9\n";
         let plain = read(text, Choices::default());
         assert_eq!(plain.samples.nm(), [380.0, 390.0, 400.0]);
-        let angstrom = Choices {
+        let nanometre = Choices {
             wavelengths: Some(WavelengthUnit::Nanometre),
             ..Choices::default()
         };
-        assert_eq!(read(text, angstrom).samples.nm(), [0.38, 0.39, 0.40]);
+        assert_eq!(read(text, nanometre).samples.nm(), [0.38, 0.39, 0.40]);
         let percent = |percent| Choices {
             kind: Some(Kind::Reflectance),
             counted: Some(Counted::percent(percent)),
             ..Choices::default()
         };
         let (hundredths, whole) = (read(text, percent(true)), read(text, percent(false)));
-        assert_eq!(
-            (hundredths.kind, hundredths.scale),
-            (Kind::Reflectance, 0.01)
-        );
+        assert_eq!(hundredths.kind, Kind::Reflectance);
+        assert_eq!(hundredths.scale, 0.01);
         assert_eq!(whole.samples.values(), [50.0, 60.0, 70.0]);
         let other_axis = Choices {
             axis_column: Some(1),

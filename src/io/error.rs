@@ -61,16 +61,11 @@ impl ReadError {
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            file,
-            line,
-            found,
-            expected,
-        } = self;
-        match line {
-            Some(line) => write!(f, "{file}, line {line}: found {found}, expected {expected}"),
-            None => write!(f, "{file}: found {found}, expected {expected}"),
+        f.write_str(&self.file)?;
+        if let Some(line) = self.line {
+            write!(f, ", line {line}")?;
         }
+        write!(f, ": found {}, expected {}", self.found, self.expected)
     }
 }
 
@@ -127,24 +122,21 @@ pub fn quoted(text: &str) -> String {
 
 /// Text of one line, at most `longest` characters, anything unprintable as a dot.
 fn printable(text: &str, longest: usize) -> String {
-    let mut out: String = text
-        .trim()
-        .chars()
-        .take(longest)
-        .map(|c| if is_printable(c) { c } else { '·' })
-        .collect();
-    if text.trim().chars().nth(longest).is_some() {
-        out.push('…');
-    }
-    out
+    let text = shortened(text.trim(), longest);
+    let shown = |c| if is_printable(c) { c } else { '·' };
+    text.chars().map(shown).collect()
 }
 
 /// One part of a message: one line, and not for ever.
 pub(crate) fn part_of_message(text: &str) -> String {
-    let text = printable_line(text);
-    match text.char_indices().nth(LONGEST_PART) {
+    shortened(&printable_line(text), LONGEST_PART)
+}
+
+/// A text, or its first `longest` characters and a sign that there were more.
+pub(super) fn shortened(text: &str, longest: usize) -> String {
+    match text.char_indices().nth(longest) {
         Some((end, _)) => format!("{}…", &text[..end]),
-        None => text,
+        None => text.to_owned(),
     }
 }
 
@@ -159,9 +151,8 @@ pub(super) fn kept(text: &str) -> &str {
 
 /// Text of one line, anything unprintable as a blank.
 pub(super) fn printable_line(text: &str) -> String {
-    text.chars()
-        .map(|c| if is_printable(c) { c } else { ' ' })
-        .collect()
+    let shown = |c| if is_printable(c) { c } else { ' ' };
+    text.chars().map(shown).collect()
 }
 
 /// Neither a control character nor one of Unicode's line and direction marks, which would let a
@@ -173,10 +164,8 @@ fn is_printable(c: char) -> bool {
 
 /// The last part of a path, as messages show it.
 pub fn name_of(path: &Path) -> String {
-    path.file_name().map_or_else(
-        || path.display().to_string(),
-        |name| name.to_string_lossy().into_owned(),
-    )
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
 }
 
 #[cfg(test)]

@@ -74,6 +74,11 @@ impl<'a> Input<'a> {
         &text[..text.floor_char_boundary(HEAD_BYTES)]
     }
 
+    /// The first line of the text that is not empty; empty for a binary file.
+    pub fn first_line(&self) -> &str {
+        self.head().lines().next().unwrap_or("")
+    }
+
     /// The text of an instrument's or a program's own format.
     ///
     /// # Errors
@@ -126,6 +131,16 @@ impl<'a> Input<'a> {
     pub fn error(&self, found: impl Into<String>, expected: impl Into<String>) -> ReadError {
         ReadError::new(&self.name, found, expected)
     }
+
+    /// An error at a line of this file, from 1.
+    pub fn error_at(
+        &self,
+        line: usize,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> ReadError {
+        self.error(found, expected).at_line(line)
+    }
 }
 
 #[cfg(test)]
@@ -136,9 +151,8 @@ mod tests {
     fn a_text_larger_than_any_instrument_writes_is_refused_by_its_size() {
         let mut bytes = b"##TITLE= a\n##JCAMP-DX= 4.24\n".to_vec();
         bytes.resize(text::MOST_BYTES_OF_A_FORMAT + 1, b' ');
-        let said = crate::io::read_bytes("a.dx", &bytes).unwrap_err();
         assert_eq!(
-            said.to_string(),
+            crate::io::tests::refusal("a.dx", bytes),
             "a.dx: found more than 64 MiB, expected at most 64 MiB in an instrument's own format"
         );
     }

@@ -168,37 +168,65 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
+    use crate::spectrum::NamedSpectrum;
+
+    /// What a file holds.
+    #[track_caller]
+    pub(crate) fn read(name: &str, content: impl AsRef<[u8]>) -> Reading {
+        read_bytes(name, content.as_ref()).unwrap_or_else(|why| panic!("{why}"))
+    }
+
+    /// Its first spectrum.
+    #[track_caller]
+    pub(crate) fn first(name: &str, content: impl AsRef<[u8]>) -> NamedSpectrum {
+        read(name, content).spectra.remove(0)
+    }
+
+    /// Why it is refused.
+    #[track_caller]
+    pub(crate) fn refusal(name: &str, content: impl AsRef<[u8]>) -> String {
+        let refusal = read_bytes(name, content.as_ref());
+        refusal.expect_err("nothing to read").to_string()
+    }
+
+    /// What its spectra are called.
+    pub(crate) fn names(reading: &Reading) -> Vec<&str> {
+        reading.spectra.iter().map(|s| s.name.as_str()).collect()
+    }
+
+    /// That these words are in one of some notes.
+    #[track_caller]
+    pub(crate) fn assert_told(notes: &[String], words: &str) {
+        let is_told = notes.iter().any(|note| note.contains(words));
+        assert!(is_told, "{words} is not in {notes:?}");
+    }
 
     #[test]
     fn the_content_decides_and_not_the_extension() {
-        let reading = read_bytes("lamp.xlsx", b"380\t0.5\n385\t0.6\n390\t0.7\n").unwrap();
+        let reading = read("lamp.xlsx", "380\t0.5\n385\t0.6\n390\t0.7\n");
         assert_eq!(reading.format, formats::columns::FORMAT.name);
         assert_eq!(reading.spectra[0].samples.values(), [0.5, 0.6, 0.7]);
     }
 
     #[test]
     fn nothing_and_a_folder_are_refused_in_words() {
-        let empty = read_bytes("a.csv", b"").unwrap_err().to_string();
+        let empty = refusal("a.csv", "");
         assert_eq!(empty, "a.csv: found an empty file, expected a spectrum");
         let folder = tempfile::tempdir().unwrap();
-        let refusal = read_path(folder.path()).unwrap_err().to_string();
-        assert!(refusal.contains("expected a file"), "{refusal}");
-        let device = cfg!(unix).then(|| read_path(Path::new("/dev/zero")).unwrap_err());
-        let said = device.map(|refusal| refusal.to_string());
-        assert!(said.is_none_or(|said| said == "zero: found a device, expected a file"));
-        let missing = read_path(&folder.path().join("none.csv")).unwrap_err();
+        let why = |path: &Path| read_path(path).unwrap_err().to_string();
+        let said = why(folder.path());
+        assert!(said.contains("expected a file"), "{said}");
+        let device = cfg!(unix).then(|| why(Path::new("/dev/zero")));
+        assert!(device.is_none_or(|said| said == "zero: found a device, expected a file"));
+        let place = folder.path().display();
         assert_eq!(
-            missing.to_string(),
-            format!(
-                "none.csv: found no such file in {}, expected a file that exists",
-                folder.path().display()
-            )
+            why(&folder.path().join("none.csv")),
+            format!("none.csv: found no such file in {place}, expected a file that exists")
         );
-        let nowhere = read_path(Path::new("/nope/x.csv")).unwrap_err();
         assert_eq!(
-            nowhere.to_string(),
+            why(Path::new("/nope/x.csv")),
             "x.csv: found no folder /nope, expected a file that exists"
         );
     }

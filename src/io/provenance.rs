@@ -45,12 +45,19 @@ impl Provenance {
         .collect()
     }
 
+    /// The same as comments, a line each, as CSV and `.spd` have them.
+    pub(super) fn comments(&self, spectrum: &NamedSpectrum) -> String {
+        let lines = self.of(spectrum).into_iter();
+        lines
+            .map(|(key, value)| format!("# {key}: {value}\n"))
+            .collect()
+    }
+
     /// The source to state for a spectrum.
     pub fn source_of<'a>(&'a self, spectrum: &'a NamedSpectrum) -> &'a str {
-        if self.source.is_empty() {
-            &spectrum.source
-        } else {
-            &self.source
+        match self.source.as_str() {
+            "" => &spectrum.source,
+            source => source,
         }
     }
 }

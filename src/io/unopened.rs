@@ -7,28 +7,25 @@ use crate::io::error::shown;
 
 /// What was found at a path that cannot be opened, and what was expected.
 pub fn words(path: &Path, error: &Error) -> (String, &'static str) {
-    match error.kind() {
-        ErrorKind::NotFound if path.is_symlink() => (
-            "a link to something that is not there".to_owned(),
-            "a file that exists",
-        ),
-        ErrorKind::NotFound => (missing(path), "a file that exists"),
-        ErrorKind::PermissionDenied => {
-            ("no permission to read it".to_owned(), "a file you may read")
+    let one_that_exists = "a file that exists";
+    let (found, expected) = match error.kind() {
+        ErrorKind::NotFound if path.is_symlink() => {
+            ("a link to something that is not there", one_that_exists)
         }
-        ErrorKind::NotADirectory => (in_the_way(path), "a folder there"),
+        ErrorKind::NotFound => return (missing(path), one_that_exists),
+        ErrorKind::PermissionDenied => ("no permission to read it", "a file you may read"),
+        ErrorKind::NotADirectory => return (in_the_way(path), "a folder there"),
         // Most likely round in a circle, which has no name of its own yet.
-        _ if path.is_symlink() => ("a link that leads nowhere".to_owned(), "a file that exists"),
-        _ => (error.to_string(), "a file that can be read"),
-    }
+        _ if path.is_symlink() => ("a link that leads nowhere", one_that_exists),
+        _ => return (error.to_string(), "a file that can be read"),
+    };
+    (found.to_owned(), expected)
 }
 
 /// What is said of a file that is not there: where it was looked for, too.
 fn missing(path: &Path) -> String {
-    match path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-    {
+    let folder = path.parent();
+    match folder.filter(|folder| !folder.as_os_str().is_empty()) {
         None => "no such file".to_owned(),
         Some(folder) if folder.is_dir() => format!("no such file in {}", shown(folder)),
         Some(folder) => format!("no folder {}", shown(folder)),
@@ -40,10 +37,10 @@ fn in_the_way(path: &Path) -> String {
     // A slash at the end is no part of a name.
     let path = path.components().as_path();
     let file = path.ancestors().find(|part| part.exists());
-    file.map_or_else(
-        || "a file on the way".to_owned(),
-        |file| format!("{}, which is no folder", shown(file)),
-    )
+    match file {
+        Some(file) => format!("{}, which is no folder", shown(file)),
+        None => "a file on the way".to_owned(),
+    }
 }
 
 #[cfg(test)]

@@ -20,10 +20,15 @@ pub(crate) fn is_zip(bytes: &[u8]) -> bool {
 
 /// Whether an archive names a member in its first or last part; a look, not a search.
 pub(crate) fn seems_to_hold(bytes: &[u8], name: &str) -> bool {
+    is_zip(bytes) && names(bytes, name)
+}
+
+/// The same of bytes that are no archive or an empty one, too.
+pub(crate) fn names(bytes: &[u8], name: &str) -> bool {
     let head = &bytes[..bytes.len().min(1 << 16)];
     let tail = &bytes[bytes.len().saturating_sub(1 << 16)..];
     let holds = |part: &[u8]| part.windows(name.len()).any(|w| w == name.as_bytes());
-    is_zip(bytes) && (holds(head) || holds(tail))
+    holds(head) || holds(tail)
 }
 
 /// An archive in memory and what may still come out of it.
@@ -41,12 +46,9 @@ impl<'a, 'b> Archive<'a, 'b> {
     /// # Errors
     /// [`ReadError`] when it is broken or has too many members.
     pub(crate) fn open(input: &'a Input<'b>, share: f64) -> Result<Self, ReadError> {
-        let zip = guarded(|| ZipArchive::new(Cursor::new(input.bytes)));
-        let zip = match zip {
-            Some(Ok(zip)) => zip,
-            Some(Err(error)) => return Err(broken(input, &error.to_string())),
-            None => return Err(broken(input, "unreadable")),
-        };
+        let zip = guarded(|| ZipArchive::new(Cursor::new(input.bytes)))
+            .ok_or_else(|| broken(input, "unreadable"))?
+            .map_err(|error| broken(input, &error.to_string()))?;
         if zip.len() > MOST_MEMBERS {
             let found = format!("an archive of {} members", zip.len());
             return Err(input.error(found, format!("at most {MOST_MEMBERS}")));
@@ -107,10 +109,10 @@ impl<'a, 'b> Archive<'a, 'b> {
         });
         match outcome.unwrap_or_else(|| Err("unreadable".to_owned())) {
             Ok(true) => Ok(()),
-            Ok(false) => Err(input.error(
-                "an archive that unfolds to far more than its size",
-                budget::WORDS,
-            )),
+            Ok(false) => {
+                let found = "an archive that unfolds to far more than its size";
+                Err(input.error(found, budget::WORDS))
+            }
             Err(why) => Err(broken(input, &why)),
         }
     }

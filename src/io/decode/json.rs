@@ -6,21 +6,37 @@ use crate::io::{Input, ReadError, budget};
 const VALUE_BYTES: usize = 40;
 const KEYED_BYTES: usize = 130;
 
-/// A whole text as JSON. The parsed form of short values is far larger than their text, so they
-/// are counted first.
+/// A whole text as JSON.
 ///
 /// # Errors
 /// [`ReadError`] for broken JSON, or more values than fit into the memory that the file may take.
 pub(crate) fn any_json(input: &Input, text: &str) -> Result<serde_json::Value, ReadError> {
-    let count = |marks: &[u8]| text.bytes().filter(|b| marks.contains(b)).count();
-    let memory = count(b",[{") * VALUE_BYTES + count(b":") * KEYED_BYTES;
-    if memory > budget::of(text.len()) / 2 {
-        return Err(input.error(
-            "JSON of far more values than its size allows",
-            budget::WORDS,
-        ));
-    }
+    check_room(
+        input,
+        text,
+        [VALUE_BYTES, KEYED_BYTES],
+        budget::of(text.len()) / 2,
+    )?;
     serde_json::from_str(text).map_err(|error| json_error(input, &error))
+}
+
+/// Refuses a text whose parsed form takes more than `most` bytes: that of short values is far
+/// larger than their text, so they are counted first.
+///
+/// # Errors
+/// [`ReadError`] that says so.
+pub(super) fn check_room(
+    input: &Input,
+    text: &str,
+    [value_bytes, keyed_bytes]: [usize; 2],
+    most: usize,
+) -> Result<(), ReadError> {
+    let count = |marks: &[u8]| text.bytes().filter(|b| marks.contains(b)).count();
+    if count(b",[{") * value_bytes + count(b":") * keyed_bytes <= most {
+        return Ok(());
+    }
+    let found = "JSON of far more values than its size allows";
+    Err(input.error(found, budget::WORDS))
 }
 
 /// An error of the JSON parser as one of the file.
@@ -35,9 +51,8 @@ pub(crate) fn json_error(input: &Input, error: &serde_json::Error) -> ReadError 
         .or_else(|| text.split_once(" expected "))
         .unwrap_or((text, "valid JSON of this format"));
     let refusal = input.error(format!("JSON with {found}"), expected);
-    if error.line() > 0 {
-        refusal.at_line(error.line())
-    } else {
-        refusal
+    match error.line() {
+        0 => refusal,
+        line => refusal.at_line(line),
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 
-use crate::io::decode::json::json_error;
+use crate::io::decode::json::{check_room, json_error};
 use crate::io::{Input, ReadError, budget};
 
 /// Memory that a value in a list takes, and one with a key, in bytes, while the list grows.
@@ -30,19 +30,12 @@ pub(crate) enum Tree {
 pub(crate) type Object = Vec<(String, Tree)>;
 
 /// A whole text as JSON; a list where values stand one behind another, as on lines of their own.
-/// The parsed form of short values is far larger than their text, so they are counted first.
 ///
 /// # Errors
 /// [`ReadError`] for broken JSON, or more values than fit into the memory that the file may take.
 pub(crate) fn of(input: &Input, text: &str) -> Result<Tree, ReadError> {
-    let count = |marks: &[u8]| text.bytes().filter(|b| marks.contains(b)).count();
-    let memory = count(b",[{") * VALUE_BYTES + count(b":") * KEYED_BYTES;
-    if memory > budget::of(text.len()) / 4 * 3 {
-        return Err(input.error(
-            "JSON of far more values than its size allows",
-            budget::WORDS,
-        ));
-    }
+    let most = budget::of(text.len()) / 4 * 3;
+    check_room(input, text, [VALUE_BYTES, KEYED_BYTES], most)?;
     let values = serde_json::Deserializer::from_str(text).into_iter::<Tree>();
     let values: Result<Vec<Tree>, _> = values.collect();
     let mut values = values.map_err(|error| json_error(input, &error))?;

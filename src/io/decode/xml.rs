@@ -21,9 +21,8 @@ const MOST_ATTRIBUTES: usize = 256;
 pub(crate) fn parse<'a>(input: &Input, text: &'a str) -> Result<Document<'a>, ReadError> {
     if let Some(at) = crowded_tag(text) {
         let line = 1 + text[..at].bytes().filter(|b| *b == b'\n').count();
-        return Err(input
-            .error("an element with hundreds of attributes", "at most 256")
-            .at_line(line));
+        let found = "an element with hundreds of attributes";
+        return Err(input.error_at(line, found, "at most 256"));
     }
     let nodes = budget::of(input.bytes.len()) / 2 / NODE_BYTES;
     let options = ParsingOptions {
@@ -35,9 +34,11 @@ pub(crate) fn parse<'a>(input: &Input, text: &'a str) -> Result<Document<'a>, Re
             "an XML document with a DTD (entities)",
             "one without: such documents are not read",
         ),
-        _ => input
-            .error(format!("broken XML ({error})"), "well-formed XML")
-            .at_line(error.pos().row as usize),
+        _ => input.error_at(
+            error.pos().row as usize,
+            format!("broken XML ({error})"),
+            "well-formed XML",
+        ),
     })
 }
 
@@ -76,7 +77,7 @@ fn crowded_tag(text: &str) -> Option<usize> {
     None
 }
 
-/// The line of a node, from 1.
+/// The line of a node, from 1: counted from the file's start, so only where there is trouble.
 pub(crate) fn line(node: Node) -> usize {
     node.document().text_pos_at(node.range().start).row as usize
 }
@@ -86,8 +87,7 @@ pub(crate) fn named<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     name: &str,
 ) -> impl Iterator<Item = Node<'a, 'i>> {
-    node.descendants()
-        .filter(move |n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case(name))
+    node.descendants().filter(move |n| is_named(*n, name))
 }
 
 /// Children of a local name, whatever its case and namespace.
@@ -95,8 +95,11 @@ pub(crate) fn children<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     name: &str,
 ) -> impl Iterator<Item = Node<'a, 'i>> {
-    node.children()
-        .filter(move |n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case(name))
+    node.children().filter(move |n| is_named(*n, name))
+}
+
+fn is_named(node: Node, name: &str) -> bool {
+    node.is_element() && node.tag_name().name().eq_ignore_ascii_case(name)
 }
 
 /// An attribute by its local name, whatever its case.

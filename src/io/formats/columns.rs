@@ -8,7 +8,6 @@ use crate::io::table::read::read_tables;
 use crate::io::text::dialect::Dialect;
 use crate::io::{Input, ReadError, Reading};
 
-/// Plain columns of numbers.
 pub(crate) const FORMAT: Format = Format {
     name: "plain columns",
     extensions: &["csv", "tsv", "txt", "dat", "asc", "prn"],
@@ -33,17 +32,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::{Guessed, Reading, read_bytes};
+    use crate::io::tests::{assert_told, first, names, read, refusal};
+    use crate::io::{Guessed, OpenQuestion};
     use crate::spectrum::Kind;
 
     #[test]
     fn the_r_of_rgb_is_no_reflectance() {
-        let text = b"nm,R,G,B\n400,0.1,0.2,0.3\n410,0.2,0.3,0.4\n420,0.3,0.4,0.5\n";
-        let spectra = read_bytes("a.csv", text).unwrap().spectra;
+        let text = "nm,R,G,B\n400,0.1,0.2,0.3\n410,0.2,0.3,0.4\n420,0.3,0.4,0.5\n";
+        let spectra = read("a.csv", text).spectra;
         assert!(spectra.iter().all(|s| s.kind == Kind::Light), "{spectra:?}");
         assert_eq!(spectra[0].name, "R");
-        let alone = b"nm,R\n400,0.1\n410,0.2\n420,0.3\n";
-        let leaf = &read_bytes("a.csv", alone).unwrap().spectra[0];
+        let leaf = first("a.csv", "nm,R\n400,0.1\n410,0.2\n420,0.3\n");
         assert_eq!(leaf.kind, Kind::Reflectance);
     }
 
@@ -53,97 +52,22 @@ mod tests {
             "WP,first,second\nWavelength,Processed,Processed\n400,1,2\n410,3,4\n420,5,6\n",
             "first,,second,,\nWavelength (nm),%T,Wavelength (nm),%T,\n400,1,400,2,\n410,3,410,4,\n420,5,420,6,\n",
         ] {
-            let spectra = read_bytes("a.csv", text.as_bytes()).unwrap().spectra;
-            let names: Vec<&str> = spectra.iter().map(|s| s.name.as_str()).collect();
-            assert_eq!(names, ["first", "second"], "{text}");
+            assert_eq!(names(&read("a.csv", text)), ["first", "second"], "{text}");
         }
     }
 
     #[test]
     fn pairs_side_by_side_have_wavelengths_of_their_own() {
-        let text = b"nm,%T,nm,%T\n400,1,402,5\n410,2,412,6\n420,3,422,7\n,,432,8\n";
-        let reading = read_bytes("a.csv", text).unwrap();
+        let text = "nm,%T,nm,%T\n400,1,402,5\n410,2,412,6\n420,3,422,7\n,,432,8\n";
+        let reading = read("a.csv", text);
         let samples: Vec<_> = reading.spectra.iter().map(|s| &s.samples).collect();
         assert_eq!(samples[0].nm(), [400.0, 410.0, 420.0]);
         assert_eq!(samples[1].nm(), [402.0, 412.0, 422.0, 432.0]);
         let said = "holds the wavelengths of the columns behind it";
-        assert!(
-            reading.notes.iter().any(|note| note.contains(said)),
-            "{reading:?}"
-        );
-    }
-
-    #[test]
-    fn the_other_end_of_a_band_is_no_axis_of_its_own() {
-        let text = b"wl_min,wl_max,E,F\n400,401,1,5\n401,402,2,6\n402,403,3,7\n";
-        let spectra = read_bytes("a.csv", text).unwrap().spectra;
-        assert!(
-            spectra.iter().all(|s| s.samples.first_nm() == 400.0),
-            "{spectra:?}"
-        );
-    }
-
-    fn read(text: &str) -> Reading {
-        read_bytes("a.csv", text.as_bytes()).expect("a table")
-    }
-
-    fn names(reading: &Reading) -> Vec<&str> {
-        reading.spectra.iter().map(|s| s.name.as_str()).collect()
-    }
-
-    /// Rows of two columns that rise by 1 nm from a wavelength on.
-    fn rows(from: usize, count: usize) -> String {
-        (0..count)
-            .map(|i| format!("{},0.{}\n", from + i, i % 10))
-            .collect()
-    }
-
-    #[test]
-    fn a_second_table_is_read_however_short() {
-        let text = format!(
-            "nm,lamp A\n{}\nnm,lamp B\n{}",
-            rows(380, 401),
-            rows(400, 41)
-        );
-        let reading = read(&text);
-        assert_eq!(names(&reading), ["lamp A, table 1", "lamp B, table 2"]);
-        assert_eq!(reading.spectra[1].samples.len(), 41);
-    }
-
-    #[test]
-    fn a_few_rows_that_are_no_table_leave_the_long_one_alone() {
-        let text = format!(
-            "pixel,gain\n1,400\n2,500\n3,600\n\nnm,lamp\n{}",
-            rows(380, 401)
-        );
-        let reading = read(&text);
-        assert_eq!(names(&reading), ["lamp"]);
-        assert!(
-            reading
-                .notes
-                .iter()
-                .any(|note| note.starts_with("lines 2 to 4 left out"))
-        );
-        // Nor do they stand for a long block without wavelengths.
-        let text = "7,1\n3,9\n".repeat(50) + "nm,b\n" + &rows(380, 5);
-        let refusal = read_bytes("a.csv", text.as_bytes()).unwrap_err();
-        assert_eq!(refusal.found, "numbers with no wavelengths among them");
-    }
-
-    #[test]
-    fn a_block_that_is_left_out_is_said() {
-        let text = format!("gains\n1,7\n2,3\n1,4\nnm,lamp\n{}", rows(380, 401));
-        let reading = read(&text);
-        assert_eq!(reading.spectra.len(), 1);
-        let said = "lines 2 to 4 left out".to_owned();
-        assert!(reading.notes.contains(&said), "{:?}", reading.notes);
-    }
-
-    #[test]
-    fn tables_side_by_side_keep_their_own_wavelengths() {
+        assert_told(&reading.notes, said);
         let text = "Wavelength (nm),A,Wavelength (nm),B\n380,0,1000,100\n390,1,1010,101\n\
                     400,2,,\n";
-        let reading = read(text);
+        let reading = read("a.csv", text);
         assert_eq!(names(&reading), ["A", "B"]);
         assert_eq!(reading.spectra[0].samples.nm(), [380.0, 390.0, 400.0]);
         assert_eq!(reading.spectra[1].samples.nm(), [1000.0, 1010.0]);
@@ -153,29 +77,69 @@ mod tests {
     }
 
     #[test]
+    fn the_other_end_of_a_band_is_no_axis_of_its_own() {
+        let text = "wl_min,wl_max,E,F\n400,401,1,5\n401,402,2,6\n402,403,3,7\n";
+        let spectra = read("a.csv", text).spectra;
+        let from_400 = spectra.iter().all(|s| s.samples.first_nm() == 400.0);
+        assert!(from_400, "{spectra:?}");
+    }
+
+    /// Rows of two columns that rise by 1 nm from a wavelength on.
+    fn rows(from: usize, count: usize) -> String {
+        let row = |i| format!("{},0.{}\n", from + i, i % 10);
+        (0..count).map(row).collect()
+    }
+
+    #[test]
+    fn a_second_table_is_read_however_short() {
+        let (a, b) = (rows(380, 401), rows(400, 41));
+        let reading = read("a.csv", format!("nm,lamp A\n{a}\nnm,lamp B\n{b}"));
+        assert_eq!(names(&reading), ["lamp A, table 1", "lamp B, table 2"]);
+        assert_eq!(reading.spectra[1].samples.len(), 41);
+    }
+
+    #[test]
+    fn a_few_rows_that_are_no_table_leave_the_long_one_alone_and_are_said() {
+        let lamp = rows(380, 401);
+        let few = "pixel,gain\n1,400\n2,500\n3,600\n\nnm,lamp\n";
+        let reading = read("a.csv", few.to_owned() + &lamp);
+        assert_eq!(names(&reading), ["lamp"]);
+        let is_said = |note: &String| note.starts_with("lines 2 to 4 left out");
+        assert!(reading.notes.iter().any(is_said), "{:?}", reading.notes);
+        let reading = read(
+            "a.csv",
+            "gains\n1,7\n2,3\n1,4\nnm,lamp\n".to_owned() + &lamp,
+        );
+        assert_eq!(reading.spectra.len(), 1);
+        let said = "lines 2 to 4 left out".to_owned();
+        assert!(reading.notes.contains(&said), "{:?}", reading.notes);
+        // Nor do they stand for a long block without wavelengths.
+        let text = "7,1\n3,9\n".repeat(50) + "nm,b\n" + &rows(380, 5);
+        let why = refusal("a.csv", text);
+        let found = "found numbers with no wavelengths among them, expected";
+        assert!(why.contains(found), "{why}");
+    }
+
+    #[test]
     fn a_column_of_names_does_not_hide_the_table() {
         for text in [
             "sample,nm,value\nleaf,380,0.10\nleaf,390,0.20\nleaf,400,0.15\n",
             "380,leaf,0.10\n390,leaf,0.20\n400,leaf,0.15\n",
             "sample;nm;value\nleaf a;380;0,10\nleaf a;390;0,20\nleaf a;400;0,15\n",
         ] {
-            let reading = read(text);
-            assert_eq!(
-                reading.spectra[0].samples.nm(),
-                [380.0, 390.0, 400.0],
-                "{text}"
-            );
-            assert_eq!(reading.spectra[0].samples.values(), [0.1, 0.2, 0.15]);
+            let samples = first("a.csv", text).samples;
+            assert_eq!(samples.nm(), [380.0, 390.0, 400.0], "{text}");
+            assert_eq!(samples.values(), [0.1, 0.2, 0.15]);
         }
     }
 
     #[test]
     fn fewer_titles_than_cells_are_doubtful() {
-        let reading = read("nm,lamp (W/m2/nm)\n380,0,10\n390,0,20\n400,0,15\n");
+        let reading = read("a.csv", "nm,lamp (W/m2/nm)\n380,0,10\n390,0,20\n400,0,15\n");
         assert!(reading.is_doubtful());
-        let columns = |guess: &crate::io::OpenQuestion| guess.what == Guessed::Columns;
+        let columns = |guess: &OpenQuestion| guess.what == Guessed::Columns;
         assert!(reading.guesses.iter().any(columns), "{:?}", reading.guesses);
-        let whole = read("nm,a (W/m2/nm),b\n380,0,10\n390,0,20\n400,0,15\n");
+        let whole = read("a.csv", "nm,a (W/m2/nm),b\n380,0,10\n390,0,20\n400,0,15\n");
         assert!(!whole.guesses.iter().any(columns));
     }
 
@@ -183,14 +147,14 @@ mod tests {
     fn a_humidity_in_per_cent_does_not_scale_the_values() {
         let text = "Measurement humidity: 45 %\nWavelength (nm);Reflectance\n\
                     380;0.2\n390;0.4\n400;0.5\n";
-        let spectrum = &read(text).spectra[0];
+        let spectrum = first("a.csv", text);
         assert_eq!((spectrum.scale, spectrum.samples.values()[2]), (1.0, 0.5));
     }
 
     #[test]
     fn a_long_name_of_a_wavelength_column_is_no_unit() {
-        let reading = read("Våglängd;Reflektans\n380;0.2\n580;0.4\n780;0.5\n");
-        assert_eq!(reading.spectra[0].samples.nm(), [380.0, 580.0, 780.0]);
+        let spectrum = first("a.csv", "Våglängd;Reflektans\n380;0.2\n580;0.4\n780;0.5\n");
+        assert_eq!(spectrum.samples.nm(), [380.0, 580.0, 780.0]);
     }
 
     /// Rows of wavelengths from 400 nm on and what a function makes of each.
@@ -205,22 +169,9 @@ mod tests {
             format!("{one}\t{}\t{other}\t{}", 20.0 + i, 60.0 + i)
         });
         let text = "w.length.1\ttransmittance.1\tw.length.2\ttransmittance.2\n".to_owned() + &rows;
-        let reading = read_bytes("gel.txt", text.as_bytes()).expect("a table");
+        let reading = read("gel.txt", text);
         assert_eq!(names(&reading), ["transmittance.1", "transmittance.2"]);
         assert_eq!(reading.spectra[1].samples.last_nm(), 790.0);
-    }
-
-    #[test]
-    fn the_technique_of_a_spectrometer_tells_what_it_measured() {
-        let rows = rows_of(30, |i| format!("{},{}", 400.0 + i, 80.0 + 0.1 * i));
-        let text = "Raman Intensity Corrected,False\nLaser Wavelength,0.0\n\
-                    Technique,Transmission\n\nWavelength,Processed\n"
-            .to_owned()
-            + &rows;
-        let spectrum = &read_bytes("enlighten.csv", text.as_bytes())
-            .expect("a table")
-            .spectra[0];
-        assert_eq!((spectrum.kind, spectrum.scale), (Kind::Transmittance, 0.01));
     }
 
     #[test]
@@ -232,37 +183,29 @@ mod tests {
                     Pixel;Wavelength;Dark;Reference;Dark Subtracted #1;%TR #1;Absorbance #1\n"
             .to_owned()
             + &rows;
-        let reading = read_bytes("bw.txt", text.as_bytes()).expect("a table");
+        let reading = read("bw.txt", text);
         let kinds: Vec<Kind> = reading.spectra.iter().map(|s| s.kind).collect();
         assert_eq!(kinds, [Kind::Light, Kind::Transmittance, Kind::Absorbance]);
-        let may_be = |note: &String| note.contains("may be a reflectance");
-        assert!(reading.spectra[1].notes.iter().any(may_be));
+        assert_told(&reading.spectra[1].notes, "may be a reflectance");
     }
 
     #[test]
     fn a_value_with_its_unit_and_a_wavelength_with_a_colon_are_read() {
         let rows = rows_of(9, |i| format!("{} nm,{} W/m2", 400.0 + i, 0.5 + i));
-        let spectrum = &read(&rows).spectra[0];
-        assert_eq!(
-            (spectrum.unit.as_str(), spectrum.samples.len()),
-            ("W/m2", 9)
-        );
+        let spectrum = first("a.csv", rows);
+        assert_eq!((&*spectrum.unit, spectrum.samples.len()), ("W/m2", 9));
         let rows = rows_of(9, |i| format!("{}: {}", 400.0 + i, 0.5 + i));
-        assert_eq!(read(&rows).spectra[0].samples.len(), 9);
+        assert_eq!(first("a.csv", rows).samples.len(), 9);
         let lists = "wavelengths: [400, 410, 420, 430, 440]\nvalues: [1, 2, 3, 4, 5]\n";
-        let spectrum = &read(lists).spectra[0];
-        assert_eq!(
-            (spectrum.name.as_str(), spectrum.samples.len()),
-            ("values", 5)
-        );
+        let spectrum = first("a.csv", lists);
+        assert_eq!((&*spectrum.name, spectrum.samples.len()), ("values", 5));
     }
 
     #[test]
     fn a_line_of_key_and_value_names_no_spectrum() {
         let text = "Name: Dry grass\nY Units: Reflectance (percent)\n\
                     Additional Information:  None.\n\n380 14.2\n390 14.5\n400 14.9\n";
-        let reading = read_bytes("a.txt", text.as_bytes()).expect("a table");
-        assert_eq!(names(&reading), ["Dry grass"]);
+        assert_eq!(names(&read("a.txt", text)), ["Dry grass"]);
     }
 
     /// The rows 380 to 475 in steps of 5 nm, some of them as they are given.
@@ -275,14 +218,23 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_too_many_makes_no_decimal_of_the_one_before() {
-        let reading = read(&rows_but(&[(410, "410,13,3"), (420, "420,16,3")]));
-        let spectrum = &reading.spectra[0].samples;
-        assert_eq!(spectrum.len(), 18);
-        assert!(!spectrum.nm().contains(&410.0) && spectrum.nm().contains(&415.0));
-        for line in [8, 10] {
-            let said = format!("line {line} is no row of the table and was left out");
-            assert!(reading.notes.contains(&said), "{:?}", reading.notes);
+    fn rows_that_do_not_fit_are_left_out_and_said() {
+        // A cell too many makes no decimal of the one before.
+        let too_many = rows_but(&[(410, "410,13,3"), (420, "420,16,3")]);
+        let mut at: Vec<f64> = (380..480).step_by(5).map(f64::from).collect();
+        at.retain(|nm| *nm != 410.0 && *nm != 420.0);
+        // Rows behind the last break are read.
+        let behind = "nm,W\n380,1\n390,2\n400,3,9\n410,4\n420,5,6,7\nend of data\n";
+        for (text, at, lines) in [
+            (&*too_many, at, [8, 10]),
+            (behind, vec![380.0, 390.0, 410.0], [4, 6]),
+        ] {
+            let reading = read("a.csv", text);
+            assert_eq!(reading.spectra[0].samples.nm(), at);
+            for line in lines {
+                let said = format!("line {line} is no row of the table and was left out");
+                assert!(reading.notes.contains(&said), "{:?}", reading.notes);
+            }
         }
     }
 
@@ -293,45 +245,22 @@ mod tests {
             .map(|nm| (nm, nm.to_string()))
             .collect();
         let alone: Vec<(usize, &str)> = alone.iter().map(|(nm, row)| (*nm, &**row)).collect();
-        let spectrum = &read(&rows_but(&alone)).spectra[0];
+        let spectrum = first("a.csv", rows_but(&alone));
         assert_eq!(spectrum.samples.len(), 12);
-        assert!(
-            spectrum
-                .notes
-                .iter()
-                .any(|n| n.contains("8 missing values")),
-            "{spectrum:?}"
-        );
-    }
-
-    #[test]
-    fn rows_behind_the_last_break_are_read_and_what_is_none_is_said() {
-        let reading = read("nm,W\n380,1\n390,2\n400,3,9\n410,4\n420,5,6,7\nend of data\n");
-        assert_eq!(reading.spectra[0].samples.nm(), [380.0, 390.0, 410.0]);
-        for line in [4, 6] {
-            let said = format!("line {line} is no row of the table and was left out");
-            assert!(reading.notes.contains(&said), "{:?}", reading.notes);
-        }
+        assert_told(&spectrum.notes, "8 missing values");
     }
 
     #[test]
     fn a_row_between_two_with_words_is_kept() {
-        let reading = read(&rows_but(&[
-            (410, "410,1,2,3"),
-            (415, "415,7"),
-            (420, "420,a,3"),
-        ]));
-        assert!(reading.spectra[0].samples.nm().contains(&415.0));
-        let text = rows_but(&[])
-            + &(480..1480)
-                .step_by(5)
-                .map(|nm| match nm {
-                    500 | 510 => format!("{nm},x\n"),
-                    _ => format!("{nm},2\n"),
-                })
-                .collect::<String>();
-        let reading = read(&text);
-        assert!(reading.spectra[0].samples.nm().contains(&505.0));
-        assert!(!reading.spectra[0].samples.nm().contains(&510.0));
+        let few = rows_but(&[(410, "410,1,2,3"), (415, "415,7"), (420, "420,a,3")]);
+        assert!(first("a.csv", few).samples.nm().contains(&415.0));
+        let row = |nm: usize| match nm {
+            500 | 510 => format!("{nm},x\n"),
+            _ => format!("{nm},2\n"),
+        };
+        let text = rows_but(&[]) + &(480..1480).step_by(5).map(row).collect::<String>();
+        let spectrum = first("a.csv", text);
+        assert!(spectrum.samples.nm().contains(&505.0));
+        assert!(!spectrum.samples.nm().contains(&510.0));
     }
 }

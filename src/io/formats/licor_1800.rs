@@ -9,22 +9,15 @@
 //!  300  1.518E-04
 //! ```
 
-use crate::spectrum::Kind;
-
-use super::{Confidence, Format};
-use crate::io::error::quoted;
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
+use super::{Confidence, Format, pair};
 use crate::io::interpret::value_unit::PHOTONS;
-use crate::io::reading::decision::Decision;
-use crate::io::reading::makers_results::{MakersResult, Quantity};
+use crate::io::interpret::{KnownScale, RawSpectrum, alone};
 use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::number::{self, Cell};
 use crate::io::text::{kept_line, lines};
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Decision, Input, MakersResult, Quantity, ReadError, Reading, quoted};
+use crate::spectrum::Kind;
 
-/// LI-COR LI-1800 text.
 pub(crate) const FORMAT: Format = Format {
     name: "LI-COR LI-1800",
     extensions: &["prn"],
@@ -41,25 +34,17 @@ fn field<'a>(line: &'a str, word: &str) -> Option<&'a str> {
 
 /// Reflectance or transmittance, where a word of the remark (capitals) begins so.
 fn factor_of_remark(remark: &str) -> Option<Kind> {
-    remark.split_whitespace().find_map(|word| {
-        if word.starts_with("REFL") {
-            Some(Kind::Reflectance)
-        } else if word.starts_with("TRANSM") || word == "TRANS" || word == "TRAN" {
-            Some(Kind::Transmittance)
-        } else {
-            None
-        }
+    remark.split_whitespace().find_map(|word| match word {
+        _ if word.starts_with("REFL") => Some(Kind::Reflectance),
+        "TRAN" | "TRANS" => Some(Kind::Transmittance),
+        _ => word.starts_with("TRANSM").then_some(Kind::Transmittance),
     })
 }
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     let has = |word: &str| lines(head).take(12).any(|(_, l)| field(l, word).is_some());
-    if has("LIMS") && (has("REM") || has("INT")) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(has("LIMS") && (has("REM") || has("INT")))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -73,23 +58,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         } else if let Some(found) = field(content, "MAX") {
             peak = Some(found);
         } else if content.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
-            let bad = |word: &str| {
-                input
-                    .error(quoted(word), "a wavelength in nm and a value")
-                    .at_line(line)
-            };
-            let mut words = content.split([' ', '\t', ';']).filter(|w| !w.is_empty());
-            let (Some(first), Some(second), None) = (words.next(), words.next(), words.next())
-            else {
-                return Err(bad(content));
-            };
-            let comma = second.contains(',') || first.contains(',');
+            let comma = content.contains(',');
             let cell = |word: &str| match number::parse(word, comma) {
-                Cell::Percent(_) => Err(bad(word)),
-                cell => cell.value().ok_or_else(|| bad(word)),
+                Cell::Percent(_) => None,
+                cell => cell.value(),
             };
-            nm.push(cell(first)?);
-            values.push(cell(second)?);
+            let (wavelength, value) = pair(content, cell).map_err(|found| {
+                input.error_at(line, quoted(found), "a wavelength in nm and a value")
+            })?;
+            nm.push(wavelength);
+            values.push(value);
             at.push(kept_line(line));
         }
     }
@@ -124,8 +102,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if unit == PHOTONS {
         spectrum.notes.push(PHOTON_NOTE.to_owned());
     }
-    let mut reading = Reading::default();
-    interpret(spectrum, input, &mut reading)?;
+    let mut reading = alone(spectrum, input)?;
     if let Some(found) = peak
         && let Some(first) = found.split_whitespace().next()
         && let Cell::Nanometres(value) = number::parse(first, false)
@@ -143,45 +120,38 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::{first, read, refusal};
+    use crate::spectrum::Kind;
 
     const SMALL: &str = "\"FILE:FL2\"\n\"REM: TLD 36W       (QNTM)\"\n\"LIMS: 300- 302NM\"\n\"INT:  1NM\"\n\"MAX:  301NM  7.5E-01\"\n 300  1.5E-04\n 301  7.5E-01\n 302 -1E-04\n";
 
     #[test]
     fn photons_name_and_peak_are_read() {
-        let reading = read_bytes("a.PRN", SMALL.as_bytes()).unwrap();
+        let reading = read("a.PRN", SMALL);
         let spectrum = &reading.spectra[0];
-        assert_eq!(
-            (reading.format, spectrum.name.as_str()),
-            ("LI-COR LI-1800", "TLD 36W")
-        );
+        assert_eq!(reading.format, "LI-COR LI-1800");
+        assert_eq!(spectrum.name, "TLD 36W");
         assert_eq!(spectrum.unit, "µmol m-2 s-1 nm-1");
         assert_eq!(spectrum.samples.values(), [1.5e-4, 0.75, -1e-4]);
         assert_eq!(reading.results[0].value, 301.0);
         let watt = SMALL.replace("QNTM", "WATT").replace('\n', "\r\n");
-        let reading = read_bytes("a.PRN", watt.as_bytes()).unwrap();
-        assert_eq!(reading.spectra[0].unit, "W m-2 nm-1");
+        assert_eq!(first("a.PRN", watt).unit, "W m-2 nm-1");
     }
 
     #[test]
     fn a_remark_without_a_unit_may_name_a_reflectance() {
         let leaf = SMALL.replace("TLD 36W       (QNTM)", "REFL OAK AD 1 ");
-        let spectrum = &read_bytes("a.PRN", leaf.as_bytes()).unwrap().spectra[0];
-        assert_eq!(spectrum.kind, crate::spectrum::Kind::Reflectance);
+        let spectrum = first("a.PRN", leaf);
+        assert_eq!(spectrum.kind, Kind::Reflectance);
         assert_eq!((spectrum.unit.as_str(), spectrum.scale), ("fraction", 1.0));
         let lamp = SMALL.replace("TLD", "REFLECTOR TLD");
-        let spectrum = &read_bytes("a.PRN", lamp.as_bytes()).unwrap().spectra[0];
-        assert_eq!(spectrum.kind, crate::spectrum::Kind::Light);
+        assert_eq!(first("a.PRN", lamp).kind, Kind::Light);
     }
 
     #[test]
     fn a_broken_row_is_refused_with_its_line() {
-        let why = read_bytes(
-            "a.PRN",
-            SMALL.replace("7.5E-01\n 302", "x\n 302").as_bytes(),
-        );
         assert_eq!(
-            why.unwrap_err().to_string(),
+            refusal("a.PRN", SMALL.replace("7.5E-01\n 302", "x\n 302")),
             "a.PRN, line 7: found \"x\", expected a wavelength in nm and a value"
         );
     }

@@ -9,12 +9,11 @@
 //! ```
 
 use super::{Confidence, Format};
-use crate::io::interpret::raw::RawSpectrum;
+use crate::io::interpret::RawSpectrum;
 use crate::io::table::alternating;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-/// Macam text.
 pub(crate) const FORMAT: Format = Format {
     name: "Macam",
     extensions: &["dta"],
@@ -28,23 +27,18 @@ fn sniff(input: &Input) -> Confidence {
     let timed = first
         .next()
         .is_some_and(|line| line.starts_with(['@', '#']));
-    if dated && timed {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(dated && timed)
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let Some(pairs) = alternating::find(text) else {
         let line = lines(text).take(4).count();
-        return Err(input
-            .error(
-                "no wavelengths and values by turns behind Macam's header",
-                "one number a line: a wavelength in nm, its value, the next wavelength",
-            )
-            .at_line(line));
+        return Err(input.error_at(
+            line,
+            "no wavelengths and values by turns behind Macam's header",
+            "one number a line: a wavelength in nm, its value, the next wavelength",
+        ));
     };
     let title = lines(text)
         .take(5)
@@ -62,7 +56,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::{read, refusal};
 
     #[test]
     fn unit_and_title_are_known() {
@@ -72,18 +66,13 @@ mod tests {
             text.replace('\n', "\r\n"),
             text.replace('.', ","),
         ] {
-            let reading = read_bytes("a.DTA", text.as_bytes()).unwrap();
+            let reading = read("a.DTA", text);
             let spectrum = &reading.spectra[0];
-            assert_eq!(
-                (reading.format, spectrum.name.as_str()),
-                ("Macam", "Lamp 3")
-            );
+            assert_eq!((reading.format, &*spectrum.name), ("Macam", "Lamp 3"));
             assert_eq!(spectrum.unit, "W m-2 nm-1");
             assert_eq!(spectrum.samples.len(), 5);
         }
-        let why = read_bytes("a.DTA", b"@1/5/1997\n@17:44\n#x\n")
-            .unwrap_err()
-            .to_string();
+        let why = refusal("a.DTA", "@1/5/1997\n@17:44\n#x\n");
         assert!(why.contains("line 3: found no wavelengths"), "{why}");
     }
 }

@@ -50,12 +50,28 @@ pub enum Confidence {
     Own,
 }
 
+impl Confidence {
+    /// Certain where the content says so, else not this format.
+    fn certain_if(says_so: bool) -> Self {
+        match says_so {
+            true => Self::Certain,
+            false => Self::No,
+        }
+    }
+}
+
 /// How sure it is that a file is JSON of this program's own under a word.
 fn own_json(input: &Input, word: &str) -> Confidence {
-    match input.head().starts_with('{') && input.head().contains(word) {
-        true => Confidence::Certain,
-        false => Confidence::No,
-    }
+    Confidence::certain_if(input.head().starts_with('{') && input.head().contains(word))
+}
+
+/// The two numbers of a row, or what stands there instead.
+fn pair(row: &str, cell: impl Fn(&str) -> Option<f64>) -> Result<(f64, f64), &str> {
+    let mut words = row.split(['\t', ' ', ';']).filter(|w| !w.is_empty());
+    let (Some(x), Some(y), None) = (words.next(), words.next(), words.next()) else {
+        return Err(row);
+    };
+    Ok((cell(x).ok_or(x)?, cell(y).ok_or(y)?))
 }
 
 /// A file format that the program knows.

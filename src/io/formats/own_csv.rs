@@ -4,9 +4,7 @@
 //! looked at: every column behind the wavelengths is a spectrum, and the keys say what it holds.
 
 use super::{Confidence, Format, columns};
-use crate::io::interpret::heading::Heading;
-use crate::io::interpret::raw::{RawSpectrum, Scale};
-use crate::io::interpret::{check_room, interpret};
+use crate::io::interpret::{Heading, RawSpectrum, Scale, check_room, interpret};
 use crate::io::provenance::MEASURED;
 use crate::io::reading::TableFound;
 use crate::io::table::block::Block;
@@ -17,7 +15,6 @@ use crate::io::text::first_line;
 use crate::io::write::csv::FIRST_TITLE;
 use crate::io::{Input, ReadError, Reading};
 
-/// CSV of this program.
 pub(crate) const FORMAT: Format = Format {
     name: "Spectral Explorer CSV",
     extensions: &["csv"],
@@ -45,9 +42,7 @@ fn sniff(input: &Input) -> Confidence {
 struct Own<'a> {
     /// The comments with their lines, marks removed.
     header: Vec<(usize, &'a str)>,
-    /// The title of each column.
     titles: Vec<&'a str>,
-    /// The rows.
     rows: &'a str,
 }
 

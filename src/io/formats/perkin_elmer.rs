@@ -11,19 +11,12 @@
 //! 405.000000<TAB>27.150000
 //! ```
 
+use super::{Confidence, Format, pair};
+use crate::io::interpret::{KnownScale, RawSpectrum, alone};
+use crate::io::text::{kept_line, lines, number};
+use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
 use crate::spectrum::Kind;
 
-use super::{Confidence, Format};
-use crate::io::error::quoted;
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
-use crate::io::text::units::WavelengthUnit;
-use crate::io::text::{kept_line, lines, number};
-use crate::io::{Input, ReadError, Reading};
-
-/// PerkinElmer ASCII.
 pub(crate) const FORMAT: Format = Format {
     name: "PerkinElmer PEDS ASCII",
     extensions: &["sp", "asc", "txt"],
@@ -32,22 +25,8 @@ pub(crate) const FORMAT: Format = Format {
 };
 
 fn sniff(input: &Input) -> Confidence {
-    let first = input.head().lines().next().unwrap_or("");
-    if first.starts_with("PE ") && first.contains("ASCII") {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
-}
-
-/// The two numbers of a row, or what stands there instead.
-fn pair(row: &str) -> Result<(f64, f64), &str> {
-    let mut words = row.split(['\t', ' ', ';']).filter(|w| !w.is_empty());
-    let (Some(x), Some(y), None) = (words.next(), words.next(), words.next()) else {
-        return Err(row);
-    };
-    let cell = |word| number::parse(word, word.contains(',')).plain_value();
-    Ok((cell(x).ok_or(x)?, cell(y).ok_or(y)?))
+    let first = input.first_line();
+    Confidence::certain_if(first.starts_with("PE ") && first.contains("ASCII"))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -73,34 +52,27 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         if content.is_empty() {
             continue;
         }
-        let (wavelength, value) = pair(content).map_err(|found| {
-            input
-                .error(quoted(found), "a wavelength and a value")
-                .at_line(line)
-        })?;
+        let cell = |word: &str| number::parse(word, word.contains(',')).plain_value();
+        let (wavelength, value) = pair(content, cell)
+            .map_err(|found| input.error_at(line, quoted(found), "a wavelength and a value"))?;
         nm.push(wavelength);
         values.push(value);
         at.push(kept_line(line));
     }
     if nm.is_empty() {
-        return Err(input.error(
-            "PerkinElmer ASCII without numbers behind #DATA",
-            "wavelengths and values",
-        ));
+        let found = "PerkinElmer ASCII without numbers behind #DATA";
+        return Err(input.error(found, "wavelengths and values"));
     }
-    let unit = WavelengthUnit::of_title(x_unit);
     let mut notes = Vec::new();
-    match unit {
+    match WavelengthUnit::of_title(x_unit) {
         None => notes.push("the file names no unit of its wavelengths: taken as nm".to_owned()),
         Some(WavelengthUnit::Nanometre) => {}
-        Some(other) => notes.push(format!("wavelengths converted from {} (#GR)", other.word())),
+        Some(other) => {
+            notes.push(format!("wavelengths converted from {} (#GR)", other.word()));
+            nm.iter_mut().for_each(|x| *x = other.to_nm(*x));
+        }
     }
-    let unit = unit.unwrap_or(WavelengthUnit::Nanometre);
-    if unit != WavelengthUnit::Nanometre {
-        nm.iter_mut().for_each(|x| *x = unit.to_nm(*x));
-    }
-    let first = input.head().lines().next().unwrap_or("");
-    let fluorescence = first.starts_with("PE FL");
+    let fluorescence = input.first_line().starts_with("PE FL");
     let (kind, scale, unit) = match y_unit.to_uppercase().as_str() {
         "%T" | "T%" => (Kind::Transmittance, 0.01, ""),
         "T" => (Kind::Transmittance, 1.0, ""),
@@ -113,22 +85,20 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     if fluorescence {
         notes.push("a fluorescence spectrum, intensities in arbitrary units".to_owned());
     }
-    let mut spectrum = RawSpectrum::light(input.stem(), &nm, values, unit);
-    spectrum.lines = &at;
-    spectrum.notes = notes;
-    spectrum.known.kind = Some(match (kind, unit) {
+    let kind = match (kind, unit) {
         (Kind::Light, "") => Decision::guessed(kind, false, "#GR names no unit of the values"),
         _ => Decision::of_format(kind),
-    });
+    };
+    let mut spectrum = RawSpectrum::known(input.stem(), &nm, values, kind, unit);
+    spectrum.lines = &at;
+    spectrum.notes = notes;
     spectrum.known.scale = KnownScale::Stated(scale);
-    let mut reading = Reading::default();
-    interpret(spectrum, input, &mut reading)?;
-    Ok(reading)
+    alone(spectrum, input)
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::{first, refusal};
     use crate::spectrum::Kind;
 
     #[test]
@@ -138,19 +108,17 @@ mod tests {
                 "PE {first}   SPECTRUM    ASCII       PEDS   1.60\r\n -1\r\nx\r\n#HDR\r\n-1\r\n#GR\r\nNM\r\n{y}\r\n1.0\r\n#DATA\r\n500.0\t20.5  \r\n499.0\t10.5\r\n"
             )
         };
-        for (first, y, kind, scale) in [
+        for (instrument, y, kind, scale) in [
             ("FL", "", Kind::Light, 1.0),
             ("UV", "%T", Kind::Transmittance, 0.01),
             ("UV", "A", Kind::Absorbance, 1.0),
         ] {
-            let reading = read_bytes("a.sp", file(first, y).as_bytes()).unwrap();
-            let spectrum = &reading.spectra[0];
+            let spectrum = first("a.sp", file(instrument, y));
             assert_eq!((spectrum.kind, spectrum.scale), (kind, scale));
             assert_eq!(spectrum.samples.nm(), [499.0, 500.0]);
         }
-        let why = read_bytes("a.sp", file("FL", "").replace("10.5", "x").as_bytes()).unwrap_err();
         assert_eq!(
-            why.to_string(),
+            refusal("a.sp", file("FL", "").replace("10.5", "x")),
             "a.sp, line 12: found \"x\", expected a wavelength and a value"
         );
     }

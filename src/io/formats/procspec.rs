@@ -7,18 +7,14 @@
 
 use roxmltree::Node;
 
-use crate::spectrum::Kind;
-
 use super::{Confidence, Format};
 use crate::io::decode::archive::{Archive, is_zip, seems_to_hold};
 use crate::io::decode::xml;
-use crate::io::interpret::heading::Heading;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::{RawSpectrum, Scale};
+use crate::io::interpret::{Heading, RawSpectrum, Scale, interpret};
 use crate::io::text::{self, number};
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Input, ReadError, Reading, quoted};
+use crate::spectrum::Kind;
 
-/// Ocean Optics ProcSpec.
 pub(crate) const FORMAT: Format = Format {
     name: "Ocean Optics ProcSpec",
     extensions: &["procspec"],
@@ -32,29 +28,22 @@ const SHARE: f64 = 0.2;
 fn sniff(input: &Input) -> Confidence {
     let bytes = input.bytes;
     let by_name = is_zip(bytes) && input.has_extension("procspec");
-    if by_name || seems_to_hold(bytes, "OOISignatures.xml") || seems_to_hold(bytes, "ps_0.xml") {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let holds = |name| seems_to_hold(bytes, name);
+    Confidence::certain_if(by_name || holds("OOISignatures.xml") || holds("ps_0.xml"))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let mut archive = Archive::open(input, SHARE)?;
-    let members: Vec<usize> = (0..archive.names.len())
-        .filter(|index| {
-            let name = archive.names[*index].rsplit('/').next().unwrap_or("");
-            let number = name
-                .strip_prefix("ps_")
-                .and_then(|n| n.strip_suffix(".xml"));
-            number.is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit()))
-        })
-        .collect();
+    let is_spectrum = |index: &usize| {
+        let name = archive.names[*index].rsplit('/').next().unwrap_or("");
+        let number = name.strip_prefix("ps_");
+        let number = number.and_then(|n| n.strip_suffix(".xml"));
+        number.is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit()))
+    };
+    let members: Vec<usize> = (0..archive.names.len()).filter(is_spectrum).collect();
     if members.is_empty() {
-        return Err(input.error(
-            "an archive without ps_0.xml",
-            "an Ocean Optics ProcSpec archive",
-        ));
+        let expected = "an Ocean Optics ProcSpec archive";
+        return Err(input.error("an archive without ps_0.xml", expected));
     }
     let several = members.len() > 1;
     let mut reading = Reading::default();
@@ -65,19 +54,16 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         let clean: String = decoded
             .text
             .chars()
-            .map(|c| {
-                if c < ' ' && !"\t\r\n".contains(c) {
-                    ' '
-                } else {
-                    c
-                }
+            .map(|c| match c {
+                '\t' | '\r' | '\n' => c,
+                c if c < ' ' => ' ',
+                c => c,
             })
             .collect();
         let document = xml::parse(input, &clean)?;
-        let name = if several {
-            format!("{} {}", input.stem(), place + 1)
-        } else {
-            input.stem().to_owned()
+        let name = match several {
+            true => format!("{} {}", input.stem(), place + 1),
+            false => input.stem().to_owned(),
         };
         read_spectrum(input, document.root_element(), name, &mut reading)?;
     }
@@ -86,21 +72,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 /// The numbers of the first element of a name that holds any.
 fn doubles(input: &Input, root: Node, name: &str) -> Result<Vec<f64>, ReadError> {
-    for node in xml::named(root, name).take(100) {
-        let mut numbers = Vec::new();
-        for item in node.children().filter(|n| n.has_tag_name("double")) {
-            let text = item.text().unwrap_or("").trim();
-            let value = match number::number(text, false) {
-                Some(value) => value,
-                None if text.eq_ignore_ascii_case("nan") || text.contains("Infinity") => f64::NAN,
-                None => {
-                    return Err(input
-                        .error(crate::io::error::quoted(text), "a number in <double>")
-                        .at_line(xml::line(item)));
-                }
-            };
-            numbers.push(value);
+    let value = |item: Node| {
+        let text = item.text().unwrap_or("").trim();
+        match number::number(text, false) {
+            Some(value) => Ok(value),
+            None if text.eq_ignore_ascii_case("nan") || text.contains("Infinity") => Ok(f64::NAN),
+            None => Err(input.error_at(xml::line(item), quoted(text), "a number in <double>")),
         }
+    };
+    for node in xml::named(root, name).take(100) {
+        let items = node.children().filter(|n| n.has_tag_name("double"));
+        let numbers: Vec<f64> = items.map(value).collect::<Result<_, _>>()?;
         if !numbers.is_empty() {
             return Ok(numbers);
         }
@@ -130,35 +112,29 @@ fn read_spectrum(
     }
     // SpectraSuite names the quantity in the class of its processing: "Transmission", "Reflection",
     // "Absorbance", "Irradiance".
-    let words = [
+    let mut words = [
         "yUnits",
         "yAxisLabel",
         "units",
         "processingName",
         "dataType",
-    ];
-    let said = words
-        .iter()
-        .find_map(|word| xml::named(root, word).find_map(|n| n.text()))
-        .unwrap_or("")
-        .to_owned();
-    let title = if said.trim().is_empty() {
-        title
-    } else {
-        said.trim()
-    };
-    let index = reading.spectra.len();
+    ]
+    .into_iter();
+    let said = words.find_map(|word| xml::named(root, word).find_map(|n| n.text()));
+    let said = said.map(str::trim).filter(|said| !said.is_empty());
+    let title = said.unwrap_or(title);
     let (scale, heading) = (Scale::new(&axis), Heading::default());
     let raw = RawSpectrum {
         title: title.to_owned(),
         ..RawSpectrum::written(name, &scale, "nm", values, &heading).saying_nm(true)
     };
     interpret(raw, input, reading)?;
-    let spectrum = &mut reading.spectra[index];
-    if spectrum.kind == Kind::Light && title == "counts" {
-        spectrum
-            .notes
-            .push("raw counts: nothing processed in the file".to_owned());
+    if let Some(spectrum) = reading.spectra.last_mut()
+        && spectrum.kind == Kind::Light
+        && title == "counts"
+    {
+        let note = "raw counts: nothing processed in the file";
+        spectrum.notes.push(note.to_owned());
     }
     Ok(())
 }
@@ -166,7 +142,7 @@ fn read_spectrum(
 #[cfg(test)]
 mod tests {
     use crate::io::decode::archive::zipped;
-    use crate::io::read_bytes;
+    use crate::io::tests::{first, refusal};
 
     const XML: &str = "<com.oceanoptics.omnidriver.spectra.OmniSpectrum>\n<sourceSpectra><pixelValues>\
         <double>10</double><double>20</double><double>30</double></pixelValues>\n\
@@ -178,23 +154,19 @@ mod tests {
     #[test]
     fn processed_pixels_go_before_raw_ones() {
         let archive = zipped(&[("OOISignatures.xml", b"<a/>"), ("ps_0.xml", XML.as_bytes())]);
-        let reading = read_bytes("a.ProcSpec", &archive).expect("a spectrum");
-        assert_eq!(reading.spectra[0].samples.nm(), [400.1, 400.9]);
+        assert_eq!(first("a.ProcSpec", archive).samples.nm(), [400.1, 400.9]);
         let raw = XML.replace("processedPixels", "other");
         let archive = zipped(&[("ps_0.xml", raw.as_bytes())]);
-        let reading = read_bytes("a.zip", &archive).expect("a spectrum");
-        assert_eq!(reading.spectra[0].samples.values(), [10.0, 20.0, 30.0]);
+        let samples = first("a.zip", archive).samples;
+        assert_eq!(samples.values(), [10.0, 20.0, 30.0]);
     }
 
     #[test]
     fn what_does_not_fit_is_said() {
         let short = XML.replace("<double>60.5</double>", "");
-        let archive = zipped(&[("ps_0.xml", short.as_bytes())]);
-        let said = read_bytes("a.ProcSpec", &archive).unwrap_err().to_string();
+        let said = refusal("a.ProcSpec", zipped(&[("ps_0.xml", short.as_bytes())]));
         assert!(said.contains("2 pixels for 3 wavelengths"), "{said}");
-        let said = read_bytes("a.ProcSpec", &zipped(&[("x", b"")]))
-            .unwrap_err()
-            .to_string();
+        let said = refusal("a.ProcSpec", zipped(&[("x", b"")]));
         assert!(said.contains("without ps_0.xml"), "{said}");
     }
 }

@@ -16,11 +16,10 @@ use std::ops::Range;
 
 use super::keyed_lines::{KeyedLines, is_point, reading_of};
 use super::{Confidence, Format};
-use crate::io::interpret::raw::RawSpectrum;
+use crate::io::interpret::RawSpectrum;
 use crate::io::text::lines;
 use crate::io::{Input, ReadError, Reading};
 
-/// Sekonic CSV.
 pub(crate) const FORMAT: Format = Format {
     name: "Sekonic CSV",
     extensions: &["csv"],
@@ -30,40 +29,25 @@ pub(crate) const FORMAT: Format = Format {
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
-    let begins = |word: &str| {
-        lines(head).any(|(_, l)| l.trim_start_matches('"').trim_start().starts_with(word))
+    let starts = |line: &str, word: &str| {
+        let line = line.trim_start_matches('"').trim_start();
+        line.starts_with(word)
     };
-    let spectrum = lines(head).any(|(_, l)| {
-        l.trim_start_matches('"')
-            .trim_start()
-            .starts_with("Spectral Data")
-            && is_point(l)
-    });
-    let summary = begins("Measuring Mode")
-        && ["Date Saved", "Tcp", "CCT", "⊿uv", "Illuminance", "CRI Ra"]
-            .iter()
-            .filter(|word| begins(word))
-            .count()
-            >= 2;
-    if spectrum || summary {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let begins = |word: &str| lines(head).any(|(_, line)| starts(line, word));
+    let spectrum = lines(head).any(|(_, line)| starts(line, "Spectral Data") && is_point(line));
+    let results = ["Date Saved", "Tcp", "CCT", "⊿uv", "Illuminance", "CRI Ra"];
+    let given = results.iter().filter(|word| begins(word));
+    Confidence::certain_if(spectrum || begins("Measuring Mode") && given.count() >= 2)
 }
 
 /// Runs of rising wavelengths: one block each.
 fn blocks(nm: &[f64]) -> Vec<Range<usize>> {
-    let mut out = Vec::new();
-    let mut start = 0;
-    for at in 1..nm.len() {
-        if nm[at] <= nm[at - 1] {
-            out.push(start..at);
-            start = at;
-        }
-    }
-    out.push(start..nm.len());
-    out
+    let mut end = 0;
+    let runs = nm.chunk_by(|before, next| before < next).map(|run| {
+        end += run.len();
+        end - run.len()..end
+    });
+    runs.collect()
 }
 
 fn step(nm: &[f64]) -> f64 {
@@ -121,8 +105,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
-    use crate::io::reading::makers_results::Quantity;
+    use crate::io::Quantity;
+    use crate::io::tests::{assert_told, first, read, refusal};
 
     fn text() -> String {
         let mut text =
@@ -140,65 +124,42 @@ mod tests {
 
     #[test]
     fn the_finer_of_two_blocks_is_taken_and_said() {
-        let reading = read_bytes("a.csv", text().as_bytes()).unwrap();
+        let reading = read("a.csv", text());
         assert_eq!(reading.format, "Sekonic CSV");
         let spectrum = &reading.spectra[0];
-        assert_eq!(
-            (spectrum.samples.len(), spectrum.name.as_str()),
-            (21, "Desk 2°")
-        );
+        assert_eq!((spectrum.samples.len(), &*spectrum.name), (21, "Desk 2°"));
         assert_eq!(spectrum.samples.values()[20], 20.25);
         assert_eq!(spectrum.unit, "W m-2 nm-1");
-        assert!(
-            spectrum
-                .notes
-                .iter()
-                .any(|n| n.contains("5 points every 5 nm")),
-            "{:?}",
-            spectrum.notes
-        );
+        assert_told(&spectrum.notes, "5 points every 5 nm");
         let ra = reading.results.iter().find(|r| r.quantity == Quantity::Ra);
         assert_eq!(ra.map(|r| r.value), Some(87.5));
     }
 
     #[test]
     fn the_order_of_the_blocks_and_the_marks_do_not_matter() {
-        let want = read_bytes("a", text().as_bytes())
-            .unwrap()
-            .spectra
-            .remove(0)
-            .samples;
-        let (head, blocks) = text()
-            .split_once("\n\nSpectral")
-            .map(|(a, b)| (a.to_owned(), format!("Spectral{b}")))
-            .unwrap();
-        let (five, one) = blocks
-            .split_once("\n\n")
-            .map(|(a, b)| (a.to_owned(), b.to_owned()))
-            .unwrap();
+        let text = text();
+        let want = first("a", &text).samples;
+        let head = text.find("\n\nSpectral").unwrap();
+        let (head, blocks) = (&text[..head], &text[head + 2..]);
+        let (five, one) = blocks.split_once("\n\n").unwrap();
         for text in [
             format!("{head}\n{one}\n{five}\n"),
-            text().replace('\n', "\r\n"),
-            format!("\u{feff}{}", text()),
-            text().replace(',', ";").replace('.', ","),
-            text().replace(".25", ",25"),
+            text.replace('\n', "\r\n"),
+            format!("\u{feff}{text}"),
+            text.replace(',', ";").replace('.', ","),
+            text.replace(".25", ",25"),
             format!("{head}\n{one}"),
         ] {
-            let reading = read_bytes("a", text.as_bytes()).unwrap();
-            assert_eq!(reading.spectra[0].samples, want, "{text}");
+            assert_eq!(first("a", &text).samples, want, "{text}");
         }
     }
 
     #[test]
     fn a_summary_is_refused_as_one() {
-        let why = read_bytes("a.csv", "\u{feff}Date Saved,1/1/2020\r\nTitle,X\r\n\r\nMeasuring Mode,Ambient\r\nCCT [K],5392\r\nCRI Ra,99.3\r\n".as_bytes())
-            .unwrap_err()
-            .to_string();
-        assert!(
-            why.starts_with(
-                "a.csv: found a Sekonic summary (CCT, CRI, filters) without a spectrum"
-            ),
-            "{why}"
-        );
+        let text = "\u{feff}Date Saved,1/1/2020\r\nTitle,X\r\n\r\nMeasuring Mode,Ambient\r\n\
+                    CCT [K],5392\r\nCRI Ra,99.3\r\n";
+        let why = refusal("a.csv", text);
+        let found = "a.csv: found a Sekonic summary (CCT, CRI, filters) without a spectrum";
+        assert!(why.starts_with(found), "{why}");
     }
 }

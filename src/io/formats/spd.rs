@@ -4,14 +4,10 @@
 //! says `eta`, `n` or `k` hold optical constants, not a reflectance.
 
 use super::{Confidence, Format};
-use crate::io::error::quoted;
-use crate::io::interpret::heading::Heading;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::{RawSpectrum, Scale};
+use crate::io::interpret::{Heading, RawSpectrum, Scale, alone};
 use crate::io::text::{kept_line, lines, number};
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Input, ReadError, Reading, quoted};
 
-/// pbrt and Mitsuba pairs.
 pub(crate) const FORMAT: Format = Format {
     name: "pbrt .spd",
     extensions: &["spd"],
@@ -62,7 +58,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             continue;
         }
         let (wavelength, value) =
-            pair(body).map_err(|(found, expected)| input.error(found, expected).at_line(line))?;
+            pair(body).map_err(|(found, expected)| input.error_at(line, found, expected))?;
         nm.push(wavelength);
         values.push(value);
         at.push(kept_line(line));
@@ -74,19 +70,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         lines: &at,
         ..RawSpectrum::written(name, &scale, "", values, &heading).saying_nm(true)
     };
-    let mut reading = Reading::default();
-    interpret(raw, input, &mut reading)?;
-    Ok(reading)
+    alone(raw, input)
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::{assert_told, first, read, refusal};
     use crate::spectrum::Kind;
 
     #[test]
     fn pairs_and_comments_are_read() {
-        let reading = read_bytes("lamp.spd", b"# a lamp\n400 0.5 # first\n\n500\t1.5\n").unwrap();
+        let reading = read("lamp.spd", "# a lamp\n400 0.5 # first\n\n500\t1.5\n");
         assert_eq!(reading.format, "pbrt .spd");
         assert_eq!(reading.spectra[0].samples.values(), [0.5, 1.5]);
         assert_eq!(reading.spectra[0].kind, Kind::Light);
@@ -95,35 +89,21 @@ mod tests {
     #[test]
     fn optical_constants_are_neither_light_nor_reflectance() {
         for name in ["Au.eta.spd", "Cu.k.spd"] {
-            let reading = read_bytes(name, b"400 0.5\n500 0.7\n").unwrap();
-            assert_eq!(reading.spectra[0].kind, Kind::Other);
-            assert!(
-                reading.spectra[0]
-                    .notes
-                    .iter()
-                    .any(|n| n.contains("file's name"))
-            );
+            let spectrum = first(name, "400 0.5\n500 0.7\n");
+            assert_eq!(spectrum.kind, Kind::Other);
+            assert_told(&spectrum.notes, "file's name");
         }
     }
 
     #[test]
     fn anything_but_pairs_is_refused_with_its_line() {
-        let refusal = |text: &str| {
-            read_bytes("a.spd", text.as_bytes())
-                .unwrap_err()
-                .to_string()
-        };
-        assert_eq!(
-            refusal("400 1\n500 abc\n"),
-            "a.spd, line 2: found \"abc\", expected a wavelength in nm and a value"
-        );
-        assert_eq!(
-            refusal("400 1\n500 1 2\n"),
-            "a.spd, line 2: found 3 numbers, expected a wavelength in nm and one value"
-        );
-        assert_eq!(
-            refusal("400 1\n500\n"),
-            "a.spd, line 2: found \"500\", expected a value after the wavelength"
-        );
+        for (row, found, expected) in [
+            ("500 abc", "\"abc\"", "a wavelength in nm and a value"),
+            ("500 1 2", "3 numbers", "a wavelength in nm and one value"),
+            ("500", "\"500\"", "a value after the wavelength"),
+        ] {
+            let said = format!("a.spd, line 2: found {found}, expected {expected}");
+            assert_eq!(refusal("a.spd", format!("400 1\n{row}\n")), said);
+        }
     }
 }

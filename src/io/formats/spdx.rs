@@ -6,25 +6,20 @@
 
 use roxmltree::Node;
 
-use crate::spectrum::Kind;
-
 use super::{Confidence, Format};
-use crate::io::decode::xml;
-use crate::io::error::{kept, quoted};
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::interpret::{interpret, kinds};
+use crate::io::decode::xml::{self, children, line};
+use crate::io::error::kept;
+use crate::io::interpret::{KnownScale, RawSpectrum, interpret, kinds};
 use crate::io::provenance::{ORIGINATOR, notes_of_a_line};
-use crate::io::reading::decision::Decision;
 use crate::io::reading::remark::Remark;
 use crate::io::text::{kept_line, number};
 use crate::io::write::spdx::QUANTITIES;
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Decision, Input, ReadError, Reading, quoted};
+use crate::spectrum::Kind;
 
 /// Behind this stand the notes in the comments of a file of this program.
 const NOTES_AT: &str = "; notes: ";
 
-/// IES TM-27.
 pub(crate) const FORMAT: Format = Format {
     name: "IES TM-27 .spdx",
     extensions: &["spdx"],
@@ -47,26 +42,17 @@ fn sniff(input: &Input) -> Confidence {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     if !text.trim_start().starts_with('<') {
-        return Err(input
-            .error(
-                "text that is no XML",
-                "an IES TM-27 .spdx file, which is XML",
-            )
-            .at_line(1));
+        let expected = "an IES TM-27 .spdx file, which is XML";
+        return Err(input.error_at(1, "text that is no XML", expected));
     }
     let text = without_declaration(text);
     let document = xml::parse(input, &text)?;
     let root = document.root_element();
-    if !root.tag_name().name().eq_ignore_ascii_case("IESTM2714") {
-        return Err(input
-            .error(
-                format!(
-                    "<{}> as the outermost element",
-                    quoted(root.tag_name().name()).replace('"', "")
-                ),
-                "<IESTM2714>",
-            )
-            .at_line(line(root)));
+    let name = root.tag_name().name();
+    if !name.eq_ignore_ascii_case("IESTM2714") {
+        let name = quoted(name).replace('"', "");
+        let found = format!("<{name}> as the outermost element");
+        return Err(input.error_at(line(root), found, "<IESTM2714>"));
     }
     read_root(input, root)
 }
@@ -87,24 +73,14 @@ fn without_declaration(text: &str) -> String {
     text
 }
 
-/// The line of a node, from 1: counted from the file's start, so only where there is trouble.
-fn line(node: Node) -> usize {
-    node.document().text_pos_at(node.range().start).row as usize
-}
-
-fn child<'a>(node: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
-    node.children()
-        .find(|n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case(name))
-}
-
 /// A header field, unless it is empty or says that it is unknown.
 fn field<'a>(header: Option<Node<'a, 'a>>, name: &str) -> Option<&'a str> {
-    let text = child(header?, name)?.text()?.trim();
+    let text = children(header?, name).next()?.text()?.trim();
     (!text.is_empty() && !text.eq_ignore_ascii_case("unknown")).then(|| kept(text))
 }
 
 fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError> {
-    let header = child(root, "Header");
+    let header = children(root, "Header").next();
     let name = field(header, "Description")
         .or_else(|| field(header, "CatalogNumber"))
         .unwrap_or(input.stem());
@@ -116,19 +92,11 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
     let is_own =
         field(header, "DocumentCreator").is_some_and(|program| program.starts_with(ORIGINATOR));
     let mut reading = Reading::default();
-    let distributions = || {
-        root.children().filter(|n| {
-            n.is_element()
-                && n.tag_name()
-                    .name()
-                    .eq_ignore_ascii_case("SpectralDistribution")
-        })
-    };
     let source = match maker.is_empty() {
         true => input.name.clone(),
         false => maker,
     };
-    for distribution in distributions() {
+    for distribution in children(root, "SpectralDistribution") {
         let width = read_distribution(input, distribution, (name, &source), &mut reading)?;
         let (Some(spectrum), Some(facts)) = (reading.spectra.last_mut(), reading.facts.last_mut())
         else {
@@ -149,12 +117,11 @@ fn read_root<'a>(input: &Input, root: Node<'a, 'a>) -> Result<Reading, ReadError
         }
     }
     if reading.spectra.is_empty() {
-        return Err(input
-            .error(
-                "no <SpectralDistribution>",
-                "one with <SpectralData> elements",
-            )
-            .at_line(line(root)));
+        return Err(input.error_at(
+            line(root),
+            "no <SpectralDistribution>",
+            "one with <SpectralData> elements",
+        ));
     }
     Ok(reading)
 }
@@ -167,25 +134,19 @@ fn read_distribution<'a>(
     reading: &mut Reading,
 ) -> Result<Option<String>, ReadError> {
     let (mut nm, mut values, mut at) = (vec![], vec![], vec![]);
-    for data in node
-        .children()
-        .filter(|n| n.is_element() && n.tag_name().name().eq_ignore_ascii_case("SpectralData"))
-    {
+    for data in children(node, "SpectralData") {
         let number = |text: &str, expected: &str| {
             number::number(text.trim(), false)
                 .filter(|v| v.is_finite())
-                .ok_or_else(|| input.error(quoted(text), expected).at_line(line(data)))
+                .ok_or_else(|| input.error_at(line(data), quoted(text), expected))
         };
         let wavelength = data.attribute("wavelength").ok_or_else(|| {
-            input
-                .error("<SpectralData> with no wavelength", "wavelength=\"nm\"")
-                .at_line(line(data))
+            let found = "<SpectralData> with no wavelength";
+            input.error_at(line(data), found, "wavelength=\"nm\"")
         })?;
         nm.push(number(wavelength, "a wavelength in nm")?);
-        values.push(number(
-            data.text().unwrap_or(""),
-            "a number as spectral value",
-        )?);
+        let value = data.text().unwrap_or("");
+        values.push(number(value, "a number as spectral value")?);
         at.push(data);
     }
     // Lines are counted from the file's start, so only where there is trouble.
@@ -216,10 +177,8 @@ fn quantity(stated: &str) -> (Decision<Kind>, String) {
     }
     let by_words = kinds::kind_of_words(stated);
     let kind = by_words.unwrap_or(Kind::Light);
-    let because = format!(
-        "the spectral quantity {} is none of TM-27's",
-        quoted(stated)
-    );
+    let stated_words = quoted(stated);
+    let because = format!("the spectral quantity {stated_words} is none of TM-27's");
     // Writers put units there too ("W/nm"), which say as much.
     let kind = Decision::guessed(kind, by_words.is_some(), because);
     (kind, stated.to_owned())
@@ -228,7 +187,8 @@ fn quantity(stated: &str) -> (Decision<Kind>, String) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{Guessed, read_bytes};
+    use crate::io::Guessed;
+    use crate::io::tests::{first, read};
 
     fn file(quantity: &str, data: &str) -> String {
         format!(
@@ -241,9 +201,7 @@ mod tests {
     }
 
     fn refusal(text: &str) -> String {
-        read_bytes("a.spdx", text.as_bytes())
-            .unwrap_err()
-            .to_string()
+        crate::io::tests::refusal("a.spdx", text)
     }
 
     const DATA: &str = "<x:SpectralData wavelength=\"400.5\">0.47</x:SpectralData>\n\
@@ -251,20 +209,17 @@ mod tests {
 
     #[test]
     fn any_namespace_and_unknown_fields_are_read() {
-        let reading = read_bytes("a.spdx", file("irradiance", DATA).as_bytes()).unwrap();
+        let reading = read("a.spdx", file("irradiance", DATA));
         let spectrum = &reading.spectra[0];
         assert_eq!(spectrum.samples.nm(), [400.5, 410.0]);
         assert_eq!(spectrum.samples.values(), [0.47, 0.51]);
-        assert_eq!(
-            (spectrum.name.as_str(), spectrum.unit.as_str()),
-            ("A & B", "W m-2 nm-1")
-        );
+        assert_eq!((&*spectrum.name, &*spectrum.unit), ("A & B", "W m-2 nm-1"));
         assert!(reading.guesses.is_empty());
     }
 
     #[test]
     fn a_quantity_that_is_none_is_a_guess() {
-        let reading = read_bytes("a.spdx", file("W/nm", DATA).as_bytes()).unwrap();
+        let reading = read("a.spdx", file("W/nm", DATA));
         assert_eq!(reading.spectra[0].unit, "W/nm");
         assert_eq!(reading.guesses[0].what, Guessed::Kind);
     }
@@ -272,8 +227,7 @@ mod tests {
     #[test]
     fn every_quantity_has_a_kind() {
         for (word, kind, _) in QUANTITIES {
-            let reading = read_bytes("a.spdx", file(word, DATA).as_bytes()).unwrap();
-            assert_eq!(reading.spectra[0].kind, kind, "{word}");
+            assert_eq!(first("a.spdx", file(word, DATA)).kind, kind, "{word}");
         }
     }
 

@@ -11,15 +11,11 @@
 
 use super::{Confidence, Format};
 use crate::io::decode::json::json_error;
-use crate::io::error::quoted;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
+use crate::io::interpret::{RawSpectrum, alone};
 use crate::io::reading::remark::Remark;
 use crate::io::write::json::{FORMAT_WORD, SpectrumFile, VERSION};
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Decision, Input, ReadError, Reading, quoted};
 
-/// The program's own spectrum.
 pub(crate) const FORMAT: Format = Format {
     name: "spectrum JSON",
     extensions: &["json"],
@@ -49,34 +45,26 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         written_by: _,
     } = file;
     if format != FORMAT_WORD {
-        return Err(input.error(
-            format!("\"format\": {}", quoted(&format)),
-            format!("\"{FORMAT_WORD}\""),
-        ));
+        let found = format!("\"format\": {}", quoted(&format));
+        return Err(input.error(found, format!("\"{FORMAT_WORD}\"")));
     }
     if version != VERSION {
         return Err(input.error(format!("version {version}"), format!("version {VERSION}")));
     }
-    if wavelengths_nm.len() != values.len() {
-        return Err(input.error(
-            format!(
-                "{} wavelengths and {} values",
-                wavelengths_nm.len(),
-                values.len()
-            ),
-            "one value for each wavelength",
-        ));
+    let (wavelengths, numbers) = (wavelengths_nm.len(), values.len());
+    if wavelengths != numbers {
+        let found = format!("{wavelengths} wavelengths and {numbers} values");
+        return Err(input.error(found, "one value for each wavelength"));
     }
     let name = match name.is_empty() {
         true => input.stem().to_owned(),
         false => name,
     };
-    let mut reading = Reading::default();
     let kind = Decision::of_format(kind);
     let mut raw = RawSpectrum::known(name, &wavelengths_nm, values, kind, &unit);
     raw.notes = notes;
     raw.source = Some(source);
-    interpret(raw, input, &mut reading)?;
+    let mut reading = alone(raw, input)?;
     if let (Some(spectrum), Some(facts)) = (reading.spectra.last_mut(), reading.facts.last_mut()) {
         spectrum.unit = unit;
         // Its notes begin with the line of the file before.
@@ -87,7 +75,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::refusal;
 
     const HEAD: &str = r#"{"format":"spectral-explorer-spectrum","version":1,"kind":"light","#;
 
@@ -111,10 +99,8 @@ mod tests {
                 "number out of range",
             ),
         ] {
-            let refusal = read_bytes("a.json", (HEAD.to_owned() + body).as_bytes())
-                .unwrap_err()
-                .to_string();
-            assert!(refusal.contains(words), "{refusal}");
+            let why = refusal("a.json", HEAD.to_owned() + body);
+            assert!(why.contains(words), "{why}");
         }
     }
 }

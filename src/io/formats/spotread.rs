@@ -9,19 +9,14 @@
 //!
 //! Without the spectrum it is refused, by what it is.
 
+use super::{Confidence, Format};
+use crate::io::interpret::{RawSpectrum, interpret};
+use crate::io::reading::makers_results::room_for;
+use crate::io::text::number::{self, Cell};
+use crate::io::text::{kept_line, lines};
+use crate::io::{Decision, Input, MakersResult, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-use super::{Confidence, Format};
-use crate::io::error::quoted;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
-use crate::io::reading::makers_results::{MakersResult, room_for};
-use crate::io::text::lines;
-use crate::io::text::number::{self, Cell};
-use crate::io::{Input, ReadError, Reading};
-
-/// Argyll spotread's printed words.
 pub(crate) const FORMAT: Format = Format {
     name: "Argyll spotread output",
     extensions: &[],
@@ -37,13 +32,8 @@ const MOST_SPECTRA: usize = 1000;
 
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
-    if head.contains("Result is XYZ:")
-        || head.contains("Spectrum from ") && head.contains(" nm in ")
-    {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let spectrum = head.contains("Spectrum from ") && head.contains(" nm in ");
+    Confidence::certain_if(spectrum || head.contains("Result is XYZ:"))
 }
 
 /// First and last wavelength and number of bands of a "Spectrum from" line.
@@ -69,33 +59,26 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             continue;
         }
         if let Some((first, last, bands, at)) = open {
-            for cell in content
-                .split([',', ' ', '\t'])
-                .filter(|c| !c.trim().is_empty())
-            {
+            let cells = content.split([',', ' ', '\t']);
+            let cells = cells.filter(|c| !c.trim().is_empty());
+            for cell in cells.take(bands - values.len()) {
                 let Cell::Number(value) = number::parse(cell, false) else {
-                    return Err(input
-                        .error(
-                            quoted(cell),
-                            format!("{bands} values, {} were there", values.len()),
-                        )
-                        .at_line(line));
+                    let expected = format!("{bands} values, {} were there", values.len());
+                    return Err(input.error_at(line, quoted(cell), expected));
                 };
                 values.push(value);
-                if values.len() == bands {
-                    break;
-                }
             }
             if values.len() == bands {
                 let nm: Vec<f64> = (0..bands)
                     .map(|i| first + (last - first) * i as f64 / (bands - 1) as f64)
                     .collect();
-                let name = input.stem().to_owned();
-                let mut spectrum = RawSpectrum::light(name, &nm, std::mem::take(&mut values), "");
                 let because = "spotread does not print the kind";
-                spectrum.known.kind = Some(Decision::guessed(Kind::Light, false, because));
-                let lines = [u32::try_from(at).unwrap_or(u32::MAX)];
-                spectrum.lines = &lines;
+                let kind = Decision::guessed(Kind::Light, false, because);
+                let values = std::mem::take(&mut values);
+                let spectrum = RawSpectrum {
+                    lines: &[kept_line(at)],
+                    ..RawSpectrum::known(input.stem(), &nm, values, kind, "")
+                };
                 interpret(spectrum, input, &mut reading)?;
                 open = None;
                 if reading.spectra.len() >= MOST_SPECTRA {
@@ -104,12 +87,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             }
             continue;
         }
-        if !reading.spectra.is_empty() {
-            let spectrum = Some(reading.spectra.len() - 1);
+        if let Some(spectrum) = reading.spectra.len().checked_sub(1) {
+            let found = results(spectrum, content).into_iter();
             let room = room_for(reading.results.len());
-            reading
-                .results
-                .extend(results(spectrum, content).take(room));
+            reading.results.extend(found.take(room));
         }
     }
     if reading.spectra.is_empty() {
@@ -122,40 +103,35 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 }
 
 /// The results in a line: `CCT = 5528K (Duv 0.0031)`, `Color Rendering Index (Ra) = 99.0`.
-fn results(spectrum: Option<usize>, line: &str) -> impl Iterator<Item = MakersResult> {
-    let mut found = Vec::new();
+fn results(spectrum: usize, line: &str) -> Vec<MakersResult> {
     let words: Vec<&str> = line
         .split(|c: char| c.is_whitespace() || matches!(c, '(' | ')' | '[' | ']' | ',' | '='))
         .filter(|w| !w.is_empty())
         .take(64)
         .collect();
-    for pair in words.windows(2) {
+    let of_pair = |pair: &[&str]| {
         let key = match pair[0] {
             "Ambient" => "Illuminance [lx]",
             key @ ("CCT" | "Duv" | "Ra" | "Rf" | "Rg" | "R9") => key,
-            _ => continue,
+            _ => return None,
         };
-        found.extend(MakersResult::of(spectrum, key, pair[1], false));
-    }
-    found.into_iter()
+        MakersResult::of(Some(spectrum), key, pair[1], false)
+    };
+    words.windows(2).filter_map(of_pair).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
-    use crate::io::reading::makers_results::Quantity;
+    use crate::io::Quantity;
+    use crate::io::tests::{read, refusal};
 
     const RESULTS: &str = " Result is XYZ: 1.0 2.0 3.0, D50 Lab: 1 2 3\n Ambient = 44632.4 Lux, CCT = 5528K (Duv 0.0031)\n Color Rendering Index (Ra) = 99.0 [ R9 = 95.4 ]\n";
 
     #[test]
     fn results_alone_are_refused_by_what_they_are() {
-        let why = read_bytes("a.txt", RESULTS.as_bytes())
-            .unwrap_err()
-            .to_string();
-        assert!(
-            why.starts_with("a.txt: found what Argyll's spotread printed"),
-            "{why}"
-        );
+        let why = refusal("a.txt", RESULTS);
+        let found = "a.txt: found what Argyll's spotread printed";
+        assert!(why.starts_with(found), "{why}");
     }
 
     #[test]
@@ -163,16 +139,12 @@ mod tests {
         let text = format!(
             "Spectrum from 380.000000 to 400.000000 nm in 3 steps\n 0.5, 1.5,\n 2.5\n{RESULTS}"
         );
-        let reading = read_bytes("a.txt", text.as_bytes()).unwrap();
+        let reading = read("a.txt", text);
         assert_eq!(reading.spectra[0].samples.nm(), [380.0, 390.0, 400.0]);
         assert_eq!(reading.spectra[0].samples.values(), [0.5, 1.5, 2.5]);
-        let found: Vec<_> = reading
-            .results
-            .iter()
-            .map(|r| (r.quantity.clone(), r.value))
-            .collect();
+        let found = reading.results.into_iter().map(|r| (r.quantity, r.value));
         assert_eq!(
-            found,
+            found.collect::<Vec<_>>(),
             [
                 (Quantity::Illuminance, 44632.4),
                 (Quantity::Cct, 5528.0),

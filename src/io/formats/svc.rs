@@ -12,18 +12,12 @@
 //! The reflectance comes first, reference and target follow as lights. Where the detectors overlap
 //! the wavelengths step back; they are put in order, and it is said.
 
+use super::{Confidence, Format};
+use crate::io::interpret::{KnownScale, RawSpectrum, interpret};
+use crate::io::text::{kept_line, lines, number};
+use crate::io::{Decision, Input, ReadError, Reading, quoted};
 use crate::spectrum::Kind;
 
-use super::{Confidence, Format};
-use crate::io::error::quoted;
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
-use crate::io::text::{kept_line, lines, number};
-use crate::io::{Input, ReadError, Reading};
-
-/// Spectra Vista text.
 pub(crate) const FORMAT: Format = Format {
     name: "SVC .sig",
     extensions: &["sig"],
@@ -32,15 +26,11 @@ pub(crate) const FORMAT: Format = Format {
 };
 
 fn sniff(input: &Input) -> Confidence {
-    let head = input.head();
-    let first = head.lines().next().unwrap_or("");
+    let first = input.first_line();
     let marked = first.starts_with("/***") && first.to_uppercase().contains("SIG");
-    let has = |word: &str| lines(head).any(|(_, l)| key(l).is_some_and(|(k, _)| k == word));
-    if marked || has("units") && has("data") && has("instrument") {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let mut keys = ["units", "data", "instrument"].into_iter();
+    let has = |word: &str| lines(input.head()).any(|(_, l)| key(l).is_some_and(|(k, _)| k == word));
+    Confidence::certain_if(marked || keys.all(has))
 }
 
 /// Key and value of a header line.
@@ -51,19 +41,21 @@ fn key(line: &str) -> Option<(&str, &str)> {
 
 /// Puts the numbers of a row under those above it; returns how many there are, five where there
 /// are more.
-fn take_row(row: &str, columns: &mut [Vec<f64>; 4]) -> Result<usize, (String, String)> {
-    let cells = row
-        .split(|c: char| c.is_whitespace() || c == ';')
-        .filter(|c| !c.is_empty());
+fn take_row(
+    input: &Input,
+    (line, row): (usize, &str),
+    columns: &mut [Vec<f64>; 4],
+) -> Result<usize, ReadError> {
+    let cells = row.split(|c: char| c.is_whitespace() || c == ';');
     let mut count = 0;
-    for (column, cell) in cells.enumerate().take(5) {
-        let Some(value) = number::parse(cell, cell.contains(',')).value() else {
-            return Err((quoted(cell), format!("a number in column {}", column + 1)));
-        };
-        if let Some(column) = columns.get_mut(column) {
+    for cell in cells.filter(|c| !c.is_empty()).take(5) {
+        let value = number::parse(cell, cell.contains(',')).value();
+        let expected = || format!("a number in column {}", count + 1);
+        let value = value.ok_or_else(|| input.error_at(line, quoted(cell), expected()))?;
+        if let Some(column) = columns.get_mut(count) {
             column.push(value);
         }
-        count = column + 1;
+        count += 1;
     }
     Ok(count)
 }
@@ -87,18 +79,13 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             }
             continue;
         }
-        let count = take_row(content, &mut columns)
-            .map_err(|(found, expected)| input.error(found, expected).at_line(line))?;
+        let count = take_row(input, (line, content), &mut columns)?;
         if width == 0 {
             width = count;
         }
         if count != width || !(2..=4).contains(&count) {
-            return Err(input
-                .error(
-                    format!("{count} numbers"),
-                    "a wavelength, reference, target and reflectance",
-                )
-                .at_line(line));
+            let expected = "a wavelength, reference, target and reflectance";
+            return Err(input.error_at(line, format!("{count} numbers"), expected));
         }
         at.push(kept_line(line));
     }
@@ -114,19 +101,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     let [nm, reference, target, ratio] = columns;
     let mut reading = Reading::default();
     if width == 4 {
-        let mut spectrum = RawSpectrum::light(name, &nm, ratio, "");
-        spectrum.known.kind = Some(Decision::of_format(Kind::Reflectance));
+        let kind = Decision::of_format(Kind::Reflectance);
+        let mut spectrum = RawSpectrum::known(name, &nm, ratio, kind, "");
         spectrum.known.scale = KnownScale::Stated(0.01);
         spectrum.lines = &at;
         interpret(spectrum, input, &mut reading)?;
     }
-    for (index, (values, role)) in [(reference, "reference"), (target, "target")]
-        .into_iter()
-        .enumerate()
-        .filter(|(_, (values, _))| !values.is_empty())
-    {
+    let lights = [(reference, "reference"), (target, "target")];
+    for (index, (values, role)) in lights.into_iter().enumerate() {
         // Reference or target alone may not have been measured: zeros or gaps throughout.
-        if width == 4 && values.iter().filter(|v| v.is_finite()).count() < 2 {
+        let measured = values.iter().filter(|v| v.is_finite()).count();
+        if values.is_empty() || width == 4 && measured < 2 {
             continue;
         }
         let word = units.get(index).or(units.first()).copied().unwrap_or("");
@@ -136,16 +121,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "irradiance" => "1e-10 W cm-2 nm-1",
             _ => word,
         };
-        let called = if width == 2 {
-            name.to_owned()
-        } else {
-            format!("{name}, {role}")
+        let called = match width {
+            2 => name.to_owned(),
+            _ => format!("{name}, {role}"),
         };
-        let mut spectrum = RawSpectrum::light(called, &nm, values, unit);
-        spectrum.lines = &at;
-        spectrum
-            .notes
-            .push(format!("the {role}, in the file's units \"{word}\""));
+        let spectrum = RawSpectrum {
+            lines: &at,
+            notes: vec![format!("the {role}, in the file's units \"{word}\"")],
+            ..RawSpectrum::light(called, &nm, values, unit)
+        };
         interpret(spectrum, input, &mut reading)?;
     }
     Ok(reading)
@@ -154,7 +138,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::{assert_told, names, read, refusal};
 
     const SMALL: &str = "/*** Spectra Vista SIG Data ***/\nname= leaf.sig\ninstrument= HI: 1\nunits= Radiance, Radiance\ndata= \n\
         400.0  100.0  10.0  10.00\n401.5  200.0  30.0  15.00\n403.0  200.0  40.0  20.00\n404.5 1 2 3\n406 1 2 3\n407 1 2 3\n408 1 2 3\n409 1 2 3\n410 1 2 3\n411 1 2 3\n412 1 2 3\n411.5 1 2 4\n413 1 2 3\n";
@@ -166,36 +150,26 @@ mod tests {
             SMALL.replace('\n', "\r\n"),
             SMALL.replace("0  10", "0\t10"),
         ] {
-            let reading = read_bytes("x.sig", text.as_bytes()).unwrap();
+            let reading = read("x.sig", text);
             assert_eq!(reading.format, "SVC .sig");
-            let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
-            assert_eq!(names, ["leaf", "leaf, reference", "leaf, target"]);
+            let all = ["leaf", "leaf, reference", "leaf, target"];
+            assert_eq!(names(&reading), all);
             let first = &reading.spectra[0];
             assert_eq!((first.kind, first.scale), (Kind::Reflectance, 0.01));
             assert_eq!(first.samples.values()[0], 0.1);
-            assert!(
-                first.notes.iter().any(|n| n.contains("step back")),
-                "{:?}",
-                first.notes
-            );
+            assert_told(&first.notes, "step back");
         }
     }
 
     #[test]
     fn rows_that_are_none_are_refused() {
-        let why = |text: &str| {
-            read_bytes("x.sig", text.as_bytes())
-                .unwrap_err()
-                .to_string()
-        };
         assert_eq!(
-            why(&SMALL.replace("30.0", "abc")),
+            refusal("x.sig", SMALL.replace("30.0", "abc")),
             "x.sig, line 7: found \"abc\", expected a number in column 3"
         );
-        assert!(
-            why(&SMALL.replace("404.5 1 2 3", "404.5 1 2"))
-                .starts_with("x.sig, line 9: found 3 numbers")
-        );
-        assert!(why("/*** Spectra Vista SIG Data ***/\ndata=\n").contains("no rows"));
+        let short = refusal("x.sig", SMALL.replace("404.5 1 2 3", "404.5 1 2"));
+        assert!(short.starts_with("x.sig, line 9: found 3 numbers"));
+        let none = refusal("x.sig", "/*** Spectra Vista SIG Data ***/\ndata=\n");
+        assert!(none.contains("no rows"));
     }
 }

@@ -10,14 +10,11 @@
 //! Each row is a band; its spectrum stands at the band's middle. The total comes first.
 
 use super::{Confidence, Format};
-use crate::io::error::quoted;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
+use crate::io::interpret::{RawSpectrum, interpret};
 use crate::io::text::number::{self, Cell};
 use crate::io::text::{kept_line, lines};
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Input, ReadError, Reading, quoted};
 
-/// TUV reports.
 pub(crate) const FORMAT: Format = Format {
     name: "TUV report",
     extensions: &["txt"],
@@ -31,14 +28,11 @@ fn is_title(line: &str) -> bool {
 }
 
 fn sniff(input: &Input) -> Confidence {
-    if input.head().lines().any(is_title) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(input.head().lines().any(is_title))
 }
 
 /// What a report holds.
+#[derive(Default)]
 struct Report<'a> {
     /// Above the columns of values.
     titles: Vec<&'a str>,
@@ -58,13 +52,9 @@ impl<'a> Report<'a> {
     /// Takes what a line in front of the table says; whether it is the table's titles.
     fn take_header(&mut self, content: &'a str) -> bool {
         if is_title(content) {
-            self.titles = content
-                .split("  ")
-                .map(str::trim)
-                .filter(|t| !t.is_empty())
-                .skip(2)
-                .take(20)
-                .collect();
+            let titles = content.split("  ").map(str::trim);
+            let titles = titles.filter(|title| !title.is_empty());
+            self.titles = titles.skip(2).take(20).collect();
             return true;
         }
         if content.to_uppercase().starts_with("SPECTRAL ")
@@ -82,18 +72,14 @@ impl<'a> Report<'a> {
         let mut row = Vec::new();
         for word in content.split_whitespace().take(22) {
             let value = number::parse(word, false).plain_value();
-            row.push(value.ok_or_else(|| input.error(quoted(word), "a number").at_line(line))?);
+            row.push(value.ok_or_else(|| input.error_at(line, quoted(word), "a number"))?);
         }
         if self.columns.is_empty() {
             self.columns = vec![Vec::new(); row.len().saturating_sub(2)];
         }
         if row.len() != self.columns.len() + 2 || row.len() < 3 {
-            return Err(input
-                .error(
-                    format!("{} numbers", row.len()),
-                    "the band's ends and a value for each title",
-                )
-                .at_line(line));
+            let expected = "the band's ends and a value for each title";
+            return Err(input.error_at(line, format!("{} numbers", row.len()), expected));
         }
         self.nm.push(0.5 * (row[0] + row[1]));
         for (column, value) in self.columns.iter_mut().zip(&row[2..]) {
@@ -107,12 +93,8 @@ impl<'a> Report<'a> {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*input.needs_text()?.text;
     let mut report = Report {
-        titles: Vec::new(),
         unit: "W m-2 nm-1",
-        sun: None,
-        nm: Vec::new(),
-        columns: Vec::new(),
-        lines: Vec::new(),
+        ..Report::default()
     };
     let mut in_table = false;
     for (line, content) in lines(text) {
@@ -130,33 +112,29 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         }
     }
     if report.nm.is_empty() {
-        return Err(input.error(
-            "a TUV report with no rows in its table",
-            "bands and their irradiance",
-        ));
+        let found = "a TUV report with no rows in its table";
+        return Err(input.error(found, "bands and their irradiance"));
     }
-    let mut order: Vec<usize> = (0..report.columns.len()).collect();
-    order.sort_by_key(|c| {
-        !report
-            .titles
-            .get(*c)
-            .is_some_and(|t| t.to_uppercase().contains("TOTAL"))
-    });
+    let columns = std::mem::take(&mut report.columns).into_iter().enumerate();
+    let mut columns: Vec<(String, Vec<f64>)> = columns
+        .map(|(column, values)| match report.titles.get(column) {
+            Some(title) => (title.to_lowercase(), values),
+            None => (format!("column {}", column + 3), values),
+        })
+        .collect();
+    columns.sort_by_key(|(title, _)| !title.to_uppercase().contains("TOTAL"));
     let mut reading = Reading::default();
-    for column in order {
-        let title = report.titles.get(column).map_or_else(
-            || format!("column {}", column + 3),
-            |title| title.to_lowercase(),
-        );
+    for (title, values) in columns {
         let name = format!("{}, {title}", input.stem());
-        let values = std::mem::take(&mut report.columns[column]);
-        let mut spectrum = RawSpectrum::light(name, &report.nm, values, report.unit);
-        spectrum.lines = &report.lines;
-        spectrum.how.push("middles of bands".to_owned());
-        let sun = report.sun;
-        spectrum
-            .notes
-            .extend(sun.map(|angle| format!("solar zenith angle {angle} degrees")));
+        let sun = report.sun.iter();
+        let spectrum = RawSpectrum {
+            lines: &report.lines,
+            how: vec!["middles of bands".to_owned()],
+            notes: sun
+                .map(|angle| format!("solar zenith angle {angle} degrees"))
+                .collect(),
+            ..RawSpectrum::light(name, &report.nm, values, report.unit)
+        };
         interpret(spectrum, input, &mut reading)?;
     }
     Ok(reading)
@@ -164,18 +142,15 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::{names, read};
 
     #[test]
     fn the_total_comes_first_at_the_middles_of_bands() {
         let text = "\n solar zenith angle =  23.2\n SPECTRAL IRRADIANCE (W m-2 nm-1):\n\n LOWER WVL  UPPER WVL  DIRECT     DIFFUSE DOWN  TOTAL DOWNWELLING\n 280.00     281.00     1E-17  2E-17     3E-17\n 281.00     282.00     1  2     3\n\n rest 1 2\n";
-        let reading = read_bytes("q.txt", text.as_bytes()).unwrap();
+        let reading = read("q.txt", text);
         assert_eq!(reading.format, "TUV report");
-        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
-        assert_eq!(
-            names,
-            ["q, total downwelling", "q, direct", "q, diffuse down"]
-        );
+        let all = ["q, total downwelling", "q, direct", "q, diffuse down"];
+        assert_eq!(names(&reading), all);
         assert_eq!(reading.spectra[0].samples.nm(), [280.5, 281.5]);
         assert_eq!(reading.spectra[0].samples.values(), [3e-17, 3.0]);
         assert_eq!(reading.spectra[0].unit, "W m-2 nm-1");

@@ -1,6 +1,7 @@
 //! Formats that are known by their content and not read: refused by their name.
 
 use super::{Confidence, Format};
+use crate::io::decode::archive::names;
 use crate::io::{Input, ReadError, Reading};
 
 /// Recognises files of other kinds so that they are refused in plain words.
@@ -18,12 +19,32 @@ const FROM_MAKER: &str =
 const WITH_HEADER: &str = "a header .hdr of the same name beside it";
 const A_SPECTRUM: &str = "a file with a spectrum";
 
+/// What the first bytes of a file tell of it, and what was expected instead.
+const MAGIC: [(&[u8], &str, &str); 12] = [
+    (b"\x89PNG\r\n\x1a\n", "a PNG image", A_SPECTRUM),
+    (b"\xff\xd8\xff", "a JPEG image", A_SPECTRUM),
+    (b"%PDF-", "a PDF document", AS_CSV),
+    (
+        b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
+        "an old Microsoft Office file (.xls, .doc)",
+        AS_CSV,
+    ),
+    (b"II*\0", "a TIFF image", A_SPECTRUM),
+    (b"MM\0*", "a TIFF image", A_SPECTRUM),
+    (b"GIF8", "a GIF image", A_SPECTRUM),
+    (b"\x89HDF\r\n\x1a\n", "an HDF5 file", AS_CSV),
+    (b"\n\n\xfe\xfe", "a Bruker OPUS binary spectrum", FROM_MAKER),
+    (
+        b"AVS8",
+        "an AvaSoft 8 binary spectrum (.RFL8, .IRR8, ...)",
+        FROM_MAKER,
+    ),
+    (b"PEPE", "a PerkinElmer binary spectrum (.sp)", FROM_MAKER),
+    (b"\x1f\x8b", "a gzip archive", "the file inside it"),
+];
+
 fn sniff(input: &Input) -> Confidence {
-    if known(input).is_some() {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(known(input).is_some())
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -41,43 +62,20 @@ fn known(input: &Input) -> Option<(&'static str, &'static str)> {
 
 fn known_by_magic(input: &Input) -> Option<(&'static str, &'static str)> {
     let bytes = input.bytes;
-    let starts = |magic: &[u8]| bytes.starts_with(magic);
-    if starts(b"PK\x03\x04") || starts(b"PK\x05\x06") {
-        return Some(zip(input));
+    if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
+        return Some(match names(bytes, "opendocument.spreadsheet") {
+            true => ("an OpenDocument table (.ods)", AS_CSV),
+            false => ("a zip archive", "the file inside it"),
+        });
     }
-    let (found, expected) = if starts(b"\x89PNG\r\n\x1a\n") {
-        ("a PNG image", A_SPECTRUM)
-    } else if starts(b"\xff\xd8\xff") {
-        ("a JPEG image", A_SPECTRUM)
-    } else if starts(b"%PDF-") {
-        ("a PDF document", AS_CSV)
-    } else if starts(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1") {
-        ("an old Microsoft Office file (.xls, .doc)", AS_CSV)
-    } else if starts(b"II*\0") || starts(b"MM\0*") {
-        ("a TIFF image", A_SPECTRUM)
-    } else if starts(b"GIF8") {
-        ("a GIF image", A_SPECTRUM)
-    } else if starts(b"\x89HDF\r\n\x1a\n") {
-        ("an HDF5 file", AS_CSV)
-    } else if is_asd(bytes) {
-        ("an ASD binary spectrum (.asd)", FROM_MAKER)
-    } else if starts(b"\n\n\xfe\xfe") {
-        ("a Bruker OPUS binary spectrum", FROM_MAKER)
-    } else if starts(b"AVS8") {
-        (
-            "an AvaSoft 8 binary spectrum (.RFL8, .IRR8, ...)",
-            FROM_MAKER,
-        )
-    } else if starts(b"PEPE") {
-        ("a PerkinElmer binary spectrum (.sp)", FROM_MAKER)
-    } else if starts(b"\x1f\x8b") {
-        ("a gzip archive", "the file inside it")
-    } else if is_galactic(input) {
-        ("a Galactic .spc spectrum", FROM_MAKER)
-    } else {
-        return None;
-    };
-    Some((found, expected))
+    let magic = MAGIC.iter().find(|(magic, ..)| bytes.starts_with(magic));
+    if let Some(&(_, found, expected)) = magic {
+        return Some((found, expected));
+    }
+    if is_asd(bytes) {
+        return Some(("an ASD binary spectrum (.asd)", FROM_MAKER));
+    }
+    is_galactic(input).then_some(("a Galactic .spc spectrum", FROM_MAKER))
 }
 
 /// ASD's files begin with the version of their layout, "ASD" at first, later "as2" to "as8", and
@@ -94,22 +92,6 @@ fn is_galactic(input: &Input) -> bool {
         && matches!(input.bytes.get(1), Some(0x4b..=0x4d))
 }
 
-/// A zip archive, told by the names of its first members.
-fn zip(input: &Input) -> (&'static str, &'static str) {
-    let head = &input.bytes[..input.bytes.len().min(1 << 16)];
-    let tail = &input.bytes[input.bytes.len().saturating_sub(1 << 16)..];
-    let holds = |name: &[u8]| {
-        [head, tail]
-            .iter()
-            .any(|part| part.windows(name.len()).any(|w| w == name))
-    };
-    if holds(b"opendocument.spreadsheet") {
-        ("an OpenDocument table (.ods)", AS_CSV)
-    } else {
-        ("a zip archive", "the file inside it")
-    }
-}
-
 fn known_binary(input: &Input) -> (&'static str, &'static str) {
     let envi = ["sli", "esl", "bil", "bip", "bsq", "img"];
     if envi.iter().any(|e| input.has_extension(e)) {
@@ -121,36 +103,29 @@ fn known_binary(input: &Input) -> (&'static str, &'static str) {
 
 fn known_text(input: &Input) -> Option<(&'static str, &'static str)> {
     let head = input.head();
-    let first = head.lines().next().unwrap_or("").trim();
+    let first = input.first_line().trim();
     let lower = head.get(..head.floor_char_boundary(512))?.to_lowercase();
-    let (found, expected) = if head.contains("SPDXVersion")
-        || head.contains("spdxVersion")
-        || head.contains("spdx.org/rdf")
-    {
-        (
-            "an SPDX software licence document",
-            "an IES TM-27 .spdx spectrum",
-        )
-    } else if lower.starts_with("<!doctype html")
-        || lower.starts_with("<html")
-        || lower.starts_with("<br")
-    {
-        ("a web page (HTML)", A_SPECTRUM)
-    } else if lower.starts_with("<svg") || lower.contains("<svg ") && lower.starts_with("<?xml") {
-        ("an SVG drawing", A_SPECTRUM)
+    let starts = |words: &[&str]| words.iter().any(|word| lower.starts_with(word));
+    let spdx = ["SPDXVersion", "spdxVersion", "spdx.org/rdf"];
+    if spdx.iter().any(|word| head.contains(word)) {
+        let expected = "an IES TM-27 .spdx spectrum";
+        Some(("an SPDX software licence document", expected))
+    } else if starts(&["<!doctype html", "<html", "<br"]) {
+        Some(("a web page (HTML)", A_SPECTRUM))
+    } else if starts(&["<svg"]) || lower.contains("<svg ") && starts(&["<?xml"]) {
+        Some(("an SVG drawing", A_SPECTRUM))
     } else if first.trim_start_matches('"').starts_with("TOA5") {
-        ("a data logger's table over time (TOA5)", A_SPECTRUM)
+        Some(("a data logger's table over time (TOA5)", A_SPECTRUM))
     } else if first.starts_with("{\\rtf") {
-        ("a rich text document (.rtf)", AS_CSV)
+        Some(("a rich text document (.rtf)", AS_CSV))
     } else {
-        return None;
-    };
-    Some((found, expected))
+        None
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::refusal;
 
     #[test]
     fn files_of_other_kinds_are_refused_by_name() {
@@ -173,9 +148,9 @@ mod tests {
             ),
             ("a", b"\x01\x02\x03\x04\x05", "binary data"),
         ] {
-            let refusal = read_bytes(name, bytes).unwrap_err().to_string();
-            assert!(refusal.contains(words), "{refusal}");
-            assert!(refusal.starts_with(&format!("{name}: found")), "{refusal}");
+            let why = refusal(name, bytes);
+            assert!(why.contains(words), "{why}");
+            assert!(why.starts_with(&format!("{name}: found")), "{why}");
         }
     }
 }

@@ -15,14 +15,11 @@ use std::ops::RangeInclusive;
 
 use super::keyed_lines::{KeyedLines, is_point, reading_of};
 use super::{Confidence, Format};
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::interpret::value_unit::PHOTONS;
-use crate::io::reading::makers_results::{MakersResult, Quantity};
+use crate::io::interpret::{RawSpectrum, value_unit::PHOTONS};
 use crate::io::reading::remark::PHOTON_NOTE;
 use crate::io::text::{lines, number};
-use crate::io::{Input, ReadError, Reading};
+use crate::io::{Input, MakersResult, Quantity, ReadError, Reading};
 
-/// UPRtek text.
 pub(crate) const FORMAT: Format = Format {
     name: "UPRtek",
     extensions: &["xls", "txt"],
@@ -34,39 +31,31 @@ pub(crate) const FORMAT: Format = Format {
 const SAME_TOTAL: f64 = 0.01;
 
 fn sniff(input: &Input) -> Confidence {
-    if is_meter(input) && !is_li180(input) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(is_meter(input) && !is_li180(input))
 }
 
 /// Whether a text has the layout that UPRtek's meters and those built by it share.
 pub(crate) fn is_meter(input: &Input) -> bool {
     let head = input.head();
-    let key = |line: &str, words: &[&str]| {
-        let line = line.trim_start_matches('"').to_lowercase();
-        words.iter().any(|word| {
-            line.strip_prefix(word)
-                .is_some_and(|rest| rest.starts_with(['\t', ';', ',', '"']))
+    let has_key = |most: usize, keys: &[&str]| {
+        lines(head).take(most).any(|(_, line)| {
+            let line = line.trim_start_matches('"').to_lowercase();
+            let mut behind = keys.iter().filter_map(|key| line.strip_prefix(key));
+            behind.any(|rest| rest.starts_with(['\t', ';', ',', '"']))
         })
     };
-    let model = lines(head)
-        .take(20)
-        .any(|(_, l)| key(l, &["model name", "model"]));
-    let known = lines(head).any(|(_, l)| key(l, &["lambdap", "lambdapvalue", "i-time", "tlmf-a"]));
+    let model = has_key(20, &["model name", "model"]);
+    let known = has_key(usize::MAX, &["lambdap", "lambdapvalue", "i-time", "tlmf-a"]);
     // A model's name alone is written by any program.
-    let results = || lines(head).any(|(_, l)| key(l, &["lux", "cct", "ppfd", "pfd", "irr"]));
+    let results = || has_key(usize::MAX, &["lux", "cct", "ppfd", "pfd", "irr"]);
     let points = lines(head).filter(|(_, l)| is_point(l)).take(2).count() == 2;
     known && (points || model) || model && points && results()
 }
 
 /// Whether the meter is LI-COR's.
 pub(crate) fn is_li180(input: &Input) -> bool {
-    let head = input.head();
-    lines(head)
-        .take(20)
-        .any(|(_, l)| l.to_lowercase().starts_with("model name") && l.contains("LI-180"))
+    let is_told = |l: &str| l.to_lowercase().starts_with("model name") && l.contains("LI-180");
+    lines(input.head()).take(20).any(|(_, line)| is_told(line))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -90,26 +79,22 @@ pub(crate) fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadErr
         |column, values, results| {
             let peak = found.get_of("lambdapvalue", column);
             let peak = peak.and_then(|value| number::number(value, false));
-            let unit = match peak {
-                Some(peak) if is_over_its_peak(&values, peak) => UnitFound {
-                    unit: "",
-                    because: format!("values over the largest, which is {peak} by the maker"),
-                },
+            let (unit, because) = match peak {
+                Some(peak) if is_over_its_peak(&values, peak) => {
+                    let because = format!("values over the largest, which is {peak} by the maker");
+                    ("", because)
+                }
                 _ => unit(&found.nm, &values, results, makers),
             };
-            let name = ["memo", "title", "name"]
-                .iter()
-                .find_map(|key| found.get_of(key, column))
-                .map_or_else(
-                    || match found.columns {
-                        1 => input.stem().to_owned(),
-                        _ => format!("{}, {}", input.stem(), column + 1),
-                    },
-                    str::to_owned,
-                );
-            let mut spectrum = RawSpectrum::light(name, &found.nm, values, unit.unit);
-            spectrum.notes.push(unit.because);
-            if unit.unit == PHOTONS {
+            let mut keys = ["memo", "title", "name"].into_iter();
+            let name = match keys.find_map(|key| found.get_of(key, column)) {
+                Some(name) => name.to_owned(),
+                None if found.columns == 1 => input.stem().to_owned(),
+                None => format!("{}, {}", input.stem(), column + 1),
+            };
+            let mut spectrum = RawSpectrum::light(name, &found.nm, values, unit);
+            spectrum.notes.push(because);
+            if unit == PHOTONS {
                 spectrum.notes.push(PHOTON_NOTE.to_owned());
             }
             if let Some(model) = found.get("model name") {
@@ -120,19 +105,19 @@ pub(crate) fn read_meter(input: &Input, makers: &str) -> Result<Reading, ReadErr
     )
 }
 
-/// A unit and what told it.
-struct UnitFound {
-    unit: &'static str,
-    because: String,
-}
-
 /// Whether values were divided by the largest, which the maker gives as another number.
 fn is_over_its_peak(values: &[f64], peak: f64) -> bool {
     let most = values.iter().copied().fold(f64::MIN, f64::max);
     most == 1.0 && (peak - most).abs() > SAME_TOTAL
 }
 
-fn unit(nm: &[f64], values: &[f64], results: &[MakersResult], makers: &str) -> UnitFound {
+/// The unit of values and what told it.
+fn unit(
+    nm: &[f64],
+    values: &[f64],
+    results: &[MakersResult],
+    makers: &str,
+) -> (&'static str, String) {
     let total_of = |range: RangeInclusive<f64>| -> f64 {
         nm.windows(2)
             .zip(values.windows(2))
@@ -142,11 +127,8 @@ fn unit(nm: &[f64], values: &[f64], results: &[MakersResult], makers: &str) -> U
     };
     let total = total_of(f64::MIN..=f64::MAX);
     let stated = |quantity: &Quantity| {
-        results
-            .iter()
-            .find(|r| r.quantity == *quantity)
-            .map(|r| r.value)
-            .filter(|v| *v > 0.0)
+        let result = results.iter().find(|r| r.quantity == *quantity);
+        result.map(|r| r.value).filter(|v| *v > 0.0)
     };
     let same = |total: f64, stated: f64| (total - stated).abs() <= SAME_TOTAL * stated;
     if let Some(irradiance) = stated(&Quantity::Irradiance) {
@@ -159,7 +141,7 @@ fn unit(nm: &[f64], values: &[f64], results: &[MakersResult], makers: &str) -> U
                 let because = format!(
                     "counted in {unit}: the total is the maker's irradiance of {irradiance} W m-2"
                 );
-                return UnitFound { unit, because };
+                return (unit, because);
             }
         }
     }
@@ -175,22 +157,18 @@ fn unit(nm: &[f64], values: &[f64], results: &[MakersResult], makers: &str) -> U
             let because = format!(
                 "counted in photons: the total is the maker's {quantity} of {flux} µmol m-2 s-1"
             );
-            return UnitFound {
-                unit: PHOTONS,
-                because,
-            };
+            return (PHOTONS, because);
         }
     }
-    UnitFound {
-        unit: "mW m-2 nm-1",
-        because: format!("mW m-2 nm-1 is {makers} unit; the file states none"),
-    }
+    let because = format!("mW m-2 nm-1 is {makers} unit; the file states none");
+    ("mW m-2 nm-1", because)
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
-    use crate::io::reading::makers_results::Quantity;
+    use super::Quantity;
+    use crate::io::Reading;
+    use crate::io::tests::{assert_told, first, read, refusal};
     use crate::spectrum::Kind;
 
     const SMALL: &str = "Model Name\tMK350\nMemo\t\nLUX\t12.5\nCCT\t3000.0\nx\t0.44\nI-Time\t100\n\
@@ -198,44 +176,38 @@ mod tests {
 
     #[test]
     fn photons_are_told_by_their_flux_in_the_range_of_photosynthesis() {
-        let rows: String = (0..=40)
-            .map(|i| format!("{}nm\t0.5\n", 380 + 10 * i))
-            .collect();
+        let row = |i| format!("{}nm\t0.5\n", 380 + 10 * i);
+        let rows: String = (0..=40).map(row).collect();
         let text = format!("Model Name\tMK350\nPPFD\t150.0\n{rows}");
-        let reading = read_bytes("a.xls", text.as_bytes()).unwrap();
-        assert_eq!(reading.spectra[0].unit, super::PHOTONS);
+        assert_eq!(first("a.xls", text).unit, super::PHOTONS);
     }
 
     #[test]
     fn spectrum_unit_and_results_are_read() {
-        let reading = read_bytes("a.xls", SMALL.as_bytes()).unwrap();
+        let reading = read("a.xls", SMALL);
         assert_eq!(reading.format, "UPRtek");
         let spectrum = &reading.spectra[0];
         assert_eq!(spectrum.samples.values(), [1.0, 2.0, -0.5]);
-        assert_eq!(
-            (spectrum.kind, spectrum.unit.as_str()),
-            (Kind::Light, "mW m-2 nm-1")
-        );
-        let value = |quantity: Quantity| {
+        let told = (spectrum.kind, &*spectrum.unit);
+        assert_eq!(told, (Kind::Light, "mW m-2 nm-1"));
+        for (quantity, value) in [
+            (Quantity::Cct, 3000.0),
+            (Quantity::Ra, 92.0),
+            (Quantity::R(9), 50.5),
+            (Quantity::ChromaticityX, 0.44),
+            (Quantity::Illuminance, 12.5),
+        ] {
             let found = reading.results.iter().find(|r| r.quantity == quantity);
-            found.map(|r| r.value)
-        };
-        assert_eq!(value(Quantity::Cct), Some(3000.0));
-        assert_eq!(value(Quantity::Ra), Some(92.0));
-        assert_eq!(value(Quantity::R(9)), Some(50.5));
-        assert_eq!(value(Quantity::ChromaticityX), Some(0.44));
-        assert_eq!(value(Quantity::Illuminance), Some(12.5));
-        assert!(
-            !reading
-                .results
-                .iter()
-                .any(|r| r.as_written.starts_with("I-Time"))
-        );
+            assert_eq!(found.map(|r| r.value), Some(value), "{quantity}");
+        }
+        let mut written = reading.results.iter().map(|r| &r.as_written);
+        assert!(!written.any(|result| result.starts_with("I-Time")));
     }
 
     #[test]
     fn line_ends_marks_and_separators_do_not_matter() {
-        let want = read_bytes("a", SMALL.as_bytes()).unwrap();
+        let values = |r: &Reading| r.results.iter().map(|r| r.value).collect::<Vec<_>>();
+        let want = read("a", SMALL);
         for text in [
             SMALL.replace('\n', "\r\n"),
             format!("\u{feff}{SMALL}"),
@@ -244,14 +216,10 @@ mod tests {
             SMALL.replace('.', ",").replace('\t', ";"),
             SMALL.replace("nm\t", " nm\t"),
         ] {
-            let reading = read_bytes("a", text.as_bytes()).unwrap();
+            let reading = read("a", &text);
             assert_eq!(reading.format, "UPRtek", "{text}");
-            assert_eq!(
-                reading.spectra[0].samples, want.spectra[0].samples,
-                "{text}"
-            );
-            let values =
-                |r: &crate::io::Reading| r.results.iter().map(|r| r.value).collect::<Vec<_>>();
+            let (is, was) = (&reading.spectra[0].samples, &want.spectra[0].samples);
+            assert_eq!(is, was, "{text}");
             assert_eq!(values(&reading), values(&want));
         }
     }
@@ -259,29 +227,22 @@ mod tests {
     #[test]
     fn the_total_tells_photons_from_energy() {
         let text = "Model Name\tPG100N\nPPFD\t30\n400nm\t1\n410nm\t2\n420nm\t1\nIRR\t99\n";
-        let spectrum = read_bytes("a", text.as_bytes()).unwrap().spectra.remove(0);
+        let spectrum = first("a", text);
         assert_eq!(spectrum.unit, super::PHOTONS);
-        assert!(
-            spectrum
-                .notes
-                .iter()
-                .any(|n| n.contains("photons, not energy"))
-        );
+        assert_told(&spectrum.notes, "photons, not energy");
     }
 
     #[test]
     fn a_file_without_points_and_a_word_in_one_are_refused() {
-        let why = |text: &str| {
-            read_bytes("a.xls", text.as_bytes())
-                .unwrap_err()
-                .to_string()
-        };
         assert_eq!(
-            why("Model Name\tCV600\nI-Time\t5\nCCT\t5000\n"),
+            refusal("a.xls", "Model Name\tCV600\nI-Time\t5\nCCT\t5000\n"),
             "a.xls: found UPRtek's results and no spectrum, expected lines such as \"380nm\", TAB and a value"
         );
         assert_eq!(
-            why("Model Name\tCV600\nCCT\t5000\n380nm\t5\n381nm\t6\n382nm\tabc\n"),
+            refusal(
+                "a.xls",
+                "Model Name\tCV600\nCCT\t5000\n380nm\t5\n381nm\t6\n382nm\tabc\n"
+            ),
             "a.xls, line 5: found \"abc\", expected a number behind the wavelength"
         );
     }

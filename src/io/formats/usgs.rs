@@ -12,19 +12,13 @@
 
 use std::path::Path;
 
+use super::{Confidence, Format};
+use crate::io::interpret::{RawSpectrum, alone};
+use crate::io::text::number::{self, Cell};
+use crate::io::text::{self, kept_line, lines};
+use crate::io::{Decision, Input, ReadError, Reading, WavelengthUnit, quoted};
 use crate::spectrum::Kind;
 
-use super::{Confidence, Format};
-use crate::io::error::quoted;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
-use crate::io::text::number::{self, Cell};
-use crate::io::text::units::WavelengthUnit;
-use crate::io::text::{self, kept_line, lines};
-use crate::io::{Input, ReadError, Reading};
-
-/// USGS splib07 text.
 pub(crate) const FORMAT: Format = Format {
     name: "USGS splib07",
     extensions: &["txt"],
@@ -42,6 +36,7 @@ const LARGEST_BESIDE: u64 = 4 << 20;
 const MOST_BESIDE: usize = 20_000;
 
 /// A title and numbers, one a line.
+#[derive(Default)]
 struct List<'a> {
     title: &'a str,
     numbers: Vec<f64>,
@@ -49,24 +44,15 @@ struct List<'a> {
 }
 
 fn sniff(input: &Input) -> Confidence {
-    let head = input.head();
-    let first = head.lines().next().unwrap_or("").to_lowercase();
-    let second = head.lines().nth(1).unwrap_or("").trim();
+    let first = input.first_line().to_lowercase();
+    let second = input.head().lines().nth(1).unwrap_or("").trim();
     let one_number = matches!(number::parse(second, false), Cell::Number(_) | Cell::Gap);
     // "splib07a Record=18377: ...", and libraries of other names made alike.
-    if first.contains(" record=") && first.contains(':') && one_number {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(first.contains(" record=") && first.contains(':') && one_number)
 }
 
 fn list<'a>(name: &str, text: &'a str) -> Result<List<'a>, ReadError> {
-    let mut out = List {
-        title: "",
-        numbers: Vec::new(),
-        lines: Vec::new(),
-    };
+    let mut out = List::default();
     for (line, content) in lines(text) {
         let content = content.trim();
         if content.is_empty() {
@@ -154,15 +140,12 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .map_or(list.title, |t| t.1)
         .trim();
     let lower = title.to_lowercase();
-    if lower.starts_with("wavelength")
-        || lower.starts_with("bandpass")
-        || lower.starts_with("wavenumber")
-    {
+    let first = lower.split_whitespace().next().unwrap_or("");
+    let of_axis = ["wavelength", "bandpass", "wavenumber"];
+    if of_axis.iter().any(|word| first.starts_with(word)) {
+        let found = format!("a list of the library's {first}");
         return Err(input.error(
-            format!(
-                "a list of the library's {}",
-                lower.split_whitespace().next().unwrap_or("wavelengths")
-            ),
+            found,
             "the spectrum that it belongs to; it is read from beside",
         ));
     }
@@ -181,38 +164,34 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ),
         None => {
             let word = spectrometer(title).unwrap_or("the spectrometer");
-            return Err(input.error(
-                format!("{channels} lines of one number each and no wavelengths beside"),
-                format!("the library's file of wavelengths of {word} in the same folder (splib07a_Wavelengths_{}..._{channels}_ch.txt)", word.replace("the spectrometer", "")),
-            ));
+            let found = format!("{channels} lines of one number each and no wavelengths beside");
+            let file = word.replace("the spectrometer", "");
+            let expected = format!(
+                "the library's file of wavelengths of {word} in the same folder \
+                 (splib07a_Wavelengths_{file}..._{channels}_ch.txt)"
+            );
+            return Err(input.error(found, expected));
         }
     };
-    let words: Vec<&str> = title.split_whitespace().collect();
-    let stated = words.last().is_some_and(|w| w.ends_with("REF"));
-    let kind = if words.last() == Some(&"TRAN") {
-        Kind::Transmittance
-    } else if words.first() == Some(&"SRF") {
-        Kind::Weighting
-    } else {
-        Kind::Reflectance
+    let mut words: Vec<&str> = title.split_whitespace().collect();
+    let kind = match words[..] {
+        [.., "TRAN"] => Decision::of_format(Kind::Transmittance),
+        ["SRF", ..] => Decision::of_format(Kind::Weighting),
+        [.., last] if last.ends_with("REF") => Decision::of_format(Kind::Reflectance),
+        _ => {
+            let because = "the library mostly holds reflectances";
+            Decision::guessed(Kind::Reflectance, false, because)
+        }
     };
-    let stated = stated || kind != Kind::Reflectance;
-    let words: Vec<&str> = words.into_iter().filter(|w| !w.ends_with("REF")).collect();
-    let name = if words.is_empty() {
-        input.stem().to_owned()
-    } else {
-        words.join(" ")
+    words.retain(|word| !word.ends_with("REF"));
+    let name = match words.is_empty() {
+        true => input.stem().to_owned(),
+        false => words.join(" "),
     };
-    let mut spectrum = RawSpectrum::light(name, &nm, list.numbers, "");
-    spectrum.known.kind = Some(match stated {
-        true => Decision::of_format(kind),
-        false => Decision::guessed(kind, false, "the library mostly holds reflectances"),
-    });
+    let mut spectrum = RawSpectrum::known(name, &nm, list.numbers, kind, "");
     spectrum.lines = &list.lines;
-    spectrum.notes.push(note.clone());
-    spectrum.notes.push(list.title.to_owned());
-    let mut reading = Reading::default();
-    interpret(spectrum, input, &mut reading)?;
+    spectrum.notes = vec![note.clone(), list.title.to_owned()];
+    let mut reading = alone(spectrum, input)?;
     reading.notes.push(note);
     Ok(reading)
 }
@@ -220,39 +199,34 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{read_bytes, read_path};
+    use crate::io::read_path;
+    use crate::io::tests::{first, refusal};
 
     fn file(title: &str, values: &[&str]) -> String {
-        format!(
-            " splib07a Record=7: {title}\r\n {}\r\n",
-            values.join("\r\n ")
-        )
+        let values = values.join("\r\n ");
+        format!(" splib07a Record=7: {title}\r\n {values}\r\n")
     }
 
     #[test]
     fn the_wavelengths_beside_are_taken_in_micrometres() {
         let folder = tempfile::tempdir().unwrap();
-        let put =
-            |name: &str, text: String| std::fs::write(folder.path().join(name), text).unwrap();
-        put(
-            "splib07a_Wavelengths_ASD_3_ch.txt",
-            file("Wavelengths ASD 0.4-0.6 microns", &["0.9", "1.0", "1.1"]),
-        );
-        put(
-            "splib07a_Wavelengths_BECK_3_ch.txt",
-            file("Wavelengths BECK 0.4-0.6 microns", &["0.4", "0.5", "0.6"]),
-        );
-        put(
-            "splib07a_Alunite_BECKa_AREF.txt",
-            file("Alunite X   BECKa AREF", &["0.1", "-1.23e34", "0.3"]),
-        );
-        let reading = read_path(&folder.path().join("splib07a_Alunite_BECKa_AREF.txt")).unwrap();
+        let (asd, beck) = ("Wavelengths ASD microns", "Wavelengths BECK microns");
+        for (name, title, values) in [
+            ("Wavelengths_ASD_3_ch.txt", asd, ["0.9", "1.0", "1.1"]),
+            ("Wavelengths_BECK_3_ch.txt", beck, ["0.4", "0.5", "0.6"]),
+            (
+                "A.txt",
+                "Alunite X   BECKa AREF",
+                ["0.1", "-1.23e34", "0.3"],
+            ),
+        ] {
+            std::fs::write(folder.path().join(name), file(title, &values)).unwrap();
+        }
+        let reading = read_path(&folder.path().join("A.txt")).unwrap();
         let spectrum = &reading.spectra[0];
         assert_eq!(reading.format, "USGS splib07");
-        assert_eq!(
-            (spectrum.name.as_str(), spectrum.kind),
-            ("Alunite X BECKa", Kind::Reflectance)
-        );
+        assert_eq!(spectrum.name, "Alunite X BECKa");
+        assert_eq!(spectrum.kind, Kind::Reflectance);
         assert_eq!(spectrum.samples.nm(), [400.0, 600.0], "-1.23e34 is a gap");
     }
 
@@ -262,17 +236,11 @@ mod tests {
         let chapter = library.path().join("ChapterM");
         std::fs::create_dir(&chapter).unwrap();
         let wavelengths = " ours Record=1: Wavelengths AVIRIS um\n 0.4\n 0.5\n 0.6\n";
-        std::fs::write(
-            library.path().join("ours_Wavelengths_AVIRIS.txt"),
-            wavelengths,
-        )
-        .unwrap();
+        let beside = library.path().join("ours_Wavelengths_AVIRIS.txt");
+        std::fs::write(beside, wavelengths).unwrap();
         let file = chapter.join("ours_Glass_AVIRISb_TRAN.txt");
-        std::fs::write(
-            &file,
-            " ours Record=2: Glass AVIRISb TRAN\n 0.8\n 0.9\n 0.7\n",
-        )
-        .unwrap();
+        let glass = " ours Record=2: Glass AVIRISb TRAN\n 0.8\n 0.9\n 0.7\n";
+        std::fs::write(&file, glass).unwrap();
         let spectrum = &read_path(&file).unwrap().spectra[0];
         assert_eq!(spectrum.kind, Kind::Transmittance);
         assert_eq!(spectrum.samples.nm(), [400.0, 500.0, 600.0]);
@@ -281,25 +249,13 @@ mod tests {
     #[test]
     fn an_asd_needs_no_file_beside_and_others_are_told_which() {
         let values = vec!["0.5"; ASD_CHANNELS];
-        let reading = read_bytes("a.txt", file("Brick ASDFRa AREF", &values).as_bytes()).unwrap();
-        let samples = &reading.spectra[0].samples;
+        let samples = first("a.txt", file("Brick ASDFRa AREF", &values)).samples;
         assert_eq!((samples.first_nm(), samples.last_nm()), (350.0, 2500.0));
-        let why = read_bytes(
-            "a.txt",
-            file("Alunite BECKa AREF", &["0.1", "0.2"]).as_bytes(),
-        );
         assert_eq!(
-            why.unwrap_err().to_string(),
+            refusal("a.txt", file("Alunite BECKa AREF", &["0.1", "0.2"])),
             "a.txt: found 2 lines of one number each and no wavelengths beside, expected the library's file of wavelengths of BECK in the same folder (splib07a_Wavelengths_BECK..._2_ch.txt)"
         );
-        let own = read_bytes(
-            "a.txt",
-            file("Wavelengths ASD microns", &["0.1"]).as_bytes(),
-        );
-        assert!(
-            own.unwrap_err()
-                .to_string()
-                .contains("a list of the library's wavelengths")
-        );
+        let own = refusal("a.txt", file("Wavelengths ASD microns", &["0.1"]));
+        assert!(own.contains("a list of the library's wavelengths"));
     }
 }

@@ -11,18 +11,13 @@
 
 use serde_json::Value;
 
-use crate::spectrum::Kind;
-
 use super::foreign_json::spectrum::{numbers, word};
 use super::{Confidence, Format};
 use crate::io::decode::json::any_json;
-use crate::io::interpret::factor_scale::KnownScale;
-use crate::io::interpret::interpret;
-use crate::io::interpret::raw::RawSpectrum;
-use crate::io::reading::decision::Decision;
-use crate::io::{Input, ReadError, Reading};
+use crate::io::interpret::{KnownScale, RawSpectrum, alone};
+use crate::io::{Decision, Input, ReadError, Reading};
+use crate::spectrum::Kind;
 
-/// Wasatch ENLIGHTEN JSON.
 pub(crate) const FORMAT: Format = Format {
     name: "Wasatch ENLIGHTEN JSON",
     extensions: &["json"],
@@ -37,27 +32,21 @@ fn sniff(input: &Input) -> Confidence {
         "\"spectrometerSettings\"",
         "\"Measurement ID\"",
     ];
-    if head.starts_with('{') && marks.iter().any(|mark| head.contains(mark)) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let is_marked = || marks.iter().any(|mark| head.contains(mark));
+    Confidence::certain_if(head.starts_with('{') && is_marked())
 }
 
 /// Wavelengths of pixels by the spectrometer's polynomial.
 fn by_polynomial(value: &Value, pixels: usize) -> Option<Vec<f64>> {
     let list = value.pointer("/spectrometerSettings/eeprom/wavelength_coeffs")?;
     let coefficients: Vec<f64> = list.as_array()?.iter().filter_map(Value::as_f64).collect();
-    (coefficients.len() >= 2 && coefficients.len() <= 8).then(|| {
-        (0..pixels)
-            .map(|pixel| {
-                coefficients
-                    .iter()
-                    .rev()
-                    .fold(0.0, |sum, c| sum * pixel as f64 + c)
-            })
-            .collect()
-    })
+    let nm = |pixel: usize| {
+        let highest_first = coefficients.iter().rev();
+        highest_first.fold(0.0, |sum, c| sum * pixel as f64 + c)
+    };
+    (2..=8)
+        .contains(&coefficients.len())
+        .then(|| (0..pixels).map(nm).collect())
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
@@ -75,20 +64,17 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         ));
     };
     let values = numbers(input, list, which)?;
-    let (nm, note) = match value.pointer("/spectrometerSettings/wavelengths") {
-        Some(list) if list.is_array() => (numbers(input, list, "wavelengths")?, None),
-        _ => match by_polynomial(&value, values.len()) {
-            Some(nm) => (
-                nm,
-                Some("wavelengths computed from the spectrometer's coefficients"),
-            ),
-            None => {
-                return Err(input.error(
-                    "ENLIGHTEN JSON without wavelengths",
-                    "\"spectrometerSettings\": {\"wavelengths\": [...]}",
-                ));
-            }
-        },
+    let mut notes = Vec::new();
+    let nm = match value.pointer("/spectrometerSettings/wavelengths") {
+        Some(list) if list.is_array() => numbers(input, list, "wavelengths")?,
+        _ => {
+            let note = "wavelengths computed from the spectrometer's coefficients";
+            notes.push(note.to_owned());
+            by_polynomial(&value, values.len()).ok_or_else(|| {
+                let expected = "\"spectrometerSettings\": {\"wavelengths\": [...]}";
+                input.error("ENLIGHTEN JSON without wavelengths", expected)
+            })?
+        }
     };
     // A region of interest may shorten the values.
     let start = value
@@ -99,10 +85,8 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         .unwrap_or(0);
     let nm = &nm[start..];
     if nm.len() != values.len() {
-        return Err(input.error(
-            format!("{} wavelengths and {} values", nm.len(), values.len()),
-            "as many of each",
-        ));
+        let found = format!("{} wavelengths and {} values", nm.len(), values.len());
+        return Err(input.error(found, "as many of each"));
     }
     let technique = word(&value, "/metadata/Technique").unwrap_or("");
     let lower = technique.to_lowercase();
@@ -116,26 +100,21 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
         (Kind::Light, 1.0, "counts")
     };
     let name = word(&value, "/metadata/Label").unwrap_or(input.stem());
-    let mut spectrum = RawSpectrum::light(name, nm, values, unit);
-    spectrum.known.kind = Some(Decision::of_format(kind));
-    spectrum.known.scale = KnownScale::Stated(scale);
-    spectrum.notes.extend(note.map(str::to_owned));
     if !technique.is_empty() {
-        spectrum.notes.push(format!("technique: {technique}"));
+        notes.push(format!("technique: {technique}"));
     }
     if which.eq_ignore_ascii_case("processed") {
-        spectrum
-            .notes
-            .push("raw and dark readings beside it were left out".to_owned());
+        notes.push("raw and dark readings beside it were left out".to_owned());
     }
-    let mut reading = Reading::default();
-    interpret(spectrum, input, &mut reading)?;
-    Ok(reading)
+    let mut spectrum = RawSpectrum::known(name, nm, values, Decision::of_format(kind), unit);
+    spectrum.known.scale = KnownScale::Stated(scale);
+    spectrum.notes = notes;
+    alone(spectrum, input)
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::{first, read, refusal};
     use crate::spectrum::Kind;
 
     #[test]
@@ -143,17 +122,12 @@ mod tests {
         let text = r#"{"metadata":{"ENLIGHTEN Version":"2","Label":"lamp","Technique":"Scope"},
             "spectrometerSettings":{"wavelengths":[400.5,401.0,401.5]},
             "spectrum":{"Dark":[1,1,1],"Processed":[2.5,null,-1],"Raw":[9,9,9]}}"#;
-        let reading = read_bytes("a.json", text.as_bytes()).unwrap();
+        let reading = read("a.json", text);
         let spectrum = &reading.spectra[0];
-        assert_eq!(
-            (reading.format, spectrum.name.as_str()),
-            ("Wasatch ENLIGHTEN JSON", "lamp")
-        );
+        assert_eq!(reading.format, "Wasatch ENLIGHTEN JSON");
+        assert_eq!(spectrum.name, "lamp");
         assert_eq!(spectrum.samples.values(), [2.5, -1.0]);
-        assert_eq!(
-            (spectrum.kind, spectrum.unit.as_str()),
-            (Kind::Light, "counts")
-        );
+        assert_eq!((spectrum.kind, &*spectrum.unit), (Kind::Light, "counts"));
         let text = text
             .replace("Scope", "Transmission")
             .replace("[400.5,401.0,401.5]", "null");
@@ -161,18 +135,11 @@ mod tests {
             "\"wavelengths\"",
             "\"eeprom\":{\"wavelength_coeffs\":[400,2,0.5]},\"wavelengths\"",
         );
-        let reading = read_bytes("a.json", with.as_bytes()).unwrap();
-        assert_eq!(reading.spectra[0].samples.nm(), [400.0, 406.0]);
-        assert_eq!(
-            (reading.spectra[0].kind, reading.spectra[0].scale),
-            (Kind::Transmittance, 0.01)
-        );
-        let why = read_bytes("a.json", text.as_bytes())
-            .unwrap_err()
-            .to_string();
-        assert!(
-            why.contains("found ENLIGHTEN JSON without wavelengths"),
-            "{why}"
-        );
+        let spectrum = first("a.json", with);
+        assert_eq!(spectrum.samples.nm(), [400.0, 406.0]);
+        assert_eq!((spectrum.kind, spectrum.scale), (Kind::Transmittance, 0.01));
+        let why = refusal("a.json", text);
+        let found = "found ENLIGHTEN JSON without wavelengths";
+        assert!(why.contains(found), "{why}");
     }
 }

@@ -7,7 +7,6 @@
 //! read one by one, so that a lone cell far down costs nothing.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::io::Cursor;
 
 use calamine::{DataRef, Reader, Xlsx};
@@ -18,9 +17,8 @@ use crate::io::decode::guarded::guarded;
 use crate::io::table::read::read_tables;
 use crate::io::text::dialect::Dialect;
 use crate::io::text::number;
-use crate::io::{Choices, Input, OpenQuestion, ReadError, Reading, budget};
+use crate::io::{Choices, Input, ReadError, Reading, budget};
 
-/// Excel workbooks.
 pub(crate) const FORMAT: Format = Format {
     name: "Excel workbook",
     extensions: &["xlsx", "xlsm"],
@@ -79,11 +77,8 @@ const MOST_NOTED: usize = 6;
 
 fn sniff(input: &Input) -> Confidence {
     let bytes = input.bytes;
-    if seems_to_hold(bytes, "xl/workbook") || seems_to_hold(bytes, "xl/worksheets") {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let holds = |name| seems_to_hold(bytes, name);
+    Confidence::certain_if(holds("xl/workbook") || holds("xl/worksheets"))
 }
 
 /// A cell as text, and whether it is a number.
@@ -120,13 +115,7 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     for (part, share) in SHARES {
         Archive::open(input, share)?.count(|name| part_of(name) == part)?;
     }
-    let broken = |why: String| input.error(format!("a broken workbook ({why})"), "a whole one");
-    let sheets = guarded(|| sheets(input))
-        .ok_or_else(|| broken("unreadable".to_owned()))?
-        .map_err(|trouble| match trouble {
-            Trouble::Broken(why) => broken(why),
-            Trouble::TooMany => input.error("far more cells than its size allows", budget::WORDS),
-        })?;
+    let sheets = guarded(|| sheets(input)).ok_or_else(|| broken(input, "unreadable"))??;
     let mut reading = Reading::default();
     let mut refusals = Vec::new();
     let several = sheets.iter().filter(|(_, sheet)| !sheet.is_empty()).count() > 1;
@@ -151,12 +140,10 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
                     spectrum.notes.extend(aside.iter().cloned());
                     reading.spectra.push(spectrum);
                 }
-                reading
-                    .guesses
-                    .extend(one.guesses.into_iter().map(|guess| OpenQuestion {
-                        spectrum: guess.spectrum + first,
-                        ..guess
-                    }));
+                for mut guess in one.guesses {
+                    guess.spectrum += first;
+                    reading.guesses.push(guess);
+                }
                 reading.facts.extend(one.facts);
                 reading.notes.extend(one.notes);
             }
@@ -165,26 +152,23 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
     }
     if reading.spectra.is_empty() {
         let nothing = || input.error("a workbook without cells", "a sheet with a table");
-        return Err(refusals
-            .into_iter()
-            .next()
-            .map_or_else(nothing, |(_, why)| why));
+        let first = refusals.into_iter().next();
+        return Err(first.map_or_else(nothing, |(_, why)| why));
     }
     for (title, why) in refusals.into_iter().take(MOST_NOTED) {
-        reading
-            .notes
-            .push(format!("sheet {title} left out: found {}", why.found));
+        let note = format!("sheet {title} left out: found {}", why.found);
+        reading.notes.push(note);
     }
     Ok(reading)
 }
 
-enum Trouble {
-    Broken(String),
-    TooMany,
+fn broken(input: &Input, why: &str) -> ReadError {
+    input.error(format!("a broken workbook ({why})"), "a whole one")
 }
 
-fn sheets(input: &Input) -> Result<Vec<(String, Sheet)>, Trouble> {
-    let broken = |error: calamine::XlsxError| Trouble::Broken(error.to_string());
+fn sheets(input: &Input) -> Result<Vec<(String, Sheet)>, ReadError> {
+    let broken = |error: calamine::XlsxError| broken(input, &error.to_string());
+    let too_many = || input.error("far more cells than its size allows", budget::WORDS);
     let mut book = Xlsx::new(Cursor::new(input.bytes)).map_err(broken)?;
     let mut left = budget::of(input.bytes.len()) / 2;
     let mut sheets = Vec::new();
@@ -207,7 +191,7 @@ fn sheets(input: &Input) -> Result<Vec<(String, Sheet)>, Trouble> {
             }
             left = left
                 .checked_sub(CELL_BYTES + text.len())
-                .ok_or(Trouble::TooMany)?;
+                .ok_or_else(too_many)?;
             sheet.insert(cell.get_position(), Cell::of(text, is_number));
         }
         sheets.push((name, sheet));
@@ -228,17 +212,13 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
         *numbers.entry(*column).or_default() += usize::from(cell.is_number);
     }
     numbers.retain(|_, count| *count >= FEWEST_NUMBERS);
-    let places: BTreeMap<u32, usize> = numbers
-        .keys()
-        .enumerate()
-        .map(|(place, column)| (*column, place))
-        .collect();
+    let places: BTreeMap<u32, usize> = numbers.into_keys().zip(0..).collect();
     let most = budget::of(input.bytes.len()) / 8;
     let far = || input.error("a sheet far larger than its file", budget::WORDS);
     let (mut text, mut aside) = (String::new(), Vec::new());
     let (mut row, mut place) = (0, 0);
     for ((cell_row, column), cell) in sheet {
-        let Some(cell_place) = places.get(column).copied() else {
+        let Some(cell_place) = places.get(column) else {
             if aside.len() < MOST_NOTED {
                 aside.push(format!("beside the table: {}", cell.text));
             }
@@ -253,11 +233,9 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
             text.extend(std::iter::repeat_n('\n', lines));
             (row, place) = (*cell_row, 0);
         }
-        while place < cell_place {
-            text.push('\t');
-            place += 1;
-        }
-        let _ = write!(text, "{}", cell.text);
+        text.extend(std::iter::repeat_n('\t', cell_place - place));
+        place = *cell_place;
+        text.push_str(&cell.text);
         if text.len() > most {
             return Err(far());
         }
@@ -275,7 +253,7 @@ fn table_of(input: &Input, sheet: &Sheet) -> Result<(String, Vec<String>), ReadE
 #[cfg(test)]
 mod tests {
     use crate::io::decode::archive::zipped;
-    use crate::io::read_bytes;
+    use crate::io::tests::{assert_told, first, read, refusal};
     use crate::spectrum::Kind;
 
     /// A workbook of one sheet with these rows.
@@ -287,14 +265,14 @@ mod tests {
             "<workbook xmlns=\"{main}\" xmlns:r=\"{office}\"><sheets>\
              <sheet name=\"Data\" sheetId=\"1\" r:id=\"rId1\"/></sheets></workbook>"
         );
-        let links = format!(
-            "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
-             Type=\"{office}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
-        );
-        let root = format!(
-            "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
-             Type=\"{office}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
-        );
+        let link = |what: &str, target: &str| {
+            format!(
+                "<Relationships xmlns=\"{package}\"><Relationship Id=\"rId1\" \
+                 Type=\"{office}/{what}\" Target=\"{target}\"/></Relationships>"
+            )
+        };
+        let links = link("worksheet", "worksheets/sheet1.xml");
+        let root = link("officeDocument", "xl/workbook.xml");
         let sheet =
             format!("<worksheet xmlns=\"{main}\"><sheetData>{rows}</sheetData></worksheet>");
         zipped(&[
@@ -322,16 +300,11 @@ mod tests {
 
     #[test]
     fn a_sheet_is_read_as_columns_and_what_stands_beside_is_noted() {
-        let reading = read_bytes("a.xlsx", &workbook(&rows())).expect("a spectrum");
-        let spectrum = &reading.spectra[0];
+        let spectrum = first("a.xlsx", workbook(&rows()));
         assert_eq!(spectrum.samples.nm(), [500.0, 600.5]);
         assert_eq!((spectrum.kind, spectrum.scale), (Kind::Transmittance, 0.01));
-        assert!(
-            spectrum
-                .notes
-                .iter()
-                .any(|n| n == "beside the table: Item 7")
-        );
+        let beside = "beside the table: Item 7".to_owned();
+        assert!(spectrum.notes.contains(&beside));
     }
 
     #[test]
@@ -342,14 +315,12 @@ mod tests {
             format!("<row r=\"{row}\">{nm}{value}</row>")
         };
         let rows = row(1, 380, "0,5") + &row(2, 390, "0,25") + &row(3, 400, "1");
-        let reading = read_bytes("a.xlsx", &workbook(&rows)).expect("a spectrum");
+        let reading = read("a.xlsx", workbook(&rows));
         let spectrum = &reading.spectra[0];
         assert_eq!(spectrum.samples.values(), [0.5, 0.25, 1.0]);
-        let notes = [&reading.notes[..], &spectrum.notes[..]]
-            .concat()
-            .join("; ");
-        assert!(notes.contains("decimal comma: 2 cells"), "{notes}");
-        assert!(!notes.contains("TAB"), "{notes}");
+        let notes = [&reading.notes[..], &spectrum.notes[..]].concat();
+        assert_told(&notes, "decimal comma: 2 cells");
+        assert!(!notes.concat().contains("TAB"), "{notes:?}");
     }
 
     #[test]
@@ -358,26 +329,25 @@ mod tests {
             .replace("% Transmission", "5\" lens; 1/2 // A, [1, 2, 3, 4, 5]")
             .replace("<v>80</v>", "<v>8</v>")
             .replace("Item 7", "; no, comment");
-        let reading = read_bytes("a.xlsx", &workbook(&rows)).expect("a spectrum");
-        let spectrum = &reading.spectra[0];
+        let spectrum = first("a.xlsx", workbook(&rows));
         assert_eq!(spectrum.samples.values(), [2.5, 8.0]);
-        let tells = |n: &String| n == "beside the table: ; no, comment";
-        assert!(spectrum.notes.iter().any(tells), "{:?}", spectrum.notes);
+        let beside = "beside the table: ; no, comment".to_owned();
+        assert!(spectrum.notes.contains(&beside), "{:?}", spectrum.notes);
         assert_eq!(spectrum.name, "5\" lens; 1/2 // A, [1, 2, 3, 4, 5]");
     }
 
     #[test]
     fn a_sheet_without_a_table_is_refused_by_its_row() {
         let none = workbook(&format!("<row r=\"1\">{}</row>", word("A1", "only words")));
-        let said = read_bytes("a.xlsx", &none).unwrap_err().to_string();
+        let said = refusal("a.xlsx", none);
         assert!(said.contains("a workbook without cells"), "{said}");
         let bad = rows().replace("r=\"D4\"", "r=\"XFD1048576\"");
-        let _ = read_bytes("a.xlsx", &workbook(&bad));
+        let _ = crate::io::read_bytes("a.xlsx", &workbook(&bad));
     }
 
     #[test]
     fn bombs_are_refused() {
-        let said = read_bytes("a.xlsx", &workbook(&" ".repeat(64 << 20))).unwrap_err();
-        assert!(said.to_string().contains("unfolds to far more"), "{said}");
+        let said = refusal("a.xlsx", workbook(&" ".repeat(64 << 20)));
+        assert!(said.contains("unfolds to far more"), "{said}");
     }
 }

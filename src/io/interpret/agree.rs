@@ -3,7 +3,7 @@
 
 use crate::io::Reading;
 use crate::io::choices::Counted;
-use crate::io::reading::decision::{Decision, Origin};
+use crate::io::reading::decision::{Decision, Decisions, Origin};
 use crate::io::reading::facts::Facts;
 use crate::spectrum::Kind;
 
@@ -14,9 +14,11 @@ pub(crate) fn agree(reading: &mut Reading) {
     for kind in [Kind::Reflectance, Kind::Transmittance] {
         count_alike(kind, reading);
     }
-    let guesses = |facts: &Facts| facts.decisions.counted.clone().filter(Decision::is_guess);
-    let evident = reading.facts.iter().filter_map(guesses);
-    let evident = evident.filter(|counted| !counted.is_doubtful());
+    let counted = reading
+        .facts
+        .iter()
+        .filter_map(|facts| facts.decisions.counted.as_ref());
+    let evident = counted.filter(|counted| counted.origin == Origin::Evident);
     let mut evident: Vec<Counted> = evident.map(|counted| counted.value).collect();
     evident.dedup();
     for facts in &mut reading.facts {
@@ -31,12 +33,11 @@ pub(crate) fn agree(reading: &mut Reading) {
 
 fn count_alike(kind: Kind, reading: &mut Reading) {
     let guessed = |facts: &Facts, as_what: Counted| {
-        facts.decisions.kind.value == kind
-            && facts
-                .decisions
-                .counted
-                .as_ref()
-                .is_some_and(|counted| counted.is_guess() && counted.value == as_what)
+        let Decisions {
+            kind: of, counted, ..
+        } = &facts.decisions;
+        let is_it = |counted: &Decision<_>| counted.is_guess() && counted.value == as_what;
+        of.value == kind && counted.as_ref().is_some_and(is_it)
     };
     let spectra = reading.spectra.iter().zip(&reading.facts);
     let percent = spectra.filter(|(_, facts)| guessed(facts, Counted::Percent));
@@ -59,34 +60,29 @@ fn count_alike(kind: Kind, reading: &mut Reading) {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::tests::read;
 
     #[test]
     fn a_dark_patch_beside_a_bright_one_is_counted_alike() {
         let text = "nm,Reflectance black,Reflectance white\n400,0.6,91\n410,0.7,92\n420,0.7,91.5\n";
-        let reading = read_bytes("patches.csv", text.as_bytes()).unwrap();
+        let reading = read("patches.csv", text);
         let [black, white] = &reading.spectra[..] else {
             panic!("{reading:?}");
         };
         assert_eq!((black.scale, white.scale), (0.01, 0.01));
         assert!((black.samples.values()[1] - 0.007).abs() < 1e-12);
         assert!(black.notes[0].contains("fraction, from per cent"));
-        assert!(
-            black
-                .notes
-                .iter()
-                .any(|n| n.ends_with("others in the file reach 92.000"))
-        );
+        let others = |note: &String| note.ends_with("others in the file reach 92.000");
+        assert!(black.notes.iter().any(others));
         assert!(!reading.is_doubtful(), "{:?}", reading.guesses);
     }
 
     #[test]
     fn fractions_alone_and_what_a_title_states_stay() {
         let text = "nm,Reflectance a,Reflectance b (%)\n400,0.6,91\n410,0.7,92\n420,0.7,91.5\n";
-        let reading = read_bytes("patches.csv", text.as_bytes()).unwrap();
-        assert_eq!(reading.spectra[0].scale, 1.0);
+        assert_eq!(read("patches.csv", text).spectra[0].scale, 1.0);
         let alone = "nm,Reflectance a,Reflectance b\n400,0.6,0.1\n410,0.7,0.1\n";
-        let reading = read_bytes("patches.csv", alone.as_bytes()).unwrap();
-        assert!(reading.spectra.iter().all(|s| s.scale == 1.0));
+        let spectra = read("patches.csv", alone).spectra;
+        assert!(spectra.iter().all(|s| s.scale == 1.0));
     }
 }

@@ -121,55 +121,43 @@ mod tests {
     use super::*;
     use crate::io::reading::remark::unit_words;
 
+    fn axis<'a>(title: &'a str, header: &'a [WavelengthUnit], range: (f64, f64)) -> Axis<'a> {
+        Axis {
+            title,
+            header,
+            says_nm: false,
+            is_dpt: false,
+            range,
+        }
+    }
+
     #[test]
     fn a_title_outweighs_the_header_and_the_header_the_range() {
         let header = units_of_header(&[(1, "X Units: Wavelength (micrometers)")]);
-        let mut axis = Axis {
-            title: "Wavelength (nm)",
-            header: &header,
-            says_nm: false,
-            is_dpt: false,
-            range: (350.0, 2500.0),
-        };
+        let mut axis = axis("Wavelength (nm)", &header, (350.0, 2500.0));
         assert_eq!(unit(&axis).0.value, WavelengthUnit::Nanometre);
         axis.title = "";
-        assert_eq!(
-            unit(&axis).0.value,
-            WavelengthUnit::Nanometre,
-            "2500 um is nonsense"
-        );
+        let found = unit(&axis).0.value;
+        assert_eq!(found, WavelengthUnit::Nanometre, "2500 um is nonsense");
         axis.range = (0.35, 2.5);
         let (found, _) = unit(&axis);
-        assert_eq!(
-            (found.value, found.is_guess()),
-            (WavelengthUnit::Micrometre, false)
-        );
+        assert_eq!(found.value, WavelengthUnit::Micrometre);
+        assert!(!found.is_guess());
         axis.header = &[];
         assert!(unit(&axis).0.is_guess());
     }
 
     #[test]
     fn brukers_point_tables_count_wave_numbers_unless_they_say_so() {
-        let axis = Axis {
-            title: "",
-            header: &[],
-            says_nm: false,
-            is_dpt: true,
-            range: (800.0, 2500.0),
-        };
+        let mut axis = axis("", &[], (800.0, 2500.0));
+        axis.is_dpt = true;
         assert_eq!(unit(&axis).0.value, WavelengthUnit::PerCentimetre);
     }
 
     /// The unit of 380 to 780 under a title and a header line, and whether a person should look.
     fn of_visible(title: &str, line: &str) -> (String, bool) {
         let header = units_of_header(&[(1, line)]);
-        let (found, against) = unit(&Axis {
-            title,
-            header: &header,
-            says_nm: false,
-            is_dpt: false,
-            range: (380.0, 780.0),
-        });
+        let (found, against) = unit(&axis(title, &header, (380.0, 780.0)));
         let words = unit_words(found.value, against.as_deref());
         (words, !found.is_guess())
     }

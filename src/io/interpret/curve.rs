@@ -1,11 +1,9 @@
 //! From the numbers of a file to a spectrum: order, doubles and gaps.
 
-use std::fmt;
-
-use crate::spectrum::Sampled;
-
+use crate::io::many::many;
 use crate::io::reading::remark::Remark;
 use crate::io::text::number::is_measured;
+use crate::spectrum::Sampled;
 
 /// Most samples of one spectrum.
 pub(crate) const MOST_SAMPLES: usize = 10_000_000;
@@ -26,53 +24,40 @@ pub(crate) struct Cleaned {
     pub remarks: Vec<Remark>,
 }
 
-/// Why numbers are no spectrum. Indices count the points given, from 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Trouble {
-    /// Fewer than two points with a wavelength and a value.
-    TooFew { found: usize },
-    /// More than [`MOST_SAMPLES`].
-    TooMany { found: usize },
-    /// Wavelengths run to and fro; the first step backwards.
-    NotMonotonic {
-        index: usize,
-        nm: f64,
-        after_nm: f64,
-    },
-    /// A wavelength below zero.
-    NotPositive { index: usize, nm: f64 },
-}
-
-impl fmt::Display for Trouble {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFew { found: 1 } => f.write_str("1 point with a wavelength and a value"),
-            Self::TooFew { found } => write!(f, "{found} points with a wavelength and a value"),
-            Self::TooMany { found } => write!(f, "{found} points"),
-            Self::NotMonotonic { nm, after_nm, .. } => {
-                write!(f, "wavelength {nm} nm after {after_nm} nm")
-            }
-            Self::NotPositive { nm, .. } => write!(f, "wavelength {nm} nm"),
-        }
-    }
+/// Why numbers are no spectrum.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Trouble {
+    /// What was found.
+    pub found: String,
+    /// What would have been right.
+    pub expected: String,
+    /// The point at fault among those given, from 0, where there is one.
+    pub index: Option<usize>,
 }
 
 impl Trouble {
-    /// What would have been right.
-    pub(crate) fn expected(&self) -> String {
-        match self {
-            Self::TooFew { .. } => "at least 2".to_owned(),
-            Self::TooMany { .. } => format!("at most {MOST_SAMPLES}"),
-            Self::NotMonotonic { .. } => "wavelengths that rise or fall throughout".to_owned(),
-            Self::NotPositive { .. } => "a wavelength above 0".to_owned(),
+    fn too_few(points: usize) -> Self {
+        let points = many(points, "point", "points");
+        Self {
+            found: format!("{points} with a wavelength and a value"),
+            expected: "at least 2".to_owned(),
+            index: None,
         }
     }
 
-    /// The point at fault, where there is one.
-    pub(crate) fn index(&self) -> Option<usize> {
-        match self {
-            Self::TooFew { .. } | Self::TooMany { .. } => None,
-            Self::NotMonotonic { index, .. } | Self::NotPositive { index, .. } => Some(*index),
+    fn too_many(points: usize) -> Self {
+        Self {
+            found: format!("{points} points"),
+            expected: format!("at most {MOST_SAMPLES}"),
+            index: None,
+        }
+    }
+
+    fn at(index: usize, found: String, expected: &str) -> Self {
+        Self {
+            found,
+            expected: expected.to_owned(),
+            index: Some(index),
         }
     }
 }
@@ -86,13 +71,9 @@ pub(crate) fn beside(other: &Sampled, values: Vec<f64>) -> Result<Cleaned, Vec<f
     if values.iter().fold(false, |odd, v| odd | !is_measured(*v)) {
         return Err(values);
     }
-    match other.sharing(values) {
-        Ok(samples) => Ok(Cleaned {
-            samples,
-            remarks: Vec::new(),
-        }),
-        Err((_, values)) => Err(values),
-    }
+    let samples = other.sharing(values).map_err(|(_, values)| values)?;
+    let remarks = Vec::new();
+    Ok(Cleaned { samples, remarks })
 }
 
 /// Makes a spectrum of wavelengths (nm) and values: gaps (anything that is not finite or of a size
@@ -125,7 +106,8 @@ pub(crate) fn clean_within(
             zeros += 1;
         } else if is_measured(*w) && is_measured(*v) {
             if *w < 0.0 {
-                return Err(Trouble::NotPositive { index, nm: *w });
+                let found = format!("wavelength {w} nm");
+                return Err(Trouble::at(index, found, "a wavelength above 0"));
             }
             if points.len() < index && whence.is_empty() {
                 whence.extend(0..points.len() as u32);
@@ -139,25 +121,16 @@ pub(crate) fn clean_within(
     let missing = given - points.len() - zeros;
     remarks.extend((zeros > 0).then_some(Remark::AtZero(zeros)));
     remarks.extend((missing > 0).then_some(Remark::Missing(missing)));
-    if points.len() < 2 {
-        return Err(Trouble::TooFew {
-            found: points.len(),
-        });
-    }
-    if points.len() > MOST_SAMPLES {
-        return Err(Trouble::TooMany {
-            found: points.len(),
-        });
+    match points.len() {
+        few @ 0..2 => return Err(Trouble::too_few(few)),
+        many if many > MOST_SAMPLES => return Err(Trouble::too_many(many)),
+        _ => {}
     }
     put_in_order(&mut points, &whence, most_reversals, &mut remarks)?;
     average_doubles(&mut points, &mut remarks);
     let (nm, values) = points.iter().copied().unzip();
-    match Sampled::new(nm, values) {
-        Ok(samples) => Ok(Cleaned { samples, remarks }),
-        Err(_) => Err(Trouble::TooFew {
-            found: points.len(),
-        }),
-    }
+    let samples = Sampled::new(nm, values).map_err(|_| Trouble::too_few(points.len()))?;
+    Ok(Cleaned { samples, remarks })
 }
 
 fn put_in_order(
@@ -175,21 +148,17 @@ fn put_in_order(
     let falling = down > up;
     let reversals = up.min(down);
     if reversals > 0 && reversals as f64 > most_reversals * steps as f64 {
-        let at = points
-            .windows(2)
-            .position(|p| {
-                if falling {
-                    p[1].0 > p[0].0
-                } else {
-                    p[1].0 < p[0].0
-                }
-            })
-            .unwrap_or(0);
-        return Err(Trouble::NotMonotonic {
-            index: whence.get(at + 1).map_or(at + 1, |i| *i as usize),
-            nm: points[at + 1].0,
-            after_nm: points[at].0,
-        });
+        let against = |pair: &[(f64, f64)]| match falling {
+            true => pair[1].0 > pair[0].0,
+            false => pair[1].0 < pair[0].0,
+        };
+        let at = points.windows(2).position(against).unwrap_or(0);
+        let (before, back) = (points[at].0, points[at + 1].0);
+        return Err(Trouble::at(
+            whence.get(at + 1).map_or(at + 1, |i| *i as usize),
+            format!("wavelength {back} nm after {before} nm"),
+            "wavelengths that rise or fall throughout",
+        ));
     }
     if falling {
         points.reverse();
@@ -265,13 +234,7 @@ mod tests {
     #[test]
     fn numbers_that_run_to_and_fro_are_refused_at_the_first_step_back() {
         let trouble = clean(&[400.0, f64::NAN, 500.0, 450.0, 600.0, 440.0], &[0.0; 6]).unwrap_err();
-        assert_eq!(
-            trouble,
-            Trouble::NotMonotonic {
-                index: 3,
-                nm: 450.0,
-                after_nm: 500.0
-            }
-        );
+        assert_eq!(trouble.index, Some(3));
+        assert_eq!(trouble.found, "wavelength 450 nm after 500 nm");
     }
 }

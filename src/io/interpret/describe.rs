@@ -3,7 +3,7 @@
 
 use super::agree::agree;
 use crate::io::choices::Counted;
-use crate::io::reading::decision::{AxisDecision, Decision};
+use crate::io::reading::decision::AxisDecision;
 use crate::io::reading::facts::Facts;
 use crate::io::reading::remark::{Remark, unit_words};
 use crate::io::reading::{Guessed, OpenQuestion, provenance};
@@ -100,18 +100,10 @@ fn guesses_of(facts: &Facts, spectrum: usize) -> impl Iterator<Item = OpenQuesti
         let word = kind.value.word().to_owned();
         guess(Guessed::Kind, word, &kind.reason, !kind.is_doubtful())
     });
-    let counted = decisions
-        .counted
-        .as_ref()
-        .filter(|counted| counted.is_guess());
-    let counted = counted.map(|counted: &Decision<Counted>| {
-        let word = counted.value.word().to_owned();
-        guess(
-            Guessed::Percent,
-            word,
-            &counted.reason,
-            !counted.is_doubtful(),
-        )
+    let counted = decisions.counted.as_ref();
+    let counted = counted.filter(|counted| counted.is_guess()).map(|counted| {
+        let (word, plain) = (counted.value.word().to_owned(), !counted.is_doubtful());
+        guess(Guessed::Percent, word, &counted.reason, plain)
     });
     [axis, kind, counted].into_iter().flatten()
 }

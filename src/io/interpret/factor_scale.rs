@@ -6,6 +6,7 @@ use super::kinds::{kind_of_words, states_values};
 use crate::io::Counted;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
+use crate::io::text::words::holds;
 use crate::spectrum::Kind;
 
 /// What a format knows of the factor from the file's numbers to the unit.
@@ -30,12 +31,10 @@ pub(crate) fn decide_scale(
     chosen: Option<Counted>,
     size: impl FnOnce() -> Decision<Counted>,
 ) -> (Option<Decision<Counted>>, f64) {
-    if !kind.is_factor() {
-        let scale = match known {
-            KnownScale::Stated(scale) => *scale,
-            _ => 1.0,
-        };
-        return (None, scale);
+    match known {
+        KnownScale::Stated(scale) if !kind.is_factor() => return (None, *scale),
+        _ if !kind.is_factor() => return (None, 1.0),
+        _ => {}
     }
     let is_own = own.is_factor();
     let decision = match (chosen.filter(|counted| counted.scale().is_some()), known) {
@@ -46,9 +45,7 @@ pub(crate) fn decide_scale(
         }
         (None, KnownScale::Told(counted)) => counted.clone(),
         (None, KnownScale::Fractions) if is_own => match size() {
-            fraction if fraction.value == Counted::Fraction => {
-                Decision::of_format(Counted::Fraction)
-            }
+            size if size.value == Counted::Fraction => Decision::of_format(size.value),
             other => other,
         },
         (None, _) => size(),
@@ -138,11 +135,9 @@ pub(crate) fn by_size(values: &[f64]) -> Decision<Counted> {
 /// Whether a title (lower case) says that 10 000 is all of the light: "reflectance (x10000)".
 fn counts_ten_thousandths(title: &str) -> bool {
     let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
-    ["x", "*", "×"].iter().any(|times| {
-        ["10000", "1e4", "10^4"]
-            .iter()
-            .any(|number| crate::io::text::words::holds(&bare, &format!("{times}{number}|")))
-    })
+    let of = |times: &str| ["10000|", "1e4|", "10^4|"].map(|number| format!("{times}{number}"));
+    let mut words = ["x", "*", "×"].into_iter().flat_map(of);
+    words.any(|word| holds(&bare, &word))
 }
 
 /// Whether a header says that values are per cent, or fractions; `None` where it does not.
@@ -174,11 +169,8 @@ fn is_about_factors(line: &str) -> bool {
 
 /// The size that hardly a value exceeds.
 pub(crate) fn largest(values: &[f64]) -> f64 {
-    let mut sizes: Vec<f64> = values
-        .iter()
-        .map(|v| v.abs())
-        .filter(|v| v.is_finite())
-        .collect();
+    let sizes = values.iter().map(|v| v.abs());
+    let mut sizes: Vec<f64> = sizes.filter(|v| v.is_finite()).collect();
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0)
 }
@@ -189,15 +181,12 @@ pub(crate) fn or_large(
     may_be_large: bool,
     values: &[f64],
 ) -> Decision<Counted> {
-    let is_large =
-        may_be_large && size.value != Counted::SixteenBits && largest(values) > MOST_PERCENT;
-    match is_large {
-        true => Decision {
-            value: Counted::TenThousandths,
-            ..size
-        },
-        false => size,
-    }
+    let value = match size.value {
+        Counted::SixteenBits => Counted::SixteenBits,
+        _ if may_be_large && largest(values) > MOST_PERCENT => Counted::TenThousandths,
+        value => value,
+    };
+    Decision { value, ..size }
 }
 
 #[cfg(test)]
@@ -205,23 +194,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn per_cent_is_told_from_noisy_fractions() {
+    fn per_cent_is_told_from_noisy_fractions_and_whole_numbers() {
         let mut noisy = vec![0.9; 200];
         noisy[5..15].fill(20.0);
         assert!(by_size(&noisy).value != Counted::Percent);
         let mut filter = vec![0.01; 200];
         filter[90..100].fill(80.0);
-        assert!(by_size(&filter).value == Counted::Percent);
-        assert!(by_size(&[40.0, 50.0, 60.0]).value == Counted::Percent);
-    }
-
-    #[test]
-    fn whole_numbers_of_sixteen_bits_are_no_per_cent_and_are_asked_about() {
-        let found = by_size(&[6553.5, 32_767.0, 65_535.0]);
-        let known = (found.value, found.is_doubtful());
-        assert_eq!(known, (Counted::SixteenBits, true));
-        let found = by_size(&[1000.0, 5000.0, 10_000.0]);
-        assert_eq!(found.value, Counted::TenThousandths);
+        for (values, counted) in [
+            (&filter[..], Counted::Percent),
+            (&[40.0, 50.0, 60.0], Counted::Percent),
+            (&[6553.5, 32_767.0, 65_535.0], Counted::SixteenBits),
+            (&[1000.0, 5000.0, 10_000.0], Counted::TenThousandths),
+        ] {
+            assert_eq!(by_size(values).value, counted);
+        }
+        assert!(by_size(&[6553.5, 32_767.0, 65_535.0]).is_doubtful());
     }
 
     #[test]
@@ -234,21 +221,17 @@ mod tests {
 
     #[test]
     fn a_per_cent_of_something_else_is_not_the_values() {
-        for line in [
-            "Measurement humidity: 45 %",
-            "measurement: 5 % uncertainty",
-            "Unit serial 50%",
+        for (line, percent) in [
+            ("Measurement humidity: 45 %", None),
+            ("measurement: 5 % uncertainty", None),
+            ("Unit serial 50%", None),
+            ("Y Units: %", Some(true)),
+            ("Unit: %", Some(true)),
+            ("Units\t[%]", Some(true)),
+            ("Measurement: % Reflectance", Some(true)),
+            ("unit: fraction", Some(false)),
         ] {
-            assert_eq!(percent_of_header(&[(1, line)]), None, "{line}");
+            assert_eq!(percent_of_header(&[(1, line)]), percent, "{line}");
         }
-        for line in [
-            "Y Units: %",
-            "Unit: %",
-            "Units\t[%]",
-            "Measurement: % Reflectance",
-        ] {
-            assert_eq!(percent_of_header(&[(1, line)]), Some(true), "{line}");
-        }
-        assert_eq!(percent_of_header(&[(1, "unit: fraction")]), Some(false));
     }
 }

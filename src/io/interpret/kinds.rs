@@ -3,11 +3,11 @@
 //! Titles of columns count most, then lines that state what is on the y axis, then the rest of
 //! the header, then the file's name. Whatever is not stated is a guess, and the reading says so.
 
-use crate::spectrum::Kind;
-
+use crate::io::error::shortened;
 use crate::io::reading::decision::Decision;
 use crate::io::text::NumberedLines;
-use crate::io::text::words::{holds, holds_any};
+use crate::io::text::words::holds_any;
+use crate::spectrum::Kind;
 
 /// Words for what repeated measurements differ by.
 const SPREAD: [&str; 5] = [
@@ -291,17 +291,15 @@ pub(crate) fn kind_of_title(title: &str) -> Option<Kind> {
 /// The kind of what a title (lower case) says is no plain measure: decibels, logarithms, and what a
 /// surface takes away.
 fn kind_of_logarithm(title: &str) -> Option<Kind> {
-    const LOGS: [&str; 4] = ["|log10|", "|log(", "|log |", "|ln("];
+    const LOGS: [&str; 6] = ["|log10|", "|log(", "|log |", "|ln(", "|db|", "|dbm|"];
+    const RESTS: [&str; 6] = [
+        "|1-r|", "|1-t|", "|100-r|", "|100-t|", "|100-%r|", "|100-%t|",
+    ];
     let bare: String = title.chars().filter(|c| !c.is_whitespace()).collect();
-    let is_rest = ["1-r", "1-t", "100-r", "100-t", "100-%r", "100-%t"]
-        .iter()
-        .any(|rest| holds(&bare, &format!("|{rest}|")));
-    if ["log(1/", "log10(1/", "log1/", "-log"]
-        .iter()
-        .any(|of| bare.starts_with(of))
-    {
+    let mut inverse = ["log(1/", "log10(1/", "log1/", "-log"].iter();
+    if inverse.any(|of| bare.starts_with(of)) {
         Some(Kind::Absorbance)
-    } else if is_rest || holds_any(title, &["|db|", "|dbm|"]) || holds_any(title, &LOGS) {
+    } else if holds_any(&bare, &RESTS) || holds_any(title, &LOGS) {
         Some(Kind::Other)
     } else {
         None
@@ -311,10 +309,8 @@ fn kind_of_logarithm(title: &str) -> Option<Kind> {
 /// The kind that a line of text tells.
 pub(crate) fn kind_of_words(line: &str) -> Option<Kind> {
     let line = line.to_lowercase();
-    WORDS
-        .iter()
-        .find(|(_, words)| holds_any(&line, words))
-        .map(|(kind, _)| *kind)
+    let found = WORDS.iter().find(|(_, words)| holds_any(&line, words));
+    found.map(|(kind, _)| *kind)
 }
 
 /// The kind that a file's name suggests, by whole words: of several the last, which is what the
@@ -325,26 +321,18 @@ pub(crate) fn kind_of_name(name: &str) -> Option<Kind> {
 
 /// Whether the words in a file's name all mean one kind.
 pub(crate) fn is_plain_name(name: &str) -> bool {
-    let kinds = kinds_of_name(name);
-    kinds
-        .first()
-        .is_some_and(|first| kinds.iter().all(|kind| kind == first))
+    let mut kinds = kinds_of_name(name);
+    kinds.dedup();
+    kinds.len() == 1
 }
 
 /// Whether a header line states what is on the y axis ("Y Units: Reflectance (percent)").
 pub(crate) fn states_values(line: &str) -> bool {
     let line = line.trim().to_lowercase();
-    [
-        "y unit",
-        "yunit",
-        "y-unit",
-        "unit",
-        "measurement",
-        "quantity",
-        "technique",
-    ]
-    .iter()
-    .any(|start| line.starts_with(start))
+    let units = ["y unit", "yunit", "y-unit", "unit"];
+    let quantities = ["measurement", "quantity", "technique"];
+    let mut starts = units.iter().chain(&quantities);
+    starts.any(|start| line.starts_with(start))
 }
 
 /// Whether a line titles columns of several kinds: it tells nothing of one without a kind.
@@ -412,10 +400,8 @@ pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64])
         sorted.extend(values);
         sorted.sort_by(f64::total_cmp);
     }
-    if sorted
-        .get(sorted.len() / 2)
-        .is_some_and(|middle| (0.01..=1.5).contains(middle))
-    {
+    let middle = sorted.get(sorted.len() / 2);
+    if middle.is_some_and(|middle| (0.01..=1.5).contains(middle)) {
         return guess(Kind::Reflectance, "an ASD's values of about 0..1");
     }
     if values.iter().all(|v| (-0.05..=1.2).contains(v)) {
@@ -429,11 +415,7 @@ pub(crate) fn kind(title: &str, header: &FromHeader, file: &str, values: &[f64])
 }
 
 fn short(text: &str) -> String {
-    let text = text.trim();
-    match text.char_indices().nth(40) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
+    shortened(text.trim(), 40)
 }
 
 #[cfg(test)]
@@ -471,14 +453,12 @@ mod tests {
 
     #[test]
     fn the_y_axis_line_outweighs_the_rest_of_the_header() {
-        let header = [
+        let header = FromHeader::of(&[
             (1, "Y Units: Reflectance (percent)"),
             (2, "irradiance of the sample"),
-        ];
-        assert_eq!(
-            kind("", &FromHeader::of(&header), "a.txt", &[50.0]).value,
-            Kind::Reflectance
-        );
+        ]);
+        let found = kind("", &header, "a.txt", &[50.0]);
+        assert_eq!(found.value, Kind::Reflectance);
     }
 
     #[test]
@@ -487,15 +467,13 @@ mod tests {
         let found = kind("", &none, "x.csv", &[0.1, 0.5]);
         assert_eq!((found.value, found.is_guess()), (Kind::Light, true));
         assert!(found.reason.contains("may be a reflectance"));
-        assert_eq!(
-            kind("a.asd", &none, "x.txt", &[0.1, 0.5]).value,
-            Kind::Reflectance
-        );
-        assert_eq!(
-            kind("a.asd", &none, "irrad.txt", &[0.1, 0.5]).value,
-            Kind::Light
-        );
-        assert_eq!(kind("", &none, "Au.eta.spd", &[1.0]).value, Kind::Other);
+        for (title, file, of) in [
+            ("a.asd", "x.txt", Kind::Reflectance),
+            ("a.asd", "irrad.txt", Kind::Light),
+            ("", "Au.eta.spd", Kind::Other),
+        ] {
+            assert_eq!(kind(title, &none, file, &[0.1, 0.5]).value, of, "{file}");
+        }
     }
 
     #[test]
@@ -562,19 +540,12 @@ mod tests {
     fn a_line_of_titles_of_several_kinds_tells_nothing_of_the_others() {
         let header = [(1, "Dark Subtracted #1;%TR #1;Absorbance #1;Irradiance #1")];
         let header = FromHeader::of(&header);
-        assert_eq!(
-            kind("else", &header, "a.txt", &[5.0]).reason,
-            "nothing states it"
-        );
-        assert_eq!(
-            kind("Dark Subtracted #1", &header, "a.txt", &[5.0]).value,
-            Kind::Light
-        );
-        let ratio = kind("%TR #1", &header, "a.txt", &[5.0]);
-        assert_eq!(
-            (ratio.value, ratio.is_doubtful()),
-            (Kind::Transmittance, true)
-        );
+        let of = |title| kind(title, &header, "a.txt", &[5.0]);
+        assert_eq!(of("else").reason, "nothing states it");
+        assert_eq!(of("Dark Subtracted #1").value, Kind::Light);
+        let ratio = of("%TR #1");
+        assert_eq!(ratio.value, Kind::Transmittance);
+        assert!(ratio.is_doubtful());
     }
 
     #[test]
@@ -585,10 +556,8 @@ mod tests {
         ];
         for lines in [&header[..], &[header[1], header[0]]] {
             let found = kind("Processed", &FromHeader::of(lines), "a.csv", &[80.0]);
-            assert_eq!(
-                (found.value, found.is_guess()),
-                (Kind::Transmittance, false)
-            );
+            assert_eq!(found.value, Kind::Transmittance);
+            assert!(!found.is_guess());
         }
     }
 }

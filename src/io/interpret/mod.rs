@@ -24,8 +24,10 @@ use crate::spectrum::{Kind, NamedSpectrum};
 use axis::Axis;
 use curve::{Cleaned, Trouble};
 use factor_scale::{decide_scale, or_large};
-use heading::Heading;
-use raw::{Known, RawAxis, RawSpectrum};
+
+pub(super) use factor_scale::KnownScale;
+pub(super) use heading::Heading;
+pub(super) use raw::{Known, RawAxis, RawSpectrum, Scale};
 
 /// What a spectrum takes beside its values, in bytes: name, source, and how it was read. Files of
 /// tens of thousands of spectra of a few values each would take far more than their size.
@@ -68,6 +70,16 @@ pub(super) fn interpret(
     add(raw, input, reading)
 }
 
+/// The reading of a file that holds this spectrum alone.
+///
+/// # Errors
+/// As [`interpret`].
+pub(super) fn alone(raw: RawSpectrum, input: &Input) -> Result<Reading, ReadError> {
+    let mut reading = Reading::default();
+    interpret(raw, input, &mut reading)?;
+    Ok(reading)
+}
+
 /// As [`interpret`], where the reader saw to it that there is room.
 ///
 /// # Errors
@@ -96,7 +108,7 @@ pub(super) fn add(raw: RawSpectrum, input: &Input, reading: &mut Reading) -> Res
         }
     }
     let cleaned =
-        clean(&axis, unit, values).map_err(|trouble| refusal(input, &trouble, raw.lines))?;
+        clean(&axis, unit, values).map_err(|trouble| refusal(input, trouble, raw.lines))?;
     remarks.extend(cleaned.remarks);
     let samples = cleaned.samples;
 
@@ -227,9 +239,9 @@ fn unit_of_values(kind: Kind, known: Known, title: &str, heading: &Heading) -> S
 }
 
 /// The refusal of numbers that are no spectrum, at their line.
-fn refusal(input: &Input, trouble: &Trouble, lines: &[u32]) -> ReadError {
-    let error = input.error(trouble.to_string(), trouble.expected());
-    let of_point = trouble.index().and_then(|index| lines.get(index));
+fn refusal(input: &Input, trouble: Trouble, lines: &[u32]) -> ReadError {
+    let of_point = trouble.index.and_then(|index| lines.get(index));
+    let error = input.error(trouble.found, trouble.expected);
     match of_point.or(lines.first()) {
         Some(line) => error.at_line(*line as usize),
         None => error,
@@ -264,21 +276,18 @@ fn drop_sentinels(values: &mut [f64], remarks: &mut Vec<Remark>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::{Choices, Reading, read_bytes, read_bytes_as};
+    use crate::io::tests::{assert_told, first, read};
+    use crate::io::{Choices, read_bytes_as};
     use crate::spectrum::Kind;
-
-    fn read(text: &str) -> Reading {
-        read_bytes("a.csv", text.as_bytes()).expect("a table")
-    }
 
     #[test]
     fn a_single_not_measured_number_is_a_gap_too() {
-        let one = read("nm,lamp\n380,1\n390,-9999\n400,2\n");
-        assert_eq!(one.spectra[0].samples.values(), [1.0, 2.0]);
-        let notes = &one.spectra[0].notes;
-        assert!(notes.contains(&"1 value of -9999 taken as not measured".to_owned()));
-        let low = read("nm,lamp\n380,1\n390,-9.999\n400,2\n");
-        assert_eq!(low.spectra[0].samples.values(), [1.0, -9.999, 2.0]);
+        let one = first("a.csv", "nm,lamp\n380,1\n390,-9999\n400,2\n");
+        assert_eq!(one.samples.values(), [1.0, 2.0]);
+        let said = "1 value of -9999 taken as not measured".to_owned();
+        assert!(one.notes.contains(&said));
+        let low = first("a.csv", "nm,lamp\n380,1\n390,-9.999\n400,2\n");
+        assert_eq!(low.samples.values(), [1.0, -9.999, 2.0]);
     }
 
     #[test]
@@ -303,30 +312,27 @@ mod tests {
 
     #[test]
     fn metres_are_told_by_a_title_and_guessed_from_their_size() {
-        let told = read("wavelength (m),irradiance\n3.8e-7,1\n5e-7,2\n7.8e-07,3\n");
+        let text = "wavelength (m),irradiance\n3.8e-7,1\n5e-7,2\n7.8e-07,3\n";
+        let told = read("a.csv", text);
         let samples = &told.spectra[0].samples;
         assert!((samples.first_nm() - 380.0).abs() < 1e-9);
-        assert!(
-            !told.is_doubtful() || told.guesses.iter().all(|g| g.plain),
-            "{:?}",
-            told.guesses
-        );
-        let bare = read("3.8e-7 1e-6\n5.0e-7 3e-6\n6.0e-7 2e-6\n");
+        let is_plain = !told.is_doubtful() || told.guesses.iter().all(|g| g.plain);
+        assert!(is_plain, "{:?}", told.guesses);
+        let bare = read("a.csv", "3.8e-7 1e-6\n5.0e-7 3e-6\n6.0e-7 2e-6\n");
         assert!((bare.spectra[0].samples.last_nm() - 600.0).abs() < 1e-9);
         assert!(bare.is_doubtful());
     }
 
     #[test]
     fn frequencies_and_small_units_are_turned_into_wavelengths_and_said() {
-        let thz = read("Frequency (THz),lamp\n400,1\n500,2\n600,3\n");
-        let samples = &thz.spectra[0].samples;
+        let thz = first("a.csv", "Frequency (THz),lamp\n400,1\n500,2\n600,3\n");
+        let samples = &thz.samples;
         assert!((samples.last_nm() - 299_792.458 / 400.0).abs() < 1e-9);
         assert_eq!(samples.values(), [3.0, 2.0, 1.0]);
-        let notes = thz.spectra[0].notes.join("; ");
-        assert!(notes.contains("not rescaled"), "{notes}");
-        let mev = read("Energy (meV),lamp\n1600,1\n2000,2\n");
-        assert!((mev.spectra[0].samples.first_nm() - 619.92).abs() < 0.01);
-        let odd = read("Frequency (PHz),lamp [W/m2/nm]\n400,1\n500,2\n");
+        assert_told(&thz.notes, "not rescaled");
+        let mev = first("a.csv", "Energy (meV),lamp\n1600,1\n2000,2\n");
+        assert!((mev.samples.first_nm() - 619.92).abs() < 0.01);
+        let odd = read("a.csv", "Frequency (PHz),lamp [W/m2/nm]\n400,1\n500,2\n");
         assert!(odd.is_doubtful(), "{:?}", odd.guesses);
     }
 }

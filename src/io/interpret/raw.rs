@@ -84,25 +84,13 @@ impl<'a> RawSpectrum<'a> {
         kind: Decision<Kind>,
         unit: &str,
     ) -> Self {
-        Self {
-            name: name.into(),
-            axis: RawAxis::Nm(nm, None),
-            values,
-            title: String::new(),
-            percent_signs: false,
-            heading: None,
-            known: Known {
-                kind: Some(kind),
-                unit: Some(unit.to_owned()),
-                scale: KnownScale::Stated(1.0),
-                may_be_large: false,
-            },
-            lines: &[],
-            how: Vec::new(),
-            notes: Vec::new(),
-            source: None,
-            before: "",
-        }
+        let known = Known {
+            kind: Some(kind),
+            unit: Some(unit.to_owned()),
+            scale: KnownScale::Stated(1.0),
+            may_be_large: false,
+        };
+        Self::bare(name.into(), RawAxis::Nm(nm, None), values, known)
     }
 
     /// A spectrum of a table, of which titles and numbers tell everything.
@@ -113,23 +101,32 @@ impl<'a> RawSpectrum<'a> {
         values: Vec<f64>,
         heading: &'a Heading<'a>,
     ) -> Self {
+        let axis = RawAxis::Written {
+            scale,
+            title: axis_title.to_owned(),
+            says_nm: false,
+        };
         Self {
-            name: name.into(),
-            axis: RawAxis::Written {
-                scale,
-                title: axis_title.to_owned(),
-                says_nm: false,
-            },
+            heading: Some(heading),
+            before: heading.notes.unwrap_or(""),
+            ..Self::bare(name.into(), axis, values, Known::default())
+        }
+    }
+
+    fn bare(name: String, axis: RawAxis<'a>, values: Vec<f64>, known: Known) -> Self {
+        Self {
+            name,
+            axis,
             values,
             title: String::new(),
             percent_signs: false,
-            heading: Some(heading),
-            known: Known::default(),
+            heading: None,
+            known,
             lines: &[],
             how: Vec::new(),
             notes: Vec::new(),
             source: None,
-            before: heading.notes.unwrap_or(""),
+            before: "",
         }
     }
 

@@ -9,31 +9,24 @@ pub(crate) const PHOTONS: &str = "µmol m-2 s-1 nm-1";
 /// Whether a unit counts photons: moles of them, or einsteins (`µE/m2/s/nm`).
 pub(crate) fn counts_photons(unit: &str) -> bool {
     let lower = unit.to_lowercase();
-    lower.contains("mol")
-        || lower.contains("photon")
-        || lower.starts_with("ue")
-        || lower.starts_with("µe")
-        || lower.starts_with("μe")
+    let einsteins = ["ue", "µe", "μe"];
+    ["mol", "photon"].iter().any(|word| lower.contains(word))
+        || einsteins.iter().any(|start| lower.starts_with(start))
 }
 
 /// The unit of values that a title gives: text in brackets, a unit at its end, or what a
 /// spectrometer counted above its own dark reading.
 pub(crate) fn unit_of_title(title: &str) -> Option<&str> {
-    let counts = title
-        .trim_start()
-        .starts_with("Dark Subtracted")
-        .then_some("counts");
+    let is_counted = title.trim_start().starts_with("Dark Subtracted");
+    let counts = is_counted.then_some("counts");
     bracketed(title).or_else(|| bare(title)).or(counts)
 }
 
 /// The unit of values that header lines give: in brackets, or behind "unit:". A line that titles
 /// columns of several kinds says nothing of those without one.
 pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
-    for (_, line) in header
-        .iter()
-        .rev()
-        .filter(|(_, line)| !titles_several(line))
-    {
+    let lines = header.iter().rev();
+    for (_, line) in lines.filter(|(_, line)| !titles_several(line)) {
         // What this program's own files say, whatever it is.
         if let Some(own) = line.strip_prefix("unit: ") {
             return own.trim().to_owned();
@@ -46,9 +39,8 @@ pub(crate) fn unit_of_header(header: &NumberedLines) -> String {
                 return after.to_owned();
             }
         }
-        if let Some(unit) =
-            bracketed(line).filter(|u| u.contains('/') && kind_of_words(u).is_some())
-        {
+        let is_of_values = |unit: &&str| unit.contains('/') && kind_of_words(unit).is_some();
+        if let Some(unit) = bracketed(line).filter(is_of_values) {
             return unit.to_owned();
         }
         if lower.contains("w/m^2/nm") || lower.contains("(w m-2 nm-1)") {
@@ -115,12 +107,13 @@ mod tests {
 
     #[test]
     fn units_stand_in_brackets_or_behind_the_word_or_alone() {
+        for unit in ["mW/m2/nm", "W m-2 nm-1"] {
+            assert_eq!(unit_of_title(unit), Some(unit));
+        }
         assert_eq!(unit_of_title("Irradiance [µW/cm2/nm]"), Some("µW/cm2/nm"));
-        assert_eq!(unit_of_title("mW/m2/nm"), Some("mW/m2/nm"));
-        assert_eq!(unit_of_title("W m-2 nm-1"), Some("W m-2 nm-1"));
-        assert_eq!(unit_of_title("TL01"), None);
-        assert_eq!(unit_of_title("LED 1/2"), None);
-        assert_eq!(unit_of_title("W"), None);
+        for title in ["TL01", "LED 1/2", "W", "W 10/12"] {
+            assert_eq!(unit_of_title(title), None, "{title}");
+        }
         assert_eq!(unit_of_header(&[(1, "unit: W m-2 nm-1")]), "W m-2 nm-1");
         assert_eq!(unit_of_header(&[(3, "Units\t(W/m^2nm)")]), "W/m^2nm");
         assert_eq!(unit_of_header(&[(3, "Units\tW/(cm^2 nm)")]), "W/(cm^2 nm)");
@@ -131,10 +124,8 @@ mod tests {
             "W/m2",
         ] {
             let unit = unit_of_title(title).unwrap_or("");
-            assert!(
-                unit.starts_with("W/m2") || unit.starts_with("W/(m²") || unit.starts_with("W*m")
-            );
+            let starts = ["W/m2", "W/(m²", "W*m"];
+            assert!(starts.iter().any(|start| unit.starts_with(start)));
         }
-        assert_eq!(unit_of_title("W 10/12"), None);
     }
 }

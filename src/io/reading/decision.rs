@@ -35,22 +35,23 @@ pub struct Decision<T> {
 }
 
 impl<T> Decision<T> {
-    /// A person's.
-    pub fn chosen(value: T) -> Self {
+    fn of(value: T, origin: Origin, reason: impl Into<String>) -> Self {
+        let reason = reason.into();
         Self {
             value,
-            origin: Origin::Chosen,
-            reason: BY_HAND.to_owned(),
+            origin,
+            reason,
         }
+    }
+
+    /// A person's.
+    pub fn chosen(value: T) -> Self {
+        Self::of(value, Origin::Chosen, BY_HAND)
     }
 
     /// One that the file states.
     pub fn stated(value: T, reason: impl Into<String>) -> Self {
-        Self {
-            value,
-            origin: Origin::Stated,
-            reason: reason.into(),
-        }
+        Self::of(value, Origin::Stated, reason)
     }
 
     /// One that the format leaves no choice about.
@@ -60,15 +61,11 @@ impl<T> Decision<T> {
 
     /// A guess, from what leaves hardly a doubt or from what is usual.
     pub fn guessed(value: T, is_evident: bool, reason: impl Into<String>) -> Self {
-        Self {
-            value,
-            origin: if is_evident {
-                Origin::Evident
-            } else {
-                Origin::Likely
-            },
-            reason: reason.into(),
-        }
+        let origin = match is_evident {
+            true => Origin::Evident,
+            false => Origin::Likely,
+        };
+        Self::of(value, origin, reason)
     }
 
     /// Whether neither a person nor the file says so.

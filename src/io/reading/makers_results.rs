@@ -84,60 +84,78 @@ pub enum Quantity {
     Other(String),
 }
 
+/// What a quantity is called, the unit in which makers give it when they do not say, and its keys
+/// as [`known`] has them, blanks between.
+type Known = (Quantity, &'static str, &'static str, &'static str);
+
+/// The quantities that have one name each.
+static KNOWN: [Known; 20] = [
+    (
+        Quantity::Cct,
+        "CCT",
+        "K",
+        "cct tcp colortemperature colourtemperature correlatedcolortemperature",
+    ),
+    (Quantity::Duv, "Duv", "", "duv dduv deltauv"),
+    (Quantity::Ra, "Ra", "", "ra cri"),
+    (Quantity::Rf, "Rf", "", "rf"),
+    (Quantity::Rg, "Rg", "", "rg"),
+    (
+        Quantity::Illuminance,
+        "illuminance",
+        "lx",
+        "lux illuminance lx",
+    ),
+    (Quantity::Luminance, "luminance", "cd m-2", "luminance lv"),
+    (
+        Quantity::Irradiance,
+        "irradiance",
+        "W m-2",
+        "irr irradiance ee",
+    ),
+    (Quantity::Ppfd, "PPFD", "µmol m-2 s-1", "ppfd"),
+    (Quantity::Pfd, "PFD", "µmol m-2 s-1", "pfd"),
+    // One letter tells tristimulus values from chromaticities by its case alone.
+    (Quantity::TristimulusX, "X", "", ""),
+    (Quantity::TristimulusY, "Y", "", ""),
+    (Quantity::TristimulusZ, "Z", "", ""),
+    (Quantity::ChromaticityX, "x", "", "x"),
+    (Quantity::ChromaticityY, "y", "", "y"),
+    (Quantity::UPrime, "u'", "", "u'"),
+    (Quantity::VPrime, "v'", "", "v'"),
+    (
+        Quantity::PeakNm,
+        "peak wavelength",
+        "nm",
+        "lambdap λp lp peakwavelength peak",
+    ),
+    (
+        Quantity::DominantNm,
+        "dominant wavelength",
+        "nm",
+        "lambdad λd ld dominantwavelength dominant",
+    ),
+    (Quantity::Purity, "purity", "%", "purity"),
+];
+
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::R(number) => write!(f, "R{number}"),
             Self::Other(words) => f.write_str(words),
-            Self::Cct => f.write_str("CCT"),
-            Self::Duv => f.write_str("Duv"),
-            Self::Ra => f.write_str("Ra"),
-            Self::Rf => f.write_str("Rf"),
-            Self::Rg => f.write_str("Rg"),
-            Self::Illuminance => f.write_str("illuminance"),
-            Self::Luminance => f.write_str("luminance"),
-            Self::Irradiance => f.write_str("irradiance"),
-            Self::Ppfd => f.write_str("PPFD"),
-            Self::Pfd => f.write_str("PFD"),
-            Self::TristimulusX => f.write_str("X"),
-            Self::TristimulusY => f.write_str("Y"),
-            Self::TristimulusZ => f.write_str("Z"),
-            Self::ChromaticityX => f.write_str("x"),
-            Self::ChromaticityY => f.write_str("y"),
-            Self::UPrime => f.write_str("u'"),
-            Self::VPrime => f.write_str("v'"),
-            Self::PeakNm => f.write_str("peak wavelength"),
-            Self::DominantNm => f.write_str("dominant wavelength"),
-            Self::Purity => f.write_str("purity"),
+            known => f.write_str(known.known().map_or("", |known| known.1)),
         }
     }
 }
 
 impl Quantity {
+    fn known(&self) -> Option<&'static Known> {
+        KNOWN.iter().find(|known| known.0 == *self)
+    }
+
     /// The unit in which makers give it when they do not say.
     pub fn usual_unit(&self) -> &'static str {
-        match self {
-            Self::Cct => "K",
-            Self::Illuminance => "lx",
-            Self::Luminance => "cd m-2",
-            Self::Irradiance => "W m-2",
-            Self::Ppfd | Self::Pfd => "µmol m-2 s-1",
-            Self::PeakNm | Self::DominantNm => "nm",
-            Self::Purity => "%",
-            Self::Duv
-            | Self::Ra
-            | Self::R(_)
-            | Self::Rf
-            | Self::Rg
-            | Self::TristimulusX
-            | Self::TristimulusY
-            | Self::TristimulusZ
-            | Self::ChromaticityX
-            | Self::ChromaticityY
-            | Self::UPrime
-            | Self::VPrime
-            | Self::Other(_) => "",
-        }
+        self.known().map_or("", |known| known.2)
     }
 
     /// The quantity that a key names, and the unit in its brackets.
@@ -154,12 +172,11 @@ impl Quantity {
             false => (name, unit),
         };
         let quantity = known(name).unwrap_or_else(|| Self::Other(name.to_owned()));
-        let unit = if unit.is_empty() {
-            quantity.usual_unit().to_owned()
-        } else {
-            unit.to_owned()
+        let unit = match unit {
+            "" => quantity.usual_unit(),
+            unit => unit,
         };
-        (quantity, unit)
+        (quantity, unit.to_owned())
     }
 }
 
@@ -177,13 +194,10 @@ fn split_unit(key: &str) -> (&str, &str) {
 }
 
 fn known(name: &str) -> Option<Quantity> {
-    // One letter tells tristimulus values from chromaticities by its case alone.
-    let last = name.strip_prefix("Tristimulus Value ").unwrap_or(name);
-    match last {
-        "X" => return Some(Quantity::TristimulusX),
-        "Y" => return Some(Quantity::TristimulusY),
-        "Z" => return Some(Quantity::TristimulusZ),
-        _ => {}
+    let letter = name.strip_prefix("Tristimulus Value ").unwrap_or(name);
+    if ["X", "Y", "Z"].contains(&letter) {
+        let known = KNOWN.iter().find(|known| known.1 == letter);
+        return known.map(|known| known.0.clone());
     }
     let plain: String = name
         .to_lowercase()
@@ -191,43 +205,16 @@ fn known(name: &str) -> Option<Quantity> {
         .replace(['⊿', 'δ', '△', '∆'], "d")
         .split([' ', '_', '-', '.'])
         .collect();
-    let plain = plain
-        .strip_prefix("cie1931")
-        .or_else(|| plain.strip_prefix("cie1976"))
-        .or_else(|| plain.strip_prefix("tm3015"))
-        .or_else(|| plain.strip_prefix("tm3018"))
-        .or_else(|| plain.strip_prefix("tm3020"))
-        .or_else(|| plain.strip_prefix("tm30"))
-        .or_else(|| plain.strip_prefix("cri").filter(|rest| !rest.is_empty()))
-        .unwrap_or(&plain);
-    Some(match plain {
-        "cct" | "tcp" | "colortemperature" | "colourtemperature" | "correlatedcolortemperature" => {
-            Quantity::Cct
-        }
-        "duv" | "dduv" | "deltauv" => Quantity::Duv,
-        "ra" | "cri" => Quantity::Ra,
-        "rf" => Quantity::Rf,
-        "rg" => Quantity::Rg,
-        "lux" | "illuminance" | "lx" => Quantity::Illuminance,
-        "luminance" | "lv" => Quantity::Luminance,
-        "irr" | "irradiance" | "ee" => Quantity::Irradiance,
-        "ppfd" => Quantity::Ppfd,
-        "pfd" => Quantity::Pfd,
-        "x" => Quantity::ChromaticityX,
-        "y" => Quantity::ChromaticityY,
-        "u'" => Quantity::UPrime,
-        "v'" => Quantity::VPrime,
-        "lambdap" | "λp" | "lp" | "peakwavelength" | "peak" => Quantity::PeakNm,
-        "lambdad" | "λd" | "ld" | "dominantwavelength" | "dominant" => Quantity::DominantNm,
-        "purity" => Quantity::Purity,
-        special => {
-            let number = special.strip_prefix('r')?.parse().ok()?;
-            if !(1..=15).contains(&number) {
-                return None;
-            }
-            Quantity::R(number)
-        }
-    })
+    let standards = ["cie1931", "cie1976", "tm3015", "tm3018", "tm3020", "tm30"];
+    let behind = standards.iter().find_map(|name| plain.strip_prefix(name));
+    let behind_cri = || plain.strip_prefix("cri").filter(|rest| !rest.is_empty());
+    let plain = behind.or_else(behind_cri).unwrap_or(&plain);
+    let is_key = |known: &&Known| known.3.split_ascii_whitespace().any(|key| key == plain);
+    if let Some(known) = KNOWN.iter().find(is_key) {
+        return Some(known.0.clone());
+    }
+    let number = plain.strip_prefix('r')?.parse().ok()?;
+    (1..=15).contains(&number).then_some(Quantity::R(number))
 }
 
 impl MakersResult {
@@ -287,10 +274,7 @@ fn number_and_unit(text: &str, decimal_comma: bool) -> Option<(f64, &str)> {
 }
 
 fn shortened(text: &str) -> String {
-    text.chars()
-        .filter(|c| !c.is_control())
-        .take(80)
-        .collect::<String>()
+    text.chars().filter(|c| !c.is_control()).take(80).collect()
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ pub(super) mod remark;
 use std::collections::{HashMap, HashSet};
 
 use crate::io::error::printable_line;
+use crate::io::many::many;
 use crate::io::text::units::WavelengthUnit;
 use crate::io::{Choices, Delimiter, Dialect};
 use crate::spectrum::{Composite, Kind, NamedSpectrum, Sampled, SpectralImage};
@@ -193,12 +194,9 @@ impl Reading {
     /// may say so already.
     pub fn tell_holes(&mut self) {
         for spectrum in &mut self.spectra {
-            let told = hole_notes(&spectrum.samples);
-            let new = told
-                .into_iter()
-                .filter(|note| !spectrum.notes.contains(note));
-            let new: Vec<String> = new.collect();
-            spectrum.notes.extend(new);
+            let mut told = hole_notes(&spectrum.samples);
+            told.retain(|note| !spectrum.notes.contains(note));
+            spectrum.notes.append(&mut told);
         }
     }
 
@@ -310,15 +308,11 @@ pub(super) fn provenance(spectrum: &NamedSpectrum, how: &[&str]) -> String {
     if !spectrum.unit.is_empty() && spectrum.unit != spectrum.kind.word() {
         parts.push(spectrum.unit.clone());
     }
-    parts.extend(
-        how.iter()
-            .filter(|h| !h.is_empty())
-            .map(|h| (*h).to_owned()),
-    );
-    match samples.values().iter().filter(|v| **v < 0.0).count() {
-        0 => {}
-        1 => parts.push("1 negative value kept".to_owned()),
-        n => parts.push(format!("{n} negative values kept")),
+    let how = how.iter().filter(|words| !words.is_empty());
+    parts.extend(how.map(|words| (*words).to_owned()));
+    let negative = samples.values().iter().filter(|v| **v < 0.0).count();
+    if negative > 0 {
+        parts.push(many(negative, "negative value", "negative values") + " kept");
     }
     parts.join(", ")
 }
@@ -379,24 +373,20 @@ mod tests {
     }
 
     #[test]
-    fn two_spectra_of_one_name_are_told_apart() {
-        let mut reading = Reading {
-            spectra: vec![spectrum("a"), spectrum("b"), spectrum("a")],
-            ..Reading::default()
-        };
-        reading.name_apart();
-        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
-        assert_eq!(names, ["a", "b", "a (2)"]);
-    }
-
-    #[test]
-    fn a_name_that_ends_in_a_count_is_kept_for_its_own() {
-        let mut reading = Reading {
-            spectra: ["a", "a (2)", "a", "a (2)"].map(spectrum).to_vec(),
-            ..Reading::default()
-        };
-        reading.name_apart();
-        let names: Vec<_> = reading.spectra.iter().map(|s| s.name.as_str()).collect();
-        assert_eq!(names, ["a", "a (2)", "a (3)", "a (2) (2)"]);
+    fn spectra_of_one_name_are_told_apart_and_a_name_that_ends_in_a_count_is_kept_for_its_own() {
+        for (names, apart) in [
+            (&["a", "b", "a"][..], &["a", "b", "a (2)"][..]),
+            (
+                &["a", "a (2)", "a", "a (2)"],
+                &["a", "a (2)", "a (3)", "a (2) (2)"],
+            ),
+        ] {
+            let mut reading = Reading {
+                spectra: names.iter().map(|name| spectrum(name)).collect(),
+                ..Reading::default()
+            };
+            reading.name_apart();
+            assert_eq!(crate::io::tests::names(&reading), apart);
+        }
     }
 }

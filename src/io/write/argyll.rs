@@ -7,9 +7,8 @@
 
 use std::fmt::Write;
 
-use crate::spectrum::{Kind, NamedSpectrum, Outside};
-
 use crate::io::provenance::{ORIGINATOR, Provenance, one_line, shortest};
+use crate::spectrum::{Kind, NamedSpectrum, Outside};
 
 /// Most bands that Argyll's own tools read.
 const ARGYLL_BANDS: usize = 601;
@@ -23,7 +22,6 @@ const STEPS_NM: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
 /// Wavelengths that a label can tell, nm: smaller and larger numbers in one mean something else.
 pub(crate) const LABELS_NM: std::ops::RangeInclusive<f64> = 100.0..=100_000.0;
 
-/// The grid that is written.
 struct Grid {
     first_nm: f64,
     last_nm: f64,
@@ -39,33 +37,33 @@ impl Grid {
     }
 }
 
-/// The grid for a spectrum.
 fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
     let samples = &spectrum.samples;
     let (first, last, bands) = (samples.first_nm(), samples.last_nm(), samples.len());
     let (least, most) = (*LABELS_NM.start(), *LABELS_NM.end());
+    let (from, to) = (shortest(first), shortest(last));
     if first < least {
         return Err(format!(
-            "found wavelengths from {} nm, expected at least {least} nm in Argyll .sp",
-            shortest(first)
+            "found wavelengths from {from} nm, expected at least {least} nm in Argyll .sp"
         ));
     }
     if last > most {
         return Err(format!(
-            "found wavelengths up to {} nm, expected at most {most} nm in Argyll .sp",
-            shortest(last)
+            "found wavelengths up to {to} nm, expected at most {most} nm in Argyll .sp"
         ));
     }
+    let too_short = format!(
+        "found a spectrum of {from} to {to} nm, expected at least 3 whole nm in Argyll .sp"
+    );
     let mut even = Grid {
         first_nm: first,
         last_nm: last,
         bands,
         moved_nm: Some(0.0),
     };
-    let moved = samples.nm().iter().enumerate();
-    let moved = moved
-        .map(|(band, nm)| (nm - even.nm(band)).abs())
-        .fold(0.0, f64::max);
+    let off = samples.nm().iter().enumerate();
+    let off = off.map(|(band, nm)| (nm - even.nm(band)).abs());
+    let moved = off.fold(0.0, f64::max);
     // Whole nm tell steps of 1 nm and more apart.
     let fine = last - first < (bands - 1) as f64 * (1.0 - 1e-9);
     if moved <= EVEN_NM && !fine && bands >= 3 {
@@ -73,26 +71,19 @@ fn grid(spectrum: &NamedSpectrum) -> Result<Grid, String> {
         return Ok(even);
     }
     // The first and last nm of a light are filled in part; a reflectance has no part of a value.
-    let (from, to) = match spectrum.kind.outside() {
-        Outside::Zero => (first.floor(), last.ceil()),
-        Outside::Hold => (first.ceil(), last.floor()),
+    let outwards: [fn(f64) -> f64; 2] = match spectrum.kind.outside() {
+        Outside::Zero => [f64::floor, f64::ceil],
+        Outside::Hold => [f64::ceil, f64::floor],
     };
+    let (from, to) = (outwards[0](first), outwards[1](last));
     let step = STEPS_NM
         .into_iter()
         .find(|step| (to - from) / step < ARGYLL_BANDS as f64)
         .unwrap_or(STEPS_NM[STEPS_NM.len() - 1]);
-    let steps = (to - from) / step;
-    let steps = match spectrum.kind.outside() {
-        Outside::Zero => steps.ceil(),
-        Outside::Hold => steps.floor(),
-    };
+    let steps = outwards[1]((to - from) / step);
     let bands = steps.max(0.0) as usize + 1;
     if bands < 3 {
-        return Err(format!(
-            "found a spectrum of {} to {} nm, expected at least 3 whole nm in Argyll .sp",
-            shortest(first),
-            shortest(last)
-        ));
+        return Err(too_short);
     }
     Ok(Grid {
         first_nm: from,
@@ -159,15 +150,12 @@ pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result
             samples.on_grid(grid.first_nm, step, grid.bands, spectrum.kind.outside())
         }
     };
-    let mut out = format!(
-        "SPECT\n\nDESCRIPTOR {}\nORIGINATOR {}\n",
-        quoted(&spectrum.name),
-        quoted(if provenance.program.is_empty() {
-            ORIGINATOR
-        } else {
-            &provenance.program
-        })
-    );
+    let program = match provenance.program.as_str() {
+        "" => ORIGINATOR,
+        program => program,
+    };
+    let (name, program) = (quoted(&spectrum.name), quoted(program));
+    let mut out = format!("SPECT\n\nDESCRIPTOR {name}\nORIGINATOR {program}\n");
     // Writing to a String cannot fail.
     let mut keyword = |key: &str, value: &str| {
         let _ = writeln!(out, "KEYWORD \"{key}\"\n{key} {}", quoted(value));
@@ -176,14 +164,9 @@ pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> Result
         keyword("MEAS_TYPE", word);
     }
     for (key, value) in provenance.of(spectrum) {
-        match key {
-            "kind" => keyword("KIND", &value),
-            "unit" => keyword("UNIT", &value),
-            "source" => keyword("SOURCE", &value),
-            "scale" => keyword("SCALE", &value),
-            "settings" => keyword("SETTINGS", &value),
-            "notes" => keyword("NOTES", &value),
-            _ => {}
+        // The name is the descriptor, the program the originator.
+        if !matches!(key, "name" | "written by") {
+            keyword(&key.to_uppercase(), &value);
         }
     }
     for loss in losses(spectrum) {
@@ -220,7 +203,7 @@ fn quoted(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::first;
     use crate::io::write::tests::awkward_spectrum;
     use crate::spectrum::Sampled;
 
@@ -234,11 +217,7 @@ mod tests {
     }
 
     fn back(spectrum: &NamedSpectrum) -> NamedSpectrum {
-        let text = write(spectrum, &Provenance::default()).unwrap();
-        read_bytes("x.sp", text.as_bytes())
-            .unwrap()
-            .spectra
-            .remove(0)
+        first("x.sp", write(spectrum, &Provenance::default()).unwrap())
     }
 
     #[test]
@@ -272,12 +251,8 @@ mod tests {
         assert_eq!(read.samples.values()[5], uneven.samples.values()[2]);
         let fine = on((0..101).map(|i| 400.0 + 0.25 * f64::from(i)).collect());
         assert_eq!(back(&fine).samples.len(), 26);
-        let wide = on(vec![350.0, 351.0, 2500.0]);
-        assert!(
-            losses(&wide)[0].contains("every 5 nm"),
-            "{:?}",
-            losses(&wide)
-        );
+        let wide = losses(&on(vec![350.0, 351.0, 2500.0]));
+        assert!(wide[0].contains("every 5 nm"), "{wide:?}");
     }
 
     #[test]

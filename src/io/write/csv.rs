@@ -2,22 +2,15 @@
 //!
 //! [`own_csv`](crate::io::formats::own_csv) takes it back.
 
-use std::fmt::Write;
-
-use crate::spectrum::NamedSpectrum;
-
 use crate::io::provenance::{Columns, Provenance, one_line, shortest};
+use crate::spectrum::NamedSpectrum;
 
 /// Title of the column of wavelengths.
 pub(crate) const FIRST_TITLE: &str = "wavelength_nm";
 
 /// A spectrum and what was computed from it as CSV.
 pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenance) -> String {
-    let mut out = String::new();
-    for (key, value) in provenance.of(spectrum) {
-        let _ = writeln!(out, "# {key}: {value}");
-    }
-    out.push_str(FIRST_TITLE);
+    let mut out = provenance.comments(spectrum) + FIRST_TITLE;
     for column in &columns.columns {
         out.push(',');
         out.push_str(&cell(&column.title));
@@ -27,9 +20,8 @@ pub fn write(spectrum: &NamedSpectrum, columns: &Columns, provenance: &Provenanc
         out.push_str(&shortest(*nm));
         for column in &columns.columns {
             out.push(',');
-            match column.values.get(row) {
-                Some(value) if value.is_finite() => out.push_str(&shortest(*value)),
-                _ => {}
+            if let Some(value) = column.values.get(row).filter(|value| value.is_finite()) {
+                out.push_str(&shortest(*value));
             }
         }
         out.push('\n');
@@ -51,13 +43,13 @@ fn cell(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::io::provenance::{Column, MEASURED};
-    use crate::io::read_bytes;
+    use crate::io::tests::{names, read};
     use crate::io::write::tests::awkward_spectrum;
     use crate::spectrum::Kind;
 
     #[test]
     fn names_that_look_like_something_else_come_back() {
-        let names = [
+        let odd = [
             "standard deviation lamp",
             "Zinc sigma",
             "Raman shift std",
@@ -78,11 +70,11 @@ mod tests {
             unit: "mW m-2 nm-1".to_owned(),
             ..awkward_spectrum(Kind::Light)
         };
-        let all = names.map(named);
+        let all = odd.map(named);
         for spectra in [&all[..], &all[..1], &all[6..7]] {
             let columns = Columns::together(spectra).unwrap();
             let text = write(&spectra[0], &columns, &Provenance::default());
-            let reading = read_bytes("x.csv", text.as_bytes()).unwrap();
+            let reading = read("x.csv", text);
             assert_eq!(reading.guesses, []);
             assert_eq!(reading.spectra.len(), spectra.len());
             for (back, was) in reading.spectra.iter().zip(spectra) {
@@ -102,10 +94,9 @@ mod tests {
             values: vec![f64::NAN, 1.0, 2.0, 3.0, 4.0, f64::NAN],
         });
         let text = write(&spectrum, &columns, &Provenance::default());
-        let reading = read_bytes("x.csv", text.as_bytes()).unwrap();
-        assert_eq!(reading.spectra.len(), 2);
+        let reading = read("x.csv", text);
+        assert_eq!(names(&reading)[1..], ["model, order 7"]);
         assert_eq!(reading.spectra[0].samples, spectrum.samples);
-        assert_eq!(reading.spectra[1].name, "model, order 7");
         assert_eq!(reading.spectra[1].samples.values(), [1.0, 2.0, 3.0, 4.0]);
         assert!(reading.guesses.is_empty(), "{:?}", reading.guesses);
     }

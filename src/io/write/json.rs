@@ -47,7 +47,6 @@ pub(crate) struct SpectrumFile {
     pub written_by: String,
 }
 
-/// A spectrum as JSON.
 pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String {
     let file = SpectrumFile {
         format: FORMAT_WORD.to_owned(),

@@ -11,11 +11,10 @@ pub(super) mod spectral_exr;
 
 use std::path::Path;
 
-use crate::spectrum::NamedSpectrum;
-
 use crate::io::error::WriteError;
 use crate::io::input::name_of;
 use crate::io::provenance::{Columns, Provenance, one_line};
+use crate::spectrum::NamedSpectrum;
 use atomic::save_atomically;
 
 /// Extensions that [`write_as`] knows, with the format's name for file dialogues.
@@ -45,16 +44,13 @@ pub fn encode(
         "spd" => Ok(spd::write(spectrum, provenance)),
         "spdx" => Ok(spdx::write(spectrum, provenance)),
         other => {
-            let known: Vec<String> = WRITABLE.iter().map(|(e, _)| format!(".{e}")).collect();
-            let found = if other.is_empty() {
-                "no extension".to_owned()
-            } else {
-                format!("extension .{}", one_line(other))
+            let known = WRITABLE.map(|(extension, _)| format!(".{extension}"));
+            let known = known.join(", ");
+            let found = match other {
+                "" => "no extension".to_owned(),
+                other => format!("extension .{}", one_line(other)),
             };
-            Err(format!(
-                "found {found}, expected one of {}",
-                known.join(", ")
-            ))
+            Err(format!("found {found}, expected one of {known}"))
         }
     }
 }
@@ -79,10 +75,7 @@ pub fn write_as(
     columns: &Columns,
     provenance: &Provenance,
 ) -> Result<(), WriteError> {
-    let extension = path
-        .extension()
-        .map(|e| e.to_string_lossy().into_owned())
-        .unwrap_or_default();
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
     let text = encode(&extension, spectrum, columns, provenance)
         .map_err(|why| WriteError::new(&name_of(path), why))?;
     save_atomically(path, text.as_bytes())
@@ -101,12 +94,10 @@ pub(crate) mod tests {
         NamedSpectrum {
             name: "Lampe <b> & \"no. 1\", käse; µ".to_owned(),
             kind,
-            unit: if kind.is_factor() {
-                "fraction"
-            } else {
-                "W m-2 nm-1"
-            }
-            .to_owned(),
+            unit: match kind.is_factor() {
+                true => "fraction".to_owned(),
+                false => "W m-2 nm-1".to_owned(),
+            },
             scale: 1.0,
             samples: Sampled::new(nm, values).unwrap(),
             notes: Vec::new(),
@@ -137,46 +128,47 @@ pub(crate) mod tests {
                     // Even steps only; tests/files/writers.rs has those.
                     continue;
                 }
-                let reading = read_path(&path).unwrap();
-                let back = &reading.spectra[0];
-                assert_eq!(
-                    bits(back.samples.nm()),
-                    bits(spectrum.samples.nm()),
-                    "{extension}"
-                );
-                assert_eq!(
-                    bits(back.samples.values()),
-                    bits(spectrum.samples.values()),
-                    "{extension}"
-                );
+                let back = read_path(&path).unwrap().spectra.remove(0);
+                let (is, was) = (&back.samples, &spectrum.samples);
+                assert_eq!(bits(is.nm()), bits(was.nm()), "{extension}");
+                assert_eq!(bits(is.values()), bits(was.values()), "{extension}");
                 assert_eq!(back.scale, 1.0);
                 if kind.is_factor() || kind == Kind::Light {
-                    assert_eq!(
-                        (back.kind, &back.unit),
-                        (kind, &spectrum.unit),
-                        "{extension}"
-                    );
+                    let (is, was) = ((back.kind, &back.unit), (kind, &spectrum.unit));
+                    assert_eq!(is, was, "{extension}");
+                }
+                if extension == "spd" {
+                    assert_eq!(back.name, spectrum.name);
+                    assert!(kind != Kind::Weighting || back.kind == kind);
                 }
             }
         }
     }
 
-    #[test]
-    fn how_a_spectrum_was_read_goes_out_and_comes_back_and_does_not_grow() {
-        let folder = tempfile::tempdir().unwrap();
+    /// A spectrum of three points on which there are notes, and what an export says of the program.
+    fn noted(notes: &[&str]) -> (NamedSpectrum, Provenance) {
+        let spectrum = NamedSpectrum {
+            samples: Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap(),
+            notes: notes.iter().map(|note| (*note).to_owned()).collect(),
+            ..awkward_spectrum(Kind::Light)
+        };
         let provenance = Provenance {
             program: "Spectral Explorer 0.0.0".to_owned(),
             ..Provenance::default()
         };
+        (spectrum, provenance)
+    }
+
+    #[test]
+    fn how_a_spectrum_was_read_goes_out_and_comes_back_and_does_not_grow() {
+        let folder = tempfile::tempdir().unwrap();
         let notes = [
             "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1, decimal comma",
             "divided by NORM 100; unit: odd",
             "2 missing values dropped",
         ];
         for (extension, _) in WRITABLE {
-            let mut spectrum = awkward_spectrum(Kind::Light);
-            spectrum.samples = Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap();
-            spectrum.notes = notes.map(str::to_owned).to_vec();
+            let (mut spectrum, provenance) = noted(&notes);
             let path = folder.path().join(format!("x.{extension}"));
             let mut texts = Vec::new();
             for _ in 0..3 {
@@ -184,11 +176,8 @@ pub(crate) mod tests {
                 texts.push(std::fs::read_to_string(&path).unwrap());
                 spectrum = read_path(&path).unwrap().spectra.remove(0);
                 for note in notes {
-                    assert!(
-                        spectrum.notes.iter().any(|n| n == note),
-                        "{extension}: {note} not in {:?}",
-                        spectrum.notes
-                    );
+                    let is_told = spectrum.notes.iter().any(|n| n == note);
+                    assert!(is_told, "{extension}: {note} not in {:?}", spectrum.notes);
                 }
             }
             assert_eq!(texts[1].len(), texts[2].len(), "{extension}: {}", texts[2]);
@@ -198,14 +187,8 @@ pub(crate) mod tests {
     #[test]
     fn what_was_read_back_says_once_how_it_was_read() {
         let folder = tempfile::tempdir().unwrap();
-        let provenance = Provenance {
-            program: "Spectral Explorer 0.0.0".to_owned(),
-            ..Provenance::default()
-        };
-        let mut spectrum = awkward_spectrum(Kind::Light);
-        spectrum.samples = Sampled::even(380.0, 5.0, vec![1.0, 0.5, 0.25]).unwrap();
         let line = "5 nm steps, 3 points, 380-390 nm, light, W m-2 nm-1";
-        spectrum.notes = vec![line.to_owned(), "2 missing values dropped".to_owned()];
+        let (spectrum, provenance) = noted(&[line, "2 missing values dropped"]);
         for (extension, _) in WRITABLE {
             let path = folder.path().join(format!("x.{extension}"));
             let columns = Columns::measured(&spectrum);
@@ -220,13 +203,8 @@ pub(crate) mod tests {
     #[test]
     fn an_extension_that_cannot_be_written_lists_those_that_can() {
         let spectrum = awkward_spectrum(Kind::Light);
-        let columns = Columns::measured(&spectrum);
-        let error = write_as(
-            Path::new("a.xyz"),
-            &spectrum,
-            &columns,
-            &Provenance::default(),
-        );
+        let (columns, path) = (Columns::measured(&spectrum), Path::new("a.xyz"));
+        let error = write_as(path, &spectrum, &columns, &Provenance::default());
         assert_eq!(
             error.unwrap_err().to_string(),
             "a.xyz: found extension .xyz, expected one of .csv, .json, .sp, .spd, .spdx"

@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
+use crate::io::provenance::{Provenance, shortest};
 use crate::spectrum::{Kind, NamedSpectrum};
 
-use crate::io::provenance::{Provenance, shortest};
-
-/// The twelve spectral quantities of TM-27 with kind and unit.
+/// The spectral quantities of TM-27 with kind and unit.
 pub(crate) const QUANTITIES: [(&str, Kind, &str); 14] = [
     ("flux", Kind::Light, "W nm-1"),
     ("absorptance", Kind::Other, "fraction"),
@@ -79,11 +78,10 @@ pub(crate) fn write(spectrum: &NamedSpectrum, provenance: &Provenance) -> String
         quantity_of(spectrum)
     );
     for (nm, value) in spectrum.samples.nm().iter().zip(spectrum.samples.values()) {
+        let (nm, value) = (shortest(*nm), shortest(*value));
         let _ = writeln!(
             out,
-            "    <SpectralData wavelength=\"{}\">{}</SpectralData>",
-            shortest(*nm),
-            shortest(*value)
+            "    <SpectralData wavelength=\"{nm}\">{value}</SpectralData>"
         );
     }
     out.push_str("  </SpectralDistribution>\n</IESTM2714>\n");
@@ -108,7 +106,7 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::first;
     use crate::io::write::tests::awkward_spectrum;
 
     #[test]
@@ -116,8 +114,8 @@ mod tests {
         let mut spectrum = awkward_spectrum(Kind::Light);
         spectrum.name = "a<b>&\u{1}\"c".to_owned();
         let text = write(&spectrum, &Provenance::default());
-        let back = read_bytes("a.spdx", text.as_bytes()).unwrap();
-        assert_eq!(back.spectra[0].name, "a<b>& \"c");
-        assert_eq!(back.spectra[0].unit, "W m-2 nm-1");
+        let back = first("a.spdx", text);
+        assert_eq!(back.name, "a<b>& \"c");
+        assert_eq!(back.unit, "W m-2 nm-1");
     }
 }

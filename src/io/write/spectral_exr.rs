@@ -64,7 +64,7 @@ pub fn reflectance_exr(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::tests::read;
 
     #[test]
     fn a_picture_reads_back_as_its_bands() {
@@ -72,7 +72,7 @@ mod tests {
         let planes: Vec<Vec<f32>> = (0..3).map(|b| vec![0.25 * b as f32; 6]).collect();
         let facts = [("light", "CIE D65".to_owned())];
         let file = reflectance_exr([3, 2], &bands, planes, &facts).unwrap();
-        let reading = read_bytes("a.exr", &file).unwrap();
+        let reading = read("a.exr", file);
         let image = &reading.images[0];
         assert!(image.kind.is_factor());
         assert_eq!([image.cube.width(), image.cube.height()], [3, 2]);

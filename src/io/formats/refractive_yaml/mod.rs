@@ -230,7 +230,7 @@ fn read_data(
     for (place, letter) in letters.chars().enumerate() {
         let values: Vec<f64> = rows.iter().map(|row| row[place + 1]).collect();
         let cleaned = curve::clean(&nm, &values)
-            .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
+            .map_err(|trouble| input.error(trouble.found, trouble.expected))?;
         let mut notes = in_words(&cleaned.remarks);
         notes.push("wavelengths converted from um".to_owned());
         found.push((letter, cleaned.samples, notes));
@@ -304,7 +304,7 @@ fn read_formula(
         .map(|nm| formula::index(number, &coefficients, nm / 1000.0))
         .collect();
     let cleaned = curve::clean(&nm, &values)
-        .map_err(|trouble| input.error(trouble.to_string(), trouble.expected()))?;
+        .map_err(|trouble| input.error(trouble.found, trouble.expected))?;
     let mut notes = in_words(&cleaned.remarks);
     notes.push(format!("n computed from dispersion formula {number} {how}"));
     Ok((cleaned.samples, notes))
