@@ -50,12 +50,26 @@ pub enum Confidence {
     Own,
 }
 
+impl Confidence {
+    /// Certain where the content says so, else not this format.
+    fn certain_if(is_own: bool) -> Self {
+        match is_own {
+            true => Self::Certain,
+            false => Self::No,
+        }
+    }
+}
+
 /// How sure it is that a file is JSON of this program's own under a word.
 fn own_json(input: &Input, word: &str) -> Confidence {
-    match input.head().starts_with('{') && input.head().contains(word) {
-        true => Confidence::Certain,
-        false => Confidence::No,
-    }
+    Confidence::certain_if(input.head().starts_with('{') && input.head().contains(word))
+}
+
+/// The least and the greatest of some numbers, gaps passed over.
+fn extent(numbers: &[f64]) -> (f64, f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let wider = |(low, high): (f64, f64), x: &f64| (low.min(*x), high.max(*x));
+    numbers.iter().fold(none, wider)
 }
 
 /// A file format that the program knows.
@@ -104,3 +118,29 @@ pub const FORMATS: &[Format] = &[
     own_csv::FORMAT,
     columns::FORMAT,
 ];
+
+/// What tests of the readers ask of files of their own.
+#[cfg(test)]
+pub(super) mod told {
+    use crate::io::{Reading, read_bytes};
+
+    /// What a file holds.
+    #[track_caller]
+    pub(crate) fn read(name: &str, file: impl AsRef<[u8]>) -> Reading {
+        read_bytes(name, file.as_ref()).unwrap_or_else(|why| panic!("{why}"))
+    }
+
+    /// What a file is refused with.
+    #[track_caller]
+    pub(crate) fn refusal(name: &str, file: impl AsRef<[u8]>) -> String {
+        match read_bytes(name, file.as_ref()) {
+            Ok(reading) => panic!("{name} was read: {:?}", reading.notes),
+            Err(why) => why.to_string(),
+        }
+    }
+
+    /// Whether one of some notes has these words in it.
+    pub(crate) fn has(notes: &[String], words: &str) -> bool {
+        notes.iter().any(|note| note.contains(words))
+    }
+}
