@@ -19,8 +19,8 @@ use exr::meta::MetaData;
 use exr::meta::attribute::AttributeValue;
 use exr::prelude::{ReadChannels, ReadLayers, read as exr_reader};
 
+use crate::spectrum::Kind;
 use crate::spectrum::cube::{Cube, Interleave, Layout, Number};
-use crate::spectrum::{Kind, SpectralImage};
 
 use super::spectral_image::{self, RawImage};
 use super::{Confidence, Format};
@@ -44,11 +44,7 @@ pub(crate) const FORMAT: Format = Format {
 const LIGHT_NM_HZ: f64 = 299_792_458.0 * 1e9;
 
 fn sniff(input: &Input) -> Confidence {
-    if input.bytes.starts_with(b"\x76\x2f\x31\x01") {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(input.bytes.starts_with(b"\x76\x2f\x31\x01"))
 }
 
 /// What a channel holds.
@@ -277,16 +273,11 @@ fn read_layer(
         ""
     };
     let raw = RawImage {
-        image: SpectralImage {
-            name: format!("{}{part}{both}", input.stem()),
-            kind,
-            unit: String::new(),
-            scale: 1.0,
-            bandwidth_nm: None,
-            cube,
-            notes,
-            source: input.name.clone(),
-        },
+        name: format!("{}{part}{both}", input.stem()),
+        source: input.name.clone(),
+        bandwidth_nm: None,
+        cube,
+        notes,
         known: Known {
             kind: Some(Decision::of_format(kind)),
             unit: Some(unit),
@@ -296,12 +287,7 @@ fn read_layer(
         axis: None,
         against: None,
     };
-    let one = spectral_image::reading(raw, reading.images.len(), &input.choices);
-    reading.spectra.extend(one.spectra);
-    reading.facts.extend(one.facts);
-    reading.images.extend(one.images);
-    reading.images_understood.extend(one.images_understood);
-    reading.notes.extend(one.notes);
+    spectral_image::add(raw, &input.choices, reading);
     Ok(())
 }
 

@@ -89,6 +89,25 @@ impl Header {
         }
     }
 
+    /// A whole number; `otherwise` where the field may be missing and is.
+    fn count(&self, key: &str, otherwise: Option<usize>) -> Result<usize, ReadError> {
+        let Some(text) = self.text(key) else {
+            let expected = format!("a line \"{key} = number\"");
+            let missing = || ReadError::new(&self.file, format!("no \"{key}\""), expected);
+            return otherwise.ok_or_else(missing);
+        };
+        let expected = format!("a whole number as \"{key}\"");
+        text.parse()
+            .map_err(|_| self.error(key, quoted(text), expected))
+    }
+
+    /// What the data file holds, in words.
+    pub(super) fn numbers_in_words(&self) -> String {
+        let bytes = self.number.bytes();
+        let [samples, lines, bands] = [self.samples, self.lines, self.bands];
+        format!("{samples} x {lines} x {bands} numbers of {bytes} bytes")
+    }
+
     /// Whether the data are spectra one after the other rather than an image.
     pub fn is_library(&self) -> bool {
         let kind = self.text("file type").unwrap_or("").to_lowercase();
@@ -118,23 +137,14 @@ pub(super) fn split(text: &str) -> Vec<&str> {
     loop {
         let item = rest.trim_start();
         let quote = item.chars().next().filter(|c| matches!(c, '"' | '\''));
-        let quoted = quote.and_then(|quote| {
-            let (inside, after) = closed(&item[1..], quote)?;
-            Some((inside, after))
+        let quoted = quote.and_then(|quote| closed(&item[1..], quote));
+        let (one, after) = quoted.unwrap_or_else(|| match item.split_once(',') {
+            Some((one, after)) => (one, Some(after)),
+            None => (item, None),
         });
-        let next = if let Some((inside, after)) = quoted {
-            items.push(inside.trim());
-            after
-        } else {
-            let (one, after) = match item.split_once(',') {
-                Some((one, after)) => (one, Some(after)),
-                None => (item, None),
-            };
-            items.push(one.trim());
-            after
-        };
-        match next {
-            Some(next) => rest = next,
+        items.push(one.trim());
+        match after {
+            Some(after) => rest = after,
             None => return items,
         }
     }
@@ -175,44 +185,32 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
         interleave: Interleave::Bands,
         fields,
     };
-    let count = |key: &str, otherwise: Option<usize>| {
-        let Some(text) = header.text(key) else {
-            return otherwise.ok_or_else(|| {
-                ReadError::new(
-                    file,
-                    format!("no \"{key}\""),
-                    format!("a line \"{key} = number\""),
-                )
-            });
-        };
-        text.parse::<usize>()
-            .map_err(|_| header.error(key, quoted(text), format!("a whole number as \"{key}\"")))
-    };
-    let samples = count("samples", None)?;
-    let lines = count("lines", None)?;
-    let bands = count("bands", Some(1))?;
-    let offset = count("header offset", Some(0))?;
-    let data_type = count("data type", None)?;
-    let byte_order = count("byte order", Some(0))?;
-    let number = number_of(data_type).ok_or_else(|| {
+    header.samples = header.count("samples", None)?;
+    header.lines = header.count("lines", None)?;
+    header.bands = header.count("bands", Some(1))?;
+    header.offset = header.count("header offset", Some(0))?;
+    let data_type = header.count("data type", None)?;
+    let byte_order = header.count("byte order", Some(0))?;
+    header.number = number_of(data_type).ok_or_else(|| {
         let found = match data_type {
             6 | 9 => "complex numbers (data type 6 or 9)".to_owned(),
             other => format!("data type {other}"),
         };
-        header.error(
-            "data type",
-            found,
-            "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15",
-        )
+        let expected = "data type 1, 2, 3, 4, 5, 12, 13, 14 or 15";
+        header.error("data type", found, expected)
     })?;
     let word = header.text("interleave").unwrap_or("bsq").to_lowercase();
-    let interleave = match &*word {
+    header.interleave = match &*word {
         "bsq" => Interleave::Bands,
         "bil" => Interleave::Lines,
         "bip" => Interleave::Pixels,
         _ => return Err(header.error("interleave", quoted(&word), "bsq, bil or bip")),
     };
-    for (key, value) in [("samples", samples), ("lines", lines), ("bands", bands)] {
+    for (key, value) in [
+        ("samples", header.samples),
+        ("lines", header.lines),
+        ("bands", header.bands),
+    ] {
         if value == 0 {
             return Err(header.error(key, format!("{key} = 0"), "1 or more"));
         }
@@ -220,23 +218,12 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     if byte_order > 1 {
         return Err(header.error("byte order", format!("byte order = {byte_order}"), "0 or 1"));
     }
-    if header
-        .text("file compression")
-        .is_some_and(|word| word != "0")
-    {
-        return Err(header.error(
-            "file compression",
-            "compressed data",
-            "data that are not compressed; unpack them with ENVI or GDAL first",
-        ));
+    let compression = "file compression";
+    if header.text(compression).is_some_and(|word| word != "0") {
+        let expected = "data that are not compressed; unpack them with ENVI or GDAL first";
+        return Err(header.error(compression, "compressed data", expected));
     }
-    header.samples = samples;
-    header.lines = lines;
-    header.bands = bands;
-    header.offset = offset;
-    header.number = number;
     header.big_endian = byte_order == 1;
-    header.interleave = interleave;
     Ok(header)
 }
 
