@@ -77,7 +77,7 @@ fn without_nan(text: &str) -> Cow<'_, str> {
     while at < bytes.len() {
         let number = ["NaN", "-Infinity", "Infinity"]
             .into_iter()
-            .find(|number| !is_word && text.as_bytes()[at..].starts_with(number.as_bytes()));
+            .find(|number| !is_word && bytes[at..].starts_with(number.as_bytes()));
         match (bytes[at], number) {
             (_, Some(number)) => {
                 out.push_str(&text[kept..at]);
@@ -108,15 +108,8 @@ struct Keys {
 /// Whether a text is one object with a key of a known program, told without keeping any of it.
 fn has_known_keys(text: &str) -> bool {
     serde_json::from_str::<Keys>(text).is_ok_and(|keys| {
-        let Keys {
-            spectral_data,
-            spd,
-            spectra,
-            spectrum,
-        } = keys;
-        [spectral_data, spd, spectra, spectrum]
-            .iter()
-            .any(Option::is_some)
+        let known = [keys.spectral_data, keys.spd, keys.spectra, keys.spectrum];
+        known.iter().any(Option::is_some)
     })
 }
 
@@ -148,6 +141,8 @@ fn read_known(input: &Input, value: &Value, reading: &mut Reading) -> Result<boo
     let spectrum = value
         .get("spectrum")
         .filter(|s| s.get("spectral_data").is_some());
+    let has = |key: &str| value.get(key).is_some();
+    let itself = (has("wavelength_axis") && has("spectral_data")).then_some(value);
     if let Some(main) = main.and_then(Value::as_object) {
         keyed::read_rawtoaces(input, value, main, reading)?;
     } else if let (Some(spd), Some(root)) = (spd.filter(|spd| is_keyed(spd)), value.as_object()) {
@@ -156,10 +151,8 @@ fn read_known(input: &Input, value: &Value, reading: &mut Reading) -> Result<boo
         for spectrum in spectra {
             colorimetry::read_colorimetry(input, spectrum, reading)?;
         }
-    } else if let Some(spectrum) = spectrum {
+    } else if let Some(spectrum) = spectrum.or(itself) {
         colorimetry::read_colorimetry(input, spectrum, reading)?;
-    } else if value.get("wavelength_axis").is_some() && value.get("spectral_data").is_some() {
-        colorimetry::read_colorimetry(input, value, reading)?;
     } else {
         return Ok(false);
     }
@@ -175,14 +168,13 @@ fn is_keyed(object: &Map<String, Value>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::io::read_bytes;
+    use crate::io::formats::told::{read, refusal};
 
     #[test]
     fn numbers_that_json_cannot_write_are_gaps_and_words_stay() {
         let text = r#"{"name": "a \" NaN", "wavelengths": [380, 390, 400, 410],
             "values": [1, NaN, -Infinity, 4]}"#;
-        let reading = read_bytes("a.json", text.as_bytes()).unwrap();
-        let spectrum = &reading.spectra[0];
+        let spectrum = &read("a.json", text).spectra[0];
         assert_eq!(spectrum.samples.nm(), [380.0, 410.0]);
         assert_eq!(spectrum.name, "a \" NaN");
     }
@@ -205,10 +197,8 @@ mod tests {
                 "steps of 0",
             ),
         ] {
-            let refusal = read_bytes("a.json", text.as_bytes())
-                .unwrap_err()
-                .to_string();
-            assert!(refusal.contains(words), "{refusal}");
+            let said = refusal("a.json", text);
+            assert!(said.contains(words), "{said}");
         }
     }
 }
