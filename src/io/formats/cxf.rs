@@ -48,11 +48,7 @@ const CUSTOM: &str = "CustomSpectrum";
 fn sniff(input: &Input) -> Confidence {
     let head = input.head();
     let is_cxf = head.contains("colorexchangeformat.com") || head.contains(":CxF ");
-    if head.starts_with('<') && (is_cxf || head.contains("<CxF")) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(head.starts_with('<') && (is_cxf || head.contains("<CxF")))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {

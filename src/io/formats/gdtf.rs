@@ -37,11 +37,7 @@ const DESCRIPTION: &str = "description.xml";
 const SHARE: f64 = 0.2;
 
 fn sniff(input: &Input) -> Confidence {
-    if seems_to_hold(input.bytes, DESCRIPTION) {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    Confidence::certain_if(seems_to_hold(input.bytes, DESCRIPTION))
 }
 
 fn read(input: &Input) -> Result<Reading, ReadError> {

@@ -45,7 +45,7 @@ pub(crate) const FORMAT: Format = Format {
 };
 
 /// Most spectra that one file may hold: each takes memory of its own beside its numbers.
-pub(crate) const MOST_SPECTRA: usize = 20_000;
+const MOST_SPECTRA: usize = 20_000;
 
 /// First words of files of the family.
 const FIRST_WORDS: [&str; 9] = [
@@ -68,16 +68,12 @@ fn sniff(input: &Input) -> Confidence {
     let begins = head
         .lines()
         .any(|line| line.trim_start().starts_with("BEGIN_DATA_FORMAT"));
-    if begins
-        || known
-            && (head.contains("BEGIN_DATA")
-                || head.contains("KEYWORD")
-                || head.contains("DESCRIPTOR"))
-    {
-        Confidence::Certain
-    } else {
-        Confidence::No
-    }
+    let has_word = || {
+        ["BEGIN_DATA", "KEYWORD", "DESCRIPTOR"]
+            .iter()
+            .any(|w| head.contains(w))
+    };
+    Confidence::certain_if(begins || known && has_word())
 }
 
 /// Fields that name a set, the best first.
@@ -94,16 +90,11 @@ const NAMES: [&str; 8] = [
 
 fn name(input: &Input, table: &CgatsTable, set: usize, several: bool) -> String {
     let given = NAMES.iter().find_map(|field| {
-        let at = table
-            .fields
-            .iter()
-            .position(|f| f.eq_ignore_ascii_case(field))?;
+        let mut fields = table.fields.iter();
+        let at = fields.position(|f| f.eq_ignore_ascii_case(field))?;
         let at = table.word_columns.iter().position(|c| *c == at)?;
-        table
-            .words
-            .get(set * table.word_columns.len() + at)
-            .map(|w| w.trim())
-            .filter(|w| !w.is_empty())
+        let word = table.words.get(set * table.word_columns.len() + at)?.trim();
+        (!word.is_empty()).then_some(word)
     });
     match given {
         Some(word) if word.contains(|c: char| c.is_alphabetic()) => word.to_owned(),
@@ -127,39 +118,28 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             .copied()
             .collect();
         numbers.sort_unstable();
-        let words = fields
-            .iter()
-            .enumerate()
-            .filter(|(_, f)| NAMES.iter().any(|n| f.eq_ignore_ascii_case(n)))
-            .map(|(i, _)| i)
-            .take(NAMES.len())
-            .collect();
-        (numbers, words)
+        let is_name = |at: &usize| NAMES.iter().any(|n| fields[*at].eq_ignore_ascii_case(n));
+        let words = (0..fields.len()).filter(is_name).take(NAMES.len());
+        (numbers, words.collect())
     };
     let tables = tables::tables(input, text, &wanted)?;
     let mut reading = Reading::default();
-    let several_tables = tables
-        .iter()
-        .filter(|t| !t.number_columns.is_empty())
-        .count()
-        > 1;
+    let has_spectra = |table: &&CgatsTable| !table.number_columns.is_empty();
+    let several_tables = tables.iter().filter(has_spectra).count() > 1;
     for (index, table) in tables.iter().enumerate() {
         let groups = bands(&table.fields, table.number("SPECTRAL_BANDS"));
         let several_groups = groups.len() > 1;
         if reading.spectra.len() + groups.len() * table.sets() > MOST_SPECTRA {
-            return Err(input.error(
-                format!("more than {MOST_SPECTRA} spectra"),
-                "a smaller file",
-            ));
+            let found = format!("more than {MOST_SPECTRA} spectra");
+            return Err(input.error(found, "a smaller file"));
         }
         for group in &groups {
             read_group(input, table, group, several_groups, &mut reading)?;
         }
         reading.notes.extend(table.notes.iter().cloned());
         if several_tables && !groups.is_empty() {
-            reading
-                .notes
-                .push(format!("table {}: {} sets", index + 1, table.sets()));
+            let note = format!("table {}: {} sets", index + 1, table.sets());
+            reading.notes.push(note);
         }
     }
     if reading.spectra.is_empty() {
@@ -223,46 +203,33 @@ impl Sets {
     }
 }
 
-/// What `SPECTRAL_NORM` says, and what of it makes sense.
-struct Norm {
-    stated: Option<f64>,
-    good: Option<f64>,
+/// Sizes of `SPECTRAL_NORM` that make sense.
+const SENSIBLE_NORMS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
+/// The factor to the values.
+fn scale(norm: Option<f64>, table: &CgatsTable, group: &Bands) -> KnownScale {
+    match norm.filter(|norm| SENSIBLE_NORMS.contains(norm)) {
+        Some(norm) if norm != 1.0 => KnownScale::Stated(1.0 / norm),
+        Some(_) if table.is_own() => KnownScale::Stated(1.0),
+        _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => KnownScale::Stated(0.01),
+        _ => KnownScale::Open,
+    }
 }
 
-impl Norm {
-    fn of(table: &CgatsTable) -> Self {
-        let stated = table.number("SPECTRAL_NORM");
-        let good = stated.filter(|n| (1e-9..=1e9).contains(n));
-        Self { stated, good }
-    }
-
-    /// The factor to the values.
-    fn scale(&self, table: &CgatsTable, group: &Bands) -> KnownScale {
-        match self.good {
-            Some(norm) if norm != 1.0 => KnownScale::Stated(1.0 / norm),
-            Some(_) if table.is_own() => KnownScale::Stated(1.0),
-            _ if group.word.to_uppercase().starts_with("SPECTRAL_PCT") => KnownScale::Stated(0.01),
-            _ => KnownScale::Open,
+/// Words about the norm for the line of provenance, and a note, where there are any: per cent of a
+/// factor are worth a note of their own.
+fn norm_in_words(norm: Option<f64>, kind: Kind) -> (Option<String>, Option<String>) {
+    let Some(norm) = norm.filter(|norm| *norm != 1.0) else {
+        return (None, None);
+    };
+    let divided = format!("divided by SPECTRAL_NORM {norm}");
+    match () {
+        () if !SENSIBLE_NORMS.contains(&norm) => {
+            let note = format!("SPECTRAL_NORM {norm} makes no sense and was passed over");
+            (None, Some(note))
         }
-    }
-
-    /// Words for the line of provenance, and a note, where there are any: per cent of a factor
-    /// are worth a note of their own.
-    fn words(&self, kind: Kind) -> (Option<String>, Option<String>) {
-        match (self.good, self.stated) {
-            (Some(1.0), _) | (None, None) => (None, None),
-            (Some(norm), _) => {
-                let said = Some(format!("divided by SPECTRAL_NORM {norm}"));
-                match kind.is_factor() && norm == 100.0 {
-                    true => (None, said),
-                    false => (said, None),
-                }
-            }
-            (None, Some(bad)) => {
-                let note = format!("SPECTRAL_NORM {bad} makes no sense and was passed over");
-                (None, Some(note))
-            }
-        }
+        () if kind.is_factor() && norm == 100.0 => (None, Some(divided)),
+        () => (Some(divided), None),
     }
 }
 
@@ -277,11 +244,11 @@ fn read_group(
         return Ok(());
     };
     let found = quantity(input, table, group, &sets.values);
-    let norm = Norm::of(table);
-    let (divided, of_norm) = norm.words(found.kind.value);
-    let comma = table.decimal_comma.then(|| "decimal comma".to_owned());
-    let unit = match (found.kind.value, found.unit.as_str()) {
-        (Kind::Light, "") if norm.good.is_some_and(|n| n != 1.0) => "relative",
+    let norm = table.number("SPECTRAL_NORM");
+    let scale = scale(norm, table, group);
+    let (divided, of_norm) = norm_in_words(norm, found.kind.value);
+    let unit = match (found.kind.value, found.unit) {
+        (Kind::Light, "") if divided.is_some() => "relative",
         (_, unit) => unit,
     };
     let several = sets.values.len() > 1;
@@ -293,16 +260,16 @@ fn read_group(
         let nm = sets.axes.get(set).unwrap_or(&sets.axes[0]);
         let kind = found.kind.clone();
         let mut spectrum = RawSpectrum::known(name, nm, values, kind, unit);
-        spectrum.known.scale = norm.scale(table, group);
+        spectrum.known.scale = scale.clone();
         spectrum.lines = sets.lines.get(set..=set).unwrap_or(&[]);
-        spectrum.how = [&divided, &comma].into_iter().flatten().cloned().collect();
+        spectrum.how.extend(divided.clone());
         let notes = [&sets.note, &found.note, &of_norm].into_iter().flatten();
         spectrum.notes = notes.cloned().collect();
         if let Some(source) = table.key("SOURCE").filter(|_| table.is_own()) {
             spectrum.source = Some(source.to_owned());
             spectrum.before = table.key("NOTES").unwrap_or("");
         }
-        interpret(spectrum, input, reading)?;
+        interpret(spectrum.with_comma(table.decimal_comma), input, reading)?;
     }
     reading.notes.extend(sets.note);
     Ok(())
@@ -312,43 +279,31 @@ fn read_group(
 fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
     const EXPECTED: &str = "columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380";
     let measured = tables.iter().find(|t| t.kind != "CAL");
-    let Some(table) = measured.or(tables.first()) else {
-        let what = match input.head().split_whitespace().next() {
-            Some("CCMX") => "an Argyll colorimeter matrix (.ccmx) and no spectral columns",
-            Some("CAL") => "an Argyll calibration and no spectral columns",
-            _ => "a CGATS header without a table and no spectral columns",
-        };
-        return input.error(what, EXPECTED);
-    };
-    let mut fields: Vec<&str> = table.fields.iter().take(8).copied().collect();
-    if table.fields.len() > fields.len() {
-        fields.push("...");
-    }
-    let what = match table.kind {
+    let table = measured.or(tables.first());
+    let first = || input.head().split_whitespace().next().unwrap_or("");
+    let what = match table.map_or_else(first, |table| table.kind) {
         "CCMX" => "an Argyll colorimeter matrix (.ccmx)",
         "CAL" => "an Argyll calibration",
+        _ if table.is_none() => "a CGATS header without a table",
         _ => "a CGATS table",
     };
-    let joined: String = fields.join(" ").chars().take(120).collect();
-    let has_columns = !table.number_columns.is_empty();
-    let found = if has_columns {
-        format!("{what} with spectral columns and no sets in it")
-    } else {
-        format!(
-            "{what} of {} sets with no spectral columns ({joined})",
-            table.sets()
-        )
+    let Some(table) = table else {
+        return input.error(format!("{what} and no spectral columns"), EXPECTED);
     };
-    input
-        .error(
-            found,
-            if has_columns {
-                "at least one set of data"
-            } else {
-                EXPECTED
-            },
-        )
-        .at_line(table.format_line)
+    let refusal = if table.number_columns.is_empty() {
+        let mut fields: Vec<&str> = table.fields.iter().take(8).copied().collect();
+        if table.fields.len() > fields.len() {
+            fields.push("...");
+        }
+        let fields: String = fields.join(" ").chars().take(120).collect();
+        let sets = table.sets();
+        let found = format!("{what} of {sets} sets with no spectral columns ({fields})");
+        input.error(found, EXPECTED)
+    } else {
+        let found = format!("{what} with spectral columns and no sets in it");
+        input.error(found, "at least one set of data")
+    };
+    refusal.at_line(table.format_line)
 }
 
 #[cfg(test)]
