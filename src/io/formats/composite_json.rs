@@ -68,7 +68,7 @@ struct File {
     written_by: String,
 }
 
-#[derive(Default, Serialize, Deserialize)]
+#[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Coefficients {
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -293,48 +293,31 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         kind,
     } = file;
     let smooth = &composite.smooth;
-    let finite = smooth.coefficients.iter().all(|c| c.is_finite())
-        && composite
-            .spikes
-            .iter()
-            .all(|s| s.at_nm.is_finite() && s.weight.is_finite())
-        && widths_nm.iter().all(|width| width.is_finite());
-    if !finite || smooth.coefficients.is_empty() {
+    let spikes = composite.spikes.iter().flat_map(|s| [s.at_nm, s.weight]);
+    let numbers = smooth.coefficients.iter().chain(widths_nm).copied();
+    if !numbers.chain(spikes).all(f64::is_finite) || smooth.coefficients.is_empty() {
         return Err(WriteError::new(
             name,
             "found a coefficient or spike that is not finite, expected numbers",
         ));
     }
-    let coefficients = match smooth.basis {
-        Basis::Fourier => {
-            let (a, b) = smooth.a_b();
-            Coefficients {
-                a: Some(a),
-                b: Some(b),
-                c: None,
-            }
-        }
-        Basis::Cosine => Coefficients {
-            c: Some(smooth.coefficients.clone()),
-            ..Coefficients::default()
-        },
+    let (ab, c) = match smooth.basis {
+        Basis::Fourier => (Some(smooth.a_b()), None),
+        Basis::Cosine => (None, Some(smooth.coefficients.clone())),
+    };
+    let (a, b) = ab.unzip();
+    let line = |(i, spike): (usize, &Spike)| Line {
+        at_nm: spike.at_nm,
+        weight: spike.weight,
+        fwhm_nm: widths_nm.get(i).copied().filter(|width| *width > 0.0),
     };
     let file = File {
         format: FORMAT_WORD.to_owned(),
         version: VERSIONS[usize::from(!widths_nm.is_empty())],
         range_nm: [smooth.band.min_nm(), smooth.band.max_nm()],
         basis: smooth.basis,
-        coefficients,
-        spikes: composite
-            .spikes
-            .iter()
-            .enumerate()
-            .map(|(i, s)| Line {
-                at_nm: s.at_nm,
-                weight: s.weight,
-                fwhm_nm: widths_nm.get(i).copied().filter(|width| *width > 0.0),
-            })
-            .collect(),
+        coefficients: Coefficients { a, b, c },
+        spikes: composite.spikes.iter().enumerate().map(line).collect(),
         unit: unit.clone(),
         source: source.clone(),
         name: name.clone(),
@@ -342,8 +325,7 @@ pub fn write(file: &CompositeFile) -> Result<String, WriteError> {
         scale_in_force: "as measured".to_owned(),
         written_by: format!("Spectral Explorer {}", env!("CARGO_PKG_VERSION")),
     };
-    match serde_json::to_string_pretty(&file) {
-        Ok(text) => Ok(text + "\n"),
-        Err(error) => Err(WriteError::new(name, error.to_string())),
-    }
+    let text = serde_json::to_string_pretty(&file);
+    text.map(|text| text + "\n")
+        .map_err(|error| WriteError::new(name, error.to_string()))
 }

@@ -106,13 +106,9 @@ fn read_measurement(
     for point in xml::children(node, "MeasurementPoint") {
         let get = |name: &str| {
             let text = xml::attribute(point, name).unwrap_or("");
-            number::number(text, false)
-                .filter(|x| x.is_finite())
-                .ok_or_else(|| {
-                    input
-                        .error(quoted(text), format!("a number as {name}=\"...\""))
-                        .at_line(xml::line(point))
-                })
+            let number = number::number(text, false).filter(|x| x.is_finite());
+            let refusal = || input.error(quoted(text), format!("a number as {name}=\"...\""));
+            number.ok_or_else(|| refusal().at_line(xml::line(point)))
         };
         nm.push(get("WaveLength")?);
         values.push(get("Energy")?);
@@ -153,7 +149,7 @@ fn slots<'a>(root: Node<'a, '_>) -> HashMap<&'a str, &'a str> {
 mod tests {
     use super::*;
     use crate::io::decode::archive::zipped;
-    use crate::io::read_bytes;
+    use crate::io::formats::told::{has, read, refusal};
 
     const XML: &str = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.1\">\n\
         <FixtureType Name=\"Spot\">\n<Wheels><Wheel><Slot Name=\"Warm\" Filter=\"CTO\"/></Wheel></Wheels>\n\
@@ -173,7 +169,7 @@ mod tests {
 
     #[test]
     fn emitters_and_filters_give_a_spectrum_a_measurement() {
-        let reading = read_bytes("a.gdtf", &fixture(XML)).expect("spectra");
+        let reading = read("a.gdtf", fixture(XML));
         let names: Vec<_> = reading.spectra.iter().map(|s| &*s.name).collect();
         assert_eq!(
             names,
@@ -182,16 +178,13 @@ mod tests {
         assert_eq!(reading.spectra[0].samples.nm(), [600.0, 610.5]);
         let filter = &reading.spectra[2];
         assert_eq!((filter.kind, filter.scale), (Kind::Transmittance, 0.01));
-        assert!(filter.notes.iter().any(|n| n == "in the wheel as Warm"));
-        assert!(reading.notes.iter().any(|n| n.starts_with("1 emitters")));
+        assert!(has(&filter.notes, "in the wheel as Warm"));
+        assert!(has(&reading.notes, "1 emitters"));
     }
 
     #[test]
     fn a_fixture_without_spectra_and_a_wrong_number_are_said() {
-        let said = |xml: &str| {
-            let refusal = read_bytes("a.gdtf", &fixture(xml)).unwrap_err();
-            refusal.to_string()
-        };
+        let said = |xml: &str| refusal("a.gdtf", fixture(xml));
         assert!(said("<GDTF/>").contains("without measurements"));
         let wrong = said(&XML.replace("\"0.5\"", "\"much\""));
         assert_eq!(
@@ -205,7 +198,7 @@ mod tests {
     fn a_bomb_is_refused_by_what_comes_out_of_it() {
         let bomb = fixture(&" ".repeat(64 << 20));
         assert!(bomb.len() < 1 << 20);
-        let said = read_bytes("a.gdtf", &bomb).unwrap_err().to_string();
+        let said = refusal("a.gdtf", bomb);
         assert!(said.contains("unfolds to far more than its size"), "{said}");
     }
 }

@@ -309,7 +309,7 @@ fn nothing_in(input: &Input, tables: &[CgatsTable]) -> ReadError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::read_bytes;
+    use crate::io::formats::told::{self, has};
 
     fn sp(header: &str, fields: &str, data: &str) -> String {
         format!(
@@ -318,12 +318,15 @@ mod tests {
     }
 
     fn reading(text: &str) -> Reading {
-        read_bytes("x.sp", text.as_bytes()).unwrap()
+        told::read("x.sp", text)
     }
 
     fn refusal(text: &str) -> String {
-        read_bytes("x.sp", text.as_bytes()).unwrap_err().to_string()
+        told::refusal("x.sp", text)
     }
+
+    /// The labels of three bands.
+    const THREE: &str = "SPEC_380 SPEC_390 SPEC_400";
 
     const GRID: &str =
         "SPECTRAL_BANDS \"3\"\nSPECTRAL_START_NM \"380.0\"\nSPECTRAL_END_NM \"400.0\"";
@@ -332,7 +335,7 @@ mod tests {
     fn a_norm_is_the_scale_and_the_type_is_the_kind() {
         let text = sp(
             &format!("MEAS_TYPE \"REFLECTIVE\"\nSPECTRAL_NORM \"100.0\"\n{GRID}"),
-            "SPEC_380 SPEC_390 SPEC_400",
+            THREE,
             "3.5 4.5 5.5",
         );
         let found = reading(&text);
@@ -353,60 +356,48 @@ mod tests {
             text.replace("SPEC_", "SPECTRAL_"),
             text.replace("SPECT   ", "CGATS.17"),
         ] {
-            assert_eq!(
-                reading(&text).spectra[0].samples,
-                spectrum.samples,
-                "{text}"
-            );
+            let samples = &reading(&text).spectra[0].samples;
+            assert_eq!(*samples, spectrum.samples, "{text}");
         }
     }
 
     #[test]
     fn light_has_argylls_unit() {
         for (kind, unit) in [("EMISSION", "mW m-2 sr-1 nm-1"), ("AMBIENT", "mW m-2 nm-1")] {
-            let text = sp(
-                &format!("MEAS_TYPE \"{kind}\"\nSPECTRAL_NORM \"1.0\""),
-                "SPEC_380 SPEC_390 SPEC_400",
-                "3 4 5",
-            );
-            assert_eq!(reading(&text).spectra[0].unit, unit);
+            let header = format!("MEAS_TYPE \"{kind}\"\nSPECTRAL_NORM \"1.0\"");
+            let found = reading(&sp(&header, THREE, "3 4 5"));
+            assert_eq!(found.spectra[0].unit, unit);
         }
     }
 
     #[test]
     fn rounded_labels_yield_to_the_header_and_a_wrong_header_to_the_labels() {
         let header = "SPECTRAL_BANDS \"4\"\nSPECTRAL_START_NM \"370.0\"\nSPECTRAL_END_NM \"380.0\"";
-        let rounded = reading(&sp(
-            header,
-            "SPEC_370 SPEC_373 SPEC_377 SPEC_380",
-            "1 2 3 4",
-        ));
-        assert_eq!(rounded.spectra[0].samples.nm()[1], 370.0 + 10.0 / 3.0);
-        assert!(
-            rounded
-                .notes
-                .iter()
-                .any(|n| n.contains("header's") && n.contains("believed"))
-        );
-        let lies = reading(&sp(
-            header,
-            "SPEC_355 SPEC_360 SPEC_365 SPEC_370",
-            "1 2 3 4",
-        ));
-        assert_eq!(lies.spectra[0].samples.first_nm(), 355.0);
-        assert!(
-            lies.notes.iter().any(|n| n.contains("labels are believed")),
-            "{:?}",
-            lies.notes
-        );
-        let fewer = reading(&sp(header, "SPEC_370 SPEC_375 SPEC_380", "1 2 3"));
-        assert_eq!(fewer.spectra[0].samples.nm(), [370.0, 375.0, 380.0]);
-        assert!(
-            fewer
-                .notes
-                .iter()
-                .any(|n| n.contains("columns are believed"))
-        );
+        let third = 10.0 / 3.0;
+        for (labels, data, nm, note) in [
+            (
+                "SPEC_370 SPEC_373 SPEC_377 SPEC_380",
+                "1 2 3 4",
+                &[370.0, 370.0 + third, 370.0 + 2.0 * third, 380.0][..],
+                "the header's SPECTRAL_BANDS 4 from 370 to 380 nm is believed",
+            ),
+            (
+                "SPEC_355 SPEC_360 SPEC_365 SPEC_370",
+                "1 2 3 4",
+                &[355.0, 360.0, 365.0, 370.0],
+                "labels are believed",
+            ),
+            (
+                "SPEC_370 SPEC_375 SPEC_380",
+                "1 2 3",
+                &[370.0, 375.0, 380.0],
+                "columns are believed",
+            ),
+        ] {
+            let found = reading(&sp(header, labels, data));
+            assert_eq!(found.spectra[0].samples.nm(), nm);
+            assert!(has(&found.notes, note), "{:?}", found.notes);
+        }
     }
 
     #[test]
@@ -425,17 +416,14 @@ mod tests {
 
     #[test]
     fn several_tables_and_several_spectra_a_set_are_read() {
-        let one = sp("", "SAMPLE_ID SPEC_380 SPEC_390 SPEC_400", "A1 0.1 0.2 0.3");
+        let one = sp("", &format!("SAMPLE_ID {THREE}"), "A1 0.1 0.2 0.3");
         let two = sp(
             "",
             "SAMPLE_ID SPEC_380_M0 SPEC_390_M0 SPEC_400_M0 SPEC_380_M1 SPEC_390_M1 SPEC_400_M1",
             "B1 1 2 3 4 5 6",
         );
-        let names: Vec<String> = reading(&(one + &two))
-            .spectra
-            .into_iter()
-            .map(|s| s.name)
-            .collect();
+        let found = reading(&(one + &two));
+        let names: Vec<&str> = found.spectra.iter().map(|s| &*s.name).collect();
         assert_eq!(names, ["A1", "B1, SPEC_M0", "B1, SPEC_M1"]);
     }
 
@@ -460,13 +448,12 @@ mod tests {
             refusal(&sp("", "SAMPLE_ID RGB_R RGB_G", "1 2 3")),
             "x.sp, line 5: found a CGATS table of 1 sets with no spectral columns (SAMPLE_ID RGB_R RGB_G), expected columns of a spectrum such as SPEC_380, nm380 or SPECTRAL_NM380"
         );
-        let fields = "SPEC_380 SPEC_390 SPEC_400";
         assert_eq!(
-            refusal(&sp("", fields, "1 2 3\n1 abc 3")),
+            refusal(&sp("", THREE, "1 2 3\n1 abc 3")),
             "x.sp, line 11: found \"abc\", expected a number for SPEC_390"
         );
         assert_eq!(
-            refusal(&sp("", fields, "1 2 3\n1 2\n1 2 3")),
+            refusal(&sp("", THREE, "1 2 3\n1 2\n1 2 3")),
             "x.sp, line 11: found 2 cells, expected 3, one for each field"
         );
         assert_eq!(
@@ -478,22 +465,10 @@ mod tests {
 
     #[test]
     fn a_file_cut_off_behind_a_whole_row_is_read_and_it_is_said() {
-        let text = sp(
-            "NUMBER_OF_SETS 3",
-            "SPEC_380 SPEC_390 SPEC_400",
-            "1 2 3\n4 5 6",
-        );
-        let found = reading(text.split("END_DATA\n").next().unwrap_or(""));
-        assert!(!found.spectra.is_empty() || found.notes.is_empty());
-        let cut = text.trim_end().strip_suffix("END_DATA").unwrap();
-        let found = reading(cut);
+        let text = sp("NUMBER_OF_SETS 3", THREE, "1 2 3\n4 5 6");
+        let found = reading(text.trim_end().strip_suffix("END_DATA").unwrap());
         assert_eq!(found.spectra.len(), 2);
-        assert!(found.notes.iter().any(|n| n.contains("END_DATA")));
-        assert!(
-            found
-                .notes
-                .iter()
-                .any(|n| n.contains("NUMBER_OF_SETS says 3"))
-        );
+        assert!(has(&found.notes, "END_DATA"));
+        assert!(has(&found.notes, "NUMBER_OF_SETS says 3"));
     }
 }

@@ -231,6 +231,9 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, Field>, ReadError> {
     let mut fields: HashMap<String, Field> = HashMap::new();
     // A field costs its text and about 200 bytes of book-keeping.
     let most = budget::of(text.len()) / 400;
+    let refusal = |line: usize, found: &str, expected: &str| {
+        ReadError::new(file, found, expected).at_line(line)
+    };
     let mut rows = lines(text).skip(1);
     while let Some((line, row)) = rows.next() {
         let trimmed = row.trim();
@@ -238,31 +241,25 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, Field>, ReadError> {
             continue;
         }
         let Some((key, value)) = trimmed.split_once('=') else {
-            return Err(ReadError::new(file, quoted(trimmed), "\"key = value\"").at_line(line));
+            return Err(refusal(line, &quoted(trimmed), "\"key = value\""));
         };
         let mut value = value.trim().to_owned();
         if let Some(inside) = value.strip_prefix('{') {
-            let mut inside = inside.to_owned();
-            let mut closed = inside.contains('}');
-            while !closed {
-                let Some((_, more)) = rows.next() else {
-                    return Err(ReadError::new(
-                        file,
-                        format!("{} with no closing brace", quoted(key.trim())),
-                        "a closing brace",
-                    )
-                    .at_line(line));
-                };
+            let (mut inside, mut rest) = (String::new(), inside);
+            let end = loop {
+                if let Some((last, _)) = rest.split_once('}') {
+                    break last;
+                }
+                inside.push_str(rest);
                 inside.push(' ');
-                inside.push_str(more);
-                closed = more.contains('}');
-            }
-            let end = inside.find('}').unwrap_or(inside.len());
-            inside.truncate(end);
-            value = inside;
+                let open = || format!("{} with no closing brace", quoted(key.trim()));
+                let next = rows.next();
+                (_, rest) = next.ok_or_else(|| refusal(line, &open(), "a closing brace"))?;
+            };
+            value = inside + end;
         }
         if fields.len() >= most {
-            return Err(ReadError::new(file, "too many fields", "an ENVI header").at_line(line));
+            return Err(refusal(line, "too many fields", "an ENVI header"));
         }
         let key = key.split_whitespace().collect::<Vec<_>>().join(" ");
         // The first of two fields of one name counts.

@@ -28,14 +28,6 @@ pub(super) struct Ends {
     unit: Option<&'static str>,
 }
 
-/// What a number is to an axis.
-enum Role {
-    Start,
-    End,
-    Step,
-    Count,
-}
-
 /// Words in a key that say that it is about wavelengths.
 const ABOUT: [&str; 9] = [
     "wavelength",
@@ -59,19 +51,6 @@ fn words(key: &str) -> Vec<String> {
     let key = spaced(key).to_lowercase();
     let words = key.split(|c: char| !c.is_alphanumeric());
     words.filter(|w| !w.is_empty()).map(str::to_owned).collect()
-}
-
-fn role(words: &[String]) -> Option<Role> {
-    let is_left = |word: &&str| !ABOUT.contains(word) && !FILLING.contains(word);
-    let left: Vec<&str> = words.iter().map(String::as_str).filter(is_left).collect();
-    Some(match left.join(" ").as_str() {
-        "start" | "from" | "first" | "min" | "minimum" | "begin" => Role::Start,
-        "end" | "to" | "last" | "max" | "maximum" | "stop" => Role::End,
-        "step" | "interval" | "increment" | "delta" | "spacing" | "step size" => Role::Step,
-        "n" | "count" | "points" | "num" | "num points" | "number points" => Role::Count,
-        "" if words.last().is_some_and(|word| word == "bands") => Role::Count,
-        _ => return None,
-    })
 }
 
 impl Ends {
@@ -118,14 +97,21 @@ impl Ends {
         ends
     }
 
+    /// Takes a number for what its key says that it is to an axis.
     fn number(&mut self, words: &[String], number: f64) {
-        let Some(role) = role(words) else { return };
-        let is_end = matches!(role, Role::Start | Role::End);
-        let place = match role {
-            Role::Start => &mut self.start,
-            Role::End => &mut self.end,
-            Role::Step => &mut self.step,
-            Role::Count => &mut self.count,
+        let is_left = |word: &&str| !ABOUT.contains(word) && !FILLING.contains(word);
+        let left: Vec<&str> = words.iter().map(String::as_str).filter(is_left).collect();
+        let (is_end, place) = match left.join(" ").as_str() {
+            "start" | "from" | "first" | "min" | "minimum" | "begin" => (true, &mut self.start),
+            "end" | "to" | "last" | "max" | "maximum" | "stop" => (true, &mut self.end),
+            "step" | "interval" | "increment" | "delta" | "spacing" | "step size" => {
+                (false, &mut self.step)
+            }
+            "n" | "count" | "points" | "num" | "num points" | "number points" => {
+                (false, &mut self.count)
+            }
+            "" if words.last().is_some_and(|word| word == "bands") => (false, &mut self.count),
+            _ => return,
         };
         place.get_or_insert(number);
         if is_end {
