@@ -103,10 +103,7 @@ pub fn parse(text: &str) -> Result<Composite, CompositeError> {
 }
 
 /// The same with the widths of its lines; none where all are ideal.
-///
-/// # Errors
-/// [`CompositeError`] with the part that is wrong.
-pub(crate) fn parse_lines(text: &str) -> Result<(Composite, Vec<f64>), CompositeError> {
+fn parse_lines(text: &str) -> Result<(Composite, Vec<f64>), CompositeError> {
     let fields: Vec<&str> = text.trim().split(';').map(str::trim).collect();
     let has_widths = fields[0] == MARKS[1];
     if !MARKS.contains(&fields[0]) {

@@ -118,17 +118,13 @@ fn read_measurement(
     raw.known.scale = KnownScale::Fractions;
     interpret(raw, input, reading).map_err(|refusal| refusal.at_line(xml::line(node)))?;
     reading.keep_scale_to_notes();
-    let mut notes = Vec::new();
-    for (name, what) in [
+    let notes = [
         ("Physical", "dimmer at"),
         ("LuminousIntensity", "luminous intensity"),
         ("Transmission", "transmission"),
-    ] {
-        if let Some(text) = xml::attribute(node, name) {
-            notes.push(format!("{what} {text}"));
-        }
-    }
-    Ok(notes)
+    ];
+    let notes = notes.map(|(name, what)| Some(format!("{what} {}", xml::attribute(node, name)?)));
+    Ok(notes.into_iter().flatten().collect())
 }
 
 /// The wheel slots by the filters in them, the first of each.

@@ -66,7 +66,6 @@ pub(crate) struct KeyedLines<'a> {
     pub columns: usize,
     /// `columns` values a point; NaN where one is missing.
     pub values: Vec<f64>,
-    /// Whether decimals are marked by commas.
     pub decimal_comma: bool,
 }
 
@@ -202,7 +201,6 @@ impl<'a> KeyedLines<'a> {
         Ok(())
     }
 
-    /// The values of one column.
     pub(crate) fn column(&self, column: usize) -> Vec<f64> {
         self.values
             .iter()

@@ -56,9 +56,6 @@ const SHIFTS: [&str; 9] = [
     "relative 1/cm",
 ];
 
-/// What a reader of shifts asks for where no laser is named.
-const NEEDS_LASER: &str = "wavelengths, or the laser's wavelength in the header";
-
 fn headers(text: &str) -> impl Iterator<Item = &str> {
     lines(text)
         .take(HEADER_LINES)
@@ -239,9 +236,11 @@ fn read(input: &Input) -> Result<Reading, ReadError> {
             "the spectrum of one point: #Wave and #Intensity",
         ));
     }
-    let unnamed = "Raman shifts (1/cm) from a laser that is not named";
-    let laser =
-        laser::decided(input, headers(text)).ok_or_else(|| input.error(unnamed, NEEDS_LASER))?;
+    let laser = laser::decided(input, headers(text)).ok_or_else(|| {
+        let found = "Raman shifts (1/cm) from a laser that is not named";
+        let expected = "wavelengths, or the laser's wavelength in the header";
+        input.error(found, expected)
+    })?;
     let look = pick::look(text, input.choices.delimiter);
     let dialect = look.dialect;
     let (mut tables, mut notes) = tables_of(look.seen, dialect);

@@ -58,7 +58,6 @@ enum Channel {
     Factor(f64),
     /// Light of one wavelength that comes back at another.
     Reradiated,
-    /// Anything else.
     Other,
 }
 

@@ -22,9 +22,7 @@ const PIXELS_LOOKED_AT: usize = 400;
 
 /// An image as its reader found it.
 pub(crate) struct RawImage {
-    /// What to call it.
     pub name: String,
-    /// Where it comes from.
     pub source: String,
     /// The median width of its bands, nm, where the file tells.
     pub bandwidth_nm: Option<f64>,

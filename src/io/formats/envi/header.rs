@@ -28,26 +28,15 @@ pub struct Header {
     pub big_endian: bool,
     /// What runs fastest.
     pub interleave: Interleave,
-    fields: HashMap<String, Field>,
-}
-
-/// A value and the line on which it starts.
-#[derive(Debug)]
-struct Field {
-    line: usize,
-    value: String,
+    /// Values and the lines on which they start.
+    fields: HashMap<String, (usize, String)>,
 }
 
 impl Header {
     /// A field's text, without braces; keys are lower case.
     pub fn text(&self, key: &str) -> Option<&str> {
-        let value = self.fields.get(key)?.value.trim();
+        let value = self.fields.get(key)?.1.trim();
         (!value.is_empty()).then_some(value)
-    }
-
-    /// The line of a field, or the first of the file.
-    pub fn line(&self, key: &str) -> usize {
-        self.fields.get(key).map_or(1, |field| field.line)
     }
 
     /// The items of a field in braces.
@@ -118,14 +107,15 @@ impl Header {
         kind.contains("spectral library") || without_word
     }
 
-    /// An error at a field.
+    /// An error at a field, or at the first line where there is none.
     pub fn error(
         &self,
         key: &str,
         found: impl Into<String>,
         expected: impl Into<String>,
     ) -> ReadError {
-        ReadError::new(&self.file, found, expected).at_line(self.line(key))
+        let line = self.fields.get(key).map_or(1, |(line, _)| *line);
+        ReadError::new(&self.file, found, expected).at_line(line)
     }
 }
 
@@ -169,9 +159,6 @@ fn closed(text: &str, quote: char) -> Option<(&str, Option<&str>)> {
 }
 
 /// Reads a header.
-///
-/// # Errors
-/// [`ReadError`] with the line at fault.
 pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     let fields = fields(file, text)?;
     let mut header = Header {
@@ -227,8 +214,8 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Header, ReadError> {
     Ok(header)
 }
 
-fn fields(file: &str, text: &str) -> Result<HashMap<String, Field>, ReadError> {
-    let mut fields: HashMap<String, Field> = HashMap::new();
+fn fields(file: &str, text: &str) -> Result<HashMap<String, (usize, String)>, ReadError> {
+    let mut fields = HashMap::new();
     // A field costs its text and about 200 bytes of book-keeping.
     let most = budget::of(text.len()) / 400;
     let refusal = |line: usize, found: &str, expected: &str| {
@@ -263,9 +250,7 @@ fn fields(file: &str, text: &str) -> Result<HashMap<String, Field>, ReadError> {
         }
         let key = key.split_whitespace().collect::<Vec<_>>().join(" ");
         // The first of two fields of one name counts.
-        fields
-            .entry(key.to_lowercase())
-            .or_insert(Field { line, value });
+        fields.entry(key.to_lowercase()).or_insert((line, value));
     }
     Ok(fields)
 }

@@ -121,21 +121,12 @@ pub(super) fn read(
 /// What is odd about a library: spectra without numbers, names that are not one for each of
 /// `count` spectra, bytes that are left over.
 fn oddities(empty: usize, names: usize, count: usize, left_over: usize) -> Vec<String> {
-    let mut odd = Vec::new();
-    if empty > 0 {
-        odd.push(format!(
-            "{empty} spectra with fewer than 2 numbers left out"
-        ));
-    }
-    if names > 0 && names != count {
-        odd.push(format!("{names} names for {count} spectra"));
-    }
-    if left_over > 0 {
-        odd.push(format!(
-            "{left_over} bytes behind the last spectrum passed over"
-        ));
-    }
-    odd
+    let odd = [
+        (empty > 0).then(|| format!("{empty} spectra with fewer than 2 numbers left out")),
+        (names > 0 && names != count).then(|| format!("{names} names for {count} spectra")),
+        (left_over > 0).then(|| format!("{left_over} bytes behind the last spectrum passed over")),
+    ];
+    odd.into_iter().flatten().collect()
 }
 
 /// The refusal of data that end too early.

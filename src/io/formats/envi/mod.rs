@@ -66,32 +66,25 @@ fn is_header(input: &Input) -> bool {
 
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let path = input.path.as_deref();
-    if is_header(input) {
+    let (header, name, data): (Header, String, Cow<[u8]>) = if is_header(input) {
         let header = header::parse(&input.name, &input.needs_text()?.text)?;
         let beside = "its data file beside it in the same folder";
         let path = path.ok_or_else(|| input.error("an ENVI header by itself", beside))?;
         let (name, bytes) = pair::data_of(path, &header, data_bytes(&header)?)?;
-        return read_pair(&header, bytes.into(), &name, input);
-    }
-    let header = path
-        .and_then(pair::header_of)
-        .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
-    let header = pair::read_header(&header)?;
-    data_bytes(&header)?;
-    read_pair(&header, input.bytes.into(), &input.name, input)
-}
-
-fn read_pair(
-    header: &Header,
-    data: Cow<[u8]>,
-    data_name: &str,
-    input: &Input,
-) -> Result<Reading, ReadError> {
+        (header, name, bytes.into())
+    } else {
+        let header = path
+            .and_then(pair::header_of)
+            .ok_or_else(|| input.error("ENVI data by itself", "its header .hdr beside it"))?;
+        let header = pair::read_header(&header)?;
+        data_bytes(&header)?;
+        (header, input.name.clone(), input.bytes.into())
+    };
     if header.is_library() {
         let file_bytes = data.len() + input.bytes.len();
-        library::read(header, &data, data_name, file_bytes, input)
+        library::read(&header, &data, &name, file_bytes, input)
     } else {
-        image::read(header, data.into_owned(), data_name, &input.choices)
+        image::read(&header, data.into_owned(), &name, &input.choices)
     }
 }
 

@@ -53,13 +53,28 @@ fn sniff(input: &Input) -> Confidence {
 fn read(input: &Input) -> Result<Reading, ReadError> {
     let text = &*without_nan(&input.needs_long_text()?.text);
     let mut reading = Reading::default();
-    if !has_known_keys(text) || !read_known(input, &any_json(input, text)?, &mut reading)? {
-        return read_plain(input, &json_tree::of(input, text)?);
+    let is_known =
+        has_known_keys(text) && read_known(input, &any_json(input, text)?, &mut reading)?;
+    let found = if is_known {
+        "JSON with no spectrum in it".to_owned()
+    } else {
+        let tree = json_tree::of(input, text)?;
+        plain::read(input, &tree, &mut reading)?;
+        in_words(&tree)
+    };
+    match reading.spectra.is_empty() {
+        true => Err(input.error(found, KNOWN)),
+        false => Ok(reading),
     }
-    if reading.spectra.is_empty() {
-        return Err(input.error("JSON with no spectrum in it", KNOWN));
-    }
-    Ok(reading)
+}
+
+/// What JSON of no program in particular is.
+fn in_words(tree: &Tree) -> String {
+    let Some(root) = tree.object() else {
+        return "a JSON list with no wavelengths in it".to_owned();
+    };
+    let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
+    format!("JSON with the keys {}", quoted(&keys.join(", ")))
 }
 
 /// The text with `null` for the numbers that JSON cannot write and many programs do: `NaN`,
@@ -111,23 +126,6 @@ fn has_known_keys(text: &str) -> bool {
         let known = [keys.spectral_data, keys.spd, keys.spectra, keys.spectrum];
         known.iter().any(Option::is_some)
     })
-}
-
-/// Reads JSON of no program in particular.
-fn read_plain(input: &Input, tree: &Tree) -> Result<Reading, ReadError> {
-    let mut reading = Reading::default();
-    plain::read(input, tree, &mut reading)?;
-    if !reading.spectra.is_empty() {
-        return Ok(reading);
-    }
-    let found = match tree.object() {
-        Some(root) => {
-            let keys: Vec<&str> = root.iter().take(3).map(|(key, _)| key.as_str()).collect();
-            format!("JSON with the keys {}", quoted(&keys.join(", ")))
-        }
-        None => "a JSON list with no wavelengths in it".to_owned(),
-    };
-    Err(input.error(found, KNOWN))
 }
 
 /// Reads JSON of a program that is known; `false` where it is of none.

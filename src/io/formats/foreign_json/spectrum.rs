@@ -13,22 +13,16 @@ use crate::io::{Input, ReadError, Reading};
 
 /// What is known of a spectrum before its numbers are put in order.
 pub(super) struct JsonSpectrum<'a> {
-    /// What to call it.
     pub name: String,
     /// What it is, where the file says.
     pub kind: Option<Kind>,
-    /// Unit of its values.
     pub unit: &'a str,
     /// Whether a factor is per cent, where the file says.
     pub percent: Option<bool>,
-    /// Where it comes from.
     pub source: &'a str,
 }
 
 /// Adds a spectrum to a reading.
-///
-/// # Errors
-/// [`ReadError`] when the numbers are no spectrum.
 pub(super) fn add(
     input: &Input,
     found: JsonSpectrum,
@@ -59,9 +53,6 @@ pub(crate) fn word<'a>(value: &'a Value, pointer: &str) -> Option<&'a str> {
 }
 
 /// A list of numbers; `null` stands for a missing one.
-///
-/// # Errors
-/// [`ReadError`] for anything else in the list.
 pub(crate) fn numbers(input: &Input, list: &Value, what: &str) -> Result<Vec<f64>, ReadError> {
     let list = list
         .as_array()

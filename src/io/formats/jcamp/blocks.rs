@@ -133,9 +133,6 @@ impl<'a> Block<'a> {
     }
 
     /// A record's number; `None` where it is missing.
-    ///
-    /// # Errors
-    /// [`ReadError`] when it is no number.
     pub(crate) fn number(
         &self,
         input: &Input,

@@ -205,7 +205,7 @@ impl Unpacked {
         let bytes = row.as_bytes();
         let is_gap = |b: u8| b.is_ascii_whitespace() || b == b';' || (b == b',' && !decimal_comma);
         let mut at = 0;
-        let mut abscissa = None;
+        let mut has_abscissa = false;
         let mut last: Option<(Form, f64)> = None;
         let mut checking = check_follows;
         while at < bytes.len() {
@@ -215,7 +215,7 @@ impl Unpacked {
                 continue;
             }
             if byte == b'?' {
-                self.push(f64::NAN)?;
+                self.put(Form::Value, f64::NAN)?;
                 last = Some((Form::Value, f64::NAN));
                 (at, checking) = (at + 1, false);
                 continue;
@@ -233,11 +233,11 @@ impl Unpacked {
                 continue;
             }
             let (form, value, past) = number_at(row, at, decimal_comma).ok_or(Trouble::At(at))?;
-            if abscissa.is_none() {
+            if !has_abscissa {
                 if form == Some(Form::Difference) {
                     return Err(Trouble::At(at));
                 }
-                abscissa = Some(value);
+                has_abscissa = true;
                 let index = self.values.len() - usize::from(check_follows);
                 self.starts.push((line, value, index));
                 at = past;
@@ -261,10 +261,6 @@ impl Unpacked {
             Form::Value => value,
             Form::Difference => self.values.last().copied().unwrap_or(0.0) + value,
         };
-        self.push(value)
-    }
-
-    fn push(&mut self, value: f64) -> Result<(), Trouble> {
         if self.values.len() >= self.most_points {
             return Err(Trouble::TooMany);
         }
@@ -274,15 +270,14 @@ impl Unpacked {
 
     /// Compares the ordinate at a line's start with the last one.
     fn check(&mut self, value: f64, line: usize) {
-        let found = self.values.last().copied().unwrap_or(f64::NAN);
         // Ordinates are whole numbers; half of one is rounding.
-        if (found - value).abs() > 0.5 {
+        if let Some(last) = self.values.last_mut()
+            && (*last - value).abs() > 0.5
+        {
+            // The stated ordinate is right: an error does not run on.
+            *last = value;
             let (first, count) = self.wrong.unwrap_or((line, 0));
             self.wrong = Some((first, count + 1));
-            // The stated ordinate is right: an error does not run on.
-            if let Some(last) = self.values.last_mut() {
-                *last = value;
-            }
         }
     }
 }

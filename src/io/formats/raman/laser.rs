@@ -40,20 +40,14 @@ pub(super) fn of_name(name: &str) -> Option<f64> {
 
 /// The laser in a header line: `Laser wavelength: 785 nm`, `#Laser=785nm_edge`.
 pub(super) fn of_header<'a>(headers: impl Iterator<Item = &'a str>) -> Option<f64> {
-    let named: Vec<Laser> = headers.flat_map(lasers_of_line).collect();
-    let by_unit = named.iter().find(|laser| laser.says_nm);
-    by_unit.or(named.first()).map(|laser| laser.nm)
+    let named: Vec<(f64, bool)> = headers.flat_map(lasers_of_line).collect();
+    let by_unit = named.iter().find(|(_, says_nm)| *says_nm);
+    by_unit.or(named.first()).map(|(nm, _)| *nm)
 }
 
-/// A number behind the word "laser".
-struct Laser {
-    nm: f64,
-    /// Whether it is said to be a wavelength.
-    says_nm: bool,
-}
-
-/// The numbers of a header line that may be a laser's wavelength: not its power or its share.
-fn lasers_of_line(line: &str) -> Vec<Laser> {
+/// The numbers of a header line that may be a laser's wavelength, not its power or its share, and
+/// whether they are said to be one.
+fn lasers_of_line(line: &str) -> Vec<(f64, bool)> {
     let lower = line.to_lowercase();
     let words = [
         "laser",
@@ -85,10 +79,7 @@ fn lasers_of_line(line: &str) -> Vec<Laser> {
             && nm != 1000.0
             && (says_nm || !counts_other && !names_other)
         {
-            lasers.push(Laser {
-                nm,
-                says_nm: says_nm || names_wavelength,
-            });
+            lasers.push((nm, says_nm || names_wavelength));
         }
         rest = behind;
     }

@@ -29,9 +29,7 @@ pub(super) struct Lists<'a> {
     pub axis_title: String,
     /// Whether a number has "nm" behind it.
     pub says_nm: bool,
-    /// The wavelengths.
     pub axis: Vec<f64>,
-    /// The lists of values.
     pub columns: Vec<Column<'a>>,
 }
 

@@ -38,9 +38,6 @@ const MOST_BYTES_READ: usize = 1 << 19;
 const NEAREST_BYTES: usize = 60;
 
 /// Adds all spectra that a JSON value holds; none where it holds no wavelengths.
-///
-/// # Errors
-/// [`ReadError`] when numbers beside wavelengths are no spectrum.
 pub(super) fn read(input: &Input, value: &Tree, reading: &mut Reading) -> Result<(), ReadError> {
     let mut finder = Finder {
         input,

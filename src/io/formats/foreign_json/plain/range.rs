@@ -6,7 +6,7 @@
 //! ```
 
 use super::keys::{is_axis, one_number, spaced};
-use crate::io::decode::json_tree::{Object, Tree};
+use crate::io::decode::json_tree::Tree;
 
 /// Ends of light where no key says that they are wavelengths, nm.
 const PLAUSIBLE_NM: std::ops::RangeInclusive<f64> = 150.0..=50_000.0;
@@ -55,7 +55,7 @@ fn words(key: &str) -> Vec<String> {
 
 impl Ends {
     /// What an object says of an axis.
-    pub(super) fn of(object: &Object) -> Self {
+    pub(super) fn of<'o>(object: impl IntoIterator<Item = &'o (String, Tree)>) -> Self {
         let mut ends = Self::default();
         for (key, value) in object {
             ends.look(key, value);
@@ -75,7 +75,9 @@ impl Ends {
                 }
             }
             Tree::Object(inner) if is_range || is_axis(key) => {
-                let inner_ends = Self::of_flat(inner);
+                // Nothing is looked for further down.
+                let is_number = |entry: &&(String, Tree)| matches!(entry.1, Tree::Number(_));
+                let inner_ends = Self::of(inner.iter().filter(is_number));
                 if inner_ends.start.is_some() && self.start.is_none() {
                     *self = inner_ends;
                     self.names_wavelengths |= is_axis(key);
@@ -84,17 +86,6 @@ impl Ends {
             }
             _ => {}
         }
-    }
-
-    /// As [`Ends::of`], without looking further down.
-    fn of_flat(object: &Object) -> Self {
-        let mut ends = Self::default();
-        for (key, value) in object {
-            if let Tree::Number(number) = value {
-                ends.number(&words(key), *number);
-            }
-        }
-        ends
     }
 
     /// Takes a number for what its key says that it is to an axis.
